@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace geargraph {
+
+/// An immutable text that is stored once per process: two atoms are equal exactly if they are the same pointer,
+/// so ids cost as much as an integer to copy, compare and hash. Texts are never freed; a session sees few.
+///
+/// Thread-safe: atoms may be made and compared from any thread.
+class Atom {
+ public:
+  Atom() = default;  ///< the empty text
+  explicit Atom(std::string_view text);
+
+  [[nodiscard]] const std::string& text() const;
+  [[nodiscard]] bool empty() const { return m_text == nullptr; }
+  [[nodiscard]] std::size_t hash() const { return std::hash<const void*>{}(m_text); }
+
+  friend bool operator==(Atom a, Atom b) { return a.m_text == b.m_text; }
+  friend bool operator!=(Atom a, Atom b) { return a.m_text != b.m_text; }
+  /// By text, so that an order does not depend on the run.
+  friend bool operator<(Atom a, Atom b) { return a.m_text != b.m_text && a.text() < b.text(); }
+
+ private:
+  const std::string* m_text = nullptr;
+};
+
+/// The stable identity of an element, unique within its list of the document. Tags keep a link's id from being
+/// taken for a joint's. Labels (the paper's numbers) are derived from positions and are not ids.
+template <class Tag>
+class Id {
+ public:
+  Id() = default;
+  explicit Id(std::string_view text) : m_atom(text) {}
+  explicit Id(Atom atom) : m_atom(atom) {}
+
+  [[nodiscard]] const std::string& text() const { return m_atom.text(); }
+  [[nodiscard]] bool empty() const { return m_atom.empty(); }
+  [[nodiscard]] Atom atom() const { return m_atom; }
+
+  friend bool operator==(Id a, Id b) { return a.m_atom == b.m_atom; }
+  friend bool operator!=(Id a, Id b) { return a.m_atom != b.m_atom; }
+  friend bool operator<(Id a, Id b) { return a.m_atom < b.m_atom; }
+
+ private:
+  Atom m_atom;
+};
+
+using LinkId = Id<struct LinkTag>;
+using AxisId = Id<struct AxisTag>;
+using JointId = Id<struct JointTag>;  ///< turning joints
+using MeshId = Id<struct MeshTag>;    ///< gear meshes
+using WheelId = Id<struct WheelTag>;
+using CouplingId = Id<struct CouplingTag>;
+
+enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state };
+
+/// The name of the document's list that holds elements of this kind, e.g. "turningJoints".
+[[nodiscard]] std::string_view listName(ElementKind kind);
+
+/// Anything that can be selected, hovered or blamed.
+struct ElementId {
+  ElementKind kind = ElementKind::link;
+  Atom id;
+
+  ElementId() = default;
+  ElementId(ElementKind elementKind, Atom elementId) : kind(elementKind), id(elementId) {}
+  ElementId(LinkId link) : kind(ElementKind::link), id(link.atom()) {}                      // NOLINT
+  ElementId(AxisId axis) : kind(ElementKind::axis), id(axis.atom()) {}                      // NOLINT
+  ElementId(JointId joint) : kind(ElementKind::turningJoint), id(joint.atom()) {}           // NOLINT
+  ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}                  // NOLINT
+  ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}                  // NOLINT
+  ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}      // NOLINT
+
+  friend bool operator==(ElementId a, ElementId b) { return a.kind == b.kind && a.id == b.id; }
+  friend bool operator!=(ElementId a, ElementId b) { return !(a == b); }
+  friend bool operator<(ElementId a, ElementId b) {
+    return a.kind != b.kind ? a.kind < b.kind : a.id < b.id;
+  }
+};
+
+}  // namespace geargraph
+
+template <>
+struct std::hash<geargraph::Atom> {
+  std::size_t operator()(geargraph::Atom atom) const { return atom.hash(); }
+};
+template <class Tag>
+struct std::hash<geargraph::Id<Tag>> {
+  std::size_t operator()(geargraph::Id<Tag> id) const { return id.atom().hash(); }
+};
+template <>
+struct std::hash<geargraph::ElementId> {
+  std::size_t operator()(geargraph::ElementId element) const {
+    return element.id.hash() * 31 + static_cast<std::size_t>(element.kind);
+  }
+};

@@ -1,0 +1,308 @@
+#include "core/mechanism/validate.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements, std::string pointer = {}) {
+  return {code, std::move(message), std::move(elements), std::move(pointer), 0, 0};
+}
+
+std::string pointerTo(ElementKind list, std::size_t position) {
+  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
+}
+
+/// Collects what wellFormedDiagnostics() finds, list by list.
+class WellFormedCheck {
+ public:
+  explicit WellFormedCheck(const Mechanism& mechanism) : m_mechanism(mechanism) {}
+
+  Diagnostics run() {
+    if (m_mechanism.links.empty()) {
+      add(Code::schema, "A mechanism needs at least the ground.", {}, "/links");
+    }
+    uniqueIds(m_mechanism.links, ElementKind::link, m_links);
+    uniqueIds(m_mechanism.axes, ElementKind::axis, m_axes);
+    uniqueIds(m_mechanism.turningJoints, ElementKind::turningJoint, m_joints);
+    uniqueIds(m_mechanism.gearMeshes, ElementKind::gearMesh, m_meshes);
+    uniqueIds(m_mechanism.wheels, ElementKind::wheel, m_wheels);
+    uniqueIds(m_mechanism.couplings, ElementKind::coupling, m_couplings);
+    checkAxes();
+    checkJoints();
+    checkMeshes();
+    checkWheels();
+    checkInputs();
+    checkCouplings();
+    checkStates();
+    return std::move(m_findings);
+  }
+
+ private:
+  using Known = std::unordered_set<Atom>;
+
+  void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
+    m_findings.push_back(finding(code, std::move(message), std::move(elements), std::move(pointer)));
+  }
+
+  template <class Element>
+  void uniqueIds(const std::vector<Element>& list, ElementKind kind, Known& known) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Atom id = list[i].id.atom();
+      if (id.empty()) {
+        add(Code::schema, "An id may not be empty.", {}, pointerTo(kind, i) + "/id");
+      } else if (!known.insert(id).second) {
+        add(Code::duplicateId, "The id \"" + id.text() + "\" stands twice in " + std::string(listName(kind)) + ".",
+            {{kind, id}}, pointerTo(kind, i) + "/id");
+      }
+    }
+  }
+
+  /// A reference from `owner` to an element of another list.
+  void reference(const ElementId& owner, const ElementId& to, const Known& known, const std::string& pointer) {
+    if (known.contains(to.id)) return;
+    add(Code::unknownId,
+        std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() + "\", but " +
+            std::string(listName(to.kind)) + " has no such id.",
+        {owner}, pointer);
+  }
+
+  void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what, const std::string& at) {
+    if (tail != head) return;
+    add(Code::selfJoint,
+        what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() + "\" to itself; it needs two links.",
+        {owner, tail}, at);
+  }
+
+  void checkAxes() {
+    for (std::size_t i = 0; i < m_mechanism.axes.size(); ++i) {
+      const Axis& axis = m_mechanism.axes[i];
+      if (axis.direction && isZero(*axis.direction)) {
+        add(Code::schema, "The direction of axis \"" + axis.id.text() + "\" has length 0.", {axis.id},
+            pointerTo(ElementKind::axis, i) + "/direction");
+      }
+    }
+  }
+
+  void checkJoints() {
+    for (std::size_t i = 0; i < m_mechanism.turningJoints.size(); ++i) {
+      const TurningJoint& joint = m_mechanism.turningJoints[i];
+      const std::string at = pointerTo(ElementKind::turningJoint, i);
+      reference(joint.id, joint.tail, m_links, at + "/tail");
+      reference(joint.id, joint.head, m_links, at + "/head");
+      reference(joint.id, joint.axis, m_axes, at + "/axis");
+      notItself(joint.id, joint.tail, joint.head, "Turning joint", at);
+    }
+  }
+
+  void checkMeshes() {
+    for (std::size_t i = 0; i < m_mechanism.gearMeshes.size(); ++i) {
+      const GearMesh& mesh = m_mechanism.gearMeshes[i];
+      const std::string at = pointerTo(ElementKind::gearMesh, i);
+      reference(mesh.id, mesh.tail, m_links, at + "/tail");
+      reference(mesh.id, mesh.head, m_links, at + "/head");
+      notItself(mesh.id, mesh.tail, mesh.head, "Gear mesh", at);
+      teeth(mesh, mesh.tailTeeth, at + "/tailTeeth");
+      teeth(mesh, mesh.headTeeth, at + "/headTeeth");
+      wheelOf(mesh, mesh.tailWheel, mesh.tail, at + "/tailWheel");
+      wheelOf(mesh, mesh.headWheel, mesh.head, at + "/headWheel");
+      if (mesh.faceWidth && mesh.faceWidth->exact().sign() <= 0) {
+        add(Code::schema, "The face width of a gear mesh is above 0.", {mesh.id}, at + "/faceWidth");
+      }
+    }
+  }
+
+  void teeth(const GearMesh& mesh, int count, const std::string& pointer) {
+    if (count >= kFewestTeeth && count <= kMostTeeth) return;
+    add(Code::schema,
+        "A gear has 1 to 100,000 teeth; mesh \"" + mesh.id.text() + "\" says " + std::to_string(count) + ".",
+        {mesh.id}, pointer);
+  }
+
+  void wheelOf(const GearMesh& mesh, const std::optional<WheelId>& wheel, LinkId link, const std::string& pointer) {
+    if (!wheel) return;
+    reference(mesh.id, *wheel, m_wheels, pointer);
+    const Wheel* found = m_mechanism.find(*wheel);
+    if (found != nullptr && found->link != link) {
+      add(Code::schema,
+          "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" + wheel->text() +
+              "\" is on link \"" + found->link.text() + "\".",
+          {mesh.id, *wheel}, pointer);
+    }
+  }
+
+  void checkWheels() {
+    for (std::size_t i = 0; i < m_mechanism.wheels.size(); ++i) {
+      const Wheel& wheel = m_mechanism.wheels[i];
+      reference(wheel.id, wheel.link, m_links, pointerTo(ElementKind::wheel, i) + "/link");
+    }
+  }
+
+  void checkInputs() {
+    if (!m_mechanism.inputs) return;
+    Known seen;
+    for (std::size_t i = 0; i < m_mechanism.inputs->size(); ++i) {
+      const JointId joint = (*m_mechanism.inputs)[i].joint;
+      const std::string at = "/inputs/" + std::to_string(i) + "/joint";
+      if (!m_joints.contains(joint.atom())) {
+        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.", {}, at);
+      } else if (!seen.insert(joint.atom()).second) {
+        add(Code::duplicateId, "The joint \"" + joint.text() + "\" stands twice in inputs.", {joint}, at);
+      }
+    }
+  }
+
+  void checkCouplings() {
+    for (std::size_t i = 0; i < m_mechanism.couplings.size(); ++i) {
+      const Coupling& coupling = m_mechanism.couplings[i];
+      const std::string at = pointerTo(ElementKind::coupling, i);
+      for (const LinkId link : coupling.links) reference(coupling.id, link, m_links, at);
+      const std::size_t wanted = coupling.kind == CouplingKind::brake ? 1 : 2;
+      if (coupling.links.size() != wanted) {
+        add(Code::schema, "A brake names one link, a clutch two.", {coupling.id}, at);
+      } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
+        add(Code::selfJoint,
+            "Clutch \"" + coupling.id.text() + "\" ties link \"" + coupling.links[0].text() + "\" to itself.",
+            {coupling.id, coupling.links[0]}, at);
+      }
+    }
+  }
+
+  void checkStates() {
+    for (std::size_t i = 0; i < m_mechanism.states.size(); ++i) {
+      const ShiftState& state = m_mechanism.states[i];
+      const ElementId owner(ElementKind::state, Atom(state.name));
+      const std::string at = pointerTo(ElementKind::state, i);
+      for (const CouplingId engaged : state.engaged) reference(owner, engaged, m_couplings, at + "/engaged");
+      if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
+      if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");
+    }
+  }
+
+  const Mechanism& m_mechanism;
+  Diagnostics m_findings;
+  Known m_links;
+  Known m_axes;
+  Known m_joints;
+  Known m_meshes;
+  Known m_wheels;
+  Known m_couplings;
+};
+
+/// Union-find over link positions, with the joints of the growing forest kept to name loops.
+class Forest {
+ public:
+  explicit Forest(std::size_t links) : m_parent(links), m_edges(links) {
+    for (std::size_t i = 0; i < links; ++i) m_parent[i] = i;
+  }
+
+  [[nodiscard]] std::size_t rootOf(std::size_t link) {
+    while (m_parent[link] != link) link = m_parent[link] = m_parent[m_parent[link]];
+    return link;
+  }
+
+  /// False where the two hang together already: then the joint would close a loop.
+  bool join(std::size_t a, std::size_t b, std::size_t joint) {
+    const std::size_t rootA = rootOf(a);
+    const std::size_t rootB = rootOf(b);
+    if (rootA == rootB) return false;
+    m_parent[rootA] = rootB;
+    m_edges[a].emplace_back(b, joint);
+    m_edges[b].emplace_back(a, joint);
+    return true;
+  }
+
+  /// The joints between two links of one tree, from `from` to `to`.
+  [[nodiscard]] std::vector<std::size_t> path(std::size_t from, std::size_t to) const {
+    std::unordered_map<std::size_t, std::pair<std::size_t, std::size_t>> cameBy{{from, {from, 0}}};
+    std::vector<std::size_t> queue{from};
+    for (std::size_t at = 0; at < queue.size() && !cameBy.contains(to); ++at) {
+      for (const auto& [next, joint] : m_edges[queue[at]]) {
+        if (cameBy.try_emplace(next, queue[at], joint).second) queue.push_back(next);
+      }
+    }
+    std::vector<std::size_t> joints;
+    for (std::size_t link = to; link != from; link = cameBy.at(link).first) joints.push_back(cameBy.at(link).second);
+    std::reverse(joints.begin(), joints.end());
+    return joints;
+  }
+
+ private:
+  std::vector<std::size_t> m_parent;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_edges;
+};
+
+constexpr std::size_t kMostNamesInASentence = 8;
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMostNamesInASentence; ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += names[i];
+  }
+  if (names.size() > kMostNamesInASentence) {
+    text += " and " + std::to_string(names.size() - kMostNamesInASentence) + " more";
+  }
+  return text;
+}
+
+Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing, const std::vector<std::size_t>& path) {
+  const TurningJoint& last = mechanism.turningJoints[closing];
+  std::vector<ElementId> elements{last.id};
+  std::vector<std::string> names;
+  bool oneAxis = true;
+  for (const std::size_t joint : path) {
+    const TurningJoint& other = mechanism.turningJoints[joint];
+    elements.emplace_back(other.id);
+    names.push_back(std::to_string(mechanism.jointLabel(static_cast<int>(joint))));
+    oneAxis = oneAxis && other.axis == last.axis;
+  }
+  const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
+  std::string message = "Turning joint " + label + " closes a loop with " + joined(names) + ". ";
+  message += oneAxis ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
+                           " is a redundant bearing: drop it."
+                     : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
+  return finding(Code::turningLoop, std::move(message), std::move(elements));
+}
+
+}  // namespace
+
+Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) { return WellFormedCheck(mechanism).run(); }
+
+Diagnostics treeDiagnostics(const Mechanism& mechanism) {
+  std::unordered_map<LinkId, std::size_t> position;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) position.emplace(mechanism.links[i].id, i);
+
+  Forest forest(mechanism.links.size());
+  Diagnostics findings;
+  for (std::size_t j = 0; j < mechanism.turningJoints.size(); ++j) {
+    const TurningJoint& joint = mechanism.turningJoints[j];
+    const std::size_t tail = position.at(joint.tail);
+    const std::size_t head = position.at(joint.head);
+    if (!forest.join(tail, head, j)) findings.push_back(loopDiagnostic(mechanism, j, forest.path(tail, head)));
+  }
+
+  std::vector<ElementId> loose;
+  std::vector<std::string> labels;
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+    if (forest.rootOf(i) == forest.rootOf(0)) continue;
+    loose.emplace_back(mechanism.links[i].id);
+    labels.push_back(std::to_string(i));
+  }
+  if (!loose.empty()) {
+    const bool one = loose.size() == 1;
+    findings.insert(findings.begin(),
+                    finding(Code::disconnected,
+                            (one ? "Link " : "Links ") + joined(labels) + (one ? " is" : " are") +
+                                " not tied to the ground by turning joints: draw a turning joint to " +
+                                (one ? "it." : "them."),
+                            std::move(loose)));
+  }
+  return findings;
+}
+
+}  // namespace geargraph

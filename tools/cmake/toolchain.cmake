@@ -1,0 +1,31 @@
+# The compiler's settings, the same for every target.
+
+option(GEARGRAPH_QT "Build the layers, programs and tests that need Qt" ON)
+option(GEARGRAPH_WERROR "Warnings are errors (on in CI, off on users' machines)" OFF)
+set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_library(geargraph_warnings INTERFACE)
+target_compile_options(geargraph_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${GEARGRAPH_WERROR}>:-Werror>)
+
+if(GEARGRAPH_SANITIZE)
+  add_compile_options(-fsanitize=${GEARGRAPH_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${GEARGRAPH_SANITIZE})
+endif()
+
+# moc 6.4 stops with «Parse error at "std"» when a header reaches <compare> first; cured in Qt 6.5.3.
+set(CMAKE_AUTOMOC_MOC_OPTIONS -D_GLIBCXX_VISIBILITY=)
+
+find_program(GEARGRAPH_CCACHE ccache)
+if(GEARGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Paths are hashed relative to the checkout, so that two checkouts share their results.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GEARGRAPH_CCACHE})
+endif()
