@@ -54,15 +54,22 @@ const CodeEntry& entryOf(Code code) {
 
 }  // namespace
 
-std::string_view codeName(Code code) { return entryOf(code).name; }
+std::string_view codeName(Code code) {
+  return entryOf(code).name;
+}
 
-Severity severityOf(Code code) { return entryOf(code).severity; }
+Severity severityOf(Code code) {
+  return entryOf(code).severity;
+}
 
 std::string_view severityName(Severity severity) {
   switch (severity) {
-    case Severity::error: return "error";
-    case Severity::warning: return "warning";
-    case Severity::info: return "info";
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::info:
+      return "info";
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -11,8 +11,8 @@ namespace geargraph {
 
 enum class Severity { error, warning, info };
 
-/// What can be wrong with a document or a mechanism. Names and severities are those of the file format's table:
-/// people's scripts match on them, so they never change.
+/// What can be wrong with a document or a mechanism. Names and severities are those of the file format's
+/// table: people's scripts match on them, so they never change.
 enum class Code {
   syntax,
   format,

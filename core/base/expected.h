@@ -15,7 +15,8 @@ namespace geargraph {
 template <class Value>
 class [[nodiscard]] Expected {
  public:
-  Expected(Value value) : m_state(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
+  Expected(Value value)
+      : m_state(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
   Expected(Diagnostic why) : m_state(std::in_place_index<1>, Diagnostics{std::move(why)}) {}  // NOLINT
   Expected(Diagnostics why) : m_state(std::in_place_index<1>, std::move(why)) {               // NOLINT
     GEARGRAPH_REQUIRE(!std::get<1>(m_state).empty());

@@ -49,13 +49,20 @@ const std::string& Atom::text() const {
 
 std::string_view listName(ElementKind kind) {
   switch (kind) {
-    case ElementKind::link: return "links";
-    case ElementKind::axis: return "axes";
-    case ElementKind::turningJoint: return "turningJoints";
-    case ElementKind::gearMesh: return "gearMeshes";
-    case ElementKind::wheel: return "wheels";
-    case ElementKind::coupling: return "couplings";
-    case ElementKind::state: return "states";
+    case ElementKind::link:
+      return "links";
+    case ElementKind::axis:
+      return "axes";
+    case ElementKind::turningJoint:
+      return "turningJoints";
+    case ElementKind::gearMesh:
+      return "gearMeshes";
+    case ElementKind::wheel:
+      return "wheels";
+    case ElementKind::coupling:
+      return "couplings";
+    case ElementKind::state:
+      return "states";
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -7,8 +7,9 @@
 
 namespace geargraph {
 
-/// An immutable text that is stored once per process: two atoms are equal exactly if they are the same pointer,
-/// so ids cost as much as an integer to copy, compare and hash. Texts are never freed; a session sees few.
+/// An immutable text that is stored once per process: two atoms are equal exactly if they are the same
+/// pointer, so ids cost as much as an integer to copy, compare and hash. Texts are never freed; a session
+/// sees few.
 ///
 /// Thread-safe: atoms may be made and compared from any thread.
 class Atom {
@@ -29,8 +30,8 @@ class Atom {
   const std::string* m_text = nullptr;
 };
 
-/// The stable identity of an element, unique within its list of the document. Tags keep a link's id from being
-/// taken for a joint's. Labels (the paper's numbers) are derived from positions and are not ids.
+/// The stable identity of an element, unique within its list of the document. Tags keep a link's id from
+/// being taken for a joint's. Labels (the paper's numbers) are derived from positions and are not ids.
 template <class Tag>
 class Id {
  public:
@@ -69,18 +70,16 @@ struct ElementId {
 
   ElementId() = default;
   ElementId(ElementKind elementKind, Atom elementId) : kind(elementKind), id(elementId) {}
-  ElementId(LinkId link) : kind(ElementKind::link), id(link.atom()) {}                      // NOLINT
-  ElementId(AxisId axis) : kind(ElementKind::axis), id(axis.atom()) {}                      // NOLINT
-  ElementId(JointId joint) : kind(ElementKind::turningJoint), id(joint.atom()) {}           // NOLINT
-  ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}                  // NOLINT
-  ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}                  // NOLINT
-  ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}      // NOLINT
+  ElementId(LinkId link) : kind(ElementKind::link), id(link.atom()) {}                  // NOLINT
+  ElementId(AxisId axis) : kind(ElementKind::axis), id(axis.atom()) {}                  // NOLINT
+  ElementId(JointId joint) : kind(ElementKind::turningJoint), id(joint.atom()) {}       // NOLINT
+  ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}              // NOLINT
+  ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}              // NOLINT
+  ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}  // NOLINT
 
   friend bool operator==(ElementId a, ElementId b) { return a.kind == b.kind && a.id == b.id; }
   friend bool operator!=(ElementId a, ElementId b) { return !(a == b); }
-  friend bool operator<(ElementId a, ElementId b) {
-    return a.kind != b.kind ? a.kind < b.kind : a.id < b.id;
-  }
+  friend bool operator<(ElementId a, ElementId b) { return a.kind != b.kind ? a.kind < b.kind : a.id < b.id; }
 };
 
 }  // namespace geargraph

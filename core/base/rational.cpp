@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t kLongestNumber = 4300;
 constexpr long kLargestExponent = 4300;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 /// Moves `at` behind the digits that stand there and returns how many there were.
 std::size_t skipDigits(std::string_view text, std::size_t& at) {
@@ -23,7 +25,9 @@ std::size_t skipDigits(std::string_view text, std::size_t& at) {
 }
 
 /// Sets `value` from a text of digits with an optional sign. @pre the text has that form
-void setWhole(fmpz_t value, const std::string& digits) { fmpz_set_str(value, digits.c_str(), 10); }
+void setWhole(fmpz_t value, const std::string& digits) {
+  fmpz_set_str(value, digits.c_str(), 10);
+}
 
 }  // namespace
 
@@ -143,7 +147,8 @@ Rational Rational::inverse() const {
 
 std::optional<Rational> Rational::squareRoot() const {
   if (sign() < 0) return std::nullopt;
-  if (fmpz_is_square(fmpq_numref(m_value)) == 0 || fmpz_is_square(fmpq_denref(m_value)) == 0) return std::nullopt;
+  if (fmpz_is_square(fmpq_numref(m_value)) == 0 || fmpz_is_square(fmpq_denref(m_value)) == 0)
+    return std::nullopt;
   Rational root;
   fmpz_sqrt(fmpq_numref(root.m_value), fmpq_numref(m_value));
   fmpz_sqrt(fmpq_denref(root.m_value), fmpq_denref(m_value));

@@ -14,7 +14,9 @@ namespace geargraph {
 class Rational {
  public:
   Rational() { fmpq_init(m_value); }
-  Rational(std::int64_t whole) : Rational() { fmpq_set_si(m_value, whole, 1); }  // NOLINT(google-explicit-constructor)
+  Rational(std::int64_t whole) : Rational() {
+    fmpq_set_si(m_value, whole, 1);
+  }  // NOLINT(google-explicit-constructor)
   /// @pre denominator is not 0
   Rational(std::int64_t numerator, std::int64_t denominator);
   Rational(const Rational& other) : Rational() { fmpq_set(m_value, other.m_value); }
@@ -29,9 +31,9 @@ class Rational {
   }
   ~Rational() { fmpq_clear(m_value); }
 
-  /// Reads "3", "-22/7", "0.125" or "1.5e-3", exactly. Nothing where the text is none of these, the denominator
-  /// is 0, or the number has more than 4,300 digits or an exponent beyond ±4,300 (a hostile file must not cost
-  /// minutes).
+  /// Reads "3", "-22/7", "0.125" or "1.5e-3", exactly. Nothing where the text is none of these, the
+  /// denominator is 0, or the number has more than 4,300 digits or an exponent beyond ±4,300 (a hostile file
+  /// must not cost minutes).
   [[nodiscard]] static std::optional<Rational> fromText(std::string_view text);
   /// The exact value of a finite double.
   [[nodiscard]] static Rational fromDouble(double value);
@@ -71,7 +73,9 @@ class Rational {
     fmpq_neg(a.m_value, a.m_value);
     return a;
   }
-  friend bool operator==(const Rational& a, const Rational& b) { return fmpq_equal(a.m_value, b.m_value) != 0; }
+  friend bool operator==(const Rational& a, const Rational& b) {
+    return fmpq_equal(a.m_value, b.m_value) != 0;
+  }
   friend bool operator!=(const Rational& a, const Rational& b) { return !(a == b); }
   friend bool operator<(const Rational& a, const Rational& b) { return fmpq_cmp(a.m_value, b.m_value) < 0; }
   friend bool operator>(const Rational& a, const Rational& b) { return b < a; }

@@ -43,7 +43,9 @@ std::vector<std::string> freshIds(const Mechanism& mechanism, int count) {
   return fresh;
 }
 
-std::string freshId(const Mechanism& mechanism) { return freshIds(mechanism, 1).front(); }
+std::string freshId(const Mechanism& mechanism) {
+  return freshIds(mechanism, 1).front();
+}
 
 /// "a", "b", ... "z", "a1", ...: the levels of the T-T graph are lower-case letters.
 AxisId freshAxisId(const Mechanism& mechanism) {
@@ -67,7 +69,8 @@ Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
   for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
     if (diagnostic.code != Code::turningLoop) continue;
     const auto& blamed = diagnostic.elements;
-    if (std::find(blamed.begin(), blamed.end(), ElementId(added)) != blamed.end()) return std::move(diagnostic);
+    if (std::find(blamed.begin(), blamed.end(), ElementId(added)) != blamed.end())
+      return std::move(diagnostic);
   }
   return edited;
 }
@@ -98,7 +101,8 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
   return unlessLoop(std::move(mechanism), id);
 }
 
-Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, int tailTeeth, int headTeeth) {
+Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, int tailTeeth,
+                                 int headTeeth) {
   if (mechanism.find(tail) == nullptr) return unknown(tail);
   if (mechanism.find(head) == nullptr) return unknown(head);
   if (tail == head) {
@@ -117,7 +121,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   const std::unordered_set<ElementId> gone(elements.begin(), elements.end());
   const LinkId ground = mechanism.links.front().id;
   if (gone.contains(ground)) {
-    return refusal(Code::schema, "The ground cannot be deleted; make another link the ground first.", {ground});
+    return refusal(Code::schema, "The ground cannot be deleted; make another link the ground first.",
+                   {ground});
   }
   const auto linkGone = [&](LinkId link) { return gone.contains(link); };
   std::set<AxisId> freed;
@@ -126,8 +131,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   }
 
   std::erase_if(mechanism.turningJoints, [&](const TurningJoint& joint) {
-    const bool goes = gone.contains(joint.id) || linkGone(joint.tail) || linkGone(joint.head) ||
-                      gone.contains(joint.axis);
+    const bool goes =
+        gone.contains(joint.id) || linkGone(joint.tail) || linkGone(joint.head) || gone.contains(joint.axis);
     if (goes) freed.insert(joint.axis);
     return goes;
   });
@@ -156,7 +161,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   if (mechanism.inputs) {
     std::unordered_set<Atom> joints;
     for (const TurningJoint& joint : mechanism.turningJoints) joints.insert(joint.id.atom());
-    std::erase_if(*mechanism.inputs, [&](const Input& input) { return !joints.contains(input.joint.atom()); });
+    std::erase_if(*mechanism.inputs,
+                  [&](const Input& input) { return !joints.contains(input.joint.atom()); });
     if (mechanism.inputs->empty()) mechanism.inputs.reset();
   }
   dropUnusedAxes(mechanism, freed);
@@ -170,7 +176,8 @@ Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
     std::swap(joint->tail, joint->head);
     return mechanism;
   }
-  GearMesh* mesh = element.kind == ElementKind::gearMesh ? findIn(mechanism.gearMeshes, MeshId(element.id)) : nullptr;
+  GearMesh* mesh =
+      element.kind == ElementKind::gearMesh ? findIn(mechanism.gearMeshes, MeshId(element.id)) : nullptr;
   if (mesh == nullptr) return unknown(element);
   std::swap(mesh->tail, mesh->head);
   std::swap(mesh->tailTeeth, mesh->headTeeth);
@@ -186,7 +193,8 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
     return mechanism;
   }
   if (element.kind != ElementKind::axis) {
-    return refusal(Code::schema, "Only links and axes bear names; the others bear the paper's labels.", {element});
+    return refusal(Code::schema, "Only links and axes bear names; the others bear the paper's labels.",
+                   {element});
   }
   const AxisId from(element.id);
   const AxisId to{name};
@@ -204,7 +212,8 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
   return mechanism;
 }
 
-Expected<Mechanism> withNodesMoved(Mechanism mechanism, std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+Expected<Mechanism> withNodesMoved(Mechanism mechanism,
+                                   std::span<const std::pair<LinkId, SheetPoint>> nodes) {
   for (const auto& [link, point] : nodes) {
     if (mechanism.find(link) == nullptr) return unknown(link);
     mechanism.view.nodes[link] = point;
@@ -219,7 +228,8 @@ Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, i
   found->headTeeth = headTeeth;
   for (const int teeth : {tailTeeth, headTeeth}) {
     if (teeth < kFewestTeeth || teeth > kMostTeeth) {
-      return refusal(Code::schema, "A gear has 1 to 100,000 teeth, not " + std::to_string(teeth) + ".", {mesh});
+      return refusal(Code::schema, "A gear has 1 to 100,000 teeth, not " + std::to_string(teeth) + ".",
+                     {mesh});
     }
   }
   return mechanism;

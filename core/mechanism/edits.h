@@ -8,31 +8,33 @@
 
 namespace geargraph {
 
-// Edits are pure functions: they take the document by value and return the next one, or say why not. A refused
-// edit (self-joint, unknown id, ...) changes nothing, because the caller still holds the value it had.
-// Ids of new elements are the smallest whole numbers that no element of any list bears, so that the three kinds
-// never look alike; the caller finds the new element at the end of its list.
+// Edits are pure functions: they take the document by value and return the next one, or say why not. A
+// refused edit (self-joint, unknown id, ...) changes nothing, because the caller still holds the value it
+// had. Ids of new elements are the smallest whole numbers that no element of any list bears, so that the
+// three kinds never look alike; the caller finds the new element at the end of its list.
 
 /// A new link at a place of the digraph, tied to nothing yet.
 [[nodiscard]] Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name = {});
 
 /// A turning joint from `tail` to `head` on an axis. An empty `axis` makes a new one, not placed yet.
 /// Refuses self-joint, unknown-id, and turning-loop: a joint that would close a loop of turning joints.
-[[nodiscard]] Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId head, AxisId axis = {});
+[[nodiscard]] Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId head,
+                                                   AxisId axis = {});
 
 /// A gear mesh from `tail` to `head`. Refuses self-joint, unknown-id, schema (teeth out of 1..100,000).
-[[nodiscard]] Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, int tailTeeth = 20,
-                                               int headTeeth = 20);
+[[nodiscard]] Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head,
+                                               int tailTeeth = 20, int headTeeth = 20);
 
-/// Without these elements and all that needs them: a link takes its joints, meshes, wheels and couplings with it, a
-/// joint its input, an axis nobody uses any more goes too. Refuses to remove the ground.
+/// Without these elements and all that needs them: a link takes its joints, meshes, wheels and couplings with
+/// it, a joint its input, an axis nobody uses any more goes too. Refuses to remove the ground.
 [[nodiscard]] Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements);
 
 /// Tail and head exchanged, for a turning joint or a mesh (with its teeth and wheels).
 [[nodiscard]] Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element);
 
 /// Another name for a link, or another id for an axis (refuses duplicate-id and the empty one).
-[[nodiscard]] Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, const std::string& name);
+[[nodiscard]] Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element,
+                                           const std::string& name);
 
 [[nodiscard]] Expected<Mechanism> withNodesMoved(Mechanism mechanism,
                                                  std::span<const std::pair<LinkId, SheetPoint>> nodes);
@@ -40,13 +42,15 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth);
 
 /// The kind that a mesh states, or none: then geometry tells it.
-[[nodiscard]] Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional<MeshKind> kind);
+[[nodiscard]] Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh,
+                                               std::optional<MeshKind> kind);
 
 [[nodiscard]] Expected<Mechanism> withPitchPoint(Mechanism mechanism, MeshId mesh,
                                                  std::optional<NumberTriple> pitchPoint);
 
 /// Where an axis lies. Refuses schema: a direction of length 0.
-[[nodiscard]] Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::optional<NumberTriple> point,
+[[nodiscard]] Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis,
+                                                 std::optional<NumberTriple> point,
                                                  std::optional<NumberTriple> direction);
 
 /// The joint turns about another axis; an axis nobody uses any more goes.

@@ -15,7 +15,8 @@ const Element* findIn(const std::vector<Element>& list, ElementIdType id) {
 
 template <class Element>
 std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
-  const auto found = std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id.atom() == id; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id.atom() == id; });
   if (found == list.end()) return std::nullopt;
   return static_cast<int>(found - list.begin());
 }
@@ -24,19 +25,34 @@ std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
 
 std::string_view meshKindName(MeshKind kind) {
   switch (kind) {
-    case MeshKind::external: return "external";
-    case MeshKind::internal: return "internal";
-    case MeshKind::bevel: return "bevel";
+    case MeshKind::external:
+      return "external";
+    case MeshKind::internal:
+      return "internal";
+    case MeshKind::bevel:
+      return "bevel";
   }
   GEARGRAPH_REQUIRE(false);
 }
 
-const Link* Mechanism::find(LinkId id) const { return findIn(links, id); }
-const Axis* Mechanism::find(AxisId id) const { return findIn(axes, id); }
-const TurningJoint* Mechanism::find(JointId id) const { return findIn(turningJoints, id); }
-const GearMesh* Mechanism::find(MeshId id) const { return findIn(gearMeshes, id); }
-const Wheel* Mechanism::find(WheelId id) const { return findIn(wheels, id); }
-const Coupling* Mechanism::find(CouplingId id) const { return findIn(couplings, id); }
+const Link* Mechanism::find(LinkId id) const {
+  return findIn(links, id);
+}
+const Axis* Mechanism::find(AxisId id) const {
+  return findIn(axes, id);
+}
+const TurningJoint* Mechanism::find(JointId id) const {
+  return findIn(turningJoints, id);
+}
+const GearMesh* Mechanism::find(MeshId id) const {
+  return findIn(gearMeshes, id);
+}
+const Wheel* Mechanism::find(WheelId id) const {
+  return findIn(wheels, id);
+}
+const Coupling* Mechanism::find(CouplingId id) const {
+  return findIn(couplings, id);
+}
 
 Mechanism emptyMechanism() {
   Mechanism mechanism;

@@ -12,8 +12,8 @@
 
 namespace geargraph {
 
-/// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They are
-/// kept and written back, so that a newer or foreign program's data survives an edit here.
+/// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
+/// are kept and written back, so that a newer or foreign program's data survives an edit here.
 using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
 
 struct Link {
@@ -23,8 +23,8 @@ struct Link {
   friend bool operator==(const Link&, const Link&) = default;
 };
 
-/// A line that turning joints turn about, in the reference pose, in the base frame. Without point or direction
-/// it is placed from the tooth counts. `direction` need not have length 1.
+/// A line that turning joints turn about, in the reference pose, in the base frame. Without point or
+/// direction it is placed from the tooth counts. `direction` need not have length 1.
 struct Axis {
   AxisId id;
   std::optional<NumberTriple> point;
@@ -33,8 +33,8 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// A turning pair. Positive speed turns `head` about +direction of the axis relative to `tail`; `offset` is where
-/// along the axis (from its point, along the unit direction) the bearing is drawn.
+/// A turning pair. Positive speed turns `head` about +direction of the axis relative to `tail`; `offset` is
+/// where along the axis (from its point, along the unit direction) the bearing is drawn.
 struct TurningJoint {
   JointId id;
   LinkId tail;
@@ -51,7 +51,8 @@ enum class MeshKind { external, internal, bevel };
 constexpr int kFewestTeeth = 1;
 constexpr int kMostTeeth = 100'000;
 
-/// A gear pair: two toothed wheels, one on each link. The paper's ratio i of the mesh is tailTeeth / headTeeth.
+/// A gear pair: two toothed wheels, one on each link. The paper's ratio i of the mesh is tailTeeth /
+/// headTeeth.
 struct GearMesh {
   MeshId id;
   LinkId tail;
@@ -131,12 +132,12 @@ struct View {
 
 /// The document: an immutable value of what its author drew. What is computed from it lives elsewhere.
 ///
-/// Labels are not stored: links[0] is the ground, label 0; links 1..n; turning joints n+1..n+t and gear meshes
-/// n+t+1..n+t+c in the order of their lists.
+/// Labels are not stored: links[0] is the ground, label 0; links 1..n; turning joints n+1..n+t and gear
+/// meshes n+t+1..n+t+c in the order of their lists.
 ///
-/// A Mechanism in hand is well formed: ids are unique in their lists, every reference names an element, teeth are
-/// 1..100,000. It may still be wrong as a mechanism (validate.h): disconnected, a loop of turning joints, ...
-/// At least the ground exists.
+/// A Mechanism in hand is well formed: ids are unique in their lists, every reference names an element, teeth
+/// are 1..100,000. It may still be wrong as a mechanism (validate.h): disconnected, a loop of turning joints,
+/// ... At least the ground exists.
 struct Mechanism {
   std::string name;
   std::string notes;

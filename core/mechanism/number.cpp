@@ -33,14 +33,16 @@ Number::Number(Rational exact, std::string text)
 
 Number::Number(std::int64_t whole) : Number(Rational(whole), std::to_string(whole)) {}
 
-Number::Number(Rational exact) : m_exact(std::move(exact)), m_value(m_exact.toDouble()), m_text(spelled(m_exact)) {}
+Number::Number(Rational exact)
+    : m_exact(std::move(exact)), m_value(m_exact.toDouble()), m_text(spelled(m_exact)) {}
 
 Number Number::fromDouble(double value) {
   GEARGRAPH_REQUIRE(std::isfinite(value));
   std::array<char, 32> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   GEARGRAPH_REQUIRE(error == std::errc{});
-  const auto number = fromText(std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data())));
+  const auto number =
+      fromText(std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data())));
   GEARGRAPH_REQUIRE(number.has_value());
   return *number;
 }

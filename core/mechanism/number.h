@@ -10,13 +10,13 @@
 
 namespace geargraph {
 
-/// A number of the document: its exact value, its nearest double, and the text it was written as, so that saving
-/// a file gives back what its author wrote ("22/7", 0.10, 1e-3).
+/// A number of the document: its exact value, its nearest double, and the text it was written as, so that
+/// saving a file gives back what its author wrote ("22/7", 0.10, 1e-3).
 class Number {
  public:
   Number() : Number(0) {}
-  Number(std::int64_t whole);          // NOLINT(google-explicit-constructor)
-  explicit Number(Rational exact);     ///< written as a whole number, a short decimal or a fraction
+  Number(std::int64_t whole);       // NOLINT(google-explicit-constructor)
+  explicit Number(Rational exact);  ///< written as a whole number, a short decimal or a fraction
   /// The exact value of the shortest decimal that reads back as this double. @pre finite
   [[nodiscard]] static Number fromDouble(double value);
   /// Keeps the text. Nothing where Rational::fromText gives nothing, or the value has no finite double.
@@ -29,7 +29,9 @@ class Number {
   [[nodiscard]] bool isFractionText() const { return m_text.find('/') != std::string::npos; }
 
   /// The same value; the spelling counts too, because a saved file shows it.
-  friend bool operator==(const Number& a, const Number& b) { return a.m_text == b.m_text && a.m_exact == b.m_exact; }
+  friend bool operator==(const Number& a, const Number& b) {
+    return a.m_text == b.m_text && a.m_exact == b.m_exact;
+  }
   friend bool operator!=(const Number& a, const Number& b) { return !(a == b); }
 
  private:

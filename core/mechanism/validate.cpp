@@ -9,7 +9,8 @@
 namespace geargraph {
 namespace {
 
-Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements, std::string pointer = {}) {
+Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements,
+                   std::string pointer = {}) {
   return {code, std::move(message), std::move(elements), std::move(pointer), 0, 0};
 }
 
@@ -56,25 +57,29 @@ class WellFormedCheck {
       if (id.empty()) {
         add(Code::schema, "An id may not be empty.", {}, pointerTo(kind, i) + "/id");
       } else if (!known.insert(id).second) {
-        add(Code::duplicateId, "The id \"" + id.text() + "\" stands twice in " + std::string(listName(kind)) + ".",
-            {{kind, id}}, pointerTo(kind, i) + "/id");
+        add(Code::duplicateId,
+            "The id \"" + id.text() + "\" stands twice in " + std::string(listName(kind)) + ".", {{kind, id}},
+            pointerTo(kind, i) + "/id");
       }
     }
   }
 
   /// A reference from `owner` to an element of another list.
-  void reference(const ElementId& owner, const ElementId& to, const Known& known, const std::string& pointer) {
+  void reference(const ElementId& owner, const ElementId& to, const Known& known,
+                 const std::string& pointer) {
     if (known.contains(to.id)) return;
     add(Code::unknownId,
-        std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() + "\", but " +
-            std::string(listName(to.kind)) + " has no such id.",
+        std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() +
+            "\", but " + std::string(listName(to.kind)) + " has no such id.",
         {owner}, pointer);
   }
 
-  void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what, const std::string& at) {
+  void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what,
+                 const std::string& at) {
     if (tail != head) return;
     add(Code::selfJoint,
-        what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() + "\" to itself; it needs two links.",
+        what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() +
+            "\" to itself; it needs two links.",
         {owner, tail}, at);
   }
 
@@ -123,14 +128,15 @@ class WellFormedCheck {
         {mesh.id}, pointer);
   }
 
-  void wheelOf(const GearMesh& mesh, const std::optional<WheelId>& wheel, LinkId link, const std::string& pointer) {
+  void wheelOf(const GearMesh& mesh, const std::optional<WheelId>& wheel, LinkId link,
+               const std::string& pointer) {
     if (!wheel) return;
     reference(mesh.id, *wheel, m_wheels, pointer);
     const Wheel* found = m_mechanism.find(*wheel);
     if (found != nullptr && found->link != link) {
       add(Code::schema,
-          "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" + wheel->text() +
-              "\" is on link \"" + found->link.text() + "\".",
+          "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" +
+              wheel->text() + "\" is on link \"" + found->link.text() + "\".",
           {mesh.id, *wheel}, pointer);
     }
   }
@@ -149,7 +155,8 @@ class WellFormedCheck {
       const JointId joint = (*m_mechanism.inputs)[i].joint;
       const std::string at = "/inputs/" + std::to_string(i) + "/joint";
       if (!m_joints.contains(joint.atom())) {
-        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.", {}, at);
+        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.", {},
+            at);
       } else if (!seen.insert(joint.atom()).second) {
         add(Code::duplicateId, "The joint \"" + joint.text() + "\" stands twice in inputs.", {joint}, at);
       }
@@ -226,7 +233,8 @@ class Forest {
       }
     }
     std::vector<std::size_t> joints;
-    for (std::size_t link = to; link != from; link = cameBy.at(link).first) joints.push_back(cameBy.at(link).second);
+    for (std::size_t link = to; link != from; link = cameBy.at(link).first)
+      joints.push_back(cameBy.at(link).second);
     std::reverse(joints.begin(), joints.end());
     return joints;
   }
@@ -250,7 +258,8 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing, const std::vector<std::size_t>& path) {
+Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
+                          const std::vector<std::size_t>& path) {
   const TurningJoint& last = mechanism.turningJoints[closing];
   std::vector<ElementId> elements{last.id};
   std::vector<std::string> names;
@@ -263,15 +272,18 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing, const
   }
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
   std::string message = "Turning joint " + label + " closes a loop with " + joined(names) + ". ";
-  message += oneAxis ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
-                           " is a redundant bearing: drop it."
-                     : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
+  message += oneAxis
+                 ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
+                       " is a redundant bearing: drop it."
+                 : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
   return finding(Code::turningLoop, std::move(message), std::move(elements));
 }
 
 }  // namespace
 
-Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) { return WellFormedCheck(mechanism).run(); }
+Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) {
+  return WellFormedCheck(mechanism).run();
+}
 
 Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   std::unordered_map<LinkId, std::size_t> position;
@@ -283,7 +295,8 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
     const TurningJoint& joint = mechanism.turningJoints[j];
     const std::size_t tail = position.at(joint.tail);
     const std::size_t head = position.at(joint.head);
-    if (!forest.join(tail, head, j)) findings.push_back(loopDiagnostic(mechanism, j, forest.path(tail, head)));
+    if (!forest.join(tail, head, j))
+      findings.push_back(loopDiagnostic(mechanism, j, forest.path(tail, head)));
   }
 
   std::vector<ElementId> loose;

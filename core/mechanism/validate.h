@@ -5,13 +5,13 @@
 
 namespace geargraph {
 
-/// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions, couplings.
-/// All findings, not only the first. The reader refuses what has any.
-/// Cost: O(n + t + c).
+/// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
+/// couplings. All findings, not only the first. The reader refuses what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics wellFormedDiagnostics(const Mechanism& mechanism);
 
-/// Do the turning joints make a spanning tree: `disconnected` (one finding, all links that no chain of turning
-/// joints ties to the ground) and `turning-loop` (one finding for each joint that closes a loop, the loop named).
+/// Do the turning joints make a spanning tree: `disconnected` (one finding, all links that no chain of
+/// turning joints ties to the ground) and `turning-loop` (one finding for each joint that closes a loop, the
+/// loop named).
 /// @pre the mechanism is well formed
 /// Cost: O(n + t), and the length of each loop.
 [[nodiscard]] Diagnostics treeDiagnostics(const Mechanism& mechanism);

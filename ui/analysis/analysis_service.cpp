@@ -1,0 +1,22 @@
+#include "ui/analysis/analysis_service.h"
+
+namespace geargraph {
+
+AnalysisService::AnalysisService(QObject* parent)
+    : QObject(parent), m_worker([this](SnapshotPtr snapshot) {
+        QMetaObject::invokeMethod(
+            this, [this, snapshot = std::move(snapshot)] { arrived(snapshot); }, Qt::QueuedConnection);
+      }) {}
+
+void AnalysisService::request(const MechanismPtr& mechanism, quint64 revision) {
+  m_wanted = revision;
+  m_worker.request(mechanism, revision);
+}
+
+void AnalysisService::arrived(const SnapshotPtr& snapshot) {
+  if (snapshot->revision != m_wanted) return;
+  m_snapshot = snapshot;
+  emit snapshotReady(snapshot);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/analysis/worker.h"
+
+namespace geargraph {
+
+/// The analysis worker for a window: snapshots arrive on the GUI thread, and a stale one never reaches a
+/// view.
+class AnalysisService : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit AnalysisService(QObject* parent = nullptr);
+
+  void request(const MechanismPtr& mechanism, quint64 revision);
+  /// The newest snapshot that has arrived; null before the first.
+  [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+  /// Has the newest request been answered?
+  [[nodiscard]] bool isUpToDate() const { return m_snapshot && m_snapshot->revision == m_wanted; }
+
+ signals:
+  void snapshotReady(const SnapshotPtr& snapshot);
+
+ private:
+  void arrived(const SnapshotPtr& snapshot);
+
+  quint64 m_wanted = 0;
+  SnapshotPtr m_snapshot;
+  AnalysisWorker m_worker;  ///< last: it is stopped before what its deliveries touch goes
+};
+
+}  // namespace geargraph

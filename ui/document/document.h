@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <functional>
+
+#include "core/base/expected.h"
+#include "core/mechanism/mechanism.h"
+
+namespace geargraph {
+
+/// One change of the document: its name in the undo list, and a pure function from one mechanism to the next.
+struct Edit {
+  QString text;
+  std::function<Expected<Mechanism>(const Mechanism&)> reduce;
+  /// Edits of one gesture (a drag, a spin) are one undo step: give them the number of Document::newGesture().
+  /// 0: a step of its own.
+  quint64 gesture = 0;
+};
+
+/// The document of one window: the mechanism now, its history, and the file it belongs to. The only way to
+/// change it is apply(); what every view sees is an immutable value with a revision that only grows.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
+  [[nodiscard]] quint64 revision() const { return m_revision; }
+  [[nodiscard]] QUndoStack& undoStack() { return m_undoStack; }
+
+  /// Applies an edit, or says in refused() and in the result why not; a refused edit changes nothing. An edit
+  /// that gives back an equal mechanism makes no undo step.
+  bool apply(const Edit& edit);
+  /// A number for the edits of one gesture, never given before.
+  [[nodiscard]] quint64 newGesture() { return ++m_lastGesture; }
+
+  /// Takes the place of the document: New and Open. The history is cleared.
+  void replace(Mechanism mechanism, const QString& filePath);
+
+  [[nodiscard]] const QString& filePath() const { return m_filePath; }
+  /// The mechanism as it is now is what stands in the file.
+  void markSaved(const QString& filePath);
+  [[nodiscard]] bool isModified() const { return !m_undoStack.isClean(); }
+
+ signals:
+  void changed();                        ///< another mechanism: read mechanism() and revision()
+  void refused(const Diagnostics& why);  ///< an edit was refused; nothing changed
+  void modifiedChanged(bool modified);
+  void filePathChanged(const QString& filePath);
+
+ private:
+  friend class EditCommand;
+  void publish(const MechanismPtr& mechanism);
+
+  MechanismPtr m_mechanism;
+  quint64 m_revision = 0;
+  quint64 m_lastGesture = 0;
+  QUndoStack m_undoStack;
+  QString m_filePath;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <set>
+
+#include "core/base/id.h"
+
+namespace geargraph {
+
+/// What the person points at, shared by all views of a window: the selected elements, the one under the
+/// mouse, and the elements that a derived thing under the mouse stands for (a cycle, a chip of the status
+/// bar, a problem). Ids only, so it survives undo and redo; ids that vanish are dropped by keepOnly().
+class Selection : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  [[nodiscard]] const std::set<ElementId>& selected() const { return m_selected; }
+  [[nodiscard]] bool isSelected(const ElementId& element) const { return m_selected.contains(element); }
+  void select(std::set<ElementId> elements);
+  void toggle(const ElementId& element);
+  void clear() { select({}); }
+
+  /// All elements that are to light up for what is under the mouse; empty where nothing is.
+  [[nodiscard]] const std::set<ElementId>& hovered() const { return m_hovered; }
+  [[nodiscard]] bool isHovered(const ElementId& element) const { return m_hovered.contains(element); }
+  void hover(std::set<ElementId> elements);
+  void hover(const ElementId& element) { hover(std::set<ElementId>{element}); }
+  void unhover() { hover(std::set<ElementId>{}); }
+
+  /// Drops what `exists` denies: after every change of the document.
+  template <class Exists>
+  void keepOnly(Exists exists) {
+    std::set<ElementId> selected = m_selected;
+    std::erase_if(selected, [&](const ElementId& element) { return !exists(element); });
+    select(std::move(selected));
+    std::set<ElementId> hovered = m_hovered;
+    std::erase_if(hovered, [&](const ElementId& element) { return !exists(element); });
+    hover(std::move(hovered));
+  }
+
+ signals:
+  void selectionChanged();
+  void hoverChanged();
+
+ private:
+  std::set<ElementId> m_selected;
+  std::set<ElementId> m_hovered;
+};
+
+}  // namespace geargraph
