@@ -1,0 +1,48 @@
+#include "core/gears/solid.h"
+
+namespace geargraph {
+namespace {
+
+Eigen::Vector3d wide(const Float3& p) {
+  return {p[0], p[1], p[2]};
+}
+
+Float3 narrow(const Eigen::Vector3d& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+}  // namespace
+
+double signedVolume(const Solid& solid) {
+  double sixfold = 0;
+  for (const Triangle& t : solid.triangles) {
+    sixfold +=
+        wide(solid.positions[t[0]]).dot(wide(solid.positions[t[1]]).cross(wide(solid.positions[t[2]])));
+  }
+  return sixfold / 6;
+}
+
+Eigen::AlignedBox3d boundsOf(const Solid& solid) {
+  Eigen::AlignedBox3d box;
+  for (const Float3& p : solid.positions) box.extend(wide(p));
+  return box;
+}
+
+void append(Solid& whole, const Solid& part, const Eigen::Isometry3d& placed) {
+  const auto first = static_cast<std::uint32_t>(whole.positions.size());
+  whole.positions.reserve(whole.positions.size() + part.positions.size());
+  whole.normals.reserve(whole.normals.size() + part.normals.size());
+  whole.triangles.reserve(whole.triangles.size() + part.triangles.size());
+  for (const Float3& p : part.positions) whole.positions.push_back(narrow(placed * wide(p)));
+  for (const Float3& n : part.normals) whole.normals.push_back(narrow(placed.linear() * wide(n)));
+  for (const Triangle& t : part.triangles)
+    whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+Solid moved(const Solid& solid, const Eigen::Isometry3d& placed) {
+  Solid result;
+  append(result, solid, placed);
+  return result;
+}
+
+}  // namespace geargraph
