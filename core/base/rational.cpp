@@ -69,7 +69,7 @@ std::optional<Rational> Rational::fromText(std::string_view text) {
     if (digits.empty()) return std::nullopt;
     if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
       ++at;
-      if (at < text.size() && text[at] == '+') ++at;
+      if (at + 1 < text.size() && text[at] == '+' && isDigit(text[at + 1])) ++at;
       long written = 0;
       const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), written);
       if (error != std::errc{} || std::labs(written) > kLargestExponent) return std::nullopt;
