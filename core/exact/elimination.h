@@ -1,0 +1,129 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/contract.h"
+#include "core/exact/core_elimination.h"
+#include "core/exact/peeling.h"
+#include "core/exact/sparse_rows.h"
+
+namespace geargraph {
+
+/// A homogeneous sparse system A x = 0, brought into an order in which every unknown follows from those
+/// before. The unknowns are the columns 0 .. unknowns-1; the other columns are given (inputs, right-hand
+/// sides).
+///
+/// Identity  rank of A's unknown columns = rank(); unknowns = rank() + free columns; rows = lines + checks.
+template <class Value>
+struct Elimination {
+  /// One unknown: pivot * x[column] + sum of the row's other entries * x = 0.
+  struct Line {
+    int column = 0;
+    int row = 0;  ///< of `rows`, or of `coreRows`
+    bool core = false;
+  };
+  /// A row in which no unknown is left: 0 = 0 where its mesh is redundant, else a relation among given
+  /// columns.
+  struct Check {
+    int source = 0;  ///< the row of A it came from
+    int row = 0;     ///< of `rows`, or of `coreRows`
+    bool core = false;
+  };
+
+  SparseRows<Value> rows;      ///< A itself
+  SparseRows<Value> coreRows;  ///< what elimination made of the rows that peeling left
+  int unknowns = 0;
+  int columns = 0;
+  std::vector<Line> lines;  ///< in order of substitution
+  std::vector<Check> checks;
+  std::vector<int> freeColumns;  ///< unknowns that no equation gives, ascending
+  int coreSize = 0;              ///< rows that needed arithmetic
+
+  [[nodiscard]] int rank() const { return static_cast<int>(lines.size()); }
+  [[nodiscard]] const SparseRows<Value>& matrixOf(bool core) const { return core ? coreRows : rows; }
+};
+
+/// Puts the system into that order: rows and columns with one entry first, which need no arithmetic, then
+/// Markowitz' sparsest pivots in what is left. Nothing where `stop` was requested.
+///
+/// Cost: linear in the non-zeros, and the elimination of the core, which real trains keep small.
+/// @pre every column is below `columns`, unknowns <= columns
+template <class Field>
+[[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
+    const Field& field, SparseRows<typename Field::Value> rows, int unknowns, int columns,
+    const std::stop_token& stop = {}) {
+  GEARGRAPH_REQUIRE(unknowns <= columns);
+  using Value = typename Field::Value;
+  Elimination<Value> result;
+  result.unknowns = unknowns;
+  result.columns = columns;
+  result.rows = std::move(rows);
+
+  Peeling peeling(result.rows.pattern(), unknowns);
+  CoreElimination<Field> core(field, result.rows, peeling.coreRows, peeling.solved, columns);
+  if (!core.run(stop)) return std::nullopt;
+
+  result.coreSize = static_cast<int>(peeling.coreRows.size());
+  result.lines.reserve(peeling.first.size() + core.pivots().size() + peeling.last.size());
+  for (const Pivot& pivot : peeling.first) result.lines.push_back({pivot.column, pivot.row, false});
+  for (auto pivot = core.pivots().rbegin(); pivot != core.pivots().rend(); ++pivot) {
+    result.lines.push_back({pivot->column, pivot->row, true});
+    peeling.solved[pivot->column] = 1;
+  }
+  for (auto pivot = peeling.last.rbegin(); pivot != peeling.last.rend(); ++pivot) {
+    result.lines.push_back({pivot->column, pivot->row, false});
+  }
+  for (const int row : peeling.emptyRows) result.checks.push_back({row, row, false});
+  for (const int row : core.emptyRows()) result.checks.push_back({peeling.coreRows[row], row, true});
+  for (int column = 0; column < unknowns; ++column) {
+    if (peeling.solved[column] == 0) result.freeColumns.push_back(column);
+  }
+  result.coreRows = core.takeRows();
+  return result;
+}
+
+/// The sum of a row's entries times x, without column `without` (-1: with all), negated.
+template <class Field>
+[[nodiscard]] typename Field::Value negatedRowSum(const Field& field,
+                                                  const SparseRows<typename Field::Value>& rows, int row,
+                                                  int without, const std::vector<typename Field::Value>& x) {
+  typename Field::Value sum = field.fromInteger(0);
+  for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
+    const int column = rows.column(entry);
+    if (column != without) field.subtractProduct(sum, rows.value(entry), x[column]);
+  }
+  return sum;
+}
+
+template <class Value>
+[[nodiscard]] const Value& pivotOf(const SparseRows<Value>& rows, int row, int column) {
+  int entry = rows.begin(row);
+  while (rows.column(entry) != column) ++entry;
+  return rows.value(entry);
+}
+
+/// Fills in the solved unknowns, line by line. @pre x has a place for every column; the given and the free
+/// ones are set Cost: the non-zeros of the lines.
+template <class Field>
+void substitute(const Field& field, const Elimination<typename Field::Value>& system,
+                std::vector<typename Field::Value>& x) {
+  for (const auto& line : system.lines) {
+    const auto& rows = system.matrixOf(line.core);
+    typename Field::Value sum = negatedRowSum(field, rows, line.row, line.column, x);
+    if (!field.isZero(sum)) sum = field.quotient(sum, pivotOf(rows, line.row, line.column));
+    x[line.column] = std::move(sum);
+  }
+}
+
+/// What a check row comes to (negated), once x is filled in: 0 where the row holds.
+template <class Field>
+[[nodiscard]] typename Field::Value checkValue(
+    const Field& field, const Elimination<typename Field::Value>& system,
+    const typename Elimination<typename Field::Value>::Check& check,
+    const std::vector<typename Field::Value>& x) {
+  return negatedRowSum(field, system.matrixOf(check.core), check.row, -1, x);
+}
+
+}  // namespace geargraph

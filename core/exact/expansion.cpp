@@ -1,0 +1,42 @@
+#include "core/exact/expansion.h"
+
+namespace geargraph {
+namespace {
+
+using Line = Elimination<RationalFunction>::Line;
+
+/// One line; nothing where it needs an entry that is over the budget, or goes over it.
+std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
+                                           const Elimination<RationalFunction>& system, const Line& line,
+                                           const std::vector<std::optional<RationalFunction>>& x,
+                                           int budget) {
+  constexpr int kRoomToCancel = 4;
+  const auto& rows = system.matrixOf(line.core);
+  RationalFunction sum = field.fromInteger(0);
+  for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
+    const int column = rows.column(entry);
+    if (column == line.column) continue;
+    if (!x[column]) return std::nullopt;
+    if (x[column]->isZero()) continue;
+    field.subtractProduct(sum, rows.value(entry), *x[column]);
+    if (sum.termCount() > kRoomToCancel * budget) return std::nullopt;
+  }
+  if (!sum.isZero()) sum = field.quotient(sum, pivotOf(rows, line.row, line.column));
+  if (sum.termCount() > budget) return std::nullopt;
+  return sum;
+}
+
+}  // namespace
+
+bool expand(const RationalFunctionField& field, const Elimination<RationalFunction>& system,
+            const std::vector<char>& vanishing, std::vector<std::optional<RationalFunction>>& x,
+            const std::stop_token& stop, int budget) {
+  for (const Line& line : system.lines) {
+    if (stop.stop_requested()) return false;
+    x[line.column] =
+        vanishing[line.column] != 0 ? field.fromInteger(0) : expandLine(field, system, line, x, budget);
+  }
+  return true;
+}
+
+}  // namespace geargraph
