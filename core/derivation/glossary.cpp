@@ -1,0 +1,119 @@
+#include "core/derivation/glossary.h"
+
+#include "core/base/contract.h"
+
+namespace geargraph {
+
+const std::vector<Definition>& glossary() {
+  static const std::vector<Definition> definitions = {
+      {Term::movingLinks, "n", "Moving links",
+       "The number of links without the ground. They bear the labels 1 to n; the ground is 0.", 0},
+      {Term::turningJoints, "t", "Turning joints",
+       "The number of turning pairs. They bear the labels n+1 to n+t. As a spanning tree they are as many as "
+       "the moving links.",
+       0},
+      {Term::gearMeshes, "c", "Gear meshes",
+       "The number of gear pairs. They bear the labels n+t+1 to n+t+c. Each closes one cycle of the basis.",
+       0},
+      {Term::rank, "rank", "Rank",
+       "The number of independent equations that the meshes put on the turning joints: the rank r of the "
+       "coefficient matrix P.",
+       18},
+      {Term::degreesOfFreedom, "DOF", "Degrees of freedom",
+       "How many joints have to be driven so that the motion of all others follows: E = t − r.", 21},
+      {Term::incidenceMatrix, "Γ⁰", "Incidence matrix",
+       "A row for each link and a column for each joint and mesh: 1 where its arrow ends, −1 where it "
+       "begins.",
+       1},
+      {Term::reducedIncidenceMatrix, "Γ = [G | G*]", "Reduced incidence matrix",
+       "The incidence matrix without the ground's row, so that its rows are independent. G holds the turning "
+       "joints, G* the meshes.",
+       2},
+      {Term::pathMatrix, "Z", "Path matrix",
+       "A column for each link tells its walk through the tree to the ground: 1 where the walk runs along a "
+       "joint, −1 where it runs against it.",
+       3},
+      {Term::spanningTreeMatrix, "T", "Spanning-tree matrix",
+       "A row for each mesh tells which turning joints its cycle runs along (1) or against (−1): "
+       "T = G*ᵀ Zᵀ.",
+       4},
+      {Term::cycleBasisMatrix, "C = [T | U]", "Cycle-basis matrix",
+       "A row for each cycle that a mesh closes: T holds its turning joints, the unit matrix U its mesh.", 5},
+      {Term::cutsetMatrix, "Q = [U | −Tᵀ]", "Fundamental cutset matrix",
+       "A row for each turning joint tells which edges join the two halves that the tree falls into without "
+       "it.",
+       0},
+      {Term::digraph, "", "Digraph",
+       "The mechanism as a directed graph: a node for each link, a solid arrow for each turning joint, a "
+       "dashed arrow for each gear mesh.",
+       0},
+      {Term::link, "", "Link", "A rigid body: a gear, a carrier arm, a shaft, or several of them in one.", 0},
+      {Term::ground, "0", "Ground",
+       "The link that stands still. All others are tied to it by turning joints.", 0},
+      {Term::turningJoint, "", "Turning joint",
+       "Two links that turn relative to each other about an axis. Positive speed turns the head about the "
+       "axis' direction relative to the tail.",
+       0},
+      {Term::gearMesh, "", "Gear mesh", "Two toothed wheels that roll on each other at a pitch point.", 0},
+      {Term::input, "", "Input",
+       "A turning joint that a motor drives at a speed of its own. There are as many as degrees of freedom.",
+       21},
+      {Term::axis, "", "Axis",
+       "The line that turning joints turn about, the level of the T–T graph. Joints that stay coaxial share "
+       "one.",
+       0},
+      {Term::axisPoint, "", "Point of the axis",
+       "A point that the axis goes through in the reference pose. Without it the axis is placed from the "
+       "tooth "
+       "counts.",
+       0},
+      {Term::axisDirection, "u", "Direction of the axis",
+       "The direction of the axis in the reference pose, of any length but 0. Positive speed turns about it "
+       "by the right-hand rule.",
+       7},
+      {Term::offset, "", "Offset", "Where along the axis the bearing is drawn, from the axis' point.", 0},
+      {Term::teeth, "N", "Teeth",
+       "The whole number of teeth of a wheel. Pitch diameters are proportional to it.", 20},
+      {Term::meshKind, "", "Kind of mesh",
+       "External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.",
+       0},
+      {Term::pitchPoint, "", "Pitch point",
+       "Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and "
+       "teeth.",
+       11},
+      {Term::gearRatio, "i", "Gear ratio", "The teeth of the mesh's tail over those of its head.", 20},
+      {Term::spanningTree, "", "Spanning tree",
+       "The turning joints, if they tie every link to the ground and close no loop.", 3},
+      {Term::cycle, "C15 …", "Cycle",
+       "A mesh and the path through the tree that leads back from its head to its tail.", 5},
+      {Term::label, "", "Label",
+       "The paper's number of a link, joint or mesh. It follows from the order of the elements.", 0},
+  };
+  return definitions;
+}
+
+const Definition& definitionOf(Term term) {
+  const Definition& definition = glossary().at(static_cast<std::size_t>(term));
+  GEARGRAPH_REQUIRE(definition.term == term);
+  return definition;
+}
+
+Term termOf(MatrixKind kind) {
+  switch (kind) {
+    case MatrixKind::incidence:
+      return Term::incidenceMatrix;
+    case MatrixKind::reducedIncidence:
+      return Term::reducedIncidenceMatrix;
+    case MatrixKind::path:
+      return Term::pathMatrix;
+    case MatrixKind::spanningTree:
+      return Term::spanningTreeMatrix;
+    case MatrixKind::cycleBasis:
+      return Term::cycleBasisMatrix;
+    case MatrixKind::cutset:
+      return Term::cutsetMatrix;
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+}  // namespace geargraph

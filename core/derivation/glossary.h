@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/graph/integer_matrix.h"
+
+namespace geargraph {
+
+/// The words and symbols of the field that the program shows.
+enum class Term {
+  movingLinks,
+  turningJoints,
+  gearMeshes,
+  rank,
+  degreesOfFreedom,
+  incidenceMatrix,
+  reducedIncidenceMatrix,
+  pathMatrix,
+  spanningTreeMatrix,
+  cycleBasisMatrix,
+  cutsetMatrix,
+  digraph,
+  link,
+  ground,
+  turningJoint,
+  gearMesh,
+  input,
+  axis,
+  axisPoint,
+  axisDirection,
+  offset,
+  teeth,
+  meshKind,
+  pitchPoint,
+  gearRatio,
+  spanningTree,
+  cycle,
+  label,
+};
+
+struct Definition {
+  Term term = Term::link;
+  std::string_view symbol;  ///< "n", "Γ⁰"; empty where the term has none
+  std::string_view name;    ///< "Moving links"
+  std::string_view text;    ///< what it is, in full sentences
+  int equation = 0;         ///< of the paper, 0 where none defines it
+};
+
+/// The one table of definitions: tooltips, search and lessons read it. Every term once, in the order of Term.
+[[nodiscard]] const std::vector<Definition>& glossary();
+[[nodiscard]] const Definition& definitionOf(Term term);
+[[nodiscard]] Term termOf(MatrixKind kind);
+
+}  // namespace geargraph
