@@ -44,6 +44,7 @@ constexpr std::array kCodes = {
     CodeEntry{Code::undercut, "undercut", Severity::warning},
     CodeEntry{Code::interference, "interference", Severity::warning},
     CodeEntry{Code::symbolicSkipped, "symbolic-skipped", Severity::info},
+    CodeEntry{Code::graphics, "graphics", Severity::error},
 };
 
 const CodeEntry& entryOf(Code code) {

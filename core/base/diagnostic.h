@@ -42,6 +42,7 @@ enum class Code {
   undercut,
   interference,
   symbolicSkipped,
+  graphics,  ///< of the machine, not of a file: no OpenGL 3.3, or a driver that fails
 };
 
 /// The stable spelling of a code, e.g. "turning-loop".

@@ -1,0 +1,182 @@
+#include "core/render/gl_passes.h"
+
+#include <algorithm>
+
+#include "core/render/shaders.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kShadowSide = 128;
+constexpr double kShadowReach = 0.45;  // of the scene's radius: at this height a part darkens by 1/e
+
+}  // namespace
+
+GlPasses::GlPasses(const GlApi& gl)
+    : m_gl(gl),
+      m_gradient(gl, shaders::kFullVertex, shaders::kGradientFragment),
+      m_lit(gl, shaders::kSolidVertex, shaders::kSolidFragment),
+      m_flat(gl, shaders::kSolidVertex, shaders::kFlatFragment),
+      m_disc(gl, shaders::kDiscVertex, shaders::kDiscFragment),
+      m_shadow(gl, shaders::kShadowVertex, shaders::kShadowFragment),
+      m_blur(gl, shaders::kFullVertex, shaders::kBlurFragment),
+      m_halo(gl, shaders::kFullVertex, shaders::kHaloFragment),
+      m_overlayProgram(gl, shaders::kOverlayVertex, shaders::kOverlayFragment) {
+  m_at.litModelView = m_lit.uniform("u_modelView");
+  m_at.litProjection = m_lit.uniform("u_projection");
+  m_at.litColour = m_lit.uniform("u_colour");
+  m_at.litUp = m_lit.uniform("u_up");
+  m_at.litAccent = m_lit.uniform("u_accent");
+  m_at.flatModelView = m_flat.uniform("u_modelView");
+  m_at.flatProjection = m_flat.uniform("u_projection");
+  m_at.flatNearer = m_flat.uniform("u_nearer");
+  m_at.flatColour = m_flat.uniform("u_flat");
+  m_at.shadowModel = m_shadow.uniform("u_modelView");
+}
+
+std::string GlPasses::log() const {
+  return m_gradient.log() + m_lit.log() + m_flat.log() + m_disc.log() + m_shadow.log() + m_blur.log() +
+         m_halo.log() + m_overlayProgram.log();
+}
+
+// Products are formed in double before they are narrowed, so that a far camera does not make parts tremble.
+void GlPasses::set(GLint uniform, const Eigen::Matrix4d& matrix) const {
+  const Eigen::Matrix4f narrowed = matrix.cast<float>();
+  m_gl.UniformMatrix4fv(uniform, 1, GL_FALSE, narrowed.data());
+}
+
+void GlPasses::bindTexture(GLuint texture) const {
+  m_gl.ActiveTexture(GL_TEXTURE0);
+  m_gl.BindTexture(GL_TEXTURE_2D, texture);
+}
+
+void GlPasses::gradient(const Rgb& top, const Rgb& bottom) const {
+  m_gradient.use();
+  set(m_gradient.uniform("u_top"), top);
+  set(m_gradient.uniform("u_bottom"), bottom);
+  m_overlay.bindEmpty();
+  m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlPasses::disc(const Disc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
+                    const Look& look) const {
+  m_disc.use();
+  set(m_disc.uniform("u_modelView"), view);
+  set(m_disc.uniform("u_projection"), projection);
+  set(m_disc.uniform("u_disc"), disc);
+  set(m_disc.uniform("u_colour"), look.disc);
+  set(m_disc.uniform("u_shade"), look.shadow);
+  m_gl.Uniform2f(m_disc.uniform("u_strength"), look.discStrength,
+                 look.contactShadow ? look.shadowStrength : 0);
+  m_gl.Uniform1i(m_disc.uniform("u_shadow"), 0);
+  bindTexture(look.contactShadow ? m_shadowImage.texture() : 0);
+  m_overlay.bindEmpty();
+  m_gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void GlPasses::beginShadow(const Disc& disc, double size) {
+  m_shadowImage.ensure(kShadowSide, kShadowSide);
+  m_shadowImage.bind();
+  m_gl.Disable(GL_DEPTH_TEST);
+  m_gl.Disable(GL_CULL_FACE);
+  m_gl.ClearColor(0, 0, 0, 0);
+  m_gl.Clear(GL_COLOR_BUFFER_BIT);
+  m_gl.Enable(GL_BLEND);
+  m_gl.BlendEquation(GL_MAX);
+  m_shadow.use();
+  set(m_shadow.uniform("u_disc"), disc);
+  m_gl.Uniform1f(m_shadow.uniform("u_reach"), static_cast<float>(kShadowReach * size));
+}
+
+void GlPasses::castShadow(const Eigen::Matrix4d& model, const GlSolid& solid) const {
+  set(m_at.shadowModel, model);
+  solid.drawTriangles();
+}
+
+void GlPasses::endShadow() {
+  m_gl.Disable(GL_BLEND);
+  m_gl.BlendEquation(GL_FUNC_ADD);
+  m_blurredImage.ensure(kShadowSide, kShadowSide);
+  m_blur.use();
+  m_gl.Uniform1i(m_blur.uniform("u_image"), 0);
+  m_overlay.bindEmpty();
+  constexpr float kTexel = 1.0F / kShadowSide;
+  m_blurredImage.bind();
+  bindTexture(m_shadowImage.texture());
+  m_gl.Uniform2f(m_blur.uniform("u_step"), kTexel, 0);
+  m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  m_shadowImage.bind();
+  bindTexture(m_blurredImage.texture());
+  m_gl.Uniform2f(m_blur.uniform("u_step"), 0, kTexel);
+  m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlPasses::beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const {
+  m_lit.use();
+  set(m_at.litProjection, projection);
+  m_gl.Uniform1f(m_lit.uniform("u_nearer"), 1);
+  m_gl.Uniform3f(m_at.litUp, static_cast<float>(view(0, 2)), static_cast<float>(view(1, 2)),
+                 static_cast<float>(view(2, 2)));
+}
+
+void GlPasses::lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint) const {
+  set(m_at.litModelView, modelView);
+  set(m_at.litColour, colour);
+  m_gl.Uniform4f(m_at.litAccent, accent.red, accent.green, accent.blue, tint);
+}
+
+void GlPasses::beginFlat(const Eigen::Matrix4d& projection, float nearer) const {
+  m_flat.use();
+  set(m_at.flatProjection, projection);
+  m_gl.Uniform1f(m_at.flatNearer, nearer);
+}
+
+void GlPasses::flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const {
+  set(m_at.flatModelView, modelView);
+  m_gl.Uniform4f(m_at.flatColour, colour.red, colour.green, colour.blue, alpha);
+}
+
+void GlPasses::flatNumber(const Eigen::Matrix4d& modelView, std::uint32_t number) const {
+  const auto byte = [number](unsigned shift) {
+    return static_cast<float>((number >> shift) & 255U) / 255.0F;
+  };
+  flat(modelView, Rgb{byte(0), byte(8), byte(16)}, 1);
+}
+
+void GlPasses::halo(GLuint mask, const Viewport& viewport, double pixelRatio, const Rgb& colour,
+                    float strength) const {
+  m_halo.use();
+  m_gl.Uniform1i(m_halo.uniform("u_mask"), 0);
+  m_gl.Uniform2f(m_halo.uniform("u_step"), static_cast<float>(pixelRatio / viewport.width),
+                 static_cast<float>(pixelRatio / viewport.height));
+  m_gl.Uniform4f(m_halo.uniform("u_halo"), colour.red, colour.green, colour.blue, strength);
+  bindTexture(mask);
+  m_overlay.bindEmpty();
+  m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlPasses::overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport) const {
+  m_overlayProgram.use();
+  m_gl.Uniform2f(m_overlayProgram.uniform("u_size"), static_cast<float>(viewport.width),
+                 static_cast<float>(viewport.height));
+  m_overlay.draw(triangles);
+}
+
+void turnUpright(Image& image) {
+  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+  for (int y = 0; y < image.height / 2; ++y) {
+    const auto upper = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
+    const auto lower = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (image.height - 1 - y);
+    std::swap_ranges(upper, upper + static_cast<std::ptrdiff_t>(row), lower);
+  }
+  for (std::size_t pixel = 0; pixel < image.rgba.size(); pixel += 4) {
+    const unsigned alpha = image.rgba[pixel + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const unsigned value = (image.rgba[pixel + channel] * 255U + alpha / 2) / alpha;
+      image.rgba[pixel + channel] = static_cast<std::uint8_t>(std::min(value, 255U));
+    }
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/render/camera.h"
+#include "core/render/gl_objects.h"
+#include "core/render/image.h"
+#include "core/render/look.h"
+
+namespace geargraph {
+
+/// The disc that the train stands on: centre (x, y) in the plane of this height, mm.
+struct Disc {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double radius = 1;
+};
+
+/// The shader programs of the renderer with the uniforms they take: what to set and in which order is known
+/// here only. All of one kind is painted between its begin and the next.
+class GlPasses {
+ public:
+  explicit GlPasses(const GlApi& gl);
+
+  /// What shader compilers said; empty where all is well.
+  [[nodiscard]] std::string log() const;
+
+  void gradient(const Rgb& top, const Rgb& bottom) const;
+  void disc(const Disc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
+            const Look& look) const;
+
+  /// The contact shadow's picture, seen from above; `size` of the scene sets how far up parts still darken.
+  void beginShadow(const Disc& disc, double size);
+  void castShadow(const Eigen::Matrix4d& model, const GlSolid& solid) const;
+  void endShadow();
+
+  void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const;
+  void lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint) const;
+
+  void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
+  void flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const;
+  void flatNumber(const Eigen::Matrix4d& modelView, std::uint32_t number) const;
+
+  void halo(GLuint mask, const Viewport& viewport, double pixelRatio, const Rgb& colour,
+            float strength) const;
+  void overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport) const;
+
+ private:
+  void set(GLint uniform, const Eigen::Matrix4d& matrix) const;
+  void set(GLint uniform, const Rgb& colour) const {
+    m_gl.Uniform3f(uniform, colour.red, colour.green, colour.blue);
+  }
+  void set(GLint uniform, const Disc& disc) const {
+    m_gl.Uniform4f(uniform, static_cast<float>(disc.x), static_cast<float>(disc.y),
+                   static_cast<float>(disc.z), static_cast<float>(disc.radius));
+  }
+  void bindTexture(GLuint texture) const;
+
+  const GlApi& m_gl;
+  GlOverlay m_overlay{m_gl};
+  GlProgram m_gradient, m_lit, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram;
+  GlTarget m_shadowImage{m_gl, GlTarget::Colours::coverage, false};
+  GlTarget m_blurredImage{m_gl, GlTarget::Colours::coverage, false};
+
+  struct Uniforms {  // of the programs that are set once an instance
+    GLint litModelView, litProjection, litColour, litUp, litAccent;
+    GLint flatModelView, flatProjection, flatNearer, flatColour;
+    GLint shadowModel;
+  } m_at{};
+};
+
+/// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not.
+void turnUpright(Image& image);
+
+/// The numbers of instances (plus 1; 0 is the ground) in a small square of pixels.
+template <int Side>
+struct NumberedPixels {
+  std::array<std::uint32_t, Side * Side> numbers{};
+  std::array<float, Side * Side> depths{};
+
+  struct Place {
+    std::uint32_t number = 0;
+    float depth = 1;
+    int right = 0;  ///< pixels from the middle
+    int up = 0;
+  };
+  [[nodiscard]] std::optional<Place> nearestToMiddle() const {
+    std::optional<Place> best;
+    for (int i = 0; i < Side * Side; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Place place{numbers[at], depths[at], i % Side - Side / 2, i / Side - Side / 2};
+      const auto away = [](const Place& p) { return p.right * p.right + p.up * p.up; };
+      if (place.number != 0 && (!best || away(place) < away(*best))) best = place;
+    }
+    return best;
+  }
+};
+
+/// Reads the square from the bound framebuffer's lower left corner.
+template <int Side>
+[[nodiscard]] NumberedPixels<Side> readNumbers(const GlApi& gl) {
+  NumberedPixels<Side> pixels;
+  std::array<std::uint8_t, 4 * Side * Side> bytes{};
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, Side, Side, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  gl.ReadPixels(0, 0, Side, Side, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.depths.data());
+  for (std::size_t i = 0; i < pixels.numbers.size(); ++i) {
+    pixels.numbers[i] = bytes[4 * i] | (bytes[4 * i + 1] << 8U) | (bytes[4 * i + 2] << 16U);
+  }
+  return pixels;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,291 @@
+#include "core/render/gl_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/render/gl_objects.h"
+#include "core/render/gl_passes.h"
+#include "core/render/triad.h"
+
+namespace geargraph {
+namespace {
+
+constexpr float kHoverTint = 0.10F;
+constexpr float kSelectedTint = 0.22F;
+
+class GlRenderer final : public Renderer {
+ public:
+  explicit GlRenderer(std::unique_ptr<GlApi> gl) : m_gl(std::move(gl)), m_passes(*m_gl) {
+    m_name = reinterpret_cast<const char*>(m_gl->GetString(GL_RENDERER));  // NOLINT
+    m_software = m_name.find("llvmpipe") != std::string::npos ||
+                 m_name.find("softpipe") != std::string::npos || m_name.find("SWR") != std::string::npos;
+    m_gl->GetIntegerv(GL_MAX_SAMPLES, &m_maximumSamples);
+    GLint renderbuffer = 0, texture = 0;
+    m_gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    m_gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    m_maximumSide = std::min(renderbuffer, texture);
+  }
+
+  [[nodiscard]] std::string log() const { return m_passes.log(); }
+  [[nodiscard]] const std::string& name() const override { return m_name; }
+  [[nodiscard]] bool isSoftware() const override { return m_software; }
+  [[nodiscard]] int maximumSide() const override { return m_maximumSide; }
+
+  void setScene(const Scene& scene) override;
+  void draw(const Frame& frame, unsigned framebuffer) override;
+  [[nodiscard]] Image picture(const Frame& frame) override;
+  [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y) override;
+
+ private:
+  [[nodiscard]] const Pose& pose(const Frame& frame, std::size_t instance) const {
+    return frame.poses.empty() ? m_scene.instances[instance].pose : frame.poses[instance];
+  }
+  [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
+    return frame.camera.projection(frame.viewport, m_bounds.centre(), 2.5 * m_bounds.radius());
+  }
+  [[nodiscard]] Disc disc() const;
+  [[nodiscard]] static Emphasis emphasis(const Frame& frame, std::size_t instance) {
+    return frame.emphasis.empty() ? Emphasis::none : frame.emphasis[instance];
+  }
+  template <class Visit>
+  void eachInstance(Visit visit) const;
+
+  void drawGround(const Frame& frame);
+  void drawShadow(const Frame& frame);
+  void drawSolids(const Frame& frame);
+  void drawEdges(const Frame& frame);
+  void drawTriad(const Frame& frame);
+  void drawHalo(const Frame& frame, unsigned framebuffer);
+
+  std::unique_ptr<GlApi> m_gl;
+  GlPasses m_passes;
+  std::string m_name;
+  bool m_software = false;
+  int m_maximumSide = 0;
+  GLint m_maximumSamples = 1;
+
+  Scene m_scene;
+  Bounds m_bounds;
+  std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
+
+  GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
+  GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
+  GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};
+  GlTarget m_mask{*m_gl, GlTarget::Colours::coverage, false};
+};
+
+void GlRenderer::setScene(const Scene& scene) {
+  std::map<const Solid*, std::unique_ptr<GlSolid>> solids;
+  for (const auto& solid : scene.solids) {
+    std::unique_ptr<GlSolid>& place = solids[solid.get()];
+    const auto known = m_solids.find(solid.get());
+    if (place == nullptr && known != m_solids.end()) place = std::move(known->second);
+    if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, *solid);
+  }
+  m_solids = std::move(solids);
+  m_scene = scene;  // keeps the solids alive, so that their addresses stay theirs
+  m_bounds = boundsOf(m_scene);
+}
+
+template <class Visit>
+void GlRenderer::eachInstance(Visit visit) const {
+  for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+    const GlSolid& solid = *m_solids.at(m_scene.solids[m_scene.instances[i].solid].get());
+    solid.bind();
+    visit(i, solid);
+  }
+  m_gl->BindVertexArray(0);
+}
+
+// As wide as the train stands in its reference pose, and a little more for the carriers that will swing out.
+Disc GlRenderer::disc() const {
+  if (m_bounds.box.isEmpty()) return {};
+  const Eigen::Vector3d centre = m_bounds.centre();
+  const double radius = m_bounds.radius();
+  const double half = 0.5 * m_bounds.box.sizes().head<2>().norm();
+  return {centre.x(), centre.y(), m_bounds.box.min().z() - 0.02 * radius,
+          std::max(1.25 * half, 0.6 * radius)};
+}
+
+void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
+  const Viewport& size = frame.viewport;
+  const int samples = std::clamp(frame.look.samples, 1, static_cast<int>(m_maximumSamples));
+  if (!m_sampled.ensure(size.width, size.height, samples)) return;
+  if (frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
+  m_sampled.bind();
+  m_gl->ClearColor(0, 0, 0, 0);
+  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  m_gl->Enable(GL_BLEND);
+  m_gl->BlendEquation(GL_FUNC_ADD);
+  m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  drawGround(frame);
+  m_gl->Enable(GL_DEPTH_TEST);
+  m_gl->DepthFunc(GL_LEQUAL);
+  m_gl->Enable(GL_CULL_FACE);
+  m_gl->CullFace(GL_BACK);
+  drawSolids(frame);
+  if (frame.look.edges) drawEdges(frame);
+  m_gl->Disable(GL_CULL_FACE);
+  m_gl->Disable(GL_DEPTH_TEST);
+  if (frame.look.triad) drawTriad(frame);
+  m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_sampled.framebuffer());
+  m_gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  m_gl->BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+  drawHalo(frame, framebuffer);
+  m_gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  m_gl->Disable(GL_BLEND);
+  m_gl->UseProgram(0);
+}
+
+void GlRenderer::drawGround(const Frame& frame) {
+  m_gl->Disable(GL_DEPTH_TEST);
+  m_gl->Disable(GL_CULL_FACE);
+  if (!frame.look.transparent) m_passes.gradient(frame.look.groundTop, frame.look.groundBottom);
+  const Disc ground = disc();
+  if (m_scene.instances.empty() || frame.camera.eye().z() < ground.z) return;
+  m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.look);
+}
+
+void GlRenderer::drawShadow(const Frame& frame) {
+  m_passes.beginShadow(disc(), m_bounds.radius());
+  eachInstance([&](std::size_t i, const GlSolid& solid) {
+    if (m_scene.instances[i].castsShadow) m_passes.castShadow(pose(frame, i).matrix(), solid);
+  });
+  m_passes.endShadow();
+}
+
+void GlRenderer::drawSolids(const Frame& frame) {
+  const Eigen::Matrix4d view = frame.camera.view().matrix();
+  m_gl->Enable(GL_POLYGON_OFFSET_FILL);
+  m_gl->PolygonOffset(1, 1);
+  m_passes.beginLit(view, projection(frame));
+  eachInstance([&](std::size_t i, const GlSolid& solid) {
+    const Emphasis state = emphasis(frame, i);
+    const float tint = state == Emphasis::selected  ? kSelectedTint
+                       : state == Emphasis::hovered ? kHoverTint
+                                                    : 0;
+    m_passes.lit(view * pose(frame, i).matrix(), m_scene.instances[i].colour, frame.look.accent, tint);
+    solid.drawTriangles();
+  });
+  m_gl->Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void GlRenderer::drawEdges(const Frame& frame) {
+  const Eigen::Matrix4d view = frame.camera.view().matrix();
+  m_passes.beginFlat(projection(frame), 0.9993F);
+  m_gl->DepthMask(GL_FALSE);
+  eachInstance([&](std::size_t i, const GlSolid& solid) {
+    m_passes.flat(view * pose(frame, i).matrix(), frame.look.edge, frame.look.edgeStrength);
+    solid.drawEdges();
+  });
+  m_gl->DepthMask(GL_TRUE);
+}
+
+void GlRenderer::drawTriad(const Frame& frame) {
+  m_passes.overlay(axisTriad(frame.camera, frame.viewport, frame.pixelRatio, frame.look), frame.viewport);
+}
+
+void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
+  const Eigen::Matrix4d view = frame.camera.view().matrix();
+  const Viewport& size = frame.viewport;
+  for (const Emphasis wanted : {Emphasis::hovered, Emphasis::selected}) {
+    if (std::find(frame.emphasis.begin(), frame.emphasis.end(), wanted) == frame.emphasis.end()) continue;
+    if (!m_mask.ensure(size.width, size.height)) return;
+    m_mask.bind();
+    m_gl->Disable(GL_BLEND);
+    m_gl->ClearColor(0, 0, 0, 0);
+    m_gl->Clear(GL_COLOR_BUFFER_BIT);
+    m_passes.beginFlat(projection(frame), 1);
+    eachInstance([&](std::size_t i, const GlSolid& solid) {
+      if (emphasis(frame, i) != wanted) return;
+      m_passes.flat(view * pose(frame, i).matrix(), Rgb{1, 1, 1}, 1);
+      solid.drawTriangles();
+    });
+    m_gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    m_gl->Viewport(0, 0, size.width, size.height);
+    m_gl->Enable(GL_BLEND);
+    const float strength = wanted == Emphasis::selected ? 0.95F : 0.55F;
+    m_passes.halo(m_mask.texture(), size, frame.pixelRatio, frame.look.accent, strength);
+  }
+}
+
+Image GlRenderer::picture(const Frame& frame) {
+  Frame cut = frame;
+  cut.viewport.width = std::clamp(frame.viewport.width, 1, m_maximumSide);
+  cut.viewport.height = std::clamp(frame.viewport.height, 1, m_maximumSide);
+  const auto [width, height] = cut.viewport;
+  if (!m_picture.ensure(width, height)) return {};
+  draw(cut, m_picture.framebuffer());
+  Image image{
+      width, height,
+      std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  m_gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  m_gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  turnUpright(image);
+  return image;
+}
+
+// The picture is cut to three by three pixels round the place before anything is painted, so a pick costs the
+// vertices and hardly a pixel.
+std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
+  constexpr int kSide = 3;
+  const double width = frame.viewport.width, height = frame.viewport.height;
+  if (!(x >= 0 && x < width && y >= 0 && y < height) || !m_numbers.ensure(kSide, kSide)) return std::nullopt;
+  Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
+  cut(0, 0) = width / kSide;
+  cut(1, 1) = height / kSide;
+  cut(0, 3) = (width - 2 * (std::floor(x) + 0.5)) / kSide;
+  cut(1, 3) = (2 * (std::floor(y) + 0.5) - height) / kSide;
+  const Eigen::Matrix4d through = projection(frame);
+  const Eigen::Matrix4d view = frame.camera.view().matrix();
+  m_numbers.bind();
+  m_gl->Disable(GL_BLEND);
+  m_gl->Enable(GL_DEPTH_TEST);
+  m_gl->DepthFunc(GL_LEQUAL);
+  m_gl->Enable(GL_CULL_FACE);
+  m_gl->ClearColor(0, 0, 0, 0);
+  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  m_passes.beginFlat(cut * through, 1);
+  eachInstance([&](std::size_t i, const GlSolid& solid) {
+    m_passes.flatNumber(view * pose(frame, i).matrix(), static_cast<std::uint32_t>(i + 1));
+    solid.drawTriangles();
+  });
+  const NumberedPixels<kSide> pixels = readNumbers<kSide>(*m_gl);
+  m_gl->Disable(GL_CULL_FACE);
+  m_gl->Disable(GL_DEPTH_TEST);
+  const auto place = pixels.nearestToMiddle();
+  if (!place) return std::nullopt;
+  const Eigen::Vector3d onScreen(2 * (std::floor(x) + 0.5 + place->right) / width - 1,
+                                 1 - 2 * (std::floor(y) + 0.5 - place->up) / height, 2.0 * place->depth - 1);
+  const Eigen::Vector4d met = (through * view).inverse() * onScreen.homogeneous();
+  const std::size_t instance = place->number - 1;
+  return Hit{instance, m_scene.instances[instance].element, met.hnormalized()};
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProcAddress) {
+  const auto refused = [](const std::string& why) {
+    Diagnostic diagnostic;
+    diagnostic.code = Code::graphics;
+    diagnostic.message = "No 3D pictures: " + why + ". Install a driver with OpenGL 3.3 or newer.";
+    return diagnostic;
+  };
+  auto gl = std::make_unique<GlApi>();
+  const std::string missing = gl->load(getProcAddress);
+  if (!missing.empty()) return refused("the driver has no " + missing);
+  GLint major = 0, minor = 0;
+  gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+  gl->GetIntegerv(GL_MINOR_VERSION, &minor);
+  if (10 * major + minor < 33) {
+    return refused("the driver offers OpenGL " + std::to_string(major) + "." + std::to_string(minor));
+  }
+  auto renderer = std::make_unique<GlRenderer>(std::move(gl));
+  if (!renderer->log().empty()) return refused("the driver refuses a shader: " + renderer->log());
+  return std::unique_ptr<Renderer>(std::move(renderer));
+}
+
+}  // namespace geargraph

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/expected.h"
+#include "core/render/gl_api.h"
+#include "core/render/renderer.h"
+
+namespace geargraph {
+
+/// A renderer on the OpenGL context that is current: 3.3 core or newer. `getProcAddress` finds its functions.
+/// Fails with `graphics`, naming what the driver lacks.
+[[nodiscard]] Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProcAddress);
+
+}  // namespace geargraph

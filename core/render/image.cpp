@@ -1,0 +1,21 @@
+#include "core/render/image.h"
+
+#include <png.h>
+
+namespace geargraph {
+
+std::vector<std::uint8_t> pngBytes(const Image& image) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGBA;
+  png_alloc_size_t size = 0;
+  if (!png_image_write_get_memory_size(header, size, 0, image.rgba.data(), 0, nullptr)) return {};
+  std::vector<std::uint8_t> bytes(size);
+  if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgba.data(), 0, nullptr)) return {};
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/render/camera.h"
+#include "core/render/image.h"
+#include "core/render/look.h"
+#include "core/render/scene.h"
+
+namespace geargraph {
+
+enum class Emphasis : std::uint8_t { none, hovered, selected };
+
+/// One picture to be painted. `poses` and `emphasis` have one entry an instance of the scene; empty, the
+/// scene's own poses and no emphasis hold. Nothing but these changes from frame to frame.
+struct Frame {
+  Viewport viewport;
+  double pixelRatio = 1;  ///< device pixels a logical pixel: widths of lines and letters
+  Camera camera;
+  Look look;
+  std::span<const Pose> poses;
+  std::span<const Emphasis> emphasis;
+};
+
+/// What lies under a pixel.
+struct Hit {
+  std::size_t instance = 0;
+  ElementId element;
+  Eigen::Vector3d point;  ///< where the surface was met, mm in the world; to the depth buffer's precision
+};
+
+/// Paints scenes. An interface, so that another way to the graphics card can take the place of OpenGL's.
+///
+/// All members, the destructor too, need the graphics context that the renderer was made in, current.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+
+  /// What paints, as the driver names itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  [[nodiscard]] virtual const std::string& name() const = 0;
+  /// The processor paints: frames are dear, Look::cheaper() is the better default.
+  [[nodiscard]] virtual bool isSoftware() const = 0;
+
+  /// Takes up the scene. Solids that the last scene had as well stay where they are.
+  virtual void setScene(const Scene& scene) = 0;
+  /// Paints into a framebuffer of the context (its number; 0 is the window's own), from its lower left
+  /// corner.
+  virtual void draw(const Frame& frame, unsigned framebuffer) = 0;
+  /// Paints a picture. Its sides are cut to what the driver can hold (maximumSide()).
+  [[nodiscard]] virtual Image picture(const Frame& frame) = 0;
+  [[nodiscard]] virtual int maximumSide() const = 0;
+  /// The nearest instance within one pixel of (x, y), counted from the upper left corner; nothing on the
+  /// ground.
+  [[nodiscard]] virtual std::optional<Hit> pick(const Frame& frame, double x, double y) = 0;
+
+ protected:
+  Renderer() = default;
+  Renderer(const Renderer&) = default;
+  Renderer& operator=(const Renderer&) = default;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/id.h"
+#include "core/gears/solid.h"
+
+namespace geargraph {
+
+/// Red, green, blue in 0..1 as a screen takes them (sRGB).
+struct Rgb {
+  float red = 0;
+  float green = 0;
+  float blue = 0;
+  [[nodiscard]] static constexpr Rgb fromHex(unsigned rgb) {
+    return {static_cast<float>((rgb >> 16) & 255) / 255, static_cast<float>((rgb >> 8) & 255) / 255,
+            static_cast<float>(rgb & 255) / 255};
+  }
+  friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// Where a solid is: its own frame to the world, mm.
+using Pose = Eigen::Isometry3d;
+
+/// One solid put somewhere: what it stands for is what a click on it selects.
+struct Instance {
+  std::size_t solid = 0;  ///< position in Scene::solids
+  Pose pose = Pose::Identity();
+  Rgb colour;
+  ElementId element;
+  bool castsShadow = true;
+};
+
+/// What is to be seen. Solids are immutable and shared: equal gears are stored once, and a renderer that has
+/// seen a solid does not take it up again.
+struct Scene {
+  std::vector<std::shared_ptr<const Solid>> solids;
+  std::vector<Instance> instances;
+};
+
+struct Bounds {
+  Eigen::AlignedBox3d box;  ///< empty where the scene is
+  [[nodiscard]] Eigen::Vector3d centre() const {
+    return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
+  }
+  [[nodiscard]] double radius() const { return box.isEmpty() ? 1 : 0.5 * box.diagonal().norm(); }
+};
+
+/// The box about all instances in their poses, from the corners of their solids' boxes.
+[[nodiscard]] Bounds boundsOf(const Scene& scene);
+
+/// The eight corners of every instance's box, for Camera::fitted.
+[[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Scene& scene);
+
+}  // namespace geargraph

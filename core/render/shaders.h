@@ -1,0 +1,172 @@
+#pragma once
+
+namespace geargraph::shaders {
+
+// GLSL 3.30 core, without the version line. Lengths in mm, directions in the frame of the eye.
+
+/// A picture-filling triangle without vertices; `v_place` runs over 0..1 from the lower left.
+inline constexpr const char* kFullVertex = R"(
+out vec2 v_place;
+void main() {
+  v_place = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+  gl_Position = vec4(2.0 * v_place - 1.0, 0.0, 1.0);
+})";
+
+inline constexpr const char* kGradientFragment = R"(
+uniform vec3 u_top;
+uniform vec3 u_bottom;
+in vec2 v_place;
+out vec4 o_colour;
+void main() {
+  // a grain of less than one step of a byte, against bands
+  float grain = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) - 0.5;
+  o_colour = vec4(mix(u_bottom, u_top, v_place.y) + grain / 255.0, 1.0);
+})";
+
+/// u_nearer < 1 draws nearer to the eye by that factor, so that lines win against their own faces.
+inline constexpr const char* kSolidVertex = R"(
+uniform mat4 u_modelView;
+uniform mat4 u_projection;
+uniform float u_nearer;
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+out vec3 v_normal;
+out vec3 v_position;
+void main() {
+  vec4 seen = u_modelView * vec4(a_position, 1.0);
+  v_position = seen.xyz;
+  v_normal = mat3(u_modelView) * a_normal;
+  gl_Position = u_projection * vec4(seen.xyz * u_nearer, 1.0);
+})";
+
+/// Matte, as of painted wood: faces turned up and towards the key light brighten to a pastel of the part's
+/// colour, flanks fall to a half of it, and nothing turns black or glares. The key comes from the upper left
+/// of the viewer, the fill from the right; a rim of light parts a silhouette from what is behind it.
+inline constexpr const char* kSolidFragment = R"(
+uniform vec3 u_colour;
+uniform vec3 u_up;
+uniform vec4 u_accent;
+in vec3 v_normal;
+in vec3 v_position;
+out vec4 o_colour;
+const vec3 kKey = vec3(-0.48, 0.55, 0.68);
+const vec3 kFill = vec3(0.78, 0.12, 0.61);
+void main() {
+  vec3 n = normalize(v_normal);
+  vec3 toEye = normalize(-v_position);
+  float key = max(dot(n, kKey), 0.0);
+  float fill = max(dot(n, kFill), 0.0);
+  float sky = 0.5 + 0.5 * dot(n, u_up);
+  float shade = 0.38 + 0.22 * sky + 0.64 * key + 0.14 * fill;
+  float grazing = 1.0 - max(dot(n, toEye), 0.0);
+  float rim = 0.16 * grazing * grazing * grazing * sky;
+  vec3 lit = shade < 1.0 ? u_colour * shade : mix(u_colour, vec3(1.0), min(1.5 * (shade - 1.0), 0.3));
+  lit = mix(lit, vec3(1.0), rim);
+  o_colour = vec4(mix(lit, u_accent.rgb, u_accent.a), 1.0);
+})";
+
+/// One colour: feature edges, masks, numbers of instances.
+inline constexpr const char* kFlatFragment = R"(
+uniform vec4 u_flat;
+out vec4 o_colour;
+void main() { o_colour = u_flat; })";
+
+/// The disc on the ground: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w.
+inline constexpr const char* kDiscVertex = R"(
+uniform mat4 u_modelView;
+uniform mat4 u_projection;
+uniform vec4 u_disc;
+out vec2 v_place;
+void main() {
+  v_place = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec3 point = vec3(u_disc.xy + (2.0 * v_place - 1.0) * u_disc.w, u_disc.z);
+  gl_Position = u_projection * (u_modelView * vec4(point, 1.0));
+})";
+
+inline constexpr const char* kDiscFragment = R"(
+uniform vec3 u_colour;
+uniform vec3 u_shade;
+uniform vec2 u_strength;  // of the disc, of the shadow
+uniform sampler2D u_shadow;
+in vec2 v_place;
+out vec4 o_colour;
+void main() {
+  float radius = length(2.0 * v_place - 1.0);
+  float disc = u_strength.x * (1.0 - smoothstep(0.93, 0.99, radius));
+  float shadow = u_strength.y * texture(u_shadow, v_place).r * (1.0 - smoothstep(0.75, 1.0, radius));
+  float alpha = shadow + disc * (1.0 - shadow);
+  o_colour = vec4(mix(u_colour, u_shade, shadow / max(alpha, 0.001)), alpha);
+})";
+
+/// Seen from above into the shadow's square: the nearer to the ground, the darker.
+inline constexpr const char* kShadowVertex = R"(
+uniform mat4 u_modelView;  // to the world
+uniform vec4 u_disc;
+uniform float u_reach;
+layout(location = 0) in vec3 a_position;
+out float v_darkness;
+void main() {
+  vec3 point = (u_modelView * vec4(a_position, 1.0)).xyz;
+  v_darkness = exp(-max(point.z - u_disc.z, 0.0) / u_reach);
+  gl_Position = vec4((point.xy - u_disc.xy) / u_disc.w, 0.0, 1.0);
+})";
+
+inline constexpr const char* kShadowFragment = R"(
+in float v_darkness;
+out vec4 o_colour;
+void main() { o_colour = vec4(v_darkness); })";
+
+/// One direction of a Gaussian blur; u_step is one texel along it.
+inline constexpr const char* kBlurFragment = R"(
+uniform sampler2D u_image;
+uniform vec2 u_step;
+in vec2 v_place;
+out vec4 o_colour;
+void main() {
+  float sum = 0.0;
+  float weights = 0.0;
+  for (int k = -8; k <= 8; ++k) {
+    float weight = exp(-float(k * k) / 26.0);
+    sum += weight * texture(u_image, v_place + float(k) * u_step).r;
+    weights += weight;
+  }
+  o_colour = vec4(sum / weights);
+})";
+
+/// The glow round what is selected or under the mouse: how much of the mask is near, outside of it.
+inline constexpr const char* kHaloFragment = R"(
+uniform sampler2D u_mask;
+uniform vec2 u_step;
+uniform vec4 u_halo;
+in vec2 v_place;
+out vec4 o_colour;
+void main() {
+  float nearest = 0.0;
+  for (int ring = 1; ring <= 3; ++ring) {
+    for (int k = 0; k < 8; ++k) {
+      float angle = 0.7853982 * float(k) + 0.3926991 * float(ring);
+      vec2 away = float(ring) * vec2(cos(angle), sin(angle)) * u_step;
+      nearest = max(nearest, texture(u_mask, v_place + away).r * (1.25 - 0.25 * float(ring)));
+    }
+  }
+  float inside = texture(u_mask, v_place).r;
+  o_colour = vec4(u_halo.rgb, u_halo.a * nearest * (1.0 - inside));
+})";
+
+/// Coloured triangles in pixels; u_size is the picture's.
+inline constexpr const char* kOverlayVertex = R"(
+uniform vec2 u_size;
+layout(location = 0) in vec2 a_position;
+layout(location = 1) in vec3 a_normal;
+out vec3 v_colour;
+void main() {
+  v_colour = a_normal;
+  gl_Position = vec4(2.0 * a_position.x / u_size.x - 1.0, 1.0 - 2.0 * a_position.y / u_size.y, 0.0, 1.0);
+})";
+
+inline constexpr const char* kOverlayFragment = R"(
+in vec3 v_colour;
+out vec4 o_colour;
+void main() { o_colour = vec4(v_colour, 1.0); })";
+
+}  // namespace geargraph::shaders
