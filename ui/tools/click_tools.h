@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace geargraph {
+
+/// Draws links: click on empty ground.
+///
+///     Hovering --press nothing--> Placing --release--> Hovering + AddLink
+///     any --Esc--> Hovering
+namespace link_tool {
+
+/// Where the mouse is, if it is over empty ground: a link would come there.
+struct Hovering {
+  std::optional<SheetPoint> place;
+};
+struct Placing {
+  SheetPoint place;
+};
+using State = std::variant<Hovering, Placing>;
+
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
+
+}  // namespace link_tool
+
+/// Makes a joint an input, or no input any more: click a turning joint, or the link that it carries.
+///
+///     Idle --press turning joint or link--> Idle + ToggleInput
+namespace input_tool {
+
+struct Idle {};
+using State = std::variant<Idle>;
+
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
+
+}  // namespace input_tool
+
+/// Pulls the sheet along. The grabbed point of the sheet stays under the mouse, so each PanBy is measured on
+/// the sheet as it lies before it.
+///
+///     Idle --press--> Panning --move--> Panning + PanBy
+///                        +--release, Esc--> Idle
+namespace pan_tool {
+
+struct Idle {};
+struct Panning {
+  SheetPoint grabbed;
+};
+using State = std::variant<Idle, Panning>;
+
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
+
+}  // namespace pan_tool
+}  // namespace geargraph

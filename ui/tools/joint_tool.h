@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/tools/tool.h"
+
+/// Puts a turning joint or a gear mesh between two links: drag from one to the other, or click one, then the
+/// other.
+///
+///     Idle --press link--> Dragging --release on another link--> Idle + AddJoint
+///                             |--release on the first link--> Picked
+///                             +--release on anything else---> Idle
+///     Picked --press another link--> Idle + AddJoint
+///     Picked --press anything else--> Idle
+///     any --Esc--> Idle
+namespace geargraph::joint_tool {
+
+struct Idle {};
+/// The mouse is down; the arrow follows it.
+struct Dragging {
+  LinkId tail;
+  LinkId over;  ///< another link under the mouse, or empty
+  SheetPoint cursor;
+};
+/// The first link was clicked; the arrow follows the mouse, which is up.
+struct Picked {
+  LinkId tail;
+  LinkId over;
+  SheetPoint cursor;
+};
+using State = std::variant<Idle, Dragging, Picked>;
+
+/// `kind`: turningJoint or gearMesh.
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event, ElementKind kind);
+
+}  // namespace geargraph::joint_tool

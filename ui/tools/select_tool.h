@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/tools/tool.h"
+
+/// Selects and moves.
+///
+///     Idle --press element--> Armed --release--> Idle + SelectOnly / ToggleSelected
+///                               |--move, on a link--> Moving --move--> Moving + MoveSelected
+///                               |                       |--release--> Idle + MoveEnded
+///                               |                       +--Esc------> Idle + MoveCancelled
+///                               +--move, on an arrow--> Banding
+///     Idle --press nothing--> Banding --release--> Idle + SelectInside (a click: ClearSelection)
+///     any --Esc--> Idle
+///
+/// A link that is not selected becomes so when it is pressed, so that a drag takes it along; what is selected
+/// already stays so until the release, so that a drag takes all.
+namespace geargraph::select_tool {
+
+struct Idle {};
+struct Armed {
+  ElementId on;
+  SheetPoint from;
+  bool add = false;
+  bool wasSelected = false;
+};
+struct Moving {
+  SheetPoint from;
+};
+struct Banding {
+  SheetPoint from;
+  SheetPoint to;
+  bool add = false;
+  bool wide = false;  ///< it was more than a click
+};
+using State = std::variant<Idle, Armed, Moving, Banding>;
+
+[[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
+
+}  // namespace geargraph::select_tool

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/base/id.h"
+#include "core/mechanism/mechanism.h"
+
+namespace geargraph {
+
+/// The tools of the drawings, in the order of the tool bar.
+enum class ToolKind { select, link, turningJoint, gearMesh, input, pan };
+
+constexpr int kToolCount = static_cast<int>(ToolKind::pan) + 1;
+
+[[nodiscard]] std::string_view toolName(ToolKind tool);  ///< "Turning joint"
+[[nodiscard]] char toolKey(ToolKind tool);               ///< 'T', the key that picks it
+
+// --- what happens to a tool -------------------------------------------------------------------------------
+
+/// The mouse as a tool sees it, in sheet coordinates. Tools know no widget and no zoom.
+struct Pointer {
+  SheetPoint at;
+  std::optional<ElementId> on;  ///< the topmost element under the mouse
+  bool onSelected = false;      ///< that element is selected already
+  bool add = false;             ///< Shift or Ctrl: adds to the selection
+  bool unsnapped = false;       ///< Alt: no snapping
+  double slop = 4;              ///< how far a click may wander, in sheet units
+};
+
+struct Pressed {
+  Pointer pointer;
+};
+struct Moved {
+  Pointer pointer;
+};
+struct Released {
+  Pointer pointer;
+};
+struct Escaped {};
+using ToolEvent = std::variant<Pressed, Moved, Released, Escaped>;
+
+// --- what a tool proposes ---------------------------------------------------------------------------------
+
+struct SelectOnly {
+  ElementId element;
+  friend bool operator==(const SelectOnly&, const SelectOnly&) = default;
+};
+struct ToggleSelected {
+  ElementId element;
+  friend bool operator==(const ToggleSelected&, const ToggleSelected&) = default;
+};
+struct ClearSelection {
+  friend bool operator==(const ClearSelection&, const ClearSelection&) = default;
+};
+/// Everything inside the rectangle; `add` keeps what is selected.
+struct SelectInside {
+  SheetPoint from;
+  SheetPoint to;
+  bool add = false;
+  friend bool operator==(const SelectInside&, const SelectInside&) = default;
+};
+/// The selected nodes stand this far from where they were when the mouse was pressed. Many of them make one
+/// gesture, which MoveEnded or MoveCancelled closes.
+struct MoveSelected {
+  double dx = 0;
+  double dy = 0;
+  bool unsnapped = false;
+  friend bool operator==(const MoveSelected&, const MoveSelected&) = default;
+};
+struct MoveEnded {
+  friend bool operator==(const MoveEnded&, const MoveEnded&) = default;
+};
+struct MoveCancelled {
+  friend bool operator==(const MoveCancelled&, const MoveCancelled&) = default;
+};
+struct AddLink {
+  SheetPoint at;
+  friend bool operator==(const AddLink&, const AddLink&) = default;
+};
+/// A turning joint or a gear mesh.
+struct AddJoint {
+  ElementKind kind = ElementKind::turningJoint;
+  LinkId tail;
+  LinkId head;
+  friend bool operator==(const AddJoint&, const AddJoint&) = default;
+};
+/// A turning joint, or a link for the joint that carries it.
+struct ToggleInput {
+  ElementId element;
+  friend bool operator==(const ToggleInput&, const ToggleInput&) = default;
+};
+struct PanBy {
+  double dx = 0;
+  double dy = 0;
+  friend bool operator==(const PanBy&, const PanBy&) = default;
+};
+using Proposal = std::variant<SelectOnly, ToggleSelected, ClearSelection, SelectInside, MoveSelected,
+                              MoveEnded, MoveCancelled, AddLink, AddJoint, ToggleInput, PanBy>;
+
+/// What an event did to a tool: its next state, and what it wants done.
+template <class State>
+struct Outcome {
+  State next;
+  std::vector<Proposal> proposals;
+};
+
+// --- what a tool shows meanwhile --------------------------------------------------------------------------
+
+/// The rectangle that a rubber band spans.
+struct RubberBand {
+  SheetPoint from;
+  SheetPoint to;
+  friend bool operator==(const RubberBand&, const RubberBand&) = default;
+};
+
+/// An arrow that is being drawn: from a link to another one, or to the mouse as long as there is none.
+struct ArrowDraft {
+  ElementKind kind = ElementKind::turningJoint;
+  LinkId tail;
+  LinkId head;  ///< empty while the mouse is over no other link
+  SheetPoint cursor;
+  friend bool operator==(const ArrowDraft&, const ArrowDraft&) = default;
+};
+
+/// What the matrices can show of an arrow that is being drawn: the column it would make. It is `valid` if
+/// releasing the mouse now would make a joint; `head` is empty while the mouse is over no other link.
+struct JointPreview {
+  ElementKind kind = ElementKind::turningJoint;  ///< or gearMesh
+  LinkId tail;
+  LinkId head;
+  bool valid = false;
+  friend bool operator==(const JointPreview&, const JointPreview&) = default;
+};
+
+}  // namespace geargraph

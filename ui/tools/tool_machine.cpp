@@ -1,0 +1,142 @@
+#include "ui/tools/tool_machine.h"
+
+#include <utility>
+
+namespace geargraph {
+namespace {
+
+ElementKind jointKind(ToolKind tool) {
+  return tool == ToolKind::gearMesh ? ElementKind::gearMesh : ElementKind::turningJoint;
+}
+
+template <class State>
+std::vector<Proposal> step(State& state, Outcome<State> outcome) {
+  state = std::move(outcome.next);
+  return std::move(outcome.proposals);
+}
+
+std::string_view jointHint(const joint_tool::State& state, ToolKind tool) {
+  const bool mesh = tool == ToolKind::gearMesh;
+  if (std::holds_alternative<joint_tool::Idle>(state)) {
+    return mesh ? "Gear mesh: drag from a gear to the gear it drives"
+                : "Turning joint: drag from a link to the link it carries";
+  }
+  return mesh ? "Gear mesh: release on the second gear. Esc cancels"
+              : "Turning joint: release on the link that is carried. Esc cancels";
+}
+
+std::string_view selectHint(const select_tool::State& state) {
+  if (std::holds_alternative<select_tool::Moving>(state)) return "Alt places freely. Esc puts back";
+  if (std::holds_alternative<select_tool::Banding>(state)) return "Release to select what is inside";
+  return "Click to select, drag to move, drag on empty ground to select several";
+}
+
+}  // namespace
+
+std::string_view toolName(ToolKind tool) {
+  switch (tool) {
+    case ToolKind::select:
+      return "Select";
+    case ToolKind::link:
+      return "Link";
+    case ToolKind::turningJoint:
+      return "Turning joint";
+    case ToolKind::gearMesh:
+      return "Gear mesh";
+    case ToolKind::input:
+      return "Input";
+    case ToolKind::pan:
+      return "Pan";
+  }
+  return {};
+}
+
+char toolKey(ToolKind tool) {
+  constexpr std::string_view kKeys = "VLTGIH";
+  return kKeys[static_cast<std::size_t>(tool)];
+}
+
+ToolMachine::ToolMachine(ToolKind tool) : m_tool(tool), m_state(firstState(tool)) {}
+
+ToolMachine::State ToolMachine::firstState(ToolKind tool) {
+  switch (tool) {
+    case ToolKind::select:
+      return select_tool::State{};
+    case ToolKind::link:
+      return link_tool::State{};
+    case ToolKind::turningJoint:
+    case ToolKind::gearMesh:
+      return joint_tool::State{};
+    case ToolKind::input:
+      return input_tool::State{};
+    case ToolKind::pan:
+      return pan_tool::State{};
+  }
+  return {};
+}
+
+std::vector<Proposal> ToolMachine::on(const ToolEvent& event) {
+  if (auto* select = std::get_if<select_tool::State>(&m_state)) {
+    return step(*select, select_tool::on(*select, event));
+  }
+  if (auto* link = std::get_if<link_tool::State>(&m_state)) return step(*link, link_tool::on(*link, event));
+  if (auto* joint = std::get_if<joint_tool::State>(&m_state)) {
+    return step(*joint, joint_tool::on(*joint, event, jointKind(m_tool)));
+  }
+  if (auto* input = std::get_if<input_tool::State>(&m_state)) {
+    return step(*input, input_tool::on(*input, event));
+  }
+  auto& pan = std::get<pan_tool::State>(m_state);
+  return step(pan, pan_tool::on(pan, event));
+}
+
+bool ToolMachine::isIdle() const {
+  // Every tool lists the state of rest first.
+  return std::visit([](const auto& state) { return state.index() == 0; }, m_state);
+}
+
+std::string_view ToolMachine::hint() const {
+  switch (m_tool) {
+    case ToolKind::select:
+      return selectHint(std::get<select_tool::State>(m_state));
+    case ToolKind::link:
+      return "Link: click on empty ground";
+    case ToolKind::turningJoint:
+    case ToolKind::gearMesh:
+      return jointHint(std::get<joint_tool::State>(m_state), m_tool);
+    case ToolKind::input:
+      return "Input: click a turning joint, or the link it carries, to drive it or not";
+    case ToolKind::pan:
+      return "Drag to move the sheet";
+  }
+  return {};
+}
+
+std::optional<RubberBand> ToolMachine::rubberBand() const {
+  const auto* select = std::get_if<select_tool::State>(&m_state);
+  const auto* band = select == nullptr ? nullptr : std::get_if<select_tool::Banding>(select);
+  if (band == nullptr || !band->wide) return std::nullopt;
+  return RubberBand{band->from, band->to};
+}
+
+std::optional<ArrowDraft> ToolMachine::arrowDraft() const {
+  const auto* joint = std::get_if<joint_tool::State>(&m_state);
+  if (joint == nullptr) return std::nullopt;
+  const ElementKind kind = jointKind(m_tool);
+  if (const auto* drag = std::get_if<joint_tool::Dragging>(joint)) {
+    return ArrowDraft{kind, drag->tail, drag->over, drag->cursor};
+  }
+  if (const auto* picked = std::get_if<joint_tool::Picked>(joint)) {
+    return ArrowDraft{kind, picked->tail, picked->over, picked->cursor};
+  }
+  return std::nullopt;
+}
+
+std::optional<SheetPoint> ToolMachine::linkDraft() const {
+  const auto* link = std::get_if<link_tool::State>(&m_state);
+  if (link == nullptr) return std::nullopt;
+  if (const auto* placing = std::get_if<link_tool::Placing>(link)) return placing->place;
+  return std::get<link_tool::Hovering>(*link).place;
+}
+
+}  // namespace geargraph
