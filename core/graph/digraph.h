@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -60,5 +61,7 @@ class Digraph {
   int m_turningCount = 0;
   std::unordered_map<LinkId, int> m_nodeOf;
 };
+
+using DigraphPtr = std::shared_ptr<const Digraph>;
 
 }  // namespace geargraph

@@ -6,9 +6,6 @@
 
 namespace geargraph {
 
-using DigraphPtr = std::shared_ptr<const Digraph>;
-using SpanningTreePtr = std::shared_ptr<const SpanningTree>;
-
 /// Incidence node-edge matrix Γ⁰ [AU, Eq. (1)].
 ///
 /// Shape    (n+1) × (t+c): links 0..n, then turning joints and meshes.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -72,6 +73,8 @@ class SpanningTree {
   std::vector<int> m_child;          ///< by joint
   std::vector<int> m_towardsGround;  ///< by joint: +1 or -1
 };
+
+using SpanningTreePtr = std::shared_ptr<const SpanningTree>;
 
 /// One step along a tree walk: a turning joint, and whether the walk runs in the joint's direction (+1) or
 /// against.

@@ -1,0 +1,239 @@
+#include "core/ttgraph/axis_classes.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/ttgraph/wording.h"
+
+namespace geargraph {
+namespace {
+
+// 1. Name each joint's axis by its position in the document.
+// 2. At each link, take one joint for each of its axes; the others of that axis are united with it.
+// 3. Compare the lines of those few, sorted by a number that equal lines share, and unite what is collinear.
+// 4. Number the classes by their first joints; give senses, levels and findings.
+class Classifier {
+ public:
+  Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
+      : m_mechanism(mechanism), m_graph(graph), m_lines(lines), m_parent(joints()), m_axisOf(joints()) {
+    std::iota(m_parent.begin(), m_parent.end(), 0);
+    std::unordered_map<AxisId, int> position;
+    for (std::size_t i = 0; i < mechanism.axes.size(); ++i) {
+      position.emplace(mechanism.axes[i].id, static_cast<int>(i));
+      if (lines.axes[i]) m_size = std::max(m_size, length(lines.axes[i]->point));
+    }
+    if (m_size == 0) m_size = 1;
+    for (std::size_t j = 0; j < joints(); ++j) {
+      m_axisOf[j] = position.at(mechanism.turningJoints[j].axis);
+    }
+  }
+
+  AxisClasses run() {
+    uniteAtLinks();
+    number();
+    for (std::size_t j = 0; j < joints(); ++j) m_classes.sense.push_back(senseOf(j));
+    nameLevels();
+    reportSplits();
+    reportMerges();
+    return std::move(m_classes);
+  }
+
+ private:
+  struct Candidate {
+    double key = 0;
+    int joint = 0;
+  };
+
+  [[nodiscard]] std::size_t joints() const { return m_mechanism.turningJoints.size(); }
+  [[nodiscard]] const std::optional<AxisLine>& lineOf(int joint) const {
+    return m_lines.axes[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
+  }
+
+  int rootOf(int joint) {
+    while (m_parent[static_cast<std::size_t>(joint)] != joint) {
+      int& up = m_parent[static_cast<std::size_t>(joint)];
+      joint = up = m_parent[static_cast<std::size_t>(up)];
+    }
+    return joint;
+  }
+
+  /// The smaller root stays, so that a class is known by its first joint.
+  void unite(int a, int b) {
+    const auto [low, high] = std::minmax({rootOf(a), rootOf(b)});
+    m_parent[static_cast<std::size_t>(high)] = low;
+  }
+
+  void uniteAtLinks() {
+    std::vector<std::vector<int>> atLink(static_cast<std::size_t>(m_graph.nodeCount()));
+    for (int j = 0; j < m_graph.t(); ++j) {
+      atLink[static_cast<std::size_t>(m_graph.turningEdge(j).tail)].push_back(j);
+      atLink[static_cast<std::size_t>(m_graph.turningEdge(j).head)].push_back(j);
+    }
+    std::vector<int> seenAs(m_mechanism.axes.size(), -1);
+    for (const std::vector<int>& here : atLink) {
+      std::vector<Candidate> different;
+      for (const int joint : here) {
+        int& first = seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
+        if (first >= 0) {
+          unite(first, joint);
+          continue;
+        }
+        first = joint;
+        if (lineOf(joint)) different.push_back({keyOf(*lineOf(joint)), joint});
+      }
+      uniteCollinear(different);
+      for (const int joint : here) {
+        seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])] = -1;
+      }
+    }
+  }
+
+  /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
+  /// view of its foot below the origin, relative to the mechanism, and of the products of its direction.
+  [[nodiscard]] double keyOf(const AxisLine& line) const {
+    const Triple& u = line.direction;
+    const double along = dot(line.point, u);
+    const Triple foot = difference(line.point, {along * u[0], along * u[1], along * u[2]});
+    return dot(foot, {0.51, 0.67, 0.54}) / m_size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
+           0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2];
+  }
+
+  void uniteCollinear(std::vector<Candidate>& different) {
+    constexpr double kWindow = 1e-7;  // above what areCollinear() lets pass
+    std::sort(different.begin(), different.end(),
+              [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
+    for (std::size_t a = 0; a < different.size(); ++a) {
+      for (std::size_t b = a + 1;
+           b < different.size() && different[b].key - different[a].key <= kWindow; ++b) {
+        if (areCollinear(*lineOf(different[a].joint), *lineOf(different[b].joint), m_size)) {
+          unite(different[a].joint, different[b].joint);
+        }
+      }
+    }
+  }
+
+  void number() {
+    m_classes.ofJoint.resize(joints());
+    for (int j = 0; j < static_cast<int>(joints()); ++j) {
+      const int root = rootOf(j);
+      if (root == j) {
+        m_classes.ofJoint[static_cast<std::size_t>(j)] = m_classes.count();
+        m_classes.firstJoint.push_back(j);
+      } else {
+        m_classes.ofJoint[static_cast<std::size_t>(j)] = m_classes.ofJoint[static_cast<std::size_t>(root)];
+      }
+    }
+  }
+
+  [[nodiscard]] int firstOfClass(std::size_t joint) const {
+    return m_classes.firstJoint[static_cast<std::size_t>(m_classes.ofJoint[joint])];
+  }
+
+  [[nodiscard]] int senseOf(std::size_t joint) const {
+    const int first = firstOfClass(joint);
+    if (m_axisOf[joint] == m_axisOf[static_cast<std::size_t>(first)]) return 1;
+    return dot(lineOf(first)->direction, lineOf(static_cast<int>(joint))->direction) < 0 ? -1 : 1;
+  }
+
+  void nameLevels() {
+    std::unordered_set<std::string> taken;
+    for (const Axis& axis : m_mechanism.axes) taken.insert(axis.id.text());
+    std::vector<char> used(m_mechanism.axes.size(), 0);
+    for (const int first : m_classes.firstJoint) {
+      const int axis = m_axisOf[static_cast<std::size_t>(first)];
+      std::string level = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
+      if (used[static_cast<std::size_t>(axis)] != 0) {
+        while (!taken.insert(level).second) level += "'";
+      }
+      used[static_cast<std::size_t>(axis)] = 1;
+      m_classes.levels.push_back(std::move(level));
+    }
+  }
+
+  [[nodiscard]] std::string labelOfJoint(std::size_t joint) const {
+    return std::to_string(m_mechanism.jointLabel(static_cast<int>(joint)));
+  }
+
+  void reportSplits() {
+    std::map<int, std::vector<int>> classesOfAxis;  // by axis: the classes it falls into, ascending
+    for (std::size_t j = 0; j < joints(); ++j) {
+      std::vector<int>& classes = classesOfAxis[m_axisOf[j]];
+      const int found = m_classes.ofJoint[j];
+      if (std::find(classes.begin(), classes.end(), found) == classes.end()) classes.push_back(found);
+    }
+    for (const auto& [axis, classes] : classesOfAxis) {
+      if (classes.size() < 2) continue;
+      Diagnostic finding;
+      finding.code = Code::splitAxis;
+      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
+      finding.elements.emplace_back(id);
+      std::vector<std::string> labels;
+      std::vector<std::string> levels;
+      for (std::size_t j = 0; j < joints(); ++j) {
+        if (m_axisOf[j] != axis) continue;
+        labels.push_back(labelOfJoint(j));
+        finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
+      }
+      for (const int found : classes) levels.push_back(m_classes.levels[static_cast<std::size_t>(found)]);
+      finding.message = "Turning joints " + listed(labels) + " name one axis (" + id.text() +
+                        ") but do not all hang together on it by common links: they coincide only in the drawn "
+                        "pose and are treated as different axes (" +
+                        listed(levels) + "). Give each axis of the mechanism its own entry in axes.";
+      m_classes.diagnostics.push_back(std::move(finding));
+    }
+  }
+
+  void reportMerges() {
+    std::vector<std::vector<int>> axesOfClass(m_classes.firstJoint.size());
+    std::vector<std::vector<std::size_t>> jointsOfClass(m_classes.firstJoint.size());
+    for (std::size_t j = 0; j < joints(); ++j) {
+      const auto found = static_cast<std::size_t>(m_classes.ofJoint[j]);
+      std::vector<int>& axes = axesOfClass[found];
+      if (std::find(axes.begin(), axes.end(), m_axisOf[j]) != axes.end()) continue;
+      axes.push_back(m_axisOf[j]);
+      jointsOfClass[found].push_back(j);
+    }
+    for (std::size_t found = 0; found < axesOfClass.size(); ++found) {
+      if (axesOfClass[found].size() > 1) reportMerge(found, axesOfClass[found], jointsOfClass[found]);
+    }
+  }
+
+  void reportMerge(std::size_t found, const std::vector<int>& axes, const std::vector<std::size_t>& samples) {
+    Diagnostic finding;
+    finding.code = Code::mergedAxes;
+    std::vector<std::string> names;
+    std::vector<std::string> opposite;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axes[i])].id;
+      names.push_back(id.text());
+      finding.elements.emplace_back(id);
+      if (m_classes.sense[samples[i]] < 0) opposite.push_back(id.text());
+    }
+    finding.message = "Axes " + listed(names) +
+                      " are one line held by common links: they are treated as one axis (" +
+                      m_classes.levels[found] + ").";
+    if (!opposite.empty()) {
+      finding.message += " The opposite direction of " + listed(opposite) + " is minded.";
+    }
+    m_classes.diagnostics.push_back(std::move(finding));
+  }
+
+  const Mechanism& m_mechanism;
+  const Digraph& m_graph;
+  const ReferenceLines& m_lines;
+  std::vector<int> m_parent;  ///< union-find over joints
+  std::vector<int> m_axisOf;  ///< by joint: its axis, by position
+  double m_size = 0;          ///< how far from the origin the mechanism reaches
+  AxisClasses m_classes;
+};
+
+}  // namespace
+
+AxisClasses axisClasses(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines) {
+  return Classifier(mechanism, graph, lines).run();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,67 @@
+#include "core/ttgraph/mesh_sign.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+Triple along(const AxisLine& line, double distance) {
+  Triple point = line.point;
+  for (std::size_t i = 0; i < 3; ++i) point[i] += distance * line.direction[i];
+  return point;
+}
+
+/// From the line's foot to the point.
+Triple armTo(const AxisLine& line, const Triple& point) {
+  const Triple from = difference(point, line.point);
+  return difference(point, along(line, dot(from, line.direction)));
+}
+
+std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  const int sense = dot(tail.direction, head.direction) > 0 ? 1 : -1;
+  if (pose.kind == MeshKind::external) return -sense;
+  if (pose.kind == MeshKind::internal) return sense;
+  if (!pose.pitchPoint) return std::nullopt;
+  const double between = dot(armTo(tail, *pose.pitchPoint), armTo(head, *pose.pitchPoint));
+  if (between == 0) return std::nullopt;
+  return between < 0 ? -sense : sense;
+}
+
+/// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
+/// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
+std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  constexpr double kMeets = 1e-6;
+  if (!pose.pitchPoint) return std::nullopt;
+  const double cosine = dot(tail.direction, head.direction);
+  const double sineSquared = 1 - cosine * cosine;
+  const Triple apart = difference(head.point, tail.point);
+  const double toTail = dot(apart, tail.direction);
+  const double toHead = dot(apart, head.direction);
+  const Triple apex = along(tail, (toTail - cosine * toHead) / sineSquared);
+  const Triple pitchLine = difference(*pose.pitchPoint, apex);
+  const double reach = std::max(length(apart), length(pitchLine));
+  if (length(armTo(head, apex)) > kMeets * reach) return std::nullopt;
+
+  const double onTail = dot(pitchLine, tail.direction);
+  const double onHead = dot(pitchLine, head.direction);
+  const double tailShare = onTail - cosine * onHead;
+  const double headShare = onHead - cosine * onTail;
+  if (tailShare == 0 || headShare == 0) return std::nullopt;
+  return (tailShare > 0) == (headShare > 0) ? -1 : 1;
+}
+
+}  // namespace
+
+std::optional<int> meshSign(const MeshPose& pose) {
+  if (pose.tailAxis && pose.headAxis) {
+    return areParallel(*pose.tailAxis, *pose.headAxis) ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
+                                                       : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
+  }
+  // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
+  if (pose.kind == MeshKind::external) return -1;
+  if (pose.kind == MeshKind::internal) return 1;
+  return std::nullopt;
+}
+
+}  // namespace geargraph

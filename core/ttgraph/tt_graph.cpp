@@ -1,0 +1,71 @@
+#include "core/ttgraph/tt_graph.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/ttgraph/mesh_sign.h"
+
+namespace geargraph {
+
+TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree,
+                 const ReferenceLines& lines)
+    : m_graph(std::move(graph)),
+      m_tree(std::move(tree)),
+      m_classes(axisClasses(mechanism, *m_graph, lines)),
+      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_classes)) {
+  addTerminals(mechanism, lines);
+  m_complete = m_vertices.walkLength <= kMostCircuitTerms &&
+               std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
+  if (m_complete) addCircuits();
+}
+
+Diagnostics TtGraph::diagnostics() const {
+  Diagnostics all = m_classes.diagnostics;
+  all.insert(all.end(), m_vertices.diagnostics.begin(), m_vertices.diagnostics.end());
+  return all;
+}
+
+void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
+  std::unordered_map<AxisId, std::size_t> position;
+  for (std::size_t i = 0; i < mechanism.axes.size(); ++i) position.emplace(mechanism.axes[i].id, i);
+  const auto lineOf = [&](int axisClass) {
+    const int first = m_classes.firstJoint[static_cast<std::size_t>(axisClass)];
+    return lines.axes[position.at(mechanism.turningJoints[static_cast<std::size_t>(first)].axis)];
+  };
+  m_terminals.resize(static_cast<std::size_t>(m_graph->c()));
+  for (int mesh = 0; mesh < m_graph->c(); ++mesh) {
+    const auto at = static_cast<std::size_t>(mesh);
+    const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
+    if (!vertex) continue;
+    const GearMesh& pair = mechanism.gearMeshes[at];
+    const std::optional<int> sign = meshSign(
+        {lineOf(vertex->tailClass), lineOf(vertex->headClass), lines.pitchPoints[at], pair.kind});
+    if (!sign) {
+      m_unsigned.push_back(mesh);
+      continue;
+    }
+    const DigraphEdge& edge = m_graph->meshEdge(mesh);
+    m_terminals[at] = TerminalPair{mesh,     edge.tail, edge.head,      vertex->carrier,
+                                   mesh + 1, *sign,     pair.tailTeeth, pair.headTeeth};
+  }
+}
+
+void TtGraph::addCircuits() {
+  m_starts.reserve(2 * m_terminals.size() + 1);
+  m_terms.reserve(static_cast<std::size_t>(m_vertices.walkLength));
+  m_starts.push_back(0);
+  // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from the
+  // carrier to the gear, and counts.
+  const auto addChord = [this](int gear, int carrier) {
+    for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
+      m_terms.push_back({step.joint, -step.direction * m_classes.sense[static_cast<std::size_t>(step.joint)]});
+    }
+    m_starts.push_back(m_terms.size());
+  };
+  for (const std::optional<TerminalPair>& pair : m_terminals) {
+    addChord(pair->tail, pair->carrier);
+    addChord(pair->head, pair->carrier);
+  }
+}
+
+}  // namespace geargraph
