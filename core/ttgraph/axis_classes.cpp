@@ -106,8 +106,8 @@ class Classifier {
     std::sort(different.begin(), different.end(),
               [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
     for (std::size_t a = 0; a < different.size(); ++a) {
-      for (std::size_t b = a + 1;
-           b < different.size() && different[b].key - different[a].key <= kWindow; ++b) {
+      for (std::size_t b = a + 1; b < different.size() && different[b].key - different[a].key <= kWindow;
+           ++b) {
         if (areCollinear(*lineOf(different[a].joint), *lineOf(different[b].joint), m_size)) {
           unite(different[a].joint, different[b].joint);
         }
@@ -178,10 +178,11 @@ class Classifier {
         finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
       }
       for (const int found : classes) levels.push_back(m_classes.levels[static_cast<std::size_t>(found)]);
-      finding.message = "Turning joints " + listed(labels) + " name one axis (" + id.text() +
-                        ") but do not all hang together on it by common links: they coincide only in the drawn "
-                        "pose and are treated as different axes (" +
-                        listed(levels) + "). Give each axis of the mechanism its own entry in axes.";
+      finding.message =
+          "Turning joints " + listed(labels) + " name one axis (" + id.text() +
+          ") but do not all hang together on it by common links: they coincide only in the drawn "
+          "pose and are treated as different axes (" +
+          listed(levels) + "). Give each axis of the mechanism its own entry in axes.";
       m_classes.diagnostics.push_back(std::move(finding));
     }
   }

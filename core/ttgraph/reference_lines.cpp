@@ -54,8 +54,7 @@ bool areParallel(const AxisLine& a, const AxisLine& b) {
 }
 
 bool areCollinear(const AxisLine& a, const AxisLine& b, double size) {
-  return areParallel(a, b) &&
-         length(cross(difference(b.point, a.point), a.direction)) <= kCloseness * size;
+  return areParallel(a, b) && length(cross(difference(b.point, a.point), a.direction)) <= kCloseness * size;
 }
 
 }  // namespace geargraph

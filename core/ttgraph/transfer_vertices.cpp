@@ -39,7 +39,8 @@ Diagnostic coaxial(const Digraph& graph, const AxisClasses& classes, int mesh, c
   return finding;
 }
 
-/// The tail gear is well attached to any link that carries the head gear's axis: the last stretch of the walk.
+/// The tail gear is well attached to any link that carries the head gear's axis: the last stretch of the
+/// walk.
 Diagnostic manyAxes(const Digraph& graph, const AxisClasses& classes, int mesh, const MeshWalk& walk) {
   Diagnostic finding = culprit(Code::noTransferVertex, graph, mesh);
   std::vector<std::string> carriers;
@@ -47,8 +48,8 @@ Diagnostic manyAxes(const Digraph& graph, const AxisClasses& classes, int mesh, 
     carriers.push_back(label(walk.nodes[i]));
   }
   finding.message = meshName(graph, mesh) + " holds gears on " +
-                    countInWords(static_cast<int>(walk.word.size())) + " axes (" + wordText(classes, walk.word, ", ") +
-                    "): its path reads " + wordText(classes, walk.word) +
+                    countInWords(static_cast<int>(walk.word.size())) + " axes (" +
+                    wordText(classes, walk.word, ", ") + "): its path reads " + wordText(classes, walk.word) +
                     ". A carrier must hold both axes: attach gear " + label(walk.nodes.front()) +
                     " to link " + listed(carriers, "or") + ".";
   return finding;

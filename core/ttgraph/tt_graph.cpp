@@ -38,8 +38,8 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
     const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
     if (!vertex) continue;
     const GearMesh& pair = mechanism.gearMeshes[at];
-    const std::optional<int> sign = meshSign(
-        {lineOf(vertex->tailClass), lineOf(vertex->headClass), lines.pitchPoints[at], pair.kind});
+    const std::optional<int> sign =
+        meshSign({lineOf(vertex->tailClass), lineOf(vertex->headClass), lines.pitchPoints[at], pair.kind});
     if (!sign) {
       m_unsigned.push_back(mesh);
       continue;
@@ -54,11 +54,12 @@ void TtGraph::addCircuits() {
   m_starts.reserve(2 * m_terminals.size() + 1);
   m_terms.reserve(static_cast<std::size_t>(m_vertices.walkLength));
   m_starts.push_back(0);
-  // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from the
-  // carrier to the gear, and counts.
+  // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from
+  // the carrier to the gear, and counts.
   const auto addChord = [this](int gear, int carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
-      m_terms.push_back({step.joint, -step.direction * m_classes.sense[static_cast<std::size_t>(step.joint)]});
+      m_terms.push_back(
+          {step.joint, -step.direction * m_classes.sense[static_cast<std::size_t>(step.joint)]});
     }
     m_starts.push_back(m_terms.size());
   };

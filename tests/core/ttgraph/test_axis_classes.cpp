@@ -1,0 +1,172 @@
+#include <QTest>
+
+#include "core/ttgraph/axis_classes.h"
+#include "core/ttgraph/transfer_vertices.h"
+#include "tests/core/support/mechanisms.h"
+#include "tests/core/support/trains.h"
+
+namespace geargraph {
+namespace {
+
+using test::TrainBuilder;
+
+AxisClasses classesOf(const Mechanism& mechanism) {
+  return axisClasses(mechanism, Digraph(mechanism), drawnLines(mechanism));
+}
+
+std::string levelWord(const AxisClasses& classes) {
+  std::string word;
+  for (std::size_t j = 0; j < classes.ofJoint.size(); ++j) {
+    word += (j > 0 ? " " : "") + classes.levelOf(static_cast<int>(j));
+  }
+  return word;
+}
+
+TransferVertices verticesOf(const Mechanism& mechanism) {
+  const Digraph graph(mechanism);
+  return transferVertices(graph, SpanningTree::of(graph).value(), classesOf(mechanism));
+}
+
+/// Roll, bend, roll: in the drawn pose the last axis lies on the first.
+TrainBuilder wrist() {
+  TrainBuilder train("wrist");
+  const int a = train.axis({0, 0, 0}, {0, 0, 1});
+  const int b = train.axis({0, 0, 0}, {0, 1, 0});
+  const int c = train.axis({0, 0, 5}, {0, 0, 2});
+  const int housing = train.link(0, a);
+  const int bend = train.link(housing, b);
+  train.link(bend, c);
+  return train;
+}
+
+}  // namespace
+
+/// Which joints are coaxial, and which link carries a mesh.
+class AxisClassesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theRobotHasTheLevelsOfFigure5() {
+    for (const Mechanism& robot : {test::robot(), test::robotTopology()}) {
+      const AxisClasses classes = classesOf(robot);
+      QCOMPARE(levelWord(classes), std::string("a b b c c d e"));
+      QCOMPARE(classes.sense, (std::vector<int>{1, 1, 1, 1, 1, 1, 1}));
+      QVERIFY(classes.diagnostics.empty());
+    }
+  }
+
+  void axesThatCoincideInTheDrawnPoseOnlyAreDifferent() {
+    const AxisClasses classes = classesOf(wrist().mechanism());
+    QCOMPARE(levelWord(classes), std::string("a b c"));
+    QVERIFY(classes.diagnostics.empty());
+  }
+
+  void anAxisNamedAcrossTheBendIsSplitAndSaid() {
+    Mechanism mechanism = wrist().mechanism();
+    mechanism.turningJoints[2].axis = AxisId("a");
+    const AxisClasses classes = classesOf(mechanism);
+    QCOMPARE(levelWord(classes), std::string("a b a'"));
+    QCOMPARE(classes.diagnostics.size(), std::size_t(1));
+    const Diagnostic& finding = classes.diagnostics.front();
+    QCOMPARE(finding.code, Code::splitAxis);
+    QVERIFY(finding.message.find("Turning joints 4 and 6 name one axis (a)") != std::string::npos);
+    QCOMPARE(finding.elements, (std::vector<ElementId>{AxisId("a"), JointId("j0"), JointId("j2")}));
+  }
+
+  void oneLineUnderTwoNamesIsOneAxisAndItsDirectionIsMinded() {
+    TrainBuilder train("two names");
+    const int a = train.axis({1, 2, 3}, {2, 1, 2});
+    const int b = train.axis({5, 4, 7}, {-4, -2, -4});
+    const int c = train.axis({2, 2, 3}, {2, 1, 2});
+    train.link(0, a);
+    train.link(0, b);
+    train.link(0, c);
+    const AxisClasses classes = classesOf(train.mechanism());
+    QCOMPARE(levelWord(classes), std::string("a a c"));
+    QCOMPARE(classes.sense, (std::vector<int>{1, -1, 1}));
+    QCOMPARE(classes.diagnostics.size(), std::size_t(1));
+    QCOMPARE(classes.diagnostics.front().code, Code::mergedAxes);
+    QVERIFY(classes.diagnostics.front().message.find("opposite direction of b") != std::string::npos);
+  }
+
+  void collinearJointsHangTogetherThroughOthers() {
+    TrainBuilder train("stack");
+    const int a = train.axis({0, 0, 0}, {0, 0, 1});
+    const int b = train.axis({0, 0, 4}, {0, 0, 1});
+    const int c = train.axis({0, 0, 8}, {0, 0, -1});
+    const int first = train.link(0, a);
+    const int second = train.link(first, b);
+    train.link(second, c);
+    const AxisClasses classes = classesOf(train.mechanism());
+    QCOMPARE(levelWord(classes), std::string("a a a"));
+    QCOMPARE(classes.sense, (std::vector<int>{1, 1, -1}));
+  }
+
+  void manyLinesAtOneLinkAreToldApart() {
+    TrainBuilder train("pins");
+    std::vector<int> expected;
+    for (int i = 0; i < 300; ++i) {
+      const int line = i % 100;
+      const test::ExactTriple point{Rational(line % 10), Rational(line / 10), Rational(i)};
+      train.link(0, train.axis(point, {0, 0, i % 2 == 0 ? 1 : -3}));
+      expected.push_back(line);
+    }
+    QCOMPARE(classesOf(train.mechanism()).ofJoint, expected);
+  }
+
+  void theRobotsCarriersAreThoseOfThePaper() {
+    const TransferVertices vertices = verticesOf(test::robot());
+    QVERIFY(vertices.diagnostics.empty());
+    std::vector<int> carriers;
+    for (const auto& vertex : vertices.ofMesh) carriers.push_back(vertex.value().carrier);
+    QCOMPARE(carriers, (std::vector<int>{0, 1, 2, 2}));
+  }
+
+  void gearsOnOneAxisHaveNoCarrier() {
+    Mechanism robot = test::robot();
+    robot.gearMeshes[0].tail = LinkId("5");
+    const TransferVertices vertices = verticesOf(robot);
+    QVERIFY(!vertices.ofMesh[0]);
+    QVERIFY(vertices.ofMesh[1].has_value());
+    QCOMPARE(vertices.diagnostics.size(), std::size_t(1));
+    QCOMPARE(vertices.diagnostics.front().code, Code::coaxialMesh);
+    QCOMPARE(
+        vertices.diagnostics.front().message,
+        std::string("Mesh 15 holds gears 5 and 1 on one axis (b). Gears that mesh turn about two axes of "
+                    "one carrier: let one of them turn about another axis."));
+    QCOMPARE(vertices.diagnostics.front().elements,
+             (std::vector<ElementId>{MeshId("15"), LinkId("5"), LinkId("1")}));
+  }
+
+  void gearsOnManyAxesHaveNoCarrierAndTheWordIsPrinted() {
+    TrainBuilder train("three axes");
+    const int a = train.axis({9, 0, 0}, {0, 0, 1});
+    const int b = train.axis({0, 0, 0}, {0, 0, 1});
+    const int c = train.axis({0, 0, 0}, {0, 1, 0});
+    const int gear = train.link(0, a);
+    const int first = train.link(0, b);
+    const int second = train.link(first, c);
+    const int other = train.link(second, c);
+    train.external(gear, a, 20, other, a, 20);
+    const TransferVertices vertices = verticesOf(train.mechanism());
+    QCOMPARE(vertices.diagnostics.size(), std::size_t(1));
+    QCOMPARE(vertices.diagnostics.front().code, Code::noTransferVertex);
+    QCOMPARE(
+        vertices.diagnostics.front().message,
+        std::string("Mesh 9 holds gears on three axes (a, b, c): its path reads a|b|c. A carrier must hold "
+                    "both axes: attach gear 1 to link 2 or 3."));
+  }
+
+  void aWristNamedGloballyWouldHaveTwoCarriersAndHasOne() {
+    TrainBuilder train = wrist();
+    const int gear = train.link(1, 1);
+    train.bevel(gear, 1, 20, 3, 2, 25, -1);
+    const TransferVertices vertices = verticesOf(train.mechanism());
+    QCOMPARE(vertices.ofMesh[0].value().carrier, 2);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::AxisClassesTest)
+#include "test_axis_classes.moc"
