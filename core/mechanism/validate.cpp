@@ -33,6 +33,7 @@ class WellFormedCheck {
     uniqueIds(m_mechanism.gearMeshes, ElementKind::gearMesh, m_meshes);
     uniqueIds(m_mechanism.wheels, ElementKind::wheel, m_wheels);
     uniqueIds(m_mechanism.couplings, ElementKind::coupling, m_couplings);
+    for (const Wheel& wheel : m_mechanism.wheels) m_linkOfWheel.emplace(wheel.id, wheel.link);
     checkAxes();
     checkJoints();
     checkMeshes();
@@ -71,7 +72,7 @@ class WellFormedCheck {
     add(Code::unknownId,
         std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() +
             "\", but " + std::string(listName(to.kind)) + " has no such id.",
-        {owner}, pointer);
+        {owner, to}, pointer);
   }
 
   void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what,
@@ -80,7 +81,7 @@ class WellFormedCheck {
     add(Code::selfJoint,
         what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() +
             "\" to itself; it needs two links.",
-        {owner, tail}, at);
+        {owner, tail}, at + "/head");
   }
 
   void checkAxes() {
@@ -132,11 +133,12 @@ class WellFormedCheck {
                const std::string& pointer) {
     if (!wheel) return;
     reference(mesh.id, *wheel, m_wheels, pointer);
-    const Wheel* found = m_mechanism.find(*wheel);
-    if (found != nullptr && found->link != link) {
+    const auto found = m_linkOfWheel.find(*wheel);
+    if (found == m_linkOfWheel.end() || found->second == link) return;
+    if (m_links.contains(link.atom()) && m_links.contains(found->second.atom())) {
       add(Code::schema,
           "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" +
-              wheel->text() + "\" is on link \"" + found->link.text() + "\".",
+              wheel->text() + "\" is on link \"" + found->second.text() + "\".",
           {mesh.id, *wheel}, pointer);
     }
   }
@@ -155,8 +157,8 @@ class WellFormedCheck {
       const JointId joint = (*m_mechanism.inputs)[i].joint;
       const std::string at = "/inputs/" + std::to_string(i) + "/joint";
       if (!m_joints.contains(joint.atom())) {
-        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.", {},
-            at);
+        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.",
+            {joint}, at);
       } else if (!seen.insert(joint.atom()).second) {
         add(Code::duplicateId, "The joint \"" + joint.text() + "\" stands twice in inputs.", {joint}, at);
       }
@@ -167,24 +169,36 @@ class WellFormedCheck {
     for (std::size_t i = 0; i < m_mechanism.couplings.size(); ++i) {
       const Coupling& coupling = m_mechanism.couplings[i];
       const std::string at = pointerTo(ElementKind::coupling, i);
-      for (const LinkId link : coupling.links) reference(coupling.id, link, m_links, at);
-      const std::size_t wanted = coupling.kind == CouplingKind::brake ? 1 : 2;
+      const bool isBrake = coupling.kind == CouplingKind::brake;
+      for (std::size_t k = 0; k < coupling.links.size(); ++k) {
+        reference(coupling.id, coupling.links[k], m_links,
+                  at + (isBrake ? "/link" : "/links/" + std::to_string(k)));
+      }
+      const std::size_t wanted = isBrake ? 1 : 2;
       if (coupling.links.size() != wanted) {
-        add(Code::schema, "A brake names one link, a clutch two.", {coupling.id}, at);
+        add(Code::schema, "A brake names one link, a clutch two.", {coupling.id},
+            at + (isBrake ? "/link" : "/links"));
       } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
         add(Code::selfJoint,
             "Clutch \"" + coupling.id.text() + "\" ties link \"" + coupling.links[0].text() + "\" to itself.",
-            {coupling.id, coupling.links[0]}, at);
+            {coupling.id, coupling.links[0]}, at + "/links/1");
       }
     }
   }
 
   void checkStates() {
+    Known names;
     for (std::size_t i = 0; i < m_mechanism.states.size(); ++i) {
       const ShiftState& state = m_mechanism.states[i];
       const ElementId owner(ElementKind::state, Atom(state.name));
       const std::string at = pointerTo(ElementKind::state, i);
-      for (const CouplingId engaged : state.engaged) reference(owner, engaged, m_couplings, at + "/engaged");
+      if (!names.insert(owner.id).second) {
+        add(Code::duplicateId, "The name \"" + state.name + "\" stands twice in states.", {owner},
+            at + "/name");
+      }
+      for (std::size_t k = 0; k < state.engaged.size(); ++k) {
+        reference(owner, state.engaged[k], m_couplings, at + "/engaged/" + std::to_string(k));
+      }
       if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
       if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");
     }
@@ -198,6 +212,7 @@ class WellFormedCheck {
   Known m_meshes;
   Known m_wheels;
   Known m_couplings;
+  std::unordered_map<WheelId, LinkId> m_linkOfWheel;
 };
 
 /// Union-find over link positions, with the joints of the growing forest kept to name loops.
