@@ -1,0 +1,152 @@
+#include <QtTest>
+#include <random>
+
+#include "core/io/csv.h"
+
+using namespace geargraph;
+
+namespace {
+
+struct Entry {
+  int column = 0;
+  int value = 0;
+};
+
+const std::vector<std::string> kLabels = {"8", "9", "10"};
+
+std::string written(const CsvOptions& options, const std::vector<std::vector<Entry>>& rows,
+                    const std::vector<std::string>& columns = kLabels) {
+  TextSink sink;
+  {
+    CsvWriter csv(sink, columns, options);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      csv.row("C" + std::to_string(i), std::span<const Entry>(rows[i]));
+  }
+  return sink.take();
+}
+
+/// Reads CSV back by RFC 4180, independent of the writer.
+std::vector<std::vector<std::string>> parsed(const std::string& text, char separator) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+        rows.back().back() += text[++i];
+      } else if (c == '"') {
+        quoted = false;
+      } else {
+        rows.back().back() += c;
+      }
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == separator) {
+      rows.back().emplace_back();
+    } else if (c == '\n') {
+      rows.push_back({""});
+    } else {
+      rows.back().back() += c;
+    }
+  }
+  rows.pop_back();
+  return rows;
+}
+
+}  // namespace
+
+class TestCsv : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void labelsStandAboveAndBeside() {
+    QCOMPARE(written({}, {{{0, 1}, {2, -1}}, {}}), std::string(",8,9,10\nC0,1,0,-1\nC1,0,0,0\n"));
+  }
+
+  void optionsAreFollowed() {
+    CsvOptions options;
+    options.labels = false;
+    QCOMPARE(written(options, {{{1, -1}}, {{0, 12}}}), std::string("0,-1,0\n12,0,0\n"));
+    options.separator = ';';
+    options.byteOrderMark = true;
+    QCOMPARE(written(options, {{{1, -1}}}), std::string("\xEF\xBB\xBF"
+                                                        "0;-1;0\n"));
+    options = {};
+    options.separator = '\t';
+    QCOMPARE(written(options, {{{2, 1}}}), std::string("\t8\t9\t10\nC0\t0\t0\t1\n"));
+  }
+
+  void tablesWithoutColumnsOrRows() {
+    QCOMPARE(written({}, {{}, {}}, {}), std::string("\nC0\nC1\n"));
+    QCOMPARE(written({}, {}), std::string(",8,9,10\n"));
+  }
+
+  void labelsAreHarmless() {
+    for (const char* formula : {"=1+2", "+1", "-1", "@x", "\tx", "\rx"}) {
+      const std::string field = csvLabel(formula, ',');
+      QCOMPARE(parsed(field + "\n", ',')[0][0], "'" + std::string(formula));
+    }
+    QCOMPARE(csvLabel("8", ','), std::string("8"));
+    QCOMPARE(csvLabel("", ','), std::string());
+    QCOMPARE(csvLabel("a,b", ','), std::string("\"a,b\""));
+    QCOMPARE(csvLabel("a,b", ';'), std::string("a,b"));
+    QCOMPARE(csvLabel("say \"x\"", ','), std::string("\"say \"\"x\"\"\""));
+    QCOMPARE(csvLabel("two\nlines", ','), std::string("\"two\nlines\""));
+    QCOMPARE(csvLabel("=cmd|' /C calc'!A0", ','), std::string("'=cmd|' /C calc'!A0"));
+  }
+
+  void realNumbersFollowTheDecimalChoice() {
+    CsvOptions options;
+    QCOMPARE(csvNumber(-0.5, options), std::string("-0.5"));
+    QCOMPARE(csvNumber(0.1, options), std::string("0.1"));
+    options.decimalPoint = ',';
+    QCOMPARE(csvNumber(-0.5, options), std::string("\"-0,5\""));
+    options.separator = ';';
+    QCOMPARE(csvNumber(-0.5, options), std::string("-0,5"));
+    TextSink sink;
+    {
+      CsvWriter csv(sink, kLabels, options);
+      csv.row("10", std::vector<double>{1, -0.5, 2.25});
+    }
+    QCOMPARE(sink.text(), std::string(";8;9;10\n10;1;-0,5;2,25\n"));
+  }
+
+  /// Every pattern of runs, gaps and values comes back as it went in.
+  void randomMatricesReadBack() {
+    std::mt19937_64 random(7);
+    for (int round = 0; round < 300; ++round) {
+      const int columns = static_cast<int>(random() % 70 + 1);
+      const auto density = random() % 10;
+      const std::vector<std::string> labels(static_cast<std::size_t>(columns), "=\"x\",");
+      std::vector<std::vector<Entry>> rows(random() % 5 + 1);
+      std::vector<std::vector<std::string>> expected;
+      for (auto& row : rows) {
+        expected.emplace_back(static_cast<std::size_t>(columns), "0");
+        for (int column = 0; column < columns; ++column) {
+          if (random() % 10 >= density) continue;
+          const int value = random() % 20 == 0 ? static_cast<int>(random()) : (random() % 3 == 0 ? 1 : -1);
+          row.push_back({column, value});
+          expected.back()[static_cast<std::size_t>(column)] = std::to_string(value);
+        }
+      }
+      auto table = parsed(written({}, rows, labels), ',');
+      QCOMPARE(table.front().size(), static_cast<std::size_t>(columns) + 1);
+      QCOMPARE(table.front().back(), std::string("'=\"x\","));
+      table.erase(table.begin());
+      for (std::size_t i = 0; i < table.size(); ++i) {
+        QCOMPARE(table[i].front(), "C" + std::to_string(i));
+        table[i].erase(table[i].begin());
+      }
+      QVERIFY(table == expected);
+    }
+  }
+
+  void longTablesAreWrittenInChunks() {
+    const std::vector<std::string> labels(200'000, "1");
+    const std::string text = written({}, {{{199'999, 1}}, {{0, -1}}}, labels);
+    QCOMPARE(text.size(), std::size_t{2 * 200'000 + 1 + (2 * 200'000 + 3) + (2 * 200'000 + 4)});
+  }
+};
+
+QTEST_APPLESS_MAIN(TestCsv)
+#include "test_csv.moc"

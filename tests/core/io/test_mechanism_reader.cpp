@@ -1,0 +1,290 @@
+#include <QtTest>
+
+#include "core/mechanism/validate.h"
+#include "tests/core/io/support.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+/// One row a fault: the document with one thing changed, and every finding that it may give.
+class TestMechanismReader : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void oneFault_givesOneFinding_data();
+  void oneFault_givesOneFinding();
+  void allProblemsAreReportedTogether_inTheOrderOfTheFile();
+  void syntaxErrors_sayLineAndColumn();
+  void schemaErrors_sayPointerAndWhatWasExpectedAndFound();
+  void findings_knowTheirPlaceInTheFile();
+  void treeFaults_areForTheEditorToMend_data();
+  void treeFaults_areForTheEditorToMend();
+  void listsMayBeLeftOut_whereNothingNeedsThem();
+  void limits_areRefused();
+  void limits_areInclusive();
+  void largeFiles_areReadInReasonableTime();
+};
+
+void TestMechanismReader::oneFault_givesOneFinding_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<QString>("to");
+  QTest::addColumn<QString>("expected");
+  const auto fault = [](const char* name, const char* from, const char* to, const char* expected) {
+    QTest::newRow(name) << from << to << expected;
+  };
+  fault("nothing wrong", "\"stage\"", "\"stage\"", "");
+
+  fault("another format", "\"geargraph\"", "\"step\"", "format /format");
+  fault("format of another type", "\"geargraph\"", "7", "format /format");
+  fault("no format", "\"format\": \"geargraph\",", "", "format /format");
+  fault("newer version", "\"version\": 1", "\"version\": 2", "version /version");
+  fault("far newer version", "\"version\": 1", "\"version\": 123456789012345678901234567890",
+        "version /version");
+  fault("no version", "\"version\": 1,", "", "schema /version");
+  fault("version zero", "\"version\": 1", "\"version\": 0", "schema /version");
+  fault("version as text", "\"version\": 1", "\"version\": \"1\"", "schema /version");
+
+  fault("name of another type", "\"stage\"", "5", "schema /name");
+  fault("null name", "\"stage\"", "null", "schema /name");
+  fault("unit of another type", "\"in\"", "[]", "schema /unit");
+  fault("no links", "\"links\"", "\"Links\"", "schema /links");
+  fault("no turning joints", "\"turningJoints\"", "\"turningjoints\"", "schema /turningJoints");
+  fault("no axes", "\"axes\"", "\"axis\"", "schema /axes");
+  fault("list of another type", "\"wheels\": [", "\"wheels\": {}, \"x\": [", "schema /wheels");
+  fault("element of another type", "{\"id\": \"sun\"}", "\"sun\"", "schema /links/1");
+  fault("no id", "{\"id\": \"sun\"}", "{}", "schema /links/1/id");
+  fault("empty id", "{\"id\": \"p\"}", "{\"id\": \"\"}", "schema /axes/1/id");
+  fault("fractional id", "{\"id\": 6,", "{\"id\": 6.5,", "schema /turningJoints/2/id");
+  fault("link name of another type", "\"ground\"", "{}", "schema /links/0/name [links:0]");
+  fault("two coordinates", "[1, 2, 3]", "[1, 2]", "schema /gearMeshes/0/pitchPoint [gearMeshes:7]");
+  fault("a coordinate that is no number", "[1, 2, 3]", "[1, \"two\", 3]",
+        "schema /gearMeshes/0/pitchPoint/1 [gearMeshes:7]");
+  fault("division by zero", "\"22/7\"", "\"22/0\"", "schema /axes/0/point/1 [axes:a]");
+  fault("infinite number", "-1.50", "1e999", "schema /turningJoints/0/offset");
+  fault("direction of length 0", "[0, 0, 1e-3]", "[0, 0.0, \"0/5\"]", "schema /axes/0/direction [axes:a]");
+  fault("no tail", "\"tail\": \"sun\",", "", "schema /gearMeshes/0/tail [gearMeshes:7]");
+  fault("no teeth", "\"tailTeeth\": 20,", "", "schema /gearMeshes/0/tailTeeth [gearMeshes:7]");
+  fault("zero teeth", "\"tailTeeth\": 20", "\"tailTeeth\": 0",
+        "schema /gearMeshes/0/tailTeeth [gearMeshes:7]");
+  fault("too many teeth", "31", "100001", "schema /gearMeshes/0/headTeeth [gearMeshes:7]");
+  fault("half a tooth", "31", "30.5", "schema /gearMeshes/0/headTeeth [gearMeshes:7]");
+  fault("teeth as text", "31", "\"31\"", "schema /gearMeshes/0/headTeeth [gearMeshes:7]");
+  fault("unknown kind", "\"external\"", "\"outer\"", "schema /gearMeshes/0/kind [gearMeshes:7]");
+  fault("negative face width", "\"3/8\"", "\"-3/8\"", "schema /gearMeshes/0/faceWidth [gearMeshes:7]");
+  fault("no speed", ", \"speed\": \"1/3\"", "", "schema /inputs/0/speed [turningJoints:4]");
+  fault("unknown coupling kind", "\"clutch\"", "\"belt\"", "schema /couplings/1/kind [couplings:C]");
+  fault("brake without a link", "\"link\": \"arm\"", "\"links\": [\"arm\"]",
+        "schema /couplings/0/link [couplings:B]");
+  fault("clutch with one link", "[\"sun\", \"arm\"]", "[\"sun\"]", "schema /couplings/1/links [couplings:C]");
+  fault("clutch without links", "\"links\": [\"sun\", \"arm\"]", "\"link\": \"sun\"",
+        "schema /couplings/1/links [couplings:C]");
+  fault("state without a name", "\"name\": \"1\",", "", "schema /states/0/name");
+  fault("engaged of another type", "[\"B\", \"C\"]", "\"B\"", "schema /states/0/engaged");
+  fault("node of three numbers", "[1, 2.5]", "[1, 2, 3]", "schema /view/nodes/0");
+  fault("view of another type",
+        "{\"nodes\": {\"0\": [1, 2.5], \"sun\": [-3, 4]}, \"camera\": {\"zoom\": 1.50}}", "true",
+        "schema /view");
+  fault("member twice", "\"unit\": \"in\"", "\"unit\": \"in\", \"un\\u0069t\": \"in\"", "schema /unit");
+  fault("member twice in an unknown one", "{\"zoom\": 1.50}", "{\"zo\\/om\": 1, \"zo/om\": 2}",
+        "schema /view/camera/zo~1om");
+  fault("infinite number in an unknown member", "1.50}}", "-1e400}}", "schema /view/camera/zoom");
+  fault("wheel of another link", "\"link\": \"sun\"", "\"link\": \"arm\"",
+        "schema /gearMeshes/0/tailWheel [gearMeshes:7] [wheels:w]");
+
+  fault("link id twice", "{\"id\": \"planet\"}", "{\"id\": \"planet\"}, {\"id\": \"arm\"}",
+        "duplicate-id /links/4/id [links:arm]");
+  fault("number and text are one id", "{\"id\": 5,", "{\"id\": \"4\",",
+        "duplicate-id /turningJoints/1/id [turningJoints:4]");
+  fault("input twice", "{\"joint\": 4, \"speed\": \"1/3\"}",
+        "{\"joint\": 4, \"speed\": 1}, {\"joint\": \"4\", \"speed\": 2}",
+        "duplicate-id /inputs/1/joint [turningJoints:4]");
+  fault("state name twice", "\"driven\": \"arm\"}",
+        "\"driven\": \"arm\"}, {\"name\": \"1\", \"engaged\": []}", "duplicate-id /states/1/name [states:1]");
+
+  fault("joint to no link", "\"head\": \"planet\", \"axis\"", "\"head\": \"moon\", \"axis\"",
+        "unknown-id /turningJoints/2/head [turningJoints:6] [links:moon]");
+  fault("joint on no axis", "\"axis\": \"p\"", "\"axis\": \"q\"",
+        "unknown-id /turningJoints/2/axis [turningJoints:6] [axes:q]");
+  fault("mesh with no wheel", "\"tailWheel\": \"w\"", "\"headWheel\": \"v\"",
+        "unknown-id /gearMeshes/0/headWheel [gearMeshes:7] [wheels:v]");
+  fault("wheel on no link", "\"link\": \"sun\"", "\"link\": \"moon\"",
+        "unknown-id /wheels/0/link [wheels:w] [links:moon]");
+  fault("input of no joint", "\"joint\": 4", "\"joint\": 44",
+        "unknown-id /inputs/0/joint [turningJoints:44]");
+  fault("brake of no link", "\"link\": \"arm\"", "\"link\": 9",
+        "unknown-id /couplings/0/link [couplings:B] [links:9]");
+  fault("clutch of no link", "[\"sun\", \"arm\"]", "[\"sun\", \"x\"]",
+        "unknown-id /couplings/1/links/1 [couplings:C] [links:x]");
+  fault("state without such a coupling", "[\"B\", \"C\"]", "[\"B\", \"D\"]",
+        "unknown-id /states/0/engaged/1 [states:1] [couplings:D]");
+  fault("state that drives no link", "\"drive\": \"sun\"", "\"drive\": 1",
+        "unknown-id /states/0/drive [states:1] [links:1]");
+
+  fault("joint of one link", "\"tail\": \"arm\", \"head\": \"planet\"",
+        "\"tail\": \"arm\", \"head\": \"arm\"",
+        "self-joint /turningJoints/2/head [turningJoints:6] [links:arm]");
+  fault("mesh of one link", "\"tail\": \"sun\", \"head\": \"planet\"", "\"tail\": \"sun\", \"head\": \"sun\"",
+        "self-joint /gearMeshes/0/head [gearMeshes:7] [links:sun]");
+  fault("clutch of one link", "[\"sun\", \"arm\"]", "[\"sun\", \"sun\"]",
+        "self-joint /couplings/1/links/1 [couplings:C] [links:sun]");
+}
+
+void TestMechanismReader::oneFault_givesOneFinding() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QFETCH(QString, expected);
+  const std::string text = with(kEverything, from.toStdString(), to.toStdString());
+  QCOMPARE(QString::fromStdString(findings(text)), expected);
+}
+
+void TestMechanismReader::allProblemsAreReportedTogether_inTheOrderOfTheFile() {
+  std::string text = with(kEverything, "\"stage\"", "17");
+  text = with(text, "\"axis\": \"p\"", "\"axis\": \"q\"");
+  text = with(text, "\"tailTeeth\": 20", "\"tailTeeth\": \"20\"");
+  text = with(text, "[\"sun\", \"arm\"]", "[\"sun\", \"sun\"]");
+  text = with(text, "\"zoom\": 1.50", "\"zoom\": 1.50, \"zoom\": 2");
+  QCOMPARE(
+      findings(text),
+      std::string("schema /name; unknown-id /turningJoints/2/axis [turningJoints:6] [axes:q]; "
+                  "schema /gearMeshes/0/tailTeeth [gearMeshes:7]; "
+                  "self-joint /couplings/1/links/1 [couplings:C] [links:sun]; schema /view/camera/zoom"));
+}
+
+void TestMechanismReader::syntaxErrors_sayLineAndColumn() {
+  const auto place = [](const std::string& text) {
+    const auto read = readMechanism(text);
+    if (read || read.error().size() != 1 || read.error()[0].code != Code::syntax)
+      return std::string("no syntax");
+    const Diagnostic& d = read.error()[0];
+    return std::to_string(d.line) + ":" + std::to_string(d.column) + " " + d.message;
+  };
+  QCOMPARE(place(""), std::string("1:1 Line 1, column 1: expected a value, found the end of the file."));
+  QCOMPARE(place("{\n  \"a\": 1\n  \"b\": 2}"),
+           std::string("3:3 Line 3, column 3: expected ',' or '}' in an object, found '\"'."));
+  QCOMPARE(place("{\"Γ\": [1, 2,]}"), std::string("1:13 Line 1, column 13: expected a value, found ']'."));
+  QCOMPARE(place("{\"a\": 01}"),
+           std::string("1:8 Line 1, column 8: expected ',' or '}' in an object, found '1'."));
+  QCOMPARE(place("{\"a\": 1.}"),
+           std::string("1:9 Line 1, column 9: expected a digit of a number, found '}'."));
+  QCOMPARE(place("{\"a\": NaN}"), std::string("1:7 Line 1, column 7: expected a value, found 'N'."));
+  QCOMPARE(place("{'a': 1}"),
+           std::string("1:2 Line 1, column 2: expected a member name in double quotes, found '''."));
+  QCOMPARE(place("{\"a\": \"\xFF\"}"),
+           std::string("1:8 Line 1, column 8: expected a character in UTF-8, found the byte 0xFF."));
+  QCOMPARE(place("{\"a\": \"\\ud800\"}").substr(0, 4), std::string("1:8 "));
+  QCOMPARE(place("{\"a\": \"\\x\"}").substr(0, 4), std::string("1:8 "));
+  QCOMPARE(place("{\"a\": \"b").substr(0, 4), std::string("1:9 "));
+  QCOMPARE(place("{} {}").substr(0, 4), std::string("1:4 "));
+  QCOMPARE(place(std::string("{\"a\": \"\0\"}", 10)).substr(0, 4), std::string("1:8 "));
+}
+
+void TestMechanismReader::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
+  const auto message = [](const std::string& from, const std::string& to) {
+    return readMechanism(with(kEverything, from, to)).error().at(0).message;
+  };
+  QCOMPARE(
+      message("31", "-3"),
+      std::string("/gearMeshes/0/headTeeth: expected a whole number from 1 to 100000, found the number -3."));
+  QCOMPARE(message("\"stage\"", "[1, 2]"),
+           std::string("/name: expected a string, found a list of 2 elements."));
+  QCOMPARE(message("\"tail\": \"sun\",", ""),
+           std::string(
+               "/gearMeshes/0/tail: the member \"tail\" is missing; expected an id: a string of 1 to 1,000 "
+               "characters or a whole number."));
+  QCOMPARE(
+      message("\"22/7\"", "\"ΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓ\""),
+      std::string("/axes/0/point/1: expected a number, or a fraction as a string like \"22/7\", found the "
+                  "string \"ΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓΓ...."));
+}
+
+void TestMechanismReader::findings_knowTheirPlaceInTheFile() {
+  const auto read = readMechanism(with(kEverything, "\"axis\": \"p\"", "\"axis\": \"q\""));
+  QCOMPARE(read.error().at(0).line, 8);
+  QCOMPARE(read.error().at(0).column, 56);
+}
+
+void TestMechanismReader::treeFaults_areForTheEditorToMend_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<QString>("to");
+  QTest::addColumn<QString>("expected");
+  QTest::newRow("loose") << R"("turningJoints": [)"
+                         << R"("x": [)"
+                         << "";
+  QTest::newRow("a link held by a mesh only")
+      << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"})"
+      << R"({"id": 6, "tail": "arm", "head": "sun", "axis": "p"})"
+      << "disconnected  [links:planet]; turning-loop  [turningJoints:6] "
+         "[turningJoints:5] [turningJoints:4]";
+  QTest::newRow("redundant bearing") << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"})"
+                                     << R"({"id": 6, "tail": "arm", "head": "planet", "axis": "p"},
+                                           {"id": 8, "tail": "planet", "head": "arm", "axis": "p"})"
+                                     << "turning-loop  [turningJoints:8] [turningJoints:6]";
+}
+
+void TestMechanismReader::treeFaults_areForTheEditorToMend() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QFETCH(QString, expected);
+  const auto read = readMechanism(with(kEverything, from.toStdString(), to.toStdString()));
+  if (expected.isEmpty()) {
+    QVERIFY(!read.has_value());  // links without any list of joints: said once, as schema
+    QCOMPARE(summary(read.error()), std::string("schema /turningJoints"));
+    return;
+  }
+  QVERIFY(read.has_value());
+  QCOMPARE(summary(treeDiagnostics(*read)), expected.toStdString());
+}
+
+void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
+  QCOMPARE(findings(R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}]})"), std::string());
+  QCOMPARE(findings(R"({"format": "geargraph", "version": 1, "links": []})"), std::string("schema /links"));
+  QCOMPARE(findings("[]"), std::string("format /format"));
+  QCOMPARE(findings("\xEF\xBB\xBF" + kEverything), std::string());
+}
+
+void TestMechanismReader::limits_areRefused() {
+  const std::string deep(65, '[');
+  QCOMPARE(findings(deep), std::string("schema "));
+  QCOMPARE(readMechanism(deep).error().at(0).column, 65);
+  QCOMPARE(findings(std::string(1'000'000, '[')), std::string("schema "));
+  QCOMPARE(findings(std::string(kLargestFile + 1, ' ')), std::string("schema "));
+  const std::string longName(1'001, 'x');
+  QCOMPARE(findings(with(kEverything, "\"stage\"", '"' + longName + '"')), std::string("schema /name"));
+  QCOMPARE(findings(with(kEverything, "\"ground\"", '"' + longName + '"')),
+           std::string("schema /links/0/name [links:0]"));
+  QCOMPARE(findings(with(kEverything, "{\"id\": \"p\"}", "{\"id\": \"" + longName + "\"}")),
+           std::string("schema /axes/1/id"));
+  std::string list = "[0";
+  for (int i = 0; i < 100'000; ++i) list += ",0";
+  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string("schema /view/camera"));
+}
+
+void TestMechanismReader::limits_areInclusive() {
+  std::string name;
+  for (int i = 0; i < 1'000; ++i) name += "θ";
+  QCOMPARE(findings(with(kEverything, "\"stage\"", '"' + name + '"')), std::string());
+  QCOMPARE(findings(with(kEverything, "31", "100000")), std::string());
+  QCOMPARE(findings(with(kEverything, "31", "1")), std::string());
+  std::string list = "[0";
+  for (int i = 1; i < 100'000; ++i) list += ",0";
+  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string());
+  // The camera is at depth 3, so 61 more make 64.
+  QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", std::string(62, '[') + std::string(62, ']'))),
+           std::string());
+}
+
+void TestMechanismReader::largeFiles_areReadInReasonableTime() {
+  // Every joint names an axis that does not exist, and every wheel one link: nothing may be quadratic.
+  std::string text =
+      R"({"format": "geargraph", "version": 1, "links": [{"id": 0}], "axes": [], "turningJoints": [)";
+  for (int i = 0; i < 50'000; ++i) {
+    text += (i > 0 ? ",\n" : "") + std::string("{\"id\": ") + std::to_string(i) +
+            R"(, "tail": 0, "head": 1, "axis": 2})";
+  }
+  const auto read = readMechanism(text + "]}");
+  QCOMPARE(read.error().size(), std::size_t{100'000});
+  QCOMPARE(read.error().back().line, 50'000);
+}
+
+QTEST_APPLESS_MAIN(TestMechanismReader)
+#include "test_mechanism_reader.moc"
