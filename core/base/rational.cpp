@@ -2,6 +2,7 @@
 
 #include <flint/fmpz.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -112,17 +113,36 @@ Rational Rational::fromDouble(double value) {
 }
 
 double Rational::toDouble() const {
-  // Small fractions by one correctly rounded division; the rest through scaled mantissas.
+  // Small fractions by one correctly rounded division; the rest from the first bits of the quotient, the last
+  // of which says whether anything follows, so that rounding them is rounding the exact value.
   const fmpz* n = fmpq_numref(m_value);
   const fmpz* d = fmpq_denref(m_value);
   if (fmpz_bits(n) <= 53 && fmpz_bits(d) <= 53) {
     return static_cast<double>(fmpz_get_si(n)) / static_cast<double>(fmpz_get_si(d));
   }
-  slong numeratorExponent = 0;
-  slong denominatorExponent = 0;
-  const double numerator = fmpz_get_d_2exp(&numeratorExponent, n);
-  const double denominator = fmpz_get_d_2exp(&denominatorExponent, d);
-  return std::ldexp(numerator / denominator, static_cast<int>(numeratorExponent - denominatorExponent));
+  constexpr slong kMostPlaces = 1076;  // two more than a subnormal double has behind the point
+  const slong places = 55 - static_cast<slong>(fmpz_bits(n)) + static_cast<slong>(fmpz_bits(d));
+  const slong shift = std::min(places, kMostPlaces);
+  fmpz_t scaled;
+  fmpz_t divisor;
+  fmpz_t rest;
+  fmpz_init(scaled);
+  fmpz_init_set(divisor, d);
+  fmpz_init(rest);
+  fmpz_abs(scaled, n);
+  fmpz* const larger = shift > 0 ? scaled : divisor;
+  fmpz_mul_2exp(larger, larger, static_cast<ulong>(std::labs(shift)));
+  fmpz_tdiv_qr(scaled, rest, scaled, divisor);
+  const ulong bits = fmpz_get_ui(scaled) | (fmpz_is_zero(rest) != 0 ? 0U : 1U);
+  fmpz_clear(scaled);
+  fmpz_clear(divisor);
+  fmpz_clear(rest);
+  const int dropped = bits >> 55U != 0 ? 3 : 2;
+  const ulong half = 1UL << static_cast<unsigned>(dropped - 1);
+  const ulong tail = bits & (2 * half - 1);
+  const ulong mantissa = bits >> static_cast<unsigned>(dropped);
+  const bool up = tail > half || (tail == half && mantissa % 2 == 1);
+  return sign() * std::ldexp(static_cast<double>(mantissa + (up ? 1 : 0)), static_cast<int>(dropped - shift));
 }
 
 std::string Rational::toString() const {

@@ -41,6 +41,7 @@ class Rational {
   [[nodiscard]] bool isZero() const { return fmpq_is_zero(m_value) != 0; }
   [[nodiscard]] bool isInteger() const { return fmpz_is_one(fmpq_denref(m_value)) != 0; }
   [[nodiscard]] int sign() const { return fmpq_sgn(m_value); }
+  /// The nearest double (ties to even), infinite where there is none.
   [[nodiscard]] double toDouble() const;
   /// "-3/2", "5": lowest terms, as the command line prints exact values.
   [[nodiscard]] std::string toString() const;

@@ -1,6 +1,10 @@
 #include <QTest>
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 
 #include "core/base/diagnostic.h"
@@ -57,6 +61,26 @@ class BaseTest : public QObject {
       QCOMPARE(Rational::fromDouble(value).toDouble(), value);
     }
     QCOMPARE(QString::fromStdString(Rational::fromDouble(0.75).toString()), QStringLiteral("3/4"));
+  }
+
+  /// The shortest decimal of a double lies anywhere in its rounding interval: only the nearest double reads
+  /// it back.
+  void toDoubleIsTheNearestDouble() {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 20'000; ++i) {
+      const auto value =
+          std::bit_cast<double>(i % 4 == 0 ? random() >> 12U : random());  // every fourth subnormal
+      if (!std::isfinite(value)) continue;
+      std::array<char, 32> text{};
+      const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+      const auto exact = Rational::fromText({text.data(), static_cast<std::size_t>(end - text.data())});
+      QVERIFY2(exact && exact->toDouble() == value, text.data());
+    }
+    QCOMPARE(Rational::fromText("9007199254740993").value().toDouble(),
+             9007199254740992.0);  // a tie, to even
+    QCOMPARE(Rational::fromText("9007199254740993.1").value().toDouble(), 9007199254740994.0);
+    QVERIFY(std::isinf(Rational::fromText("-1e400").value().toDouble()));
+    QCOMPARE(Rational::fromText("1e-400").value().toDouble(), 0.0);
   }
 
   void rationalArithmeticIsThatOfFractions() {
