@@ -1,0 +1,269 @@
+#include "core/placement/axis_placer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "core/placement/mesh_geometry.h"
+
+namespace geargraph {
+namespace {
+
+ExactVector3 exactOf(const NumberTriple& triple) {
+  return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
+}
+
+bool isInternal(const GearMesh& mesh) {
+  return mesh.kind == MeshKind::internal;
+}
+
+/// A vector at right angles: of z it is y, of y it is z, of x it is y.
+ExactVector3 acrossOf(const ExactVector3& direction) {
+  if (direction[0].isZero() && direction[2].isZero()) return {0, 0, 1};
+  if (direction[1].isZero()) return {0, 1, 0};
+  return cross(direction, ExactVector3{1, 0, 0});
+}
+
+class AxisPlacer {
+ public:
+  AxisPlacer(const Mechanism& mechanism, const AxisClasses& classes,
+             const std::vector<std::optional<MeshWord>>& words)
+      : m_mechanism(mechanism),
+        m_classes(classes),
+        m_words(words),
+        m_lines(mechanism.axes.size()),
+        m_meshesAt(mechanism.axes.size()) {}
+
+  std::vector<AxisLine> run(Rational& module) {
+    takeGivenLines();
+    if (m_open > 0) {
+      collectMeshes();
+      module = m_module = moduleOfGiven();
+      placeOutward();
+    }
+    for (std::size_t i = 0; i < m_lines.size(); ++i) finish(*m_lines[i]);
+    std::vector<AxisLine> lines;
+    lines.reserve(m_lines.size());
+    for (auto& line : m_lines) lines.push_back(std::move(*line));
+    return lines;
+  }
+
+ private:
+  struct Partner {
+    int mesh = 0;
+    int axis = 0;
+  };
+
+  void takeGivenLines() {
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+      const Axis& axis = m_mechanism.axes[i];
+      if (axis.point && axis.direction) {
+        m_lines[i] = lineOf(exactOf(*axis.point), exactOf(*axis.direction), false);
+      } else {
+        ++m_open;
+      }
+    }
+  }
+
+  static AxisLine lineOf(ExactVector3 point, ExactVector3 direction, bool automatic) {
+    AxisLine line;
+    line.exactPoint = std::move(point);
+    line.exactDirection = std::move(direction);
+    line.automatic = automatic;
+    finish(line);
+    return line;
+  }
+
+  static void finish(AxisLine& line) {
+    line.point = toDoubles(line.exactPoint);
+    line.direction = unit(toDoubles(line.exactDirection));
+  }
+
+  void collectMeshes() {
+    for (std::size_t i = 0; i < m_words.size(); ++i) {
+      if (!m_words[i]) continue;
+      const int tail = m_classes.classes[m_words[i]->tailClass].axis;
+      const int head = m_classes.classes[m_words[i]->headClass].axis;
+      if (tail == head) continue;
+      m_meshesAt[tail].push_back({static_cast<int>(i), head});
+      m_meshesAt[head].push_back({static_cast<int>(i), tail});
+    }
+  }
+
+  [[nodiscard]] const GearMesh& mesh(int position) const { return m_mechanism.gearMeshes[position]; }
+
+  /// Teeth whose sum (external) or difference (internal) times half the module is the centre distance.
+  [[nodiscard]] int distanceTeeth(int position) const {
+    const GearMesh& of = mesh(position);
+    return isInternal(of) ? std::abs(of.tailTeeth - of.headTeeth) : of.tailTeeth + of.headTeeth;
+  }
+
+  [[nodiscard]] Rational moduleOfGiven() const {
+    for (std::size_t i = 0; i < m_words.size(); ++i) {
+      if (!m_words[i]) continue;
+      const auto& a = m_lines[m_classes.classes[m_words[i]->tailClass].axis];
+      const auto& b = m_lines[m_classes.classes[m_words[i]->headClass].axis];
+      const int teeth = distanceTeeth(static_cast<int>(i));
+      if (!a || !b || teeth == 0) continue;
+      if (positionOf({a->point, a->direction, b->point, b->direction, 1, 1}) != LinePosition::parallel)
+        continue;
+      const ExactVector3 off = cross(a->exactDirection, b->exactPoint - a->exactPoint);
+      const Rational square = dot(off, off) / dot(a->exactDirection, a->exactDirection);
+      if (square.isZero()) continue;
+      const auto root = square.squareRoot();
+      return (root ? *root : Rational::fromDouble(std::sqrt(square.toDouble()))) * Rational(2, teeth);
+    }
+    return kDefaultModule;
+  }
+
+  void placeOutward() {
+    std::vector<int> queue;
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+      if (m_lines[i]) queue.push_back(static_cast<int>(i));
+    }
+    std::size_t next = 0;
+    for (std::size_t seed = 0;; ++seed) {
+      for (; next < queue.size(); ++next) placeNeighbours(queue[next], queue);
+      while (seed < m_lines.size() && m_lines[seed]) ++seed;
+      if (seed >= m_lines.size()) return;
+      placeAlone(static_cast<int>(seed), queue.empty());
+      queue.push_back(static_cast<int>(seed));
+    }
+  }
+
+  /// A new group: at the origin, or beside all that is there.
+  void placeAlone(int axis, bool first) {
+    const Axis& element = m_mechanism.axes[axis];
+    ExactVector3 point{0, 0, 0};
+    if (!first) {
+      double farthest = 0;
+      for (const auto& line : m_lines) {
+        if (line) farthest = std::max(farthest, line->point[1]);
+      }
+      point[1] = Rational::fromDouble(std::ceil(farthest)) + Rational(50) * m_module;
+    }
+    if (element.point) point = exactOf(*element.point);
+    m_lines[axis] =
+        lineOf(point, element.direction ? exactOf(*element.direction) : ExactVector3{0, 0, 1}, true);
+  }
+
+  void placeNeighbours(int axis, std::vector<int>& queue) {
+    std::map<int, std::vector<Partner>> open;  // by carrier
+    for (const Partner& partner : m_meshesAt[axis]) {
+      if (m_lines[partner.axis]) continue;
+      std::vector<Partner>& list = open[m_words[partner.mesh]->carrier];
+      const auto same = [&](const Partner& p) { return p.axis == partner.axis; };
+      if (std::none_of(list.begin(), list.end(), same)) list.push_back(partner);
+    }
+    int apexes = 0;
+    for (const auto& [carrier, list] : open) {
+      bool bevel = false;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        place(axis, list[i], static_cast<int>(i), static_cast<int>(list.size()), apexes);
+        bevel = bevel || mesh(list[i].mesh).kind == MeshKind::bevel;
+        queue.push_back(list[i].axis);
+      }
+      if (bevel) ++apexes;
+    }
+  }
+
+  /// Axis `partner` beside the placed one, as number `index` of `count` round it.
+  void place(int axis, const Partner& partner, int index, int count, int apexes) {
+    const AxisLine& from = *m_lines[axis];
+    const Axis& element = m_mechanism.axes[partner.axis];
+    const ExactVector3 outward = spoke(from.exactDirection, index, count);
+    const bool bevel = element.direction ? !isParallel(from.exactDirection, exactOf(*element.direction))
+                                         : mesh(partner.mesh).kind == MeshKind::bevel;
+    ExactVector3 point;
+    ExactVector3 direction;
+    if (bevel) {
+      const GearMesh& of = mesh(partner.mesh);
+      const Rational step = Rational(apexes) * m_module * Rational(2 * (of.tailTeeth + of.headTeeth));
+      point = from.exactPoint + scaledTo(from.exactDirection, step);
+      direction = outward;
+    } else {
+      const Rational distance = m_module * Rational(distanceTeeth(partner.mesh), 2);
+      point = from.exactPoint + scaledTo(outward, distance);
+      direction = from.exactDirection;
+      if (const auto held = heldByTwo(axis, partner)) point = *held;
+    }
+    if (element.point) point = exactOf(*element.point);
+    if (element.direction) direction = exactOf(*element.direction);
+    m_lines[partner.axis] = lineOf(point, direction, true);
+  }
+
+  static bool isParallel(const ExactVector3& a, const ExactVector3& b) {
+    const ExactVector3 normal = cross(a, b);
+    return normal[0].isZero() && normal[1].isZero() && normal[2].isZero();
+  }
+
+  /// Direction number `index` of `count` even ones round an axis; the first is acrossOf(), quarters are
+  /// exact.
+  static ExactVector3 spoke(const ExactVector3& direction, int index, int count) {
+    const ExactVector3 first = acrossOf(direction);
+    if (index == 0) return first;
+    if (2 * index == count) return Rational(-1) * first;
+    const double angle = 2 * std::numbers::pi * index / count;
+    const ExactVector3 second = scaledTo(cross(direction, first), lengthOf(first));
+    // The rational point of the circle at tan(angle / 2): unit length stays exact.
+    const Rational half =
+        4 * index % count == 0
+            ? Rational(4 * index == count ? 1 : -1)
+            : Rational::fromDouble(std::ldexp(std::round(std::ldexp(std::tan(angle / 2), 30)), -30));
+    const Rational scale = (Rational(1) + half * half).inverse();
+    return (scale * (Rational(1) - half * half)) * first + (scale * Rational(2) * half) * second;
+  }
+
+  static Rational lengthOf(const ExactVector3& v) {
+    const Rational square = dot(v, v);
+    const auto root = square.squareRoot();
+    return root ? *root : Rational::fromDouble(std::sqrt(square.toDouble()));
+  }
+  static ExactVector3 scaledTo(const ExactVector3& v, const Rational& size) {
+    return (size / lengthOf(v)) * v;
+  }
+
+  /// Where the circles of two placed parallel neighbours on one carrier cross; nothing where there is no
+  /// second neighbour or they miss each other.
+  [[nodiscard]] std::optional<ExactVector3> heldByTwo(int axis, const Partner& partner) const {
+    const AxisLine& a = *m_lines[axis];
+    for (const Partner& other : m_meshesAt[partner.axis]) {
+      if (other.axis == axis || !m_lines[other.axis] || mesh(other.mesh).kind == MeshKind::bevel) continue;
+      const AxisLine& b = *m_lines[other.axis];
+      if (!isParallel(a.exactDirection, b.exactDirection)) continue;
+      const double half = m_module.toDouble() / 2;
+      const double radiusA = half * distanceTeeth(partner.mesh);
+      const double radiusB = half * distanceTeeth(other.mesh);
+      Vector3 between = b.point - a.point;
+      between = between - dot(between, a.direction) * a.direction;
+      const double distance = length(between);
+      if (distance < 1e-9 || distance > radiusA + radiusB || distance < std::abs(radiusA - radiusB)) continue;
+      const double along = (distance * distance + radiusA * radiusA - radiusB * radiusB) / (2 * distance);
+      const double up = std::sqrt(std::max(0.0, radiusA * radiusA - along * along));
+      const Vector3 forward = unit(between);
+      const Vector3 point = a.point + along * forward + up * cross(a.direction, forward);
+      return ExactVector3{Rational::fromDouble(point[0]), Rational::fromDouble(point[1]),
+                          Rational::fromDouble(point[2])};
+    }
+    return std::nullopt;
+  }
+
+  const Mechanism& m_mechanism;
+  const AxisClasses& m_classes;
+  const std::vector<std::optional<MeshWord>>& m_words;
+  std::vector<std::optional<AxisLine>> m_lines;
+  std::vector<std::vector<Partner>> m_meshesAt;  ///< by axis
+  Rational m_module = kDefaultModule;
+  int m_open = 0;
+};
+
+}  // namespace
+
+std::vector<AxisLine> placedAxes(const Mechanism& mechanism, const AxisClasses& classes,
+                                 const std::vector<std::optional<MeshWord>>& words, Rational& module) {
+  return AxisPlacer(mechanism, classes, words).run(module);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/diagnostic.h"
+#include "core/mechanism/mechanism.h"
+#include "core/placement/mesh_word.h"
+#include "core/placement/pitch_point.h"
+
+namespace geargraph {
+
+/// What the geometry of a gear mesh comes to, in the reference pose. The axes A (tail's gear) and B (head's)
+/// are the lines of the two axis classes; both are fixed in the carrier, so nothing here changes with the
+/// pose.
+struct MeshGeometry {
+  int tail = 0;  ///< link positions
+  int head = 0;
+  int carrier = 0;  ///< the transfer vertex
+  int tailClass = 0;
+  int headClass = 0;
+  MeshKind kind = MeshKind::external;
+  /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
+  /// the geometry: the sign of r_A . r_B.
+  int sign = -1;
+  Vector3 pitchPoint{};
+  bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
+  /// e_c = r_A / |r_A|, r_A = u_A x (P - p_A): the normal of the plane of both axes (the paper's x
+  /// direction).
+  Vector3 normal{};
+  double tailRadius = 0;  ///< e_c . r_A, above 0
+  double headRadius = 0;  ///< e_c . r_B, negative where the sign is -1
+  BevelSides sides;       ///< of a derived bevel pair
+};
+
+/// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
+/// both radii are non-zero and parallel). Nothing, and pitch-point-on-axis, pitch-geometry or teeth-geometry
+/// with what was found and what would fit, where it does not fit.
+[[nodiscard]] std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh,
+                                                          const GearPair<double>& pair, MeshGeometry geometry,
+                                                          Diagnostics& diagnostics);
+
+/// How two lines lie to each other.
+enum class LinePosition { parallel, meeting, skew };
+[[nodiscard]] LinePosition positionOf(const GearPair<double>& pair);
+
+/// The pitch-geometry finding for axes that neither are parallel nor meet.
+[[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair);
+/// The teeth-geometry finding for an internal pair with equal teeth.
+[[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh);
+
+}  // namespace geargraph

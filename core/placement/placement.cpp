@@ -1,0 +1,173 @@
+#include "core/placement/placement.h"
+
+#include <map>
+
+#include "core/placement/axis_placer.h"
+#include "core/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+template <class Scalar>
+Triple<Scalar> pointOf(const AxisLine& line);
+template <>
+Vector3 pointOf<double>(const AxisLine& line) {
+  return line.point;
+}
+template <>
+ExactVector3 pointOf<Rational>(const AxisLine& line) {
+  return line.exactPoint;
+}
+template <class Scalar>
+Triple<Scalar> directionOf(const AxisLine& line);
+template <>
+Vector3 directionOf<double>(const AxisLine& line) {
+  return line.direction;
+}
+template <>
+ExactVector3 directionOf<Rational>(const AxisLine& line) {
+  return line.exactDirection;
+}
+
+template <class Scalar>
+GearPair<Scalar> pairOf(const Mechanism& mechanism, const Placement& placement, int mesh, int tailClass,
+                        int headClass) {
+  const AxisLine& tail = placement.lineOfClass(tailClass);
+  const AxisLine& head = placement.lineOfClass(headClass);
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  return {pointOf<Scalar>(tail),     directionOf<Scalar>(tail), pointOf<Scalar>(head),
+          directionOf<Scalar>(head), element.tailTeeth,         element.headTeeth};
+}
+
+/// Is the tail's axis the inner one, nearer the ground?
+bool tailIsInner(const Placement& placement, int tailClass, int headClass) {
+  const auto& classes = placement.classes->classes;
+  return classes[tailClass].depth <= classes[headClass].depth;
+}
+
+/// Chooses the half axes of bevel pairs that the file leaves open.
+class SideChooser {
+ public:
+  SideChooser(const Mechanism& mechanism, const Placement& placement)
+      : m_mechanism(mechanism), m_placement(placement) {}
+
+  BevelSides choose(int mesh, const MeshWord& word, const GearPair<double>& pair) {
+    const auto [tail, head] = m_placement.tree->meshes[mesh];
+    const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+    const Vector3 apex = apexOf(pair);
+    BevelSides sides;
+    sides.tail = side(tail, word.tailClass, word.headClass, apex, inner);
+    sides.head = side(head, word.headClass, word.tailClass, apex, !inner);
+    return sides;
+  }
+
+ private:
+  int side(int link, int axisClass, int partnerClass, const Vector3& apex, bool inner) {
+    const AxisLine& line = m_placement.lineOfClass(axisClass);
+    if (link != 0 && m_placement.classes->classOfLink(*m_placement.tree, link) == axisClass) {
+      const int joint = m_placement.tree->joint[link];
+      const AxisLine& own = m_placement.axes[m_placement.tree->axisOf[joint]];
+      const double along =
+          dot(own.point - apex, line.direction) +
+          m_placement.classes->sense[joint] * m_mechanism.turningJoints[joint].offset.value();
+      const double nothing = kSameLine * (1 + length(own.point) + length(apex));
+      if (along > nothing) return 1;
+      if (along < -nothing) return -1;
+    }
+    if (!inner) return 1;
+    std::map<int, int>& numbers = m_numbers[{axisClass, partnerClass}];
+    const int number = numbers.try_emplace(link, static_cast<int>(numbers.size())).first->second;
+    return number % 2 == 0 ? -1 : 1;
+  }
+
+  const Mechanism& m_mechanism;
+  const Placement& m_placement;
+  std::map<std::pair<int, int>, std::map<int, int>> m_numbers;  ///< links met, by inner and outer class
+};
+
+Vector3 valuesOf(const NumberTriple& triple) {
+  return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
+
+/// The class whose axis point gives the plane of a derived parallel pitch point.
+template <class Scalar>
+Triple<Scalar> levelOf(const Placement& placement, int tailClass, int headClass) {
+  return pointOf<Scalar>(
+      placement.lineOfClass(tailIsInner(placement, tailClass, headClass) ? tailClass : headClass));
+}
+
+void locate(const Mechanism& mechanism, Placement& placement, int mesh, const MeshWord& word,
+            SideChooser& sides) {
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  const auto pair = pairOf<double>(mechanism, placement, mesh, word.tailClass, word.headClass);
+  MeshGeometry geometry;
+  geometry.tail = placement.tree->meshes[mesh].tail;
+  geometry.head = placement.tree->meshes[mesh].head;
+  geometry.carrier = word.carrier;
+  geometry.tailClass = word.tailClass;
+  geometry.headClass = word.headClass;
+  geometry.derived = !element.pitchPoint;
+  if (element.pitchPoint) {
+    geometry.pitchPoint = valuesOf(*element.pitchPoint);
+  } else {
+    switch (positionOf(pair)) {
+      case LinePosition::skew:
+        placement.diagnostics.push_back(skewAxes(mechanism, mesh, pair));
+        return;
+      case LinePosition::meeting:
+        geometry.sides = sides.choose(mesh, word, pair);
+        geometry.pitchPoint = bevelPitchPoint(pair, geometry.sides, placement.module.toDouble());
+        break;
+      case LinePosition::parallel:
+        if (element.kind == MeshKind::internal && element.tailTeeth == element.headTeeth) {
+          placement.diagnostics.push_back(equalInternalTeeth(mechanism, mesh));
+          return;
+        }
+        geometry.pitchPoint = parallelPitchPoint(pair, element.kind == MeshKind::internal,
+                                                 levelOf<double>(placement, word.tailClass, word.headClass));
+    }
+  }
+  placement.meshes[mesh] = checkedGeometry(mechanism, mesh, pair, geometry, placement.diagnostics);
+}
+
+}  // namespace
+
+Placement placementOf(const Mechanism& mechanism) {
+  Placement placement;
+  placement.meshes.resize(mechanism.gearMeshes.size());
+  placement.tree = JointTree::of(mechanism);
+  std::vector<std::optional<MeshWord>> words(mechanism.gearMeshes.size());
+  if (placement.tree) {
+    placement.classes.emplace(mechanism, *placement.tree, placement.diagnostics);
+    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+      words[mesh] = meshWord(mechanism, *placement.classes, *placement.tree, mesh, placement.diagnostics);
+    }
+    placement.axes = placedAxes(mechanism, *placement.classes, words, placement.module);
+  } else {
+    Diagnostics none;
+    const JointTree empty;
+    placement.axes = placedAxes(mechanism, AxisClasses(mechanism, empty, none),
+                                std::vector<std::optional<MeshWord>>(), placement.module);
+    return placement;
+  }
+  SideChooser sides(mechanism, placement);
+  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    if (words[mesh]) locate(mechanism, placement, mesh, *words[mesh], sides);
+  }
+  return placement;
+}
+
+std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
+                                            int mesh) {
+  const MeshGeometry& geometry = *placement.meshes[mesh];
+  if (!geometry.derived) {
+    const NumberTriple& point = *mechanism.gearMeshes[mesh].pitchPoint;
+    return ExactVector3{point[0].exact(), point[1].exact(), point[2].exact()};
+  }
+  const auto pair = pairOf<Rational>(mechanism, placement, mesh, geometry.tailClass, geometry.headClass);
+  if (geometry.kind == MeshKind::bevel) return bevelPitchPoint(pair, geometry.sides, placement.module);
+  return parallelPitchPoint(pair, geometry.kind == MeshKind::internal,
+                            levelOf<Rational>(placement, geometry.tailClass, geometry.headClass));
+}
+
+}  // namespace geargraph
