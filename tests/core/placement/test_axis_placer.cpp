@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "core/placement/placement.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
 using namespace geargraph;
@@ -19,7 +20,7 @@ class TestAxisPlacer : public QObject {
   Q_OBJECT
  private slots:
   void parallelAxesStandAsFarApartAsTheTeethAsk() {
-    const Placement placement = placementOf(TrainBuilder(3)
+    const Placement placement = placementOf(TrainSketch(3)
                                                 .joint(0, 1, "a")
                                                 .joint(0, 2, "b")
                                                 .joint(0, 3, "c")
@@ -33,7 +34,7 @@ class TestAxisPlacer : public QObject {
   }
 
   void theModuleIsThatOfTheAxesThatAreGiven() {
-    const Placement placement = placementOf(TrainBuilder(3)
+    const Placement placement = placementOf(TrainSketch(3)
                                                 .axis("a", {"0", "0", "0"})
                                                 .axis("b", {"30", "40", "0"})
                                                 .joint(0, 1, "a")
@@ -62,7 +63,7 @@ class TestAxisPlacer : public QObject {
   }
 
   void anIdlerBetweenTwoPlacedAxesMeetsBothDistances() {
-    const Placement placement = placementOf(TrainBuilder(3)
+    const Placement placement = placementOf(TrainSketch(3)
                                                 .axis("a", {"0", "0", "0"})
                                                 .axis("b", {"0", "60", "0"})
                                                 .joint(0, 1, "a")
@@ -91,7 +92,7 @@ class TestAxisPlacer : public QObject {
   }
 
   void trainsThatNothingTiesTogetherStandBesideEachOther() {
-    const Placement placement = placementOf(TrainBuilder(4)
+    const Placement placement = placementOf(TrainSketch(4)
                                                 .joint(0, 1, "a")
                                                 .joint(0, 2, "b")
                                                 .joint(0, 3, "c")
@@ -104,7 +105,7 @@ class TestAxisPlacer : public QObject {
   }
 
   void aGivenDirectionOrPointIsKept() {
-    Mechanism half = TrainBuilder(2).joint(0, 1, "a").joint(0, 2, "b").mesh(1, 2, 20, 30).build();
+    Mechanism half = TrainSketch(2).joint(0, 1, "a").joint(0, 2, "b").mesh(1, 2, 20, 30).build();
     half.axes[0].direction = NumberTriple{1, 0, 0};
     half.axes[1].point = NumberTriple{3, 0, 70};
     const Placement placement = placementOf(half);

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "core/placement/placement.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
 using namespace geargraph;
@@ -57,14 +58,15 @@ class TestPlacement : public QObject {
   void aBevelPitchPointFollowsFromOffsetsAndModule() {
     Mechanism open = robot();
     open.gearMeshes[1].pitchPoint.reset();
-    open.turningJoints[1].offset = Number(20);  // wheel 5 below the apex at z = 60
+    open.turningJoints[1].offset = Number(20);   // wheel 5 below the apex at z = 60,
+    open.turningJoints[4].offset = Number(-40);  // wheel 2 left of it
     const Placement placement = placementOf(open);
     QVERIFY(near(placement.meshes[1]->pitchPoint, {0, -20, 30}));  // module 2, as drawn
     QVERIFY(*exactPitchPoint(open, placement, 1) == (ExactVector3{0, -20, 30}));
   }
 
   void aDifferentialsSideGearsLieOnBothSidesOfThePlanet() {
-    const Mechanism differential = TrainBuilder(4)
+    const Mechanism differential = TrainSketch(4)
                                        .joint(0, 1, "a")
                                        .joint(0, 2, "a")
                                        .joint(0, 3, "a")
@@ -100,7 +102,7 @@ class TestPlacement : public QObject {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const Mechanism train = randomTrain(seed, 15, 10);
       const Placement here = placementOf(train);
-      const Placement there = placementOf(moved(train));
+      const Placement there = placementOf(moved(train, rotation(1, 2, -1, 3), {5, -7, 11}));
       QVERIFY(!hasErrors(there.diagnostics));
       for (int i = 0; i < train.c(); ++i) {
         QCOMPARE(there.meshes[i]->sign, here.meshes[i]->sign);
@@ -118,7 +120,7 @@ class TestPlacement : public QObject {
   }
 
   void anInternalPairIsRecognisedFromItsPitchPoint() {
-    const Mechanism ring = TrainBuilder(2)
+    const Mechanism ring = TrainSketch(2)
                                .axis("a", {"0", "0", "0"})
                                .axis("b", {"0", "20", "0"})
                                .joint(0, 1, "a")
@@ -146,7 +148,7 @@ class TestPlacement : public QObject {
 
   void longCoaxialStacksCostNothingExtra() {
     constexpr int kLinks = 20'000;
-    TrainBuilder stack(kLinks + 1);
+    TrainSketch stack(kLinks + 1);
     for (int v = 1; v <= kLinks; ++v) stack.joint(v - 1, v, "a");
     stack.joint(0, kLinks + 1, "b");
     for (int i = 0; i < 200; ++i) stack.mesh(kLinks - i, kLinks + 1, 20, 30);

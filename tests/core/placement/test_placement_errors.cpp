@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "core/placement/placement.h"
-#include "tests/core/support/trains.h"
+#include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -12,7 +12,7 @@ namespace {
 Mechanism pair(std::optional<MeshKind> kind, const std::vector<std::string>& pitchPoint,
                const std::vector<std::string>& direction = {"0", "0", "1"},
                const std::vector<std::string>& point = {"0", "60", "0"}) {
-  return TrainBuilder(2)
+  return TrainSketch(2)
       .axis("a", {"0", "0", "0"})
       .axis("b", point, direction)
       .joint(0, 1, "a")
@@ -98,28 +98,28 @@ class TestPlacementErrors : public QObject {
 
   void coaxialGearsAreRefused() {
     const Diagnostic finding =
-        only(TrainBuilder(2).joint(0, 1, "a").joint(1, 2, "a").mesh(1, 2, 20, 20).build());
+        only(TrainSketch(2).joint(0, 1, "a").joint(1, 2, "a").mesh(1, 2, 20, 20).build());
     QCOMPARE(finding.code, Code::coaxialMesh);
     QCOMPARE(finding.elements.front(), ElementId(MeshId("5")));
-    QCOMPARE(only(TrainBuilder(1).joint(0, 1, "a").mesh(0, 1, 20, 20).build()).code, Code::coaxialMesh);
+    QCOMPARE(only(TrainSketch(1).joint(0, 1, "a").mesh(0, 1, 20, 20).build()).code, Code::coaxialMesh);
   }
 
   void aPathOverThreeAxesIsRefusedWithItsWord() {
     const Diagnostic finding =
-        only(TrainBuilder(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "c").mesh(0, 3, 20, 20).build());
+        only(TrainSketch(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "c").mesh(0, 3, 20, 20).build());
     QCOMPARE(finding.code, Code::noTransferVertex);
     QVERIFY(says(finding, "a|b|c"));
   }
 
   void oneAxisNameOnTwoAxesIsReported() {
     const Diagnostic finding =
-        only(TrainBuilder(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "a").build());
+        only(TrainSketch(3).joint(0, 1, "a").joint(1, 2, "b").joint(2, 3, "a").build());
     QCOMPARE(finding.code, Code::splitAxis);
     QVERIFY(says(finding, "Axis a"));
   }
 
   void coincidingAxesAtACommonLinkAreOneAndTheirSensesAreMinded() {
-    const Mechanism train = TrainBuilder(3)
+    const Mechanism train = TrainSketch(3)
                                 .axis("a", {"0", "0", "0"})
                                 .axis("a2", {"0", "0", "9"}, {"0", "0", "-2"})
                                 .axis("b", {"0", "60", "0"})
@@ -138,7 +138,7 @@ class TestPlacementErrors : public QObject {
   }
 
   void axesThatCoincideWithoutACommonLinkStayTwo() {
-    const Mechanism wrist = TrainBuilder(3)
+    const Mechanism wrist = TrainSketch(3)
                                 .axis("a", {"0", "0", "0"})
                                 .axis("b", {"0", "0", "0"}, {"0", "1", "0"})
                                 .axis("c", {"0", "0", "0"})
@@ -152,7 +152,7 @@ class TestPlacementErrors : public QObject {
   }
 
   void withoutATreeAxesAreStillPlaced() {
-    const Mechanism loose = TrainBuilder(2).joint(0, 1, "a").mesh(1, 2, 20, 20).build();
+    const Mechanism loose = TrainSketch(2).joint(0, 1, "a").mesh(1, 2, 20, 20).build();
     const Placement placement = placementOf(loose);
     QVERIFY(!placement.tree);
     QCOMPARE(placement.axes.size(), std::size_t{1});

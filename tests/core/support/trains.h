@@ -2,10 +2,6 @@
 
 #include <array>
 #include <string>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "core/mechanism/mechanism.h"
@@ -71,42 +67,5 @@ using ExactRotation = std::array<ExactTriple, 3>;
 /// The paper's robot in its drawn pose: Table 1 with module 2 and teeth 18/36, 20/30, 24/18, 16/24, A1 = 60,
 /// A2 = 90, A3 = 140; ids equal to the paper's labels.
 [[nodiscard]] Mechanism robot();
-
-/// Writes mechanisms down: a link, joint or mesh a line. Ids are whole numbers, so that a test reads like the
-/// paper's labels where links come first, then joints, then meshes.
-class TrainBuilder {
- public:
-  /// `links` moving links 1..links beside the ground 0.
-  explicit TrainBuilder(int links);
-
-  /// An axis with its place; text holds fractions: {"0", "1/2", "3"}.
-  TrainBuilder& axis(const std::string& id, const std::vector<std::string>& point,
-                     const std::vector<std::string>& direction = {"0", "0", "1"});
-  /// A joint; an axis that is not known yet is left open.
-  TrainBuilder& joint(int tail, int head, const std::string& axis, const std::string& offset = "0");
-  TrainBuilder& mesh(int tail, int head, int tailTeeth, int headTeeth, std::optional<MeshKind> kind = {},
-                     const std::vector<std::string>& pitchPoint = {});
-  TrainBuilder& inputs(const std::vector<std::pair<int, std::string>>& speedsByLabel);
-  [[nodiscard]] Mechanism build() const { return m_mechanism; }
-
- private:
-  Mechanism m_mechanism;
-};
-
-/// The paper's robot with its geometry: Table 1, module 2, A1 = 60, A2 = 96, A3 = 132.
-[[nodiscard]] Mechanism robot();
-
-/// Sun 1, ring 2, carrier 3 on axis a, planets 4.. on axes of their own on the carrier, each meshing with sun
-/// and ring; axes left open. Joints in link order.
-[[nodiscard]] Mechanism planetary(int sunTeeth, int planetTeeth, int planets = 1);
-
-/// A random epicyclic train of `n` moving links: axes nested on random carriers, parallel to or at right
-/// angles with a neighbouring axis, placed at whole coordinates, joints of either direction, axes of either
-/// sense; `meshes` meshes between neighbouring axes, with pitch points left open. Every mesh has a carrier
-/// and fits its geometry.
-[[nodiscard]] Mechanism randomTrain(std::uint64_t seed, int n, int meshes);
-
-/// The same mechanism turned and moved as a whole by a rational motion; pitch points too.
-[[nodiscard]] Mechanism moved(Mechanism mechanism);
 
 }  // namespace geargraph::test
