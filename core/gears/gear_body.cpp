@@ -1,0 +1,94 @@
+#include "core/gears/gear_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace geargraph {
+namespace {
+
+using std::numbers::pi;
+
+/// Thickness of the body below the roots of bevel teeth, in modules.
+constexpr double kBevelBody = 1.2;
+
+/// The faces' planes between the teeth and the bore of a disc of one thickness.
+std::vector<Circle> discMeridian(double bore, double width) {
+  return {{bore / 2, width / 2}, {bore / 2, -width / 2}};
+}
+
+std::vector<Circle> webbedMeridian(const GearSpec& s) {
+  const double rim = nominalRootRadius(s) - 2 * s.module;
+  const double bore = s.bore / 2;
+  const double hub = s.hub > 0  ? s.hub / 2
+                     : bore > 0 ? std::max(1.6 * bore, bore + 1.2 * s.module)
+                                : 0.25 * rim;
+  if (rim - hub < 2.5 * s.module) return discMeridian(s.bore, s.faceWidth);
+  const double face = s.faceWidth / 2;
+  const double web = 0.4 * face;
+  return {{rim, face},   {rim, web},   {hub, web},  {hub, face}, {bore, face},
+          {bore, -face}, {hub, -face}, {hub, -web}, {rim, -web}, {rim, -face}};
+}
+
+/// A point of the meridian plane at cone distance R, `depth` below the pitch cone measured on back or front
+/// cone.
+Circle belowCone(double R, double depth, double delta) {
+  return {R * std::sin(delta) - depth * std::cos(delta), R * std::cos(delta) + depth * std::sin(delta)};
+}
+
+/// How far below the roots of the small end the body's circle must lie: the chord below a tooth bows towards
+/// the axis, by its sagitta on the developed cone, and sinks below the conical face, by the rest of its
+/// sagitta.
+double frontMargin(const GearSpec& s, double small) {
+  const double halfPitch = pi / s.teeth;
+  const double sagitta =
+      small * std::sin(s.coneAngle) * std::abs(std::cos(s.coneAngle)) * halfPitch * halfPitch / 2;
+  return sagitta + 0.15 * s.module;
+}
+
+std::vector<Circle> bevelMeridian(const GearSpec& s) {
+  const double large = coneDistance(s);
+  const double small = large - s.faceWidth;
+  const double root = (s.dedendum - s.profileShift) * s.module;
+  const double rootSmall = root * small / large;
+  Circle back = belowCone(large, root + kBevelBody * s.module, s.coneAngle);
+  Circle front = belowCone(small, rootSmall + frontMargin(s, small), s.coneAngle);
+  if (s.coneAngle > 100 * pi / 180) {  // an internal cone is a ring: its body follows the teeth
+    return {back, belowCone(small, rootSmall + kBevelBody * s.module, s.coneAngle)};
+  }
+  const double bore = s.bore / 2;
+  // A steep pinion has no room below its roots for the full thickness.
+  const double least = std::max(bore + 0.05 * s.module, 0.2 * s.module);
+  if (back.radius < least)
+    back = belowCone(large, (large * std::sin(s.coneAngle) - least) / std::cos(s.coneAngle), s.coneAngle);
+  return {back, {bore, back.height}, {bore, front.height}, front};
+}
+
+}  // namespace
+
+double rimDiameter(const GearSpec& spec) {
+  return spec.rim > 0 ? spec.rim : 2 * (nominalRootRadius(spec) + 2 * spec.module);
+}
+
+double largestBore(const GearSpec& spec) {
+  if (spec.kind != GearKind::bevel) return 2 * (nominalRootRadius(spec) - 0.2 * spec.module);
+  const double large = coneDistance(spec);
+  const double small = large - spec.faceWidth;
+  const double root =
+      (spec.dedendum - spec.profileShift) * spec.module * small / large + frontMargin(spec, small);
+  return 2 * (belowCone(small, root, spec.coneAngle).radius - 0.1 * spec.module);
+}
+
+std::vector<Circle> bodyMeridian(const GearSpec& spec) {
+  switch (spec.kind) {
+    case GearKind::internal:
+      return discMeridian(rimDiameter(spec), spec.faceWidth);
+    case GearKind::bevel:
+      return bevelMeridian(spec);
+    case GearKind::external:
+      break;
+  }
+  return spec.body == GearBody::dressed ? webbedMeridian(spec) : discMeridian(spec.bore, spec.faceWidth);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/gears/gear_spec.h"
+#include "core/gears/shell_builder.h"
+
+namespace geargraph {
+
+/// Meridian of the body below the teeth, from the top face round to the bottom face, material on the left
+/// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. Plain: bore or rim
+/// only. Dressed: hub, recessed web and rim where there is room for them.
+[[nodiscard]] std::vector<Circle> bodyMeridian(const GearSpec& spec);
+
+/// Outer diameter of a ring's rim: what the spec says, or enough for a stiff ring.
+[[nodiscard]] double rimDiameter(const GearSpec& spec);
+
+/// Largest bore (diameter) that leaves a body of a module's fifth below the teeth.
+[[nodiscard]] double largestBore(const GearSpec& spec);
+
+}  // namespace geargraph

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <numbers>
+
+#include "core/base/expected.h"
+
+namespace geargraph {
+
+enum class GearKind { external, internal, bevel };
+
+/// How the part below the teeth looks.
+enum class GearBody {
+  plain,   ///< a disc with a bore (ring: with a rim); its volume is that of the section times the face width
+  dressed  ///< hub, thinner web and windows where the wheel is large enough for them
+};
+
+/// Everything that decides the shape of one gear. Tooth proportions are in modules, as catalogues and ISO 53
+/// state them; `module` and the measures of the body are lengths. Equal specs give equal solids.
+///
+/// Frame of the gear: axis +z, tooth 0 centred on +x. Spur and ring: centred on z = 0. Bevel: apex at the
+/// origin, the axis runs from the apex to the gear.
+struct GearSpec {
+  GearKind kind = GearKind::external;
+  int teeth = 20;
+  double module = 1;  ///< at the reference circle; bevel: at the large end
+  double pressureAngle = 20 * std::numbers::pi / 180;
+  double profileShift = 0;  ///< positive: external teeth thicker and taller, ring spaces wider and deeper
+  double thinning =
+      0;  ///< this gear's part of the backlash: its teeth are thinner by this on the pitch circle
+  double addendum = 1;
+  double dedendum = 1.25;
+  double rootRadius =
+      0.38;               ///< of the rack's tip corner (ring: of the fillet), reduced where there is no room
+  double tipRadius = 0;   ///< in modules, where it is not what the addendum says (0: it is); not for bevels
+  double coneAngle = 0;   ///< bevel: pitch cone, in (0, pi); pi/2 is a crown gear
+  double faceWidth = 10;  ///< bevel: along the pitch cone, from the large end towards the apex
+  double bore = 0;        ///< diameter, 0: none. Rings have none
+  double rim = 0;         ///< ring: outer diameter, 0: from the root
+  double hub = 0;         ///< dressed: diameter of the hub, 0: from the bore
+  GearBody body = GearBody::plain;
+
+  friend bool operator==(const GearSpec&, const GearSpec&) = default;
+};
+
+/// A spec with the rack that this program uses for the kind: ISO 53 A; bevels rho 0.30, rings a fillet of
+/// 0.25.
+[[nodiscard]] GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth);
+
+/// Reference pitch radius, m z / 2.
+[[nodiscard]] double pitchRadius(const GearSpec& spec);
+
+/// Bevel: distance from the apex to the pitch circle, Re = m z / (2 sin d).
+[[nodiscard]] double coneDistance(const GearSpec& spec);
+
+/// Tip and root circles as lengths. Bevel: at the large end, on the back cone.
+[[nodiscard]] double nominalTipRadius(const GearSpec& spec);
+[[nodiscard]] double nominalRootRadius(const GearSpec& spec);
+
+/// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
+/// ...
+[[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);
+
+}  // namespace geargraph

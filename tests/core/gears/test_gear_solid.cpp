@@ -1,0 +1,185 @@
+#include <QtTest>
+#include <cmath>
+
+#include "core/gears/gear_solid.h"
+#include "core/gears/half_tooth.h"
+#include "tests/core/gears/topology.h"
+
+using namespace geargraph;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+GearSpec gear(int kind, int teeth, double cone, double bore) {
+  GearSpec spec = standardGear(static_cast<GearKind>(kind), teeth, 2, 9);
+  spec.coneAngle = cone * kPi / 180;
+  if (kind == 2) spec.faceWidth = coneDistance(spec) / 3;
+  spec.bore = bore;
+  return spec;
+}
+
+/// Area of the section of an external gear from the closed forms of involute, tip and root arcs; of the
+/// fillet, which has none, from a very fine polygon. Lengths in modules.
+double sectionArea(const GearSpec& spec) {
+  const HalfTooth tooth = externalTooth(spec, 1e-8);
+  const double rb = spec.teeth / 2.0 * std::cos(spec.pressureAngle);
+  const auto roll = [&](double rad) { return std::sqrt(rad * rad / (rb * rb) - 1); };
+  double half = rb * rb * (std::pow(roll(tooth.tipRad), 3) - std::pow(roll(tooth.formRad), 3)) / 6;
+  half += tooth.tipRad * tooth.tipRad * tooth.tipHalfAngle / 2;
+  for (std::size_t i = 0; i + 1 < tooth.points.size() && tooth.points[i].rad < tooth.formRad; ++i) {
+    const ProfilePoint& a = tooth.points[i];
+    const ProfilePoint& b = tooth.points[i + 1];
+    half += 0.5 * a.rad * b.rad * std::sin(a.gam - b.gam);
+  }
+  return 2 * spec.teeth * half - kPi * spec.bore * spec.bore / 4 / (spec.module * spec.module);
+}
+
+}  // namespace
+
+class TestGearSolid : public QObject {
+  Q_OBJECT
+ private slots:
+  void solidsAreClosedManifoldAndOutward_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("teeth");
+    QTest::addColumn<double>("cone");
+    QTest::addColumn<double>("bore");
+    QTest::addColumn<int>("genus");
+    QTest::newRow("spur 40") << 0 << 40 << 0.0 << 20.0 << 1;
+    QTest::newRow("spur 40 without bore") << 0 << 40 << 0.0 << 0.0 << 0;
+    QTest::newRow("pinion 8") << 0 << 8 << 0.0 << 3.0 << 1;
+    QTest::newRow("pinion 5") << 0 << 5 << 0.0 << 0.0 << 0;
+    QTest::newRow("wheel 317") << 0 << 317 << 0.0 << 30.0 << 1;
+    QTest::newRow("ring 60") << 1 << 60 << 0.0 << 0.0 << 1;
+    QTest::newRow("ring 20") << 1 << 20 << 0.0 << 0.0 << 1;
+    QTest::newRow("ring 240") << 1 << 240 << 0.0 << 0.0 << 1;
+    QTest::newRow("bevel 20 at 27") << 2 << 20 << 26.565 << 8.0 << 1;
+    QTest::newRow("bevel 40 at 63") << 2 << 40 << 63.435 << 20.0 << 1;
+    QTest::newRow("mitre 16 without bore") << 2 << 16 << 45.0 << 0.0 << 0;
+    QTest::newRow("steep pinion 8") << 2 << 8 << 11.3 << 2.0 << 1;
+    QTest::newRow("crown 40") << 2 << 40 << 90.0 << 10.0 << 1;
+    QTest::newRow("internal cone 40") << 2 << 40 << 110.0 << 0.0 << 1;
+  }
+  void solidsAreClosedManifoldAndOutward() {
+    QFETCH(int, kind);
+    QFETCH(int, teeth);
+    QFETCH(double, cone);
+    QFETCH(double, bore);
+    QFETCH(int, genus);
+    for (const double tolerance : {kExportTolerance, kScreenTolerance, kFarTolerance}) {
+      const Expected<Solid> solid = gearSolid(gear(kind, teeth, cone, bore), tolerance);
+      QVERIFY(solid.has_value());
+      const test::Topology topology = test::topologyOf(*solid);
+      QVERIFY(topology.closed);
+      QVERIFY(topology.manifold);
+      QCOMPARE(topology.degenerate, 0);
+      QCOMPARE(topology.pieces, 1);
+      QCOMPARE(topology.genus, genus);
+      QVERIFY(signedVolume(*solid) > 0);
+      QCOMPARE(solid->positions.size(), solid->normals.size());
+      if (tolerance == kExportTolerance) {
+        const double worst = test::worstNormalDegrees(*solid, 1e-3);
+        QVERIFY2(worst < 20, qPrintable(QString::number(worst)));
+      }
+    }
+  }
+
+  void volumeIsTheSectionTimesTheFaceWidth_data() {
+    QTest::addColumn<int>("teeth");
+    QTest::addColumn<double>("shift");
+    QTest::addColumn<double>("bore");
+    QTest::newRow("40") << 40 << 0.0 << 20.0;
+    QTest::newRow("8, undercut") << 8 << 0.0 << 3.0;
+    QTest::newRow("12, shifted") << 12 << 0.4 << 6.0;
+  }
+  void volumeIsTheSectionTimesTheFaceWidth() {
+    QFETCH(int, teeth);
+    QFETCH(double, shift);
+    QFETCH(double, bore);
+    GearSpec spec = gear(0, teeth, 0, bore);
+    spec.profileShift = shift;
+    const double exact = sectionArea(spec) * spec.module * spec.module * spec.faceWidth;
+    const Expected<Solid> solid = gearSolid(spec, 0.002);
+    QVERIFY(std::abs(signedVolume(*solid) / exact - 1) < 0.0012);
+    const Expected<Solid> fine = gearSolid(spec, 1e-4);
+    QVERIFY(std::abs(signedVolume(*fine) / exact - 1) < 1e-4);
+  }
+
+  /// Walls of bevels are cones through the apex: both ends of an edge of a tooth lie on one ray, at the
+  /// distances of back cone and front cone.
+  void bevelEdgesMeetInTheApex() {
+    const GearSpec spec = gear(2, 20, 35, 0);
+    const HalfTooth tooth = bevelTooth(spec, 0.002);
+    const Expected<Solid> solid = gearSolid(spec, 0.002);
+    const std::size_t walls = 20 * (2 * tooth.points.size() - 2);
+    for (std::size_t i = 0; i < walls; ++i) {
+      const Eigen::Vector3d a = Eigen::Map<const Eigen::Vector3f>(solid->positions[i].data()).cast<double>();
+      const Eigen::Vector3d b =
+          Eigen::Map<const Eigen::Vector3f>(solid->positions[walls + i].data()).cast<double>();
+      QVERIFY(a.normalized().cross(b.normalized()).norm() < 1e-6);
+      const double colatitude = std::atan2(std::hypot(b.x(), b.y()), b.z());
+      QVERIFY(std::abs(b.norm() * std::cos(colatitude - spec.coneAngle) - coneDistance(spec)) < 1e-4);
+    }
+  }
+
+  void toothZeroIsCentredOnTheXAxis() {
+    const Expected<Solid> solid = gearSolid(gear(0, 40, 0, 0), 0.002);
+    float farthest = 0;
+    for (const Float3& p : solid->positions) farthest = std::max(farthest, p[0]);
+    QVERIFY(std::abs(farthest - 42) < 1e-5F);
+    bool mirrored = true;
+    for (std::size_t i = 0; i < 40; ++i) mirrored = mirrored && solid->positions[i][2] == -4.5F;
+    QVERIFY(mirrored);
+  }
+
+  void equalSpecsGiveEqualSolids() {
+    QVERIFY(*gearSolid(gear(2, 17, 40, 5), 0.002) == *gearSolid(gear(2, 17, 40, 5), 0.002));
+  }
+
+  void cacheMakesASolidOnce() {
+    GearCache cache(2);
+    const auto first = cache.solid(gear(0, 20, 0, 5), 0.01);
+    QVERIFY(*first == *cache.solid(gear(0, 20, 0, 5), 0.01));
+    QVERIFY(*first != *cache.solid(gear(0, 20, 0, 5), 0.002));
+    static_cast<void>(cache.solid(gear(0, 20, 0, 5), 0.01));
+    static_cast<void>(cache.solid(gear(0, 21, 0, 5), 0.01));  // drops the one of 0.002, the oldest
+    QCOMPARE(cache.size(), std::size_t(2));
+    QVERIFY(*first == *cache.solid(gear(0, 20, 0, 5), 0.01));
+  }
+
+  void impossibleGearsAreRefusedWithASentence_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("teeth");
+    QTest::addColumn<double>("cone");
+    QTest::addColumn<double>("bore");
+    QTest::newRow("two teeth") << 0 << 2 << 0.0 << 0.0;
+    QTest::newRow("bore past the roots") << 0 << 20 << 0.0 << 36.0;
+    QTest::newRow("ring of six") << 1 << 6 << 0.0 << 0.0;
+    QTest::newRow("no cone") << 2 << 20 << 0.0 << 0.0;
+  }
+  void impossibleGearsAreRefusedWithASentence() {
+    QFETCH(int, kind);
+    QFETCH(int, teeth);
+    QFETCH(double, cone);
+    QFETCH(double, bore);
+    GearSpec spec = gear(0, teeth, cone, bore);
+    spec.kind = static_cast<GearKind>(kind);
+    const Expected<Solid> solid = gearSolid(spec, 0.002);
+    QVERIFY(!solid.has_value());
+    QCOMPARE(solid.error().front().code, Code::teethGeometry);
+    QVERIFY(solid.error().front().message.size() > 20);
+  }
+
+  void nonsenseNumbersAreRefused() {
+    GearSpec spec = gear(0, 20, 0, 0);
+    spec.module = std::nan("");
+    QVERIFY(!gearSolid(spec, 0.002).has_value());
+    spec = gear(0, 20, 0, 0);
+    spec.pressureAngle = 1.2;
+    QVERIFY(!gearSolid(spec, 0.002).has_value());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestGearSolid)
+#include "test_gear_solid.moc"
