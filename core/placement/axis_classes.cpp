@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/base/triple.h"
 #include "core/placement/tolerance.h"
-#include "core/placement/triple.h"
 
 namespace geargraph {
 namespace {

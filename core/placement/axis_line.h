@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/placement/triple.h"
+#include "core/base/triple.h"
 
 namespace geargraph {
 

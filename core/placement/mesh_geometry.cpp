@@ -100,15 +100,24 @@ Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double
 
 Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
                       const MeshGeometry& found) {
+  const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
-  const double fitting = pair.tailTeeth * head / found.tailRadius;
+  const double fitting = pair.tailTeeth * head / tail;
   return finding(mechanism, mesh, Code::teethGeometry,
-                 "the pitch radii are " + text(found.tailRadius) + " and " + text(head) + " (ratio " +
-                     text(found.tailRadius / head) + "), but the teeth are " +
-                     std::to_string(pair.tailTeeth) + " and " + std::to_string(pair.headTeeth) + " (ratio " +
+                 "the pitch radii are " + text(tail) + " and " + text(head) + " (ratio " + text(tail / head) +
+                     "), but the teeth are " + std::to_string(pair.tailTeeth) + " and " +
+                     std::to_string(pair.headTeeth) + " (ratio " +
                      text(static_cast<double>(pair.tailTeeth) / pair.headTeeth) +
                      "). What fits: " + text(fitting) + " teeth on the head, or " +
                      fit(pair, found.pitchPoint, found.sign) + ".");
+}
+
+/// The unit vector or its opposite: the one whose first component that is not 0 is positive.
+Vector3 oriented(const Vector3& direction) {
+  for (const double component : direction) {
+    if (std::abs(component) > kSameLine) return component > 0 ? direction : -1.0 * direction;
+  }
+  return direction;
 }
 
 }  // namespace
@@ -160,10 +169,10 @@ std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh
     return refuse(offPlane(mechanism, mesh, pair, geometry.pitchPoint));
   }
 
-  geometry.normal = (1 / tailLength) * tail;
-  geometry.tailRadius = tailLength;
+  geometry.normal = oriented((1 / tailLength) * tail);
+  geometry.tailRadius = dot(geometry.normal, tail);
   geometry.headRadius = dot(geometry.normal, head);
-  geometry.sign = geometry.headRadius < 0 ? -1 : 1;
+  geometry.sign = geometry.tailRadius * geometry.headRadius < 0 ? -1 : 1;
   geometry.kind = position == LinePosition::meeting                                 ? MeshKind::bevel
                   : geometry.sign * dot(pair.tailDirection, pair.headDirection) < 0 ? MeshKind::external
                                                                                     : MeshKind::internal;

@@ -24,11 +24,11 @@ struct MeshGeometry {
   int sign = -1;
   Vector3 pitchPoint{};
   bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
-  /// e_c = r_A / |r_A|, r_A = u_A x (P - p_A): the normal of the plane of both axes (the paper's x
+  /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
   /// direction).
   Vector3 normal{};
-  double tailRadius = 0;  ///< e_c . r_A, above 0
-  double headRadius = 0;  ///< e_c . r_B, negative where the sign is -1
+  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
+  double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   BevelSides sides;       ///< of a derived bevel pair
 };
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/placement/triple.h"
+#include "core/base/triple.h"
 
 namespace geargraph {
 

@@ -38,11 +38,11 @@ class TestPlacement : public QObject {
 
   void theRobotsRadiiAreHalfTheDiametersOfTable1() {
     const Placement placement = placementOf(robot());
-    const std::vector<std::pair<double, double>> radii{{18, -36}, {20, -30}, {24, -18}, {16, 24}};
+    const std::vector<std::pair<double, double>> radii{{-18, 36}, {20, -30}, {24, -18}, {-16, -24}};
     for (int i = 0; i < 4; ++i) {
       QCOMPARE(placement.meshes[i]->tailRadius, radii[i].first);
       QCOMPARE(placement.meshes[i]->headRadius, radii[i].second);
-      QCOMPARE(std::abs(placement.meshes[i]->normal[0]), 1.0);  // the paper's x direction
+      QCOMPARE(placement.meshes[i]->normal[0], 1.0);  // the paper's x direction
     }
   }
 
@@ -106,7 +106,8 @@ class TestPlacement : public QObject {
       QVERIFY(!hasErrors(there.diagnostics));
       for (int i = 0; i < train.c(); ++i) {
         QCOMPARE(there.meshes[i]->sign, here.meshes[i]->sign);
-        QVERIFY(std::abs(there.meshes[i]->tailRadius - here.meshes[i]->tailRadius) < 1e-6);
+        QVERIFY(std::abs(std::abs(there.meshes[i]->tailRadius) - std::abs(here.meshes[i]->tailRadius)) <
+                1e-6);
       }
     }
   }
@@ -130,8 +131,8 @@ class TestPlacement : public QObject {
     const Placement placement = placementOf(ring);
     QVERIFY(placement.meshes[0]->kind == MeshKind::internal);
     QCOMPARE(placement.meshes[0]->sign, 1);
-    QCOMPARE(placement.meshes[0]->tailRadius, 30.0);
-    QCOMPARE(placement.meshes[0]->headRadius, 10.0);
+    QCOMPARE(placement.meshes[0]->tailRadius, -30.0);
+    QCOMPARE(placement.meshes[0]->headRadius, -10.0);
   }
 
   void pitchPointsStayFractionsWhereTheyAre() {
