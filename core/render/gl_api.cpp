@@ -2,7 +2,7 @@
 
 namespace geargraph {
 
-std::string GlApi::load(const GetProcAddress& getProcAddress) {
+std::string GlApi::load(const std::function<void*(const char*)>& getProcAddress) {
 #define GEARGRAPH_GL_LOAD(TYPE, Name)                                                  \
   Name = reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress("gl" #Name)); /* NOLINT */ \
   if (Name == nullptr) return "gl" #Name;

@@ -7,9 +7,6 @@
 
 namespace geargraph {
 
-/// Finds a function of OpenGL by name: eglGetProcAddress, QOpenGLContext::getProcAddress.
-using GetProcAddress = std::function<void*(const char*)>;
-
 // clang-format off
 #define GEARGRAPH_GL_FUNCTIONS(F) \
   F(ACTIVETEXTURE, ActiveTexture) F(ATTACHSHADER, AttachShader) F(BINDATTRIBLOCATION, BindAttribLocation) \
@@ -43,7 +40,7 @@ struct GlApi {
 #undef GEARGRAPH_GL_MEMBER
 
   /// Finds them all. The name of the first that is missing, or an empty text.
-  [[nodiscard]] std::string load(const GetProcAddress& getProcAddress);
+  [[nodiscard]] std::string load(const std::function<void*(const char*)>& getProcAddress);
 };
 
 }  // namespace geargraph

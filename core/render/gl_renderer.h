@@ -1,12 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/base/expected.h"
-#include "core/render/gl_api.h"
 #include "core/render/renderer.h"
 
 namespace geargraph {
+
+/// Finds a function of OpenGL by name: eglGetProcAddress, QOpenGLContext::getProcAddress.
+using GetProcAddress = std::function<void*(const char*)>;
 
 /// A renderer on the OpenGL context that is current: 3.3 core or newer. `getProcAddress` finds its functions.
 /// Fails with `graphics`, naming what the driver lacks.

@@ -32,6 +32,7 @@ struct Instance {
   Pose pose = Pose::Identity();
   Rgb colour;
   ElementId element;
+  std::vector<ElementId> also;  ///< lights up with these too: a gear with its mesh, a shaft with its joint
   bool castsShadow = true;
 };
 

@@ -1,0 +1,103 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/ui/view3d/toy_stage.h"
+#include "ui/view3d/label_layer.h"
+#include "ui/view3d/playback.h"
+
+using namespace geargraph;
+
+class TestPlayback : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void timeRunsAtTheSpeedAndTurnsRoundAtThePeriod() {
+    Playback playback;
+    playback.setPeriod(4);
+    playback.advance(1.5);
+    QCOMPARE(playback.time(), 1.5);
+    playback.setSpeed(2);
+    playback.advance(1);
+    QCOMPARE(playback.time(), 3.5);
+    playback.advance(0.5);
+    QCOMPARE(playback.time(), 0.5);
+    playback.setSpeed(-1);
+    playback.advance(1);
+    QCOMPARE(playback.time(), 3.5);
+  }
+
+  void withoutAPeriodTimeGoesOn() {
+    Playback playback;
+    playback.advance(1e6);
+    QCOMPARE(playback.time(), 1e6);
+    playback.setSpeed(-1);
+    playback.advance(2e6);
+    QCOMPARE(playback.time(), -1e6);
+  }
+
+  void nonsenseIsIgnored() {
+    Playback playback;
+    playback.setTime(std::nan(""));
+    playback.setSpeed(std::numeric_limits<double>::infinity());
+    playback.setPeriod(-3);
+    QCOMPARE(playback.time(), 0.0);
+    QCOMPARE(playback.speed(), 1.0);
+    QCOMPARE(playback.period(), 0.0);
+  }
+
+  void signalsComeOnceAChange() {
+    Playback playback;
+    QSignalSpy times(&playback, &Playback::timeChanged), plays(&playback, &Playback::playingChanged);
+    playback.setTime(2);
+    playback.setTime(2);
+    playback.setPlaying(true);
+    playback.setPlaying(true);
+    playback.toggle();
+    QCOMPARE(times.count(), 1);
+    QCOMPARE(plays.count(), 2);
+  }
+
+  void labelsTouchNeitherEachOtherNorTheBorder() {
+    const StagePtr stage = test::toyStage();
+    std::vector<Pose> poses;
+    for (const Instance& instance : stage->scene.instances) poses.push_back(instance.pose);
+    LabelLayer layer;
+    const Viewport viewport{300, 200};
+    for (double yaw = -3; yaw < 3; yaw += 0.25) {
+      const Camera camera = Camera::from(yaw, 0.3).fitted(cornersOf(stage->scene), viewport);
+      const auto labels = layer.place(*stage, poses, camera, viewport, 1);
+      QCOMPARE(labels.size(), stage->labels.size());
+      for (const PlacedLabel& a : labels) {
+        QVERIFY(QRectF(0, 0, 300, 200)
+                    .contains(
+                        QRectF(a.centre - QPointF(a.radius, a.radius), QSizeF(2 * a.radius, 2 * a.radius))));
+        for (const PlacedLabel& b : labels) {
+          const QPointF away = a.centre - b.centre;
+          QVERIFY(&a == &b || std::hypot(away.x(), away.y()) > a.radius + b.radius - 0.5);
+        }
+        QCOMPARE(LabelLayer::at(*stage, labels, a.centre).value(), stage->labels[a.label].element);
+      }
+    }
+  }
+
+  void aLabelStaysOnItsSideWhileItsPartWavers() {
+    const StagePtr stage = test::toyStage();
+    std::vector<Pose> poses;
+    for (const Instance& instance : stage->scene.instances) poses.push_back(instance.pose);
+    LabelLayer layer;
+    const Viewport viewport{300, 200};
+    const Camera camera = Camera::looking(StandardView::right).fitted(cornersOf(stage->scene), viewport);
+    const auto sideOfBox = [&](double shift) {
+      poses[2].translation().y() = shift;
+      const double at = layer.place(*stage, poses, camera, viewport, 1)[2].centre.x();
+      return at < camera.project(poses[2].translation(), viewport).x ? -1 : 1;
+    };
+    const int first = sideOfBox(2);
+    QCOMPARE(sideOfBox(-2), first);
+    QCOMPARE(sideOfBox(1), first);
+    QCOMPARE(sideOfBox(-15), -first);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestPlayback)
+#include "test_playback.moc"

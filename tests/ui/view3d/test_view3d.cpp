@@ -1,0 +1,278 @@
+#include <QApplication>
+#include <QLabel>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "tests/ui/view3d/toy_stage.h"
+#include "ui/view3d/view3d.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// The view in a window, with the toy on its stage, painted at least once.
+struct Shown {
+  Selection selection;
+  View3D view{&selection};
+
+  explicit Shown(const StagePtr& stage = test::toyStage()) {
+    view.resize(640, 420);
+    view.setStage(stage);
+    view.show();
+    const bool exposed = QTest::qWaitForWindowExposed(&view);
+    Q_ASSERT(exposed);
+    Q_UNUSED(exposed);
+    canvas()->setFocus();
+    view.grab();
+    QTest::qWait(0);
+  }
+
+  [[nodiscard]] QWidget* canvas() { return view.findChild<QWidget*>("view3dCanvas"); }
+  [[nodiscard]] Viewport viewport() { return {canvas()->width(), canvas()->height()}; }
+  /// Where a point of the world is, on the canvas.
+  [[nodiscard]] QPoint at(const Eigen::Vector3d& point) {
+    const ScreenPoint place = view.camera().project(point, viewport());
+    return QPoint(qRound(place.x), qRound(place.y));
+  }
+  void moveTo(const QPoint& place) { QTest::mouseMove(canvas(), place); }
+  void drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, const QPoint& from, const QPoint& by) {
+    QTest::mousePress(canvas(), button, keys, from);
+    const auto move = [&](const QPoint& to) {
+      QMouseEvent event(QEvent::MouseMove, to, canvas()->mapToGlobal(to), Qt::NoButton, button, keys);
+      QApplication::sendEvent(canvas(), &event);
+    };
+    for (int step = 1; step <= 4; ++step) move(from + by * step / 4);
+    QTest::mouseRelease(canvas(), button, keys, from + by);
+  }
+  void wheel(const QPoint& at, int delta) {
+    QWheelEvent event(at, canvas()->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas(), &event);
+  }
+};
+
+const Eigen::Vector3d kOnBox(0, 0, 30), kOnFirst(0, -36, 4), kOnSecond(0, 36, 4);
+
+int distance(const QColor& a, const QColor& b) {
+  return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
+}  // namespace
+
+class TestView3D : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void thePlatformDecidesHowItPaints() {
+    Shown shown;
+    QCOMPARE(shown.view.isStill(), QGuiApplication::platformName() == "offscreen");
+    QVERIFY(!shown.view.rendererName().isEmpty());
+  }
+
+  void theGrabbedWindowShowsTheTrain() {
+    Shown shown;
+    const QImage image = shown.view.grab().toImage();
+    const QColor box = image.pixelColor(shown.at(kOnBox));
+    QVERIFY2(box.green() > box.red() + 40, qPrintable(box.name()));
+    const QColor wheel = image.pixelColor(shown.at(kOnFirst));
+    QVERIFY2(wheel.blue() > wheel.red() + 40, qPrintable(wheel.name()));
+    const QColor ground = image.pixelColor(4, image.height() / 2);
+    QVERIFY2(ground.lightness() > 200, qPrintable(ground.name()));
+  }
+
+  void theDarkGroundIsDark() {
+    Shown shown;
+    shown.view.setDark(true);
+    const QImage image = shown.view.grab().toImage();
+    QVERIFY(image.pixelColor(4, image.height() / 2).lightness() < 90);
+    QVERIFY(image.pixelColor(shown.at(kOnBox)).green() > 80);
+  }
+
+  void hoveringLightsUpAndLeavingDoesNot() {
+    Shown shown;
+    shown.moveTo(shown.at(kOnBox));
+    QTRY_VERIFY(shown.selection.isHovered(LinkId("3")));
+    shown.moveTo(shown.at(kOnSecond));
+    QTRY_VERIFY(shown.selection.isHovered(LinkId("2")));
+    QVERIFY(!shown.selection.isHovered(LinkId("3")));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(shown.canvas(), &leave);
+    QVERIFY(shown.selection.hovered().empty());
+  }
+
+  void aClickSelectsAndControlAddsAndTheGroundClears() {
+    Shown shown;
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, {}, shown.at(kOnBox));
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("3")});
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, Qt::ControlModifier, shown.at(kOnFirst));
+    QCOMPARE(shown.selection.selected(), (std::set<ElementId>{LinkId("1"), LinkId("3")}));
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, Qt::ControlModifier, shown.at(kOnBox));
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("1")});
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, {}, QPoint(3, 200));
+    QVERIFY(shown.selection.selected().empty());
+  }
+
+  void whatIsSelectedElsewhereGetsAHalo() {
+    Shown shown;
+    const QImage before = shown.view.grab().toImage();
+    shown.selection.select({LinkId("3")});
+    const QImage after = shown.view.grab().toImage();
+    QVERIFY(distance(before.pixelColor(shown.at(kOnBox)), after.pixelColor(shown.at(kOnBox))) > 10);
+    QVERIFY(distance(before.pixelColor(shown.at(kOnFirst)), after.pixelColor(shown.at(kOnFirst))) < 6);
+  }
+
+  void leftAndMiddleDragsOrbitAndSelectNothing() {
+    Shown shown;
+    for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton}) {
+      const Camera before = shown.view.camera();
+      shown.drag(button, {}, shown.at(kOnBox), {60, 20});
+      const Camera after = shown.view.camera();
+      QVERIFY(after.yaw() != before.yaw() && after.pitch() != before.pitch());
+      QCOMPARE(after.target(), before.target());
+      QVERIFY(shown.selection.selected().empty());
+    }
+  }
+
+  void rightAndShiftDragsPan() {
+    Shown shown;
+    for (const auto& [button, keys] :
+         {std::pair(Qt::RightButton, Qt::KeyboardModifiers()), {Qt::LeftButton, Qt::ShiftModifier}}) {
+      const Camera before = shown.view.camera();
+      shown.drag(button, keys, {200, 200}, {40, -24});
+      const Camera after = shown.view.camera();
+      QCOMPARE(after.yaw(), before.yaw());
+      const ScreenPoint moved = after.project(before.target(), shown.viewport());
+      QVERIFY(std::abs(moved.x - (0.5 * shown.viewport().width + 40)) < 1e-6);
+      QVERIFY(std::abs(moved.y - (0.5 * shown.viewport().height - 24)) < 1e-6);
+    }
+  }
+
+  void theWheelZoomsAtWhatIsUnderThePointer() {
+    Shown shown;
+    const QPoint at = shown.at({8, -8, 30});
+    const double before = shown.view.camera().distance();
+    shown.wheel(at, 240);
+    QVERIFY(shown.view.camera().distance() < 0.8 * before);
+    QVERIFY((shown.at({8, -8, 30}) - at).manhattanLength() <= 2);
+    shown.wheel(at, -240);
+    QVERIFY(std::abs(shown.view.camera().distance() - before) < 1e-6 * before);
+  }
+
+  void buttonsAndKeysGiveStandardViews() {
+    Shown shown;
+    const auto seesAlong = [&](const Eigen::Vector3d& direction) {
+      return (shown.view.camera().forward() - direction).norm() < 1e-9;
+    };
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dTop"), Qt::LeftButton);
+    QVERIFY(seesAlong({0, 0, -1}));
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dFront"), Qt::LeftButton);
+    QVERIFY(seesAlong({0, 1, 0}));
+    QTest::keyClick(&shown.view, Qt::Key_2);
+    QVERIFY(seesAlong({-1, 0, 0}));
+    QTest::keyClick(&shown.view, Qt::Key_0);
+    QVERIFY(seesAlong(Eigen::Vector3d(-1, 1, -1).normalized()));
+  }
+
+  void fitBringsTheTrainBack() {
+    Shown shown;
+    shown.drag(Qt::RightButton, {}, {200, 200}, {3000, 0});
+    QVERIFY(!QRect({}, shown.canvas()->size()).contains(shown.at(kOnBox)));
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dFit"), Qt::LeftButton);
+    for (const Eigen::Vector3d& point : {kOnBox, kOnFirst, kOnSecond}) {
+      QVERIFY(QRect({}, shown.canvas()->size()).contains(shown.at(point)));
+    }
+  }
+
+  void spacePlaysAndPauses() {
+    Shown shown;
+    QSignalSpy times(&shown.view.playback(), &Playback::timeChanged);
+    QTest::keyClick(&shown.view, Qt::Key_Space);
+    QVERIFY(shown.view.playback().isPlaying());
+    QTRY_VERIFY(times.count() > 3);
+    QTest::keyClick(&shown.view, Qt::Key_Space);
+    QVERIFY(!shown.view.playback().isPlaying());
+  }
+
+  void theScrubBarIsTheTimeWithinThePeriod() {
+    Shown shown;
+    auto* scrub = shown.view.findChild<QSlider*>("view3dScrub");
+    QVERIFY(scrub->isVisible());
+    scrub->setValue(scrub->maximum() / 4);
+    QCOMPARE(shown.view.playback().time(), 1.0);
+    shown.view.playback().setTime(3);
+    QCOMPARE(scrub->value(), scrub->maximum() * 3 / 4);
+    QCOMPARE(shown.view.findChild<QLabel*>("view3dTime")->text(), QString("3.0 s / 4.0 s"));
+  }
+
+  void whatIsSeenAndPickedFollowsTheTime() {
+    Shown shown(test::toyStage(0));
+    shown.view.showFrom(StandardView::right);
+    const Eigen::Vector3d swung(0, 17, 30);  // the box reaches here when its sine is 1
+    shown.view.grab();
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, {}, shown.at(swung));
+    QVERIFY(shown.selection.selected().empty());
+    shown.view.playback().setTime(1.5707963 / 1.5);
+    shown.view.grab();
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, {}, shown.at(swung));
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("3")});
+  }
+
+  void labelsAreDiscsBesideTheirPartsAndCanBeHidden() {
+    Shown shown;
+    const QImage with = shown.view.grab().toImage();
+    shown.view.setLabelsShown(false);
+    const QImage without = shown.view.grab().toImage();
+    int white = 0;
+    for (int y = 0; y < with.height(); ++y) {
+      for (int x = 0; x < with.width(); ++x) {
+        white += with.pixel(x, y) != without.pixel(x, y) && with.pixelColor(x, y) == QColor(Qt::white);
+      }
+    }
+    QVERIFY2(white > 3 * 150, qPrintable(QString::number(white)));
+  }
+
+  void anEmptyStageSaysWhatToDo() {
+    Shown shown(std::make_shared<const Stage>());
+    bool said = false;
+    for (const QLabel* label : shown.view.findChildren<QLabel*>()) {
+      said = said || (label->isVisible() && label->text().contains("place axes"));
+    }
+    QVERIFY(said);
+    QVERIFY(!shown.view.findChild<QSlider*>("view3dScrub")->isVisible());
+    QTest::mouseClick(shown.canvas(), Qt::LeftButton, {}, QPoint(100, 100));
+    QVERIFY(shown.selection.selected().empty());
+  }
+
+  void aDockThatFloatsKeepsItsPicture() {
+    Selection selection;
+    QMainWindow window;
+    auto* view = new View3D(&selection);
+    window.setCentralWidget(view);
+    view->setStage(test::toyStage());
+    window.resize(640, 420);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const QImage before = view->grab().toImage();
+    window.takeCentralWidget();
+    view->setParent(nullptr);
+    view->resize(before.size());
+    view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view));
+    const QImage after = view->grab().toImage();
+    QVERIFY(distance(before.pixelColor(320, 200), after.pixelColor(320, 200)) < 12);
+    delete view;
+  }
+};
+
+int main(int argc, char** argv) {
+  View3D::prepareApplication();
+  QApplication application(argc, argv);
+  TestView3D test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_view3d.moc"

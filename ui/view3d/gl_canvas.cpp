@@ -1,0 +1,119 @@
+#include "ui/view3d/gl_canvas.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
+
+#include "core/render/gl_renderer.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kStillAfter = 180;  // ms
+
+}  // namespace
+
+GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
+    : QOpenGLWidget(parent), m_viewer(viewer), m_labels(labels) {
+  QSurfaceFormat wanted = format();
+  wanted.setVersion(3, 3);
+  wanted.setProfile(QSurfaceFormat::CoreProfile);
+  setFormat(wanted);
+  setMouseTracking(true);
+  m_whenStill.setSingleShot(true);
+  m_whenStill.setInterval(kStillAfter);
+  connect(&m_whenStill, &QTimer::timeout, this, [this] {
+    m_still = true;
+    if (isSoftware()) update();
+  });
+  connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
+  connect(viewer, &Viewer::viewChanged, this, [this] {
+    m_still = false;
+    m_whenStill.start();
+    update();
+  });
+  viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
+}
+
+GlCanvas::~GlCanvas() {
+  m_viewer->setPick({});
+  release();
+}
+
+QString GlCanvas::rendererName() const {
+  return m_renderer == nullptr ? QString() : QString::fromStdString(m_renderer->name());
+}
+
+// The context may go while the widget stays: a dock that floats where contexts are not shared.
+void GlCanvas::release() {
+  if (m_renderer == nullptr) return;
+  makeCurrent();
+  m_renderer.reset();
+  doneCurrent();
+}
+
+void GlCanvas::initializeGL() {
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release, Qt::UniqueConnection);
+  auto renderer = makeGlRenderer([this](const char* name) {
+    return reinterpret_cast<void*>(context()->getProcAddress(name));
+  });  // NOLINT
+  if (!renderer) {
+    emit failed(QString::fromStdString(renderer.error().front().message));
+    return;
+  }
+  m_renderer = std::move(renderer).value();
+  m_sceneIsNew = true;
+  emit started();
+}
+
+void GlCanvas::resizeEvent(QResizeEvent* event) {
+  const double ratio = devicePixelRatioF();
+  m_viewer->setViewport({qMax(1, qRound(width() * ratio)), qMax(1, qRound(height() * ratio))}, ratio);
+  QOpenGLWidget::resizeEvent(event);
+}
+
+void GlCanvas::paintGL() {
+  if (m_renderer == nullptr) return;
+  if (m_sceneIsNew) m_renderer->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
+  m_sceneIsNew = false;
+  m_renderer->draw(m_viewer->frame(isSoftware() && !m_still), defaultFramebufferObject());
+  if (m_viewer->stage() == nullptr) return;
+  // Not on the widget: while it is being grabbed, that paints somewhere else.
+  QOpenGLPaintDevice device(m_viewer->viewport().width, m_viewer->viewport().height);
+  device.setDevicePixelRatio(m_viewer->pixelRatio());
+  QPainter painter(&device);
+  painter.setFont(font());
+  const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
+                                      m_viewer->viewport(), m_viewer->pixelRatio());
+  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+}
+
+std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
+  if (m_renderer == nullptr || m_sceneIsNew)
+    return std::nullopt;  // nothing was painted yet that could be meant
+  makeCurrent();
+  const auto hit = m_renderer->pick(frame, x, y);
+  doneCurrent();
+  return hit;
+}
+
+void GlCanvas::mousePressEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mousePress(*event));
+}
+void GlCanvas::mouseMoveEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseMove(*event));
+}
+void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseRelease(*event));
+}
+void GlCanvas::wheelEvent(QWheelEvent* event) {
+  event->setAccepted(m_viewer->wheel(*event));
+}
+
+void GlCanvas::leaveEvent(QEvent* event) {
+  m_viewer->leave();
+  QOpenGLWidget::leaveEvent(event);
+}
+
+}  // namespace geargraph

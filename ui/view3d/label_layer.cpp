@@ -1,0 +1,104 @@
+#include "ui/view3d/label_layer.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+constexpr double kRadius = 11.5;
+constexpr double kGap = 5;         // between a part and its disc
+constexpr double kCrossed = 0.25;  // of the part's radius beyond the middle: the disc changes sides
+constexpr int kRounds = 12;
+
+QColor colorOf(const Rgb& rgb) {
+  return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
+}
+
+/// Moves touching discs apart, a little in each round, and all of them into the picture.
+void pushApart(std::vector<PlacedLabel>& labels, double width, double height) {
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t a = 0; a < labels.size(); ++a) {
+      for (std::size_t b = a + 1; b < labels.size(); ++b) {
+        QPointF away = labels[b].centre - labels[a].centre;
+        const double distance = std::hypot(away.x(), away.y());
+        const double wanted = labels[a].radius + labels[b].radius + 2;
+        if (distance >= wanted) continue;
+        away = distance > 1e-3 ? away / distance : QPointF(0, 1);
+        labels[a].centre -= 0.5 * (wanted - distance) * away;
+        labels[b].centre += 0.5 * (wanted - distance) * away;
+      }
+    }
+    for (PlacedLabel& label : labels) {
+      const double edge = label.radius + 2;
+      label.centre.setX(std::clamp(label.centre.x(), edge, std::max(edge, width - edge)));
+      label.centre.setY(std::clamp(label.centre.y(), edge, std::max(edge, height - edge)));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const Pose> poses,
+                                           const Camera& camera, const Viewport& viewport,
+                                           double pixelRatio) {
+  if (!m_shown) return {};
+  m_sides.resize(stage.labels.size(), 0);
+  std::vector<ScreenPoint> middles;
+  double centre = 0;
+  for (const StageLabel& label : stage.labels) {
+    middles.push_back(camera.project(poses[label.instance] * label.place, viewport));
+    centre += middles.back().x / static_cast<double>(stage.labels.size());
+  }
+  std::vector<PlacedLabel> placed;
+  for (std::size_t i = 0; i < stage.labels.size(); ++i) {
+    const ScreenPoint& middle = middles[i];
+    if (middle.depth <= 0) continue;
+    const double reach =
+        stage.labels[i].radius / camera.millimetresPerPixel(viewport) * camera.distance() / middle.depth;
+    const double off = middle.x - centre;
+    if (m_sides[i] == 0 || off * m_sides[i] < -kCrossed * reach) m_sides[i] = off < 0 ? -1 : 1;
+    const double away = reach / pixelRatio + kRadius + kGap;
+    const QPointF at(middle.x / pixelRatio + 0.93 * m_sides[i] * away, middle.y / pixelRatio - 0.37 * away);
+    placed.push_back({i, at, kRadius});
+  }
+  pushApart(placed, viewport.width / pixelRatio, viewport.height / pixelRatio);
+  return placed;
+}
+
+void LabelLayer::paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels,
+                       bool dark) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setBold(true);
+  for (const PlacedLabel& placed : labels) {
+    const StageLabel& label = stage.labels[placed.label];
+    const QString text = QString::fromStdString(label.text);
+    font.setPixelSize(12);
+    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    const double room = 2 * placed.radius - 7;
+    if (width > room) font.setPixelSize(std::max(6, static_cast<int>(12 * room / width)));
+    painter.setFont(font);
+    painter.setPen(QPen(colorOf(label.colour), 2.2));
+    painter.setBrush(dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white));
+    painter.drawEllipse(placed.centre, placed.radius, placed.radius);
+    painter.setPen(dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
+    const QPointF corner(placed.radius, placed.radius);
+    painter.drawText(QRectF(placed.centre - corner, placed.centre + corner), Qt::AlignCenter, text);
+  }
+  painter.restore();
+}
+
+std::optional<ElementId> LabelLayer::at(const Stage& stage, const std::vector<PlacedLabel>& labels,
+                                        const QPointF& place) {
+  for (const PlacedLabel& label : labels) {
+    const QPointF away = place - label.centre;
+    if (std::hypot(away.x(), away.y()) <= label.radius) return stage.labels[label.label].element;
+  }
+  return std::nullopt;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/render/camera.h"
+#include "core/render/stage.h"
+
+class QPainter;
+
+namespace geargraph {
+
+/// A label's disc in the picture, in logical pixels.
+struct PlacedLabel {
+  std::size_t label = 0;  ///< position in Stage::labels
+  QPointF centre;
+  double radius = 0;
+};
+
+/// The discs with numbers that face the viewer: each beside its part, on the side away from the train's
+/// middle, pushed apart where two would touch. A disc changes sides only when its part has clearly crossed
+/// the middle, so that turning parts do not make it flicker.
+class LabelLayer {
+ public:
+  void setShown(bool shown) { m_shown = shown; }
+  [[nodiscard]] bool isShown() const { return m_shown; }
+  void reset() { m_sides.clear(); }
+
+  /// Cost: O(labels²), for the pushing.
+  [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,
+                                               const Camera& camera, const Viewport& viewport,
+                                               double pixelRatio);
+  static void paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels, bool dark);
+  /// The element of the label under a place.
+  [[nodiscard]] static std::optional<ElementId> at(const Stage& stage, const std::vector<PlacedLabel>& labels,
+                                                   const QPointF& place);
+
+ private:
+  bool m_shown = true;
+  std::vector<int> m_sides;  ///< by label: -1 left, +1 right, 0 not placed yet
+};
+
+}  // namespace geargraph

@@ -1,0 +1,58 @@
+#include "ui/view3d/playback.h"
+
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+constexpr int kMillisecondsPerFrame = 16;
+constexpr double kLongestFrame =
+    0.25;  // s: after a pause of the whole program the motion goes on, it does not jump
+
+}  // namespace
+
+Playback::Playback(QObject* parent) : QObject(parent) {
+  m_timer.setTimerType(Qt::PreciseTimer);
+  m_timer.setInterval(kMillisecondsPerFrame);
+  connect(&m_timer, &QTimer::timeout, this, [this] {
+    advance(std::min(kLongestFrame, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1e-9));
+    m_sinceFrame.restart();
+  });
+}
+
+void Playback::setPeriod(double seconds) {
+  m_period = std::isfinite(seconds) && seconds > 0 ? seconds : 0;
+  setTime(m_time);
+}
+
+void Playback::advance(double seconds) {
+  setTime(m_time + m_speed * seconds);
+}
+
+void Playback::setPlaying(bool playing) {
+  if (playing == isPlaying()) return;
+  if (playing) {
+    m_sinceFrame.start();
+    m_timer.start();
+  } else {
+    m_timer.stop();
+  }
+  emit playingChanged(playing);
+}
+
+void Playback::setTime(double seconds) {
+  if (!std::isfinite(seconds)) return;
+  if (m_period > 0 && (seconds < 0 || seconds > m_period))
+    seconds -= m_period * std::floor(seconds / m_period);
+  if (seconds == m_time) return;
+  m_time = seconds;
+  emit timeChanged(m_time);
+}
+
+void Playback::setSpeed(double speed) {
+  if (speed == m_speed || !std::isfinite(speed)) return;
+  m_speed = speed;
+  emit speedChanged(speed);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,83 @@
+#include "ui/view3d/still_canvas.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace geargraph {
+
+StillCanvas::StillCanvas(Viewer* viewer, LabelLayer* labels, const QString& why, QWidget* parent)
+    : QWidget(parent), m_viewer(viewer), m_labels(labels), m_sentence(why) {
+  setMouseTracking(true);
+  auto host = EglHost::create();
+  if (host) {
+    m_host = std::move(host).value();
+    viewer->setPick([this](const Frame& frame, double x, double y) -> std::optional<Hit> {
+      return m_sceneIsNew ? std::nullopt : m_host->pick(frame, x, y);
+    });
+  } else {
+    m_sentence = QString::fromStdString(host.error().front().message);
+  }
+  connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
+  connect(viewer, &Viewer::viewChanged, this, [this] {
+    m_imageIsOld = true;
+    update();
+  });
+}
+
+StillCanvas::~StillCanvas() {
+  m_viewer->setPick({});
+}
+
+QString StillCanvas::rendererName() const {
+  return m_host == nullptr ? QString() : QString::fromStdString(m_host->name());
+}
+
+void StillCanvas::resizeEvent(QResizeEvent* event) {
+  const double ratio = devicePixelRatioF();
+  m_viewer->setViewport({qMax(1, qRound(width() * ratio)), qMax(1, qRound(height() * ratio))}, ratio);
+  m_imageIsOld = true;
+  QWidget::resizeEvent(event);
+}
+
+void StillCanvas::paintPicture(QPainter& painter) {
+  if (m_sceneIsNew) m_host->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
+  if (m_sceneIsNew || m_imageIsOld) {
+    const Image image = m_host->picture(m_viewer->frame());
+    m_image = QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+  }
+  m_sceneIsNew = m_imageIsOld = false;
+  painter.drawImage(rect(), m_image);
+  if (m_viewer->stage() == nullptr) return;
+  const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
+                                      m_viewer->viewport(), m_viewer->pixelRatio());
+  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+}
+
+void StillCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (m_host != nullptr) paintPicture(painter);
+  painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
+  const QRect inside = rect().adjusted(12, 30, -12, -10);
+  const int where = m_host != nullptr ? Qt::AlignTop | Qt::AlignLeft : Qt::AlignCenter;
+  painter.drawText(inside, where | Qt::TextWordWrap, m_sentence);
+}
+
+void StillCanvas::mousePressEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mousePress(*event));
+}
+void StillCanvas::mouseMoveEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseMove(*event));
+}
+void StillCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseRelease(*event));
+}
+void StillCanvas::wheelEvent(QWheelEvent* event) {
+  event->setAccepted(m_viewer->wheel(*event));
+}
+
+void StillCanvas::leaveEvent(QEvent* event) {
+  m_viewer->leave();
+  QWidget::leaveEvent(event);
+}
+
+}  // namespace geargraph

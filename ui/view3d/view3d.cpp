@@ -1,0 +1,262 @@
+#include "ui/view3d/view3d.h"
+
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/view3d/gl_canvas.h"
+#include "ui/view3d/playback_bar.h"
+#include "ui/view3d/still_canvas.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kTimeStep = 0.05;  // s, of the keys , and .
+
+/// Why there can be no window of the graphics card; empty where there can. Under some platforms of Qt a
+/// QOpenGLWidget never gets its context, and nobody tells it.
+QString obstacle() {
+  const QString platform = QGuiApplication::platformName();
+  if (platform == "offscreen" || platform == "minimal" || platform == "vnc" || platform == "linuxfb") {
+    return QObject::tr(
+               "Qt's platform \"%1\" has no OpenGL windows: a still picture, drawn beside the screen.")
+        .arg(platform);
+  }
+  QOpenGLContext context;
+  QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
+  wanted.setVersion(3, 3);
+  wanted.setProfile(QSurfaceFormat::CoreProfile);
+  context.setFormat(wanted);
+  if (context.create() && context.format().version() >= qMakePair(3, 3)) return {};
+  return QObject::tr("This display offers no OpenGL 3.3: a still picture, drawn beside the screen.");
+}
+
+}  // namespace
+
+class View3D::Private {
+ public:
+  Private(View3D* view, Selection* selection)
+      : q(view), viewer(selection), bar(new PlaybackBar(&playback, view)), emptyText(new QLabel(view)) {}
+
+  void useGl();
+  void useStill(const QString& why);
+  void place(QWidget* canvas);
+  void addButton(const QString& text, const QString& tip, const std::function<void()>& act);
+  void makeButtons();
+
+  View3D* q;
+  Viewer viewer;
+  LabelLayer labels;
+  Playback playback;
+  GlCanvas* gl = nullptr;
+  StillCanvas* still = nullptr;
+  PlaybackBar* bar;
+  QWidget* buttons = nullptr;
+  QLabel* emptyText;
+  bool dark = false;
+};
+
+void View3D::Private::place(QWidget* canvas) {
+  canvas->setObjectName("view3dCanvas");
+  canvas->setFocusProxy(q);
+  q->layout()->addWidget(canvas);
+  canvas->lower();
+}
+
+void View3D::Private::useGl() {
+  gl = new GlCanvas(&viewer, &labels, q);
+  gl->setDark(dark);
+  place(gl);
+  connect(gl, &GlCanvas::started, q, [this] {
+    if (gl->isSoftware()) {
+      emit q->notice(
+          tr("3D is painted by the processor (%1): finer when it stands still.").arg(gl->rendererName()));
+    }
+  });
+  // Not at once: the canvas is in the middle of its own event.
+  connect(
+      gl, &GlCanvas::failed, q,
+      [this](const QString& why) {
+        gl->deleteLater();
+        gl = nullptr;
+        useStill(why);
+      },
+      Qt::QueuedConnection);
+}
+
+void View3D::Private::useStill(const QString& why) {
+  still = new StillCanvas(&viewer, &labels, why, q);
+  still->setDark(dark);
+  place(still);
+  still->show();
+}
+
+void View3D::Private::addButton(const QString& text, const QString& tip, const std::function<void()>& act) {
+  auto* button = new QToolButton(buttons);
+  button->setObjectName("view3d" + text);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  buttons->layout()->addWidget(button);
+  connect(button, &QToolButton::clicked, q, act);
+}
+
+void View3D::Private::makeButtons() {
+  buttons = new QWidget(q);
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  addButton(tr("Fit"), tr("All of the train in the view (F)"), [this] { q->fit(); });
+  addButton(tr("Iso"), tr("Isometric (0)"), [this] { q->showFrom(StandardView::isometric); });
+  addButton(tr("Front"), tr("From the front: x to the right, z up (1)"),
+            [this] { q->showFrom(StandardView::front); });
+  addButton(tr("Right"), tr("From the right: y to the right, z up (2)"),
+            [this] { q->showFrom(StandardView::right); });
+  addButton(tr("Top"), tr("From above: x to the right, y up (3)"),
+            [this] { q->showFrom(StandardView::top); });
+  addButton(tr("Labels"), tr("Numbers of the links on or off"),
+            [this] { q->setLabelsShown(!q->labelsShown()); });
+}
+
+void View3D::prepareApplication() {
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+View3D::View3D(Selection* selection, QWidget* parent)
+    : QWidget(parent), d(std::make_unique<Private>(this, selection)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(220, 160);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  d->emptyText->setAlignment(Qt::AlignCenter);
+  d->emptyText->setWordWrap(true);
+  d->emptyText->setAttribute(Qt::WA_TransparentForMouseEvents);
+  d->makeButtons();
+  const QString why = obstacle();
+  why.isEmpty() ? d->useGl() : d->useStill(why);
+  connect(&d->playback, &Playback::timeChanged, &d->viewer, &Viewer::setTime);
+  connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
+  setDark(false);
+  setEmptyText(tr("Nothing to turn yet: place axes and give the meshes their teeth."));
+}
+
+// The canvas goes while the viewer it looks at is still there.
+View3D::~View3D() {
+  delete d->gl;
+  delete d->still;
+}
+
+void View3D::setStage(const StagePtr& stage) {
+  d->labels.reset();
+  d->viewer.setStage(stage);
+  d->playback.setPeriod(stage ? stage->period : 0);
+  d->viewer.setTime(d->playback.time());
+  d->bar->refresh();
+  setEmptyText(d->emptyText->text());
+}
+
+const StagePtr& View3D::stage() const {
+  return d->viewer.stage();
+}
+
+void View3D::setEmptyText(const QString& text) {
+  d->emptyText->setText(text);
+  d->emptyText->setVisible(stage() == nullptr || stage()->scene.instances.empty());
+  const bool moves = stage() != nullptr && stage()->place && !stage()->inputSpeeds.empty();
+  d->bar->setVisible(moves);
+}
+
+Playback& View3D::playback() {
+  return d->playback;
+}
+
+void View3D::setAngles(const std::vector<double>& angles) {
+  d->viewer.setAngles(angles);
+}
+
+const Camera& View3D::camera() const {
+  return d->viewer.camera();
+}
+void View3D::setCamera(const Camera& camera) {
+  d->viewer.setCamera(camera);
+}
+
+void View3D::setDark(bool dark) {
+  d->dark = dark;
+  if (d->gl != nullptr) d->gl->setDark(dark);
+  if (d->still != nullptr) d->still->setDark(dark);
+  d->bar->setDark(dark);
+  d->viewer.setLook(dark ? Look::dark() : Look::light());
+}
+
+bool View3D::labelsShown() const {
+  return d->labels.isShown();
+}
+
+void View3D::setLabelsShown(bool shown) {
+  d->labels.setShown(shown);
+  emit d->viewer.viewChanged();
+}
+
+QString View3D::rendererName() const {
+  if (d->gl != nullptr) return d->gl->rendererName();
+  return d->still->rendererName();
+}
+
+bool View3D::isStill() const {
+  return d->gl == nullptr;
+}
+
+void View3D::fit() {
+  d->viewer.fit();
+}
+void View3D::showFrom(StandardView view) {
+  d->viewer.showFrom(view);
+}
+
+void View3D::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Space:
+      if (!event->isAutoRepeat()) d->playback.toggle();
+      return;
+    case Qt::Key_F:
+    case Qt::Key_Home:
+      return fit();
+    case Qt::Key_0:
+      return showFrom(StandardView::isometric);
+    case Qt::Key_1:
+      return showFrom(StandardView::front);
+    case Qt::Key_2:
+      return showFrom(StandardView::right);
+    case Qt::Key_3:
+      return showFrom(StandardView::top);
+    case Qt::Key_Comma:
+      return d->playback.setTime(d->playback.time() - kTimeStep);
+    case Qt::Key_Period:
+      return d->playback.setTime(d->playback.time() + kTimeStep);
+    default:
+      if (!d->viewer.keyPress(*event)) QWidget::keyPressEvent(event);
+  }
+}
+
+void View3D::resizeEvent(QResizeEvent* event) {
+  const QSize wanted = d->buttons->sizeHint();
+  d->buttons->setGeometry(width() - wanted.width() - 6, 4, wanted.width(), wanted.height());
+  const int height = d->bar->sizeHint().height();
+  d->bar->setGeometry(96, this->height() - height, width() - 96, height);
+  d->emptyText->setGeometry(rect().adjusted(30, 30, -30, -30));
+  QWidget::resizeEvent(event);
+}
+
+}  // namespace geargraph

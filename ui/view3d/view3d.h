@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/render/camera.h"
+#include "core/render/stage.h"
+#include "ui/selection/selection.h"
+#include "ui/view3d/playback.h"
+
+namespace geargraph {
+
+/// The 3D view: a stage that can be turned, zoomed and played.
+///
+/// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
+/// arrows orbit, + and - zoom; , and . step the time back and on. Mouse: viewer.h.
+class View3D : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit View3D(Selection* selection, QWidget* parent = nullptr);
+  ~View3D() override;
+
+  /// Call before the QApplication is made: contexts are shared, so that a dock that floats uploads nothing
+  /// again.
+  static void prepareApplication();
+
+  /// What is shown. Camera and time stay; the first stage is fitted into the view.
+  void setStage(const StagePtr& stage);
+  [[nodiscard]] const StagePtr& stage() const;
+  /// Shown in place of an empty stage: why there is nothing, and what to do.
+  void setEmptyText(const QString& text);
+
+  [[nodiscard]] Playback& playback();
+  /// Poses for angles set by hand (rad, one an input), until the time next changes.
+  void setAngles(const std::vector<double>& angles);
+
+  [[nodiscard]] const Camera& camera() const;
+  void setCamera(const Camera& camera);
+  void setDark(bool dark);
+  [[nodiscard]] bool labelsShown() const;
+  /// What paints, as the driver says; empty before the first picture, or where there is none.
+  [[nodiscard]] QString rendererName() const;
+  /// Is the view a picture beside the screen, for want of a window of the graphics card?
+  [[nodiscard]] bool isStill() const;
+
+ public slots:
+  void fit();
+  void showFrom(geargraph::StandardView view);
+  void setLabelsShown(bool shown);
+
+ signals:
+  void cameraChanged();
+  /// "Painted by llvmpipe ...": said once, where frames are dear.
+  void notice(const QString& sentence);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <functional>
+#include <vector>
+
+#include "core/render/renderer.h"
+#include "core/render/stage.h"
+#include "ui/selection/selection.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace geargraph {
+
+/// What a canvas of the 3D view shows and how the hand moves it, without any painting: the stage, the poses
+/// of the moment, the camera, what is lit up, and the gestures.
+///
+///     left or middle drag        orbit          wheel      zoom at the pointer
+///     right or Shift+left drag   pan            click      select (Ctrl: add or take away)
+///     arrows                     orbit          + -        zoom
+class Viewer : public QObject {
+  Q_OBJECT
+
+ public:
+  /// What is under a place of the picture; the canvas knows.
+  using Pick = std::function<std::optional<Hit>(const Frame& frame, double x, double y)>;
+
+  explicit Viewer(Selection* selection, QObject* parent = nullptr);
+
+  void setStage(StagePtr stage);
+  [[nodiscard]] const StagePtr& stage() const { return m_stage; }
+  /// Poses for this time, all inputs running at their speeds from 0.
+  void setTime(double seconds);
+  /// Poses for these angles of the inputs, rad.
+  void setAngles(std::span<const double> angles);
+  [[nodiscard]] std::span<const Pose> poses() const { return m_poses; }
+
+  [[nodiscard]] const Camera& camera() const { return m_camera; }
+  void setCamera(const Camera& camera);
+  void showFrom(StandardView view);
+  void fit();
+
+  void setLook(const Look& look);
+  void setPick(Pick pick) { m_pick = std::move(pick); }
+  /// The canvas' size in device pixels, and how many of them a logical pixel is.
+  void setViewport(const Viewport& viewport, double pixelRatio);
+  [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
+  [[nodiscard]] double pixelRatio() const { return m_pixelRatio; }
+
+  /// The picture of the moment. `quick`: while it moves on slow hardware. Valid until the next change.
+  [[nodiscard]] Frame frame(bool quick = false) const;
+
+  /// @return the event was one of the gestures above
+  bool mousePress(const QMouseEvent& event);
+  bool mouseMove(const QMouseEvent& event);
+  bool mouseRelease(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool keyPress(const QKeyEvent& event);
+  void leave();
+
+ signals:
+  void sceneChanged();  ///< other solids or instances
+  void viewChanged();   ///< anything that is painted
+  void cameraChanged();
+
+ private:
+  enum class Gesture { none, orbit, pan };
+
+  void lightUp();
+  [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
+  void zoomAt(const QPointF& place, double factor);
+
+  Selection* m_selection;
+  StagePtr m_stage;
+  std::vector<Pose> m_poses;
+  std::vector<Emphasis> m_emphasis;
+  Camera m_camera = Camera::from(-0.45, 0.35);
+  Look m_look = Look::light();
+  Viewport m_viewport;
+  double m_pixelRatio = 1;
+  bool m_fitted = false;  ///< the first size a stage is seen in fits it
+  Pick m_pick;
+  Gesture m_gesture = Gesture::none;
+  QPointF m_pressedAt;
+  QPointF m_last;
+  bool m_dragged = false;
+};
+
+}  // namespace geargraph
