@@ -1,0 +1,118 @@
+#include "app/cli/analyze_text.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace geargraph::cli {
+namespace {
+
+constexpr int kMostRows = 40;
+constexpr int kMostColumns = 40;
+constexpr int kMostElements = 100;
+
+std::string rightAligned(std::string_view text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 0, ' ') + std::string(text);
+}
+
+std::string counted(int count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+}
+
+std::string heading(const Mechanism& m) {
+  return (m.name.empty() ? std::string("Mechanism without a name") : m.name) +
+         "\nn = " + counted(m.n(), "moving link", "moving links") +
+         ", t = " + counted(m.t(), "turning joint", "turning joints") +
+         ", c = " + counted(m.c(), "gear mesh", "gear meshes") + '\n';
+}
+
+/// The labels of the links, so that joints and meshes are listed with numbers.
+std::unordered_map<LinkId, std::string> labelsOfLinks(const Mechanism& m) {
+  std::unordered_map<LinkId, std::string> labels;
+  for (std::size_t i = 0; i < m.links.size(); ++i) labels[m.links[i].id] = std::to_string(i);
+  return labels;
+}
+
+std::string elements(const Mechanism& m) {
+  if (m.n() + m.t() + m.c() > kMostElements) return {};
+  auto labels = labelsOfLinks(m);
+  const auto arrow = [&](LinkId tail, LinkId head) { return labels[tail] + " -> " + labels[head]; };
+  std::string text = "\nLinks\n";
+  for (int i = 0; i <= m.n(); ++i) {
+    const Link& link = m.links[static_cast<std::size_t>(i)];
+    const std::string label = std::to_string(m.linkLabel(i));
+    text += rightAligned(label, 5) + (link.id.text() == label ? "" : "  " + link.id.text()) +
+            (link.name.empty() ? "" : "  " + link.name) + '\n';
+  }
+  text += "\nTurning joints\n";
+  for (int i = 0; i < m.t(); ++i) {
+    const TurningJoint& joint = m.turningJoints[static_cast<std::size_t>(i)];
+    text += rightAligned(std::to_string(m.jointLabel(i)), 5) + "  " + arrow(joint.tail, joint.head) +
+            "  axis " + joint.axis.text() + '\n';
+  }
+  text += "\nGear meshes\n";
+  for (int i = 0; i < m.c(); ++i) {
+    const GearMesh& mesh = m.gearMeshes[static_cast<std::size_t>(i)];
+    text += rightAligned(std::to_string(m.meshLabel(i)), 5) + "  " + arrow(mesh.tail, mesh.head) +
+            "  teeth " + std::to_string(mesh.tailTeeth) + " : " + std::to_string(mesh.headTeeth) +
+            (mesh.kind ? "  " + std::string(meshKindName(*mesh.kind)) : "") + '\n';
+  }
+  return text;
+}
+
+std::string title(const IntegerMatrix& matrix) {
+  std::string text =
+      '\n' + std::string(matrixSymbol(matrix.kind())) + "   " + std::string(matrixTitle(matrix.kind()));
+  if (const int equation = matrixEquation(matrix.kind()); equation > 0)
+    text += ", Eq. (" + std::to_string(equation) + ')';
+  return text + '\n';
+}
+
+/// Rows and columns under their labels, zeros as dots, a bar where the matrix is parted.
+std::string grid(const IntegerMatrix& matrix) {
+  std::size_t labelWidth = 0;
+  std::size_t width = 2;
+  for (int row = 0; row < matrix.rows(); ++row)
+    labelWidth = std::max(labelWidth, matrix.rowHeading(row).text.size());
+  for (int column = 0; column < matrix.columns(); ++column) {
+    width = std::max(width, matrix.columnHeading(column).text.size());
+  }
+  const auto part = [&](int column) { return matrix.partition() == column ? " |" : ""; };
+  std::string text = std::string(labelWidth + 2, ' ');
+  for (int column = 0; column < matrix.columns(); ++column) {
+    text += (matrix.partition() == column ? "  " : "") +
+            rightAligned(matrix.columnHeading(column).text, width + 1);
+  }
+  text += '\n';
+  for (int row = 0; row < matrix.rows(); ++row) {
+    text += "  " + rightAligned(matrix.rowHeading(row).text, labelWidth);
+    for (int column = 0; column < matrix.columns(); ++column) {
+      const int value = matrix.entry(row, column);
+      text += part(column) + rightAligned(value == 0 ? "." : std::to_string(value), width + 1);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string matrixText(const IntegerMatrix& matrix) {
+  const std::string shape =
+      counted(matrix.rows(), "row", "rows") + ", " + counted(matrix.columns(), "column", "columns");
+  if (matrix.rows() == 0 || matrix.columns() == 0) return title(matrix) + "  " + shape + '\n';
+  if (matrix.rows() > kMostRows || matrix.columns() > kMostColumns) {
+    return title(matrix) + "  " + shape + ": too large to print; see \"export --to csv --matrix " +
+           std::string(matrixCommandName(matrix.kind())) + "\"\n";
+  }
+  return title(matrix) + grid(matrix);
+}
+
+}  // namespace
+
+std::string analysisText(const AnalysisSnapshot& snapshot) {
+  std::string text = heading(*snapshot.mechanism) + elements(*snapshot.mechanism);
+  for (const IntegerMatrixPtr& matrix : snapshot.matrices) {
+    if (matrix) text += matrixText(*matrix);
+  }
+  return text;
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace geargraph::cli {
+
+/// An option that a command knows. Options with a value take it as `--name value` or `--name=value`.
+struct Option {
+  std::string_view name;   ///< "--matrix", "-o"
+  std::string_view value;  ///< what stands for the value in the help, e.g. "NAME"; empty where there is none
+  std::string_view help;
+};
+
+/// The words behind a command, sorted out.
+struct Arguments {
+  std::vector<std::string> files;
+  std::map<std::string, std::vector<std::string>, std::less<>> options;
+
+  [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
+  /// The last value of the option, if it was given.
+  [[nodiscard]] std::optional<std::string> value(std::string_view option) const;
+  [[nodiscard]] std::vector<std::string> values(std::string_view option) const;
+};
+
+/// What is wrong with the words, as a sentence.
+struct UsageError {
+  std::string message;
+};
+
+/// Sorts words into options and files; "-" is a file, and so is everything behind "--".
+[[nodiscard]] std::variant<Arguments, UsageError> parseArguments(std::span<const std::string> words,
+                                                                 std::span<const Option> known);
+
+}  // namespace geargraph::cli

@@ -1,0 +1,58 @@
+#include "app/cli/diagnostics_output.h"
+
+#include <map>
+#include <vector>
+
+namespace geargraph::cli {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+void writeElements(JsonWriter& json, const std::vector<ElementId>& elements) {
+  std::map<ElementKind, std::vector<std::string>> lists;
+  for (const ElementId& element : elements) lists[element.kind].push_back(element.id.text());
+  json.beginObject(Layout::row);
+  for (const auto& [kind, ids] : lists) {
+    json.key(listName(kind));
+    json.beginArray(Layout::row);
+    for (const std::string& id : ids) json.string(id);
+    json.endArray();
+  }
+  json.endObject();
+}
+
+}  // namespace
+
+std::string diagnosticLines(std::string_view file, const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    text += file;
+    if (diagnostic.line > 0) {
+      text += ':' + std::to_string(diagnostic.line) + ':' + std::to_string(diagnostic.column);
+    }
+    text += ": " + std::string(severityName(diagnostic.severity())) + ": " + diagnostic.message + " [" +
+            std::string(codeName(diagnostic.code)) + "]\n";
+  }
+  return text;
+}
+
+void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics) {
+  json.beginArray();
+  for (const Diagnostic& diagnostic : diagnostics) {
+    json.beginObject(Layout::row);
+    json.member("severity", severityName(diagnostic.severity()));
+    json.member("code", codeName(diagnostic.code));
+    json.member("message", diagnostic.message);
+    json.key("elements");
+    writeElements(json, diagnostic.elements);
+    if (!diagnostic.pointer.empty()) json.member("pointer", diagnostic.pointer);
+    if (diagnostic.line > 0) {
+      json.member("line", diagnostic.line);
+      json.member("column", diagnostic.column);
+    }
+    json.endObject();
+  }
+  json.endArray();
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+#include "core/io/json_writer.h"
+
+namespace geargraph::cli {
+
+/// One line a finding, as compilers print theirs: "robot.geargraph:12:5: error: ... [schema]".
+[[nodiscard]] std::string diagnosticLines(std::string_view file, const Diagnostics& diagnostics);
+
+/// The value of the member "diagnostics": severity, code, message, the ids by their lists; for findings in
+/// the text of the file also pointer, line and column.
+void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics);
+
+}  // namespace geargraph::cli

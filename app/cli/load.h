@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/base/expected.h"
+#include "core/io/file.h"
+#include "core/mechanism/mechanism.h"
+
+namespace geargraph::cli {
+
+/// The document of a file, or why it is none, or why there is no such file.
+[[nodiscard]] std::variant<Expected<Mechanism>, FileError> load(const std::string& path);
+
+}  // namespace geargraph::cli

@@ -1,0 +1,79 @@
+// `geargraph-cli`: finds the command, sorts its words, and runs it.
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr std::string_view kExitStatus =
+    "Exit status: 0 fine (warnings allowed), 1 the mechanism has errors, 2 wrong usage or a file that could "
+    "not be "
+    "read or\nwritten, 3 out of a stated resource limit. \"-\" is standard input or output.\n";
+
+std::string programHelp() {
+  std::string text =
+      "geargraph-cli: the analysis of geared mechanisms, without a window.\n\nUsage: geargraph-cli COMMAND "
+      "FILE "
+      "[OPTIONS]\n\nCommands:\n";
+  for (const Command* command : commands()) {
+    text += "  " + std::string(command->name) + std::string(12 - command->name.size(), ' ');
+    text += std::string(command->summary) + '\n';
+  }
+  return text + "\n--help and --version work on every command.\n" + std::string(kExitStatus);
+}
+
+std::string commandHelp(const Command& command) {
+  std::string text = "Usage: geargraph-cli " + std::string(command.name) + ' ' + std::string(command.usage) +
+                     "\n\n" + std::string(command.summary) + "\n\nOptions:\n";
+  constexpr std::size_t kIndent = 28;
+  for (const Option& option : command.options) {
+    std::string line = "  " + std::string(option.name);
+    if (!option.value.empty()) line += ' ' + std::string(option.value);
+    line.resize(std::max(line.size() + 1, kIndent), ' ');
+    text += line + std::string(option.help) + '\n';
+  }
+  return text + '\n' + std::string(kExitStatus);
+}
+
+bool contains(const std::vector<std::string>& words, std::string_view wanted) {
+  const auto end = std::find(words.begin(), words.end(), "--");
+  return std::find(words.begin(), end, wanted) != end;
+}
+
+int run(const std::vector<std::string>& words) {
+  const std::string version = "geargraph-cli " GEARGRAPH_VERSION "\n";
+  const std::string name = words.empty() ? "" : words.front();
+  const auto command =
+      std::find_if(commands().begin(), commands().end(), [&](const Command* c) { return c->name == name; });
+  if (command == commands().end()) {
+    if (contains(words, "--version")) return print(version);
+    if (contains(words, "--help")) return print(programHelp());
+    if (!name.empty()) std::cerr << "geargraph-cli: There is no command \"" << name << "\".\n\n";
+    std::cerr << programHelp();
+    return kUsageOrFile;
+  }
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  if (contains(rest, "--help")) return print(commandHelp(**command));
+  if (contains(rest, "--version")) return print(version);
+  const auto arguments = parseArguments(rest, (*command)->options);
+  if (const auto* error = std::get_if<UsageError>(&arguments)) return wrongUsage(**command, error->message);
+  return (*command)->run(std::get<Arguments>(arguments));
+}
+
+}  // namespace
+}  // namespace geargraph::cli
+
+int main(int count, char** words) {
+  try {
+    return geargraph::cli::run({words + 1, words + std::max(count, 1)});
+  } catch (const std::bad_alloc&) {
+    std::cerr << "geargraph-cli: The memory does not suffice for this mechanism.\n";
+    return geargraph::cli::kResourceLimit;
+  }
+}

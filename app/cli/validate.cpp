@@ -1,0 +1,47 @@
+// `validate FILE [--json]`: only the diagnostics.
+
+#include <array>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/load.h"
+#include "core/analysis/analysis.h"
+
+namespace geargraph::cli {
+namespace {
+
+std::string asJson(const Diagnostics& diagnostics) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.member("format", "geargraph-validation");
+    json.member("version", 1);
+    json.key("diagnostics");
+    writeDiagnostics(json, diagnostics);
+    json.endObject();
+  }
+  return sink.take();
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kValidate, "One file is needed.");
+  const std::string& file = arguments.files.front();
+  auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  const Diagnostics diagnostics =
+      document ? analyze(std::make_shared<const Mechanism>(*document))->diagnostics : document.error();
+  const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
+  if (arguments.has("--json")) return print(asJson(diagnostics), status);
+  return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);
+}
+
+constexpr std::array kOptions = {Option{"--json", "", "as JSON"}};
+
+}  // namespace
+
+const Command kValidate = {"validate", "FILE [--json]", "Says what is wrong with a file.", kOptions, run};
+
+}  // namespace geargraph::cli

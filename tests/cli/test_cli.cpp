@@ -1,0 +1,184 @@
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "core/analysis/analysis.h"
+#include "core/io/file.h"
+#include "core/io/mechanism_file.h"
+#include "tests/core/support/mechanisms.h"
+
+using namespace geargraph;
+using nlohmann::json;
+
+namespace {
+
+const QString kRobot = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
+
+struct Run {
+  int status = -1;
+  std::string output;
+  std::string errors;
+};
+
+Run run(const QStringList& words, const QByteArray& input = {}) {
+  QProcess process;
+  process.start(QStringLiteral(GEARGRAPH_CLI), words);
+  process.write(input);
+  process.closeWriteChannel();
+  process.waitForFinished(60'000);
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
+}
+
+/// Rows of fields of plain CSV, without quotes.
+std::vector<std::vector<std::string>> table(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  for (const QString& line : QString::fromStdString(csv).split('\n', Qt::SkipEmptyParts)) {
+    rows.emplace_back();
+    for (const QString& field : line.split(',')) rows.back().push_back(field.toStdString());
+  }
+  return rows;
+}
+
+test::Dense matrixOfJson(const json& matrix) {
+  test::Dense dense(matrix["rows"].size(), std::vector<int>(matrix["columns"].size(), 0));
+  std::map<int, std::size_t> row;
+  std::map<int, std::size_t> column;
+  for (std::size_t i = 0; i < matrix["rows"].size(); ++i) row[matrix["rows"][i]] = i;
+  for (std::size_t i = 0; i < matrix["columns"].size(); ++i) column[matrix["columns"][i]] = i;
+  if (matrix.contains("entries")) return matrix["entries"].get<test::Dense>();
+  for (const json& entry : matrix["triplets"]) dense[row.at(entry[0])][column.at(entry[1])] = entry[2];
+  return dense;
+}
+
+}  // namespace
+
+class TestCli : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+  void csv_readsBackAsTheMatrix() {
+    const Mechanism mechanism = test::randomTree(5, 40, 30);
+    save(mechanism);
+    const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(mechanism));
+    QCOMPARE(run({"export", path("m"), "--to", "csv", "--all", "-o", path("out")}).status, 0);
+    for (const IntegerMatrixPtr& matrix : snapshot->matrices) {
+      const QString name = QString::fromUtf8(matrixCommandName(matrix->kind()).data());
+      const auto csv = table(contents("out/" + name + ".csv"));
+      QCOMPARE(csv.size(), static_cast<std::size_t>(matrix->rows()) + 1);
+      for (int column = 0; column < matrix->columns(); ++column) {
+        QCOMPARE(csv[0].at(static_cast<std::size_t>(column) + 1), matrix->columnHeading(column).text);
+      }
+      for (int row = 0; row < matrix->rows(); ++row) {
+        const auto& fields = csv[static_cast<std::size_t>(row) + 1];
+        QCOMPARE(fields.at(0), matrix->rowHeading(row).text);
+        QCOMPARE(fields.size(), static_cast<std::size_t>(matrix->columns()) + 1);
+        for (int column = 0; column < matrix->columns(); ++column) {
+          QCOMPARE(std::stoi(fields[static_cast<std::size_t>(column) + 1]), matrix->entry(row, column));
+        }
+      }
+    }
+  }
+
+  void json_isReadByAnotherReader_andHoldsTheMatrices() {
+    const Mechanism mechanism = test::randomTree(6, 30, 20);
+    save(mechanism);
+    const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(mechanism));
+    const json analysis = json::parse(run({"analyze", path("m"), "--json"}).output);
+    QCOMPARE(analysis["format"].get<std::string>(), std::string("geargraph-analysis"));
+    QCOMPARE(analysis["counts"]["links"].get<int>(), 30);
+    for (const IntegerMatrixPtr& matrix : snapshot->matrices) {
+      const json& part = analysis["matrices"][std::string(matrixJsonName(matrix->kind()))];
+      QVERIFY(matrixOfJson(part) == test::dense(*matrix));
+    }
+    const IntegerMatrix& tree = *snapshot->matrix(MatrixKind::spanningTree);
+    for (int row = 0; row < tree.rows(); ++row) {
+      const json& cycle = analysis["cycles"][static_cast<std::size_t>(row)];
+      std::vector<MatrixEntry> entries;
+      tree.rowEntries(row, entries);
+      QCOMPARE(cycle["mesh"].get<int>(), tree.rowHeading(row).label);
+      QCOMPARE(cycle["joints"].size(), entries.size());
+      QCOMPARE(cycle["signs"].size(), entries.size());
+    }
+  }
+
+  void largeMatrices_areTriplets_unlessDenseIsSaid() {
+    const Mechanism mechanism = test::randomTree(7, 501, 10);  // Z has 251,001 entries
+    save(mechanism);
+    const json sparse = json::parse(run({"analyze", path("m"), "--json"}).output)["matrices"];
+    const json dense = json::parse(run({"analyze", path("m"), "--json", "--dense"}).output)["matrices"];
+    QVERIFY(sparse["path"].contains("triplets") && !sparse["path"].contains("entries"));
+    QVERIFY(dense["path"].contains("entries") && !dense["path"].contains("triplets"));
+    QVERIFY(sparse["spanningTree"].contains("entries"));
+    QVERIFY(matrixOfJson(sparse["path"]) == matrixOfJson(dense["path"]));
+  }
+
+  void folders_areNotOverwrittenUnlessForced() {
+    const QStringList words = {"export", kRobot, "--to", "csv", "--all", "-o", path("out")};
+    QCOMPARE(run(words).status, 0);
+    QCOMPARE(QDir(path("out")).entryList(QDir::Files | QDir::Hidden).size(), 6);
+    QVERIFY(!writeFile(path("out/path.csv").toStdString(), "mine"));
+    QDir(path("out")).remove("incidence.csv");
+    const Run refused = run(words);
+    QCOMPARE(refused.status, 2);
+    QVERIFY(refused.errors.find("--force") != std::string::npos);
+    QCOMPARE(contents("out/path.csv"), std::string("mine"));
+    QVERIFY(!QFile::exists(path("out/incidence.csv")));  // all or nothing
+    QCOMPARE(run(words + QStringList{"--force"}).status, 0);
+    QCOMPARE(table(contents("out/path.csv")).size(), std::size_t{8});
+  }
+
+  void standardInputAndOutput() {
+    const std::string robot = contentsOf(kRobot);
+    const Run piped =
+        run({"export", "-", "--to", "csv", "--matrix", "path", "-o", "-"}, QByteArray::fromStdString(robot));
+    QCOMPARE(piped.status, 0);
+    QCOMPARE(run({"export", kRobot, "--to", "csv", "--matrix", "path", "-o", path("Z.csv")}).status, 0);
+    QCOMPARE(contents("Z.csv"), piped.output);
+    QVERIFY(piped.errors.empty());
+  }
+
+  void outputThatCannotBeWritten_isStatus2() {
+    for (const QString& where : {QStringLiteral("/dev/full"), path("no/folder/Z.csv"), path("")}) {
+      const Run failed = run({"export", kRobot, "--to", "csv", "--matrix", "path", "-o", where});
+      QCOMPARE(failed.status, 2);
+      QVERIFY(failed.errors.find("could not be written") != std::string::npos);
+    }
+    QProcess process;
+    process.setStandardOutputFile("/dev/full");
+    process.start(QStringLiteral(GEARGRAPH_CLI), {"analyze", kRobot, "--json"});
+    process.waitForFinished(60'000);
+    QCOMPARE(process.exitCode(), 2);
+  }
+
+  void filesThatAreNoDocuments_neverCrashIt() {
+    for (const char* bytes : {"", "\0", "[[[[", "{\"format\": \"geargraph\"", "\xFF\xFE", "3"}) {
+      QVERIFY(!writeFile(path("m").toStdString(), bytes));
+      for (const char* command : {"analyze", "validate"}) {
+        const Run broken = run({command, path("m"), "--json"});
+        QCOMPARE(broken.status, 1);
+        QCOMPARE(json::parse(broken.output)["diagnostics"].size(), std::size_t{1});
+      }
+    }
+    QCOMPARE(run({"analyze", m_folder->path()}).status, 2);
+  }
+
+ private:
+  [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
+  void save(const Mechanism& mechanism) {
+    QVERIFY(!writeFile(path("m").toStdString(), writeMechanism(mechanism)));
+  }
+  static std::string contentsOf(const QString& file) {
+    return std::get<std::string>(readFile(file.toStdString(), kLargestFile));
+  }
+  [[nodiscard]] std::string contents(const QString& name) const { return contentsOf(path(name)); }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "test_cli.moc"
