@@ -6,16 +6,10 @@
 namespace geargraph {
 namespace {
 
-Triple along(const AxisLine& line, double distance) {
-  Triple point = line.point;
-  for (std::size_t i = 0; i < 3; ++i) point[i] += distance * line.direction[i];
-  return point;
-}
-
 /// From the line's foot to the point.
-Triple armTo(const AxisLine& line, const Triple& point) {
-  const Triple from = difference(point, line.point);
-  return difference(point, along(line, dot(from, line.direction)));
+Vector3 armTo(const AxisLine& line, const Vector3& point) {
+  const Vector3 from = point - line.point;
+  return from - dot(from, line.direction) * line.direction;
 }
 
 std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
@@ -35,11 +29,11 @@ std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, con
   if (!pose.pitchPoint) return std::nullopt;
   const double cosine = dot(tail.direction, head.direction);
   const double sineSquared = 1 - cosine * cosine;
-  const Triple apart = difference(head.point, tail.point);
+  const Vector3 apart = head.point - tail.point;
   const double toTail = dot(apart, tail.direction);
   const double toHead = dot(apart, head.direction);
-  const Triple apex = along(tail, (toTail - cosine * toHead) / sineSquared);
-  const Triple pitchLine = difference(*pose.pitchPoint, apex);
+  const Vector3 apex = tail.point + ((toTail - cosine * toHead) / sineSquared) * tail.direction;
+  const Vector3 pitchLine = *pose.pitchPoint - apex;
   const double reach = std::max(length(apart), length(pitchLine));
   if (length(armTo(head, apex)) > kMeets * reach) return std::nullopt;
 

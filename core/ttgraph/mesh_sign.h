@@ -7,11 +7,11 @@
 namespace geargraph {
 
 /// What the drawn pose says about one mesh: the axes of its two gears in their carrier, pointing as their
-/// classes do, and where the pitch surfaces touch. Each may be missing.
+/// levels do, and where the pitch surfaces touch. Each may be missing.
 struct MeshPose {
   std::optional<AxisLine> tailAxis;
   std::optional<AxisLine> headAxis;
-  std::optional<Triple> pitchPoint;
+  std::optional<Vector3> pitchPoint;
   std::optional<MeshKind> kind;
 };
 

@@ -6,7 +6,7 @@
 #include "core/base/diagnostic.h"
 #include "core/graph/digraph.h"
 #include "core/graph/spanning_tree.h"
-#include "core/ttgraph/axis_classes.h"
+#include "core/ttgraph/axis_levels.h"
 
 namespace geargraph {
 
@@ -17,19 +17,19 @@ namespace geargraph {
 struct MeshWalk {
   std::vector<PathStep> steps;
   std::vector<int> nodes;  ///< one more than steps
-  std::vector<int> word;   ///< the classes met, repetitions dropped
-  std::vector<int> turns;  ///< the positions in `nodes` where the class changes, one less than `word`
+  std::vector<int> word;   ///< the levels met, repetitions dropped
+  std::vector<int> turns;  ///< the positions in `nodes` where the level changes, one less than `word`
 };
 
 /// Cost: O(its length).
-[[nodiscard]] MeshWalk meshWalk(const Digraph& graph, const SpanningTree& tree, const AxisClasses& classes,
+[[nodiscard]] MeshWalk meshWalk(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
                                 int mesh);
 
 /// The carrier arm of a mesh, where its walk changes level, and the axes on either side.
 struct TransferVertex {
   int carrier = 0;    ///< node
-  int tailClass = 0;  ///< the class on which the tail gear turns in the carrier
-  int headClass = 0;  ///< and the head gear
+  int tailLevel = 0;  ///< the level on which the tail gear turns in the carrier
+  int headLevel = 0;  ///< and the head gear
 };
 
 struct TransferVertices {
@@ -38,11 +38,11 @@ struct TransferVertices {
   long long walkLength = 0;                           ///< steps of all walks together
 };
 
-/// The transfer vertex of every mesh. It is unique: the links of one class form a subtree, and two subtrees
+/// The transfer vertex of every mesh. It is unique: the links on one level form a subtree, and two subtrees
 /// of a tree that share no branch meet in one node at most.
 ///
 /// Cost: the sum of the lengths of the walks.
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,
-                                                const AxisClasses& classes);
+                                                const AxisLevels& levels);
 
 }  // namespace geargraph

@@ -11,8 +11,8 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
                  const ReferenceLines& lines)
     : m_graph(std::move(graph)),
       m_tree(std::move(tree)),
-      m_classes(axisClasses(mechanism, *m_graph, lines)),
-      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_classes)) {
+      m_levels(axisLevels(mechanism, *m_graph, lines)),
+      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
   addTerminals(mechanism, lines);
   m_complete = m_vertices.walkLength <= kMostCircuitTerms &&
                std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
@@ -20,7 +20,7 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
 }
 
 Diagnostics TtGraph::diagnostics() const {
-  Diagnostics all = m_classes.diagnostics;
+  Diagnostics all = m_levels.diagnostics;
   all.insert(all.end(), m_vertices.diagnostics.begin(), m_vertices.diagnostics.end());
   return all;
 }
@@ -28,8 +28,8 @@ Diagnostics TtGraph::diagnostics() const {
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
   std::unordered_map<AxisId, std::size_t> position;
   for (std::size_t i = 0; i < mechanism.axes.size(); ++i) position.emplace(mechanism.axes[i].id, i);
-  const auto lineOf = [&](int axisClass) {
-    const int first = m_classes.firstJoint[static_cast<std::size_t>(axisClass)];
+  const auto lineOf = [&](int level) {
+    const int first = m_levels.firstJoint[static_cast<std::size_t>(level)];
     return lines.axes[position.at(mechanism.turningJoints[static_cast<std::size_t>(first)].axis)];
   };
   m_terminals.resize(static_cast<std::size_t>(m_graph->c()));
@@ -39,7 +39,7 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
     if (!vertex) continue;
     const GearMesh& pair = mechanism.gearMeshes[at];
     const std::optional<int> sign =
-        meshSign({lineOf(vertex->tailClass), lineOf(vertex->headClass), lines.pitchPoints[at], pair.kind});
+        meshSign({lineOf(vertex->tailLevel), lineOf(vertex->headLevel), lines.pitchPoints[at], pair.kind});
     if (!sign) {
       m_unsigned.push_back(mesh);
       continue;
@@ -58,8 +58,7 @@ void TtGraph::addCircuits() {
   // the carrier to the gear, and counts.
   const auto addChord = [this](int gear, int carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
-      m_terms.push_back(
-          {step.joint, -step.direction * m_classes.sense[static_cast<std::size_t>(step.joint)]});
+      m_terms.push_back({step.joint, -step.direction * m_levels.sense[static_cast<std::size_t>(step.joint)]});
     }
     m_starts.push_back(m_terms.size());
   };

@@ -6,7 +6,7 @@
 
 #include "core/graph/digraph.h"
 #include "core/graph/spanning_tree.h"
-#include "core/ttgraph/axis_classes.h"
+#include "core/ttgraph/axis_levels.h"
 #include "core/ttgraph/transfer_vertices.h"
 
 namespace geargraph {
@@ -45,7 +45,7 @@ class TtGraph {
 
   [[nodiscard]] const Digraph& graph() const { return *m_graph; }
   [[nodiscard]] const SpanningTree& tree() const { return *m_tree; }
-  [[nodiscard]] const AxisClasses& classes() const { return m_classes; }
+  [[nodiscard]] const AxisLevels& levels() const { return m_levels; }
   [[nodiscard]] const TransferVertices& transferVertices() const { return m_vertices; }
 
   /// By mesh; none where there is no transfer vertex or the drawn pose does not tell the sign.
@@ -74,7 +74,7 @@ class TtGraph {
 
   DigraphPtr m_graph;
   SpanningTreePtr m_tree;
-  AxisClasses m_classes;
+  AxisLevels m_levels;
   TransferVertices m_vertices;
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;

@@ -27,7 +27,7 @@ class TtPaperTest : public QObject {
   Mechanism robot = test::robot();
   DigraphPtr digraph = std::make_shared<const Digraph>(robot);
   SpanningTreePtr tree = std::make_shared<const SpanningTree>(SpanningTree::of(*digraph).value());
-  TtGraph graph{robot, digraph, tree, drawnLines(robot)};
+  TtGraph graph{robot, digraph, tree, referenceLines(placementOf(robot))};
   // Inputs 8, 9, 11; unknowns 10, 12, 13, 14.
   SubstitutionPlan plan = substitutionPlan(graph, std::vector<int>{0, 1, 3});
   RatioRingPtr teethRing = ratioRing(graph, RatioNaming::ttGraph);

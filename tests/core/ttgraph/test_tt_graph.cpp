@@ -12,7 +12,7 @@ namespace {
 TtGraph ttGraphOf(const Mechanism& mechanism) {
   auto graph = std::make_shared<const Digraph>(mechanism);
   auto tree = std::make_shared<const SpanningTree>(SpanningTree::of(*graph).value());
-  return {mechanism, graph, tree, drawnLines(mechanism)};
+  return {mechanism, graph, tree, referenceLines(placementOf(mechanism))};
 }
 
 std::string circuitText(const TtGraph& graph, std::span<const CircuitTerm> circuit) {
@@ -29,8 +29,11 @@ std::vector<int> signsOf(const TtGraph& graph) {
   return signs;
 }
 
-AxisLine line(const Triple& point, const Triple& direction) {
-  return {point, direction};
+AxisLine line(const Vector3& point, const Vector3& direction) {
+  AxisLine line;
+  line.point = point;
+  line.direction = direction;
+  return line;
 }
 
 }  // namespace
@@ -51,20 +54,20 @@ class TtGraphTest : public QObject {
     QCOMPARE(meshSign({here, there, {}, MeshKind::external}), std::optional(-1));
     QCOMPARE(meshSign({here, there, {}, MeshKind::internal}), std::optional(1));
     QCOMPARE(meshSign({here, turned, {}, MeshKind::external}), std::optional(1));
-    QCOMPARE(meshSign({here, there, Triple{4, 0, 3}, {}}), std::optional(-1));
-    QCOMPARE(meshSign({here, there, Triple{-4, 0, 3}, {}}), std::optional(1));
-    QCOMPARE(meshSign({here, there, Triple{14, 0, 3}, {}}), std::optional(1));
-    QCOMPARE(meshSign({here, turned, Triple{14, 0, 3}, {}}), std::optional(-1));
+    QCOMPARE(meshSign({here, there, Vector3{4, 0, 3}, {}}), std::optional(-1));
+    QCOMPARE(meshSign({here, there, Vector3{-4, 0, 3}, {}}), std::optional(1));
+    QCOMPARE(meshSign({here, there, Vector3{14, 0, 3}, {}}), std::optional(1));
+    QCOMPARE(meshSign({here, turned, Vector3{14, 0, 3}, {}}), std::optional(-1));
     QCOMPARE(meshSign({here, there, {}, {}}), std::optional<int>());
   }
 
   void bevelGearsTurnAgainstEachOtherIfTheyTouchBetweenTheirAxes() {
     const AxisLine tail = line({0, 0, 3}, {0, 0, 1});
     const AxisLine head = line({0, 5, 0}, {0, 0.6, 0.8});
-    const auto sign = [&](const Triple& point) { return meshSign({tail, head, point, MeshKind::bevel}); };
-    const Triple apex{0, 0, 5.0 - 5.0 - 5.0 * 0.8 / 0.6};
+    const auto sign = [&](const Vector3& point) { return meshSign({tail, head, point, MeshKind::bevel}); };
+    const Vector3 apex{0, 0, 5.0 - 5.0 - 5.0 * 0.8 / 0.6};
     const auto at = [&](double tailShare, double headShare) {
-      return Triple{0, apex[1] + 0.6 * headShare, apex[2] + tailShare + 0.8 * headShare};
+      return Vector3{0, apex[1] + 0.6 * headShare, apex[2] + tailShare + 0.8 * headShare};
     };
     QCOMPARE(sign(at(2, 3)), std::optional(-1));
     QCOMPARE(sign(at(-2, -3)), std::optional(-1));
@@ -74,14 +77,19 @@ class TtGraphTest : public QObject {
   }
 
   void skewAxesHaveNoSign() {
-    QCOMPARE(meshSign({line({0, 0, 0}, {0, 0, 1}), line({1, 0, 0}, {0, 1, 0}), Triple{0.5, 0, 0}, {}}),
+    QCOMPARE(meshSign({line({0, 0, 0}, {0, 0, 1}), line({1, 0, 0}, {0, 1, 0}), Vector3{0.5, 0, 0}, {}}),
              std::optional<int>());
   }
 
   void withoutPlacesTheKindDecides() {
     Mechanism robot = test::robotTopology();
     robot.gearMeshes[0].kind = MeshKind::external;
-    const TtGraph graph = ttGraphOf(robot);
+    ReferenceLines nothing;
+    nothing.axes.resize(robot.axes.size());
+    nothing.pitchPoints.resize(robot.gearMeshes.size());
+    const auto digraph = std::make_shared<const Digraph>(robot);
+    const auto tree = std::make_shared<const SpanningTree>(SpanningTree::of(*digraph).value());
+    const TtGraph graph(robot, digraph, tree, nothing);
     QCOMPARE(graph.terminal(0).value().sign, -1);
     QCOMPARE(graph.unsignedMeshes(), (std::vector<int>{1, 2, 3}));
     QVERIFY(!graph.isComplete());
@@ -93,7 +101,7 @@ class TtGraphTest : public QObject {
       const TtGraph flipped = ttGraphOf(test::withAxisFlipped(test::robot(), axis));
       for (int mesh = 0; mesh < 4; ++mesh) {
         const auto& vertex = plain.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
-        const bool touched = vertex->tailClass == axis || vertex->headClass == axis;
+        const bool touched = vertex->tailLevel == axis || vertex->headLevel == axis;
         QCOMPARE(flipped.terminal(mesh)->sign,
                  touched ? -plain.terminal(mesh)->sign : plain.terminal(mesh)->sign);
       }

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/ttgraph/axis_classes.h"
+#include "core/ttgraph/axis_levels.h"
 #include "core/ttgraph/transfer_vertices.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/trains.h"
@@ -10,21 +10,21 @@ namespace {
 
 using test::TrainBuilder;
 
-AxisClasses classesOf(const Mechanism& mechanism) {
-  return axisClasses(mechanism, Digraph(mechanism), drawnLines(mechanism));
+AxisLevels levelsOf(const Mechanism& mechanism) {
+  return axisLevels(mechanism, Digraph(mechanism), referenceLines(placementOf(mechanism)));
 }
 
-std::string levelWord(const AxisClasses& classes) {
+std::string levelWord(const AxisLevels& levels) {
   std::string word;
-  for (std::size_t j = 0; j < classes.ofJoint.size(); ++j) {
-    word += (j > 0 ? " " : "") + classes.levelOf(static_cast<int>(j));
+  for (std::size_t j = 0; j < levels.ofJoint.size(); ++j) {
+    word += (j > 0 ? " " : "") + levels.levelOf(static_cast<int>(j));
   }
   return word;
 }
 
 TransferVertices verticesOf(const Mechanism& mechanism) {
   const Digraph graph(mechanism);
-  return transferVertices(graph, SpanningTree::of(graph).value(), classesOf(mechanism));
+  return transferVertices(graph, SpanningTree::of(graph).value(), levelsOf(mechanism));
 }
 
 /// Roll, bend, roll: in the drawn pose the last axis lies on the first.
@@ -42,32 +42,32 @@ TrainBuilder wrist() {
 }  // namespace
 
 /// Which joints are coaxial, and which link carries a mesh.
-class AxisClassesTest : public QObject {
+class AxisLevelsTest : public QObject {
   Q_OBJECT
 
  private slots:
   void theRobotHasTheLevelsOfFigure5() {
     for (const Mechanism& robot : {test::robot(), test::robotTopology()}) {
-      const AxisClasses classes = classesOf(robot);
-      QCOMPARE(levelWord(classes), std::string("a b b c c d e"));
-      QCOMPARE(classes.sense, (std::vector<int>{1, 1, 1, 1, 1, 1, 1}));
-      QVERIFY(classes.diagnostics.empty());
+      const AxisLevels levels = levelsOf(robot);
+      QCOMPARE(levelWord(levels), std::string("a b b c c d e"));
+      QCOMPARE(levels.sense, (std::vector<int>{1, 1, 1, 1, 1, 1, 1}));
+      QVERIFY(levels.diagnostics.empty());
     }
   }
 
   void axesThatCoincideInTheDrawnPoseOnlyAreDifferent() {
-    const AxisClasses classes = classesOf(wrist().mechanism());
-    QCOMPARE(levelWord(classes), std::string("a b c"));
-    QVERIFY(classes.diagnostics.empty());
+    const AxisLevels levels = levelsOf(wrist().mechanism());
+    QCOMPARE(levelWord(levels), std::string("a b c"));
+    QVERIFY(levels.diagnostics.empty());
   }
 
   void anAxisNamedAcrossTheBendIsSplitAndSaid() {
     Mechanism mechanism = wrist().mechanism();
     mechanism.turningJoints[2].axis = AxisId("a");
-    const AxisClasses classes = classesOf(mechanism);
-    QCOMPARE(levelWord(classes), std::string("a b a'"));
-    QCOMPARE(classes.diagnostics.size(), std::size_t(1));
-    const Diagnostic& finding = classes.diagnostics.front();
+    const AxisLevels levels = levelsOf(mechanism);
+    QCOMPARE(levelWord(levels), std::string("a b a'"));
+    QCOMPARE(levels.diagnostics.size(), std::size_t(1));
+    const Diagnostic& finding = levels.diagnostics.front();
     QCOMPARE(finding.code, Code::splitAxis);
     QVERIFY(finding.message.find("Turning joints 4 and 6 name one axis (a)") != std::string::npos);
     QCOMPARE(finding.elements, (std::vector<ElementId>{AxisId("a"), JointId("j0"), JointId("j2")}));
@@ -81,12 +81,12 @@ class AxisClassesTest : public QObject {
     train.link(0, a);
     train.link(0, b);
     train.link(0, c);
-    const AxisClasses classes = classesOf(train.mechanism());
-    QCOMPARE(levelWord(classes), std::string("a a c"));
-    QCOMPARE(classes.sense, (std::vector<int>{1, -1, 1}));
-    QCOMPARE(classes.diagnostics.size(), std::size_t(1));
-    QCOMPARE(classes.diagnostics.front().code, Code::mergedAxes);
-    QVERIFY(classes.diagnostics.front().message.find("opposite direction of b") != std::string::npos);
+    const AxisLevels levels = levelsOf(train.mechanism());
+    QCOMPARE(levelWord(levels), std::string("a a c"));
+    QCOMPARE(levels.sense, (std::vector<int>{1, -1, 1}));
+    QCOMPARE(levels.diagnostics.size(), std::size_t(1));
+    QCOMPARE(levels.diagnostics.front().code, Code::mergedAxes);
+    QVERIFY(levels.diagnostics.front().message.find("opposite direction of b") != std::string::npos);
   }
 
   void collinearJointsHangTogetherThroughOthers() {
@@ -97,9 +97,9 @@ class AxisClassesTest : public QObject {
     const int first = train.link(0, a);
     const int second = train.link(first, b);
     train.link(second, c);
-    const AxisClasses classes = classesOf(train.mechanism());
-    QCOMPARE(levelWord(classes), std::string("a a a"));
-    QCOMPARE(classes.sense, (std::vector<int>{1, 1, -1}));
+    const AxisLevels levels = levelsOf(train.mechanism());
+    QCOMPARE(levelWord(levels), std::string("a a a"));
+    QCOMPARE(levels.sense, (std::vector<int>{1, 1, -1}));
   }
 
   void manyLinesAtOneLinkAreToldApart() {
@@ -111,7 +111,7 @@ class AxisClassesTest : public QObject {
       train.link(0, train.axis(point, {0, 0, i % 2 == 0 ? 1 : -3}));
       expected.push_back(line);
     }
-    QCOMPARE(classesOf(train.mechanism()).ofJoint, expected);
+    QCOMPARE(levelsOf(train.mechanism()).ofJoint, expected);
   }
 
   void theRobotsCarriersAreThoseOfThePaper() {
@@ -168,5 +168,5 @@ class AxisClassesTest : public QObject {
 
 }  // namespace geargraph
 
-QTEST_APPLESS_MAIN(geargraph::AxisClassesTest)
-#include "test_axis_classes.moc"
+QTEST_APPLESS_MAIN(geargraph::AxisLevelsTest)
+#include "test_axis_levels.moc"

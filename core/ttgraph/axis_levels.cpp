@@ -1,4 +1,4 @@
-#include "core/ttgraph/axis_classes.h"
+#include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 // 1. Name each joint's axis by its position in the document.
 // 2. At each link, take one joint for each of its axes; the others of that axis are united with it.
 // 3. Compare the lines of those few, sorted by a number that equal lines share, and unite what is collinear.
-// 4. Number the classes by their first joints; give senses, levels and findings.
+// 4. Number the levels by their first joints; give senses, names and findings.
 class Classifier {
  public:
   Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
@@ -23,22 +23,21 @@ class Classifier {
     std::unordered_map<AxisId, int> position;
     for (std::size_t i = 0; i < mechanism.axes.size(); ++i) {
       position.emplace(mechanism.axes[i].id, static_cast<int>(i));
-      if (lines.axes[i]) m_size = std::max(m_size, length(lines.axes[i]->point));
+      if (lines.axes[i]) m_size = std::max(m_size, 1 + length(lines.axes[i]->point));
     }
-    if (m_size == 0) m_size = 1;
     for (std::size_t j = 0; j < joints(); ++j) {
       m_axisOf[j] = position.at(mechanism.turningJoints[j].axis);
     }
   }
 
-  AxisClasses run() {
+  AxisLevels run() {
     uniteAtLinks();
     number();
-    for (std::size_t j = 0; j < joints(); ++j) m_classes.sense.push_back(senseOf(j));
-    nameLevels();
+    for (std::size_t j = 0; j < joints(); ++j) m_levels.sense.push_back(senseOf(j));
+    giveNames();
     reportSplits();
     reportMerges();
-    return std::move(m_classes);
+    return std::move(m_levels);
   }
 
  private:
@@ -60,7 +59,7 @@ class Classifier {
     return joint;
   }
 
-  /// The smaller root stays, so that a class is known by its first joint.
+  /// The smaller root stays, so that a level is known by its first joint.
   void unite(int a, int b) {
     const auto [low, high] = std::minmax({rootOf(a), rootOf(b)});
     m_parent[static_cast<std::size_t>(high)] = low;
@@ -82,7 +81,7 @@ class Classifier {
           continue;
         }
         first = joint;
-        if (lineOf(joint)) different.push_back({keyOf(*lineOf(joint)), joint});
+        if (lineOf(joint) && !lineOf(joint)->automatic) different.push_back({keyOf(*lineOf(joint)), joint});
       }
       uniteCollinear(different);
       for (const int joint : here) {
@@ -94,21 +93,20 @@ class Classifier {
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
   /// view of its foot below the origin, relative to the mechanism, and of the products of its direction.
   [[nodiscard]] double keyOf(const AxisLine& line) const {
-    const Triple& u = line.direction;
-    const double along = dot(line.point, u);
-    const Triple foot = difference(line.point, {along * u[0], along * u[1], along * u[2]});
-    return dot(foot, {0.51, 0.67, 0.54}) / m_size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
+    const Vector3& u = line.direction;
+    const Vector3 foot = line.point - dot(line.point, u) * u;
+    return dot(foot, Vector3{0.51, 0.67, 0.54}) / m_size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
            0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2];
   }
 
   void uniteCollinear(std::vector<Candidate>& different) {
-    constexpr double kWindow = 1e-7;  // above what areCollinear() lets pass
+    constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
     std::sort(different.begin(), different.end(),
               [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
     for (std::size_t a = 0; a < different.size(); ++a) {
       for (std::size_t b = a + 1; b < different.size() && different[b].key - different[a].key <= kWindow;
            ++b) {
-        if (areCollinear(*lineOf(different[a].joint), *lineOf(different[b].joint), m_size)) {
+        if (areCollinear(*lineOf(different[a].joint), *lineOf(different[b].joint))) {
           unite(different[a].joint, different[b].joint);
         }
       }
@@ -116,40 +114,40 @@ class Classifier {
   }
 
   void number() {
-    m_classes.ofJoint.resize(joints());
+    m_levels.ofJoint.resize(joints());
     for (int j = 0; j < static_cast<int>(joints()); ++j) {
       const int root = rootOf(j);
       if (root == j) {
-        m_classes.ofJoint[static_cast<std::size_t>(j)] = m_classes.count();
-        m_classes.firstJoint.push_back(j);
+        m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.count();
+        m_levels.firstJoint.push_back(j);
       } else {
-        m_classes.ofJoint[static_cast<std::size_t>(j)] = m_classes.ofJoint[static_cast<std::size_t>(root)];
+        m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.ofJoint[static_cast<std::size_t>(root)];
       }
     }
   }
 
-  [[nodiscard]] int firstOfClass(std::size_t joint) const {
-    return m_classes.firstJoint[static_cast<std::size_t>(m_classes.ofJoint[joint])];
+  [[nodiscard]] int firstOfLevel(std::size_t joint) const {
+    return m_levels.firstJoint[static_cast<std::size_t>(m_levels.ofJoint[joint])];
   }
 
   [[nodiscard]] int senseOf(std::size_t joint) const {
-    const int first = firstOfClass(joint);
+    const int first = firstOfLevel(joint);
     if (m_axisOf[joint] == m_axisOf[static_cast<std::size_t>(first)]) return 1;
     return dot(lineOf(first)->direction, lineOf(static_cast<int>(joint))->direction) < 0 ? -1 : 1;
   }
 
-  void nameLevels() {
+  void giveNames() {
     std::unordered_set<std::string> taken;
     for (const Axis& axis : m_mechanism.axes) taken.insert(axis.id.text());
     std::vector<char> used(m_mechanism.axes.size(), 0);
-    for (const int first : m_classes.firstJoint) {
+    for (const int first : m_levels.firstJoint) {
       const int axis = m_axisOf[static_cast<std::size_t>(first)];
-      std::string level = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
+      std::string name = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
       if (used[static_cast<std::size_t>(axis)] != 0) {
-        while (!taken.insert(level).second) level += "'";
+        while (!taken.insert(name).second) name += "'";
       }
       used[static_cast<std::size_t>(axis)] = 1;
-      m_classes.levels.push_back(std::move(level));
+      m_levels.names.push_back(std::move(name));
     }
   }
 
@@ -158,47 +156,47 @@ class Classifier {
   }
 
   void reportSplits() {
-    std::map<int, std::vector<int>> classesOfAxis;  // by axis: the classes it falls into, ascending
+    std::map<int, std::vector<int>> levelsOfAxis;  // by axis: the levels it falls into, ascending
     for (std::size_t j = 0; j < joints(); ++j) {
-      std::vector<int>& classes = classesOfAxis[m_axisOf[j]];
-      const int found = m_classes.ofJoint[j];
-      if (std::find(classes.begin(), classes.end(), found) == classes.end()) classes.push_back(found);
+      std::vector<int>& levels = levelsOfAxis[m_axisOf[j]];
+      const int found = m_levels.ofJoint[j];
+      if (std::find(levels.begin(), levels.end(), found) == levels.end()) levels.push_back(found);
     }
-    for (const auto& [axis, classes] : classesOfAxis) {
-      if (classes.size() < 2) continue;
+    for (const auto& [axis, levels] : levelsOfAxis) {
+      if (levels.size() < 2) continue;
       Diagnostic finding;
       finding.code = Code::splitAxis;
       const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
       finding.elements.emplace_back(id);
       std::vector<std::string> labels;
-      std::vector<std::string> levels;
+      std::vector<std::string> names;
       for (std::size_t j = 0; j < joints(); ++j) {
         if (m_axisOf[j] != axis) continue;
         labels.push_back(labelOfJoint(j));
         finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
       }
-      for (const int found : classes) levels.push_back(m_classes.levels[static_cast<std::size_t>(found)]);
+      for (const int found : levels) names.push_back(m_levels.names[static_cast<std::size_t>(found)]);
       finding.message =
           "Turning joints " + listed(labels) + " name one axis (" + id.text() +
           ") but do not all hang together on it by common links: they coincide only in the drawn "
           "pose and are treated as different axes (" +
-          listed(levels) + "). Give each axis of the mechanism its own entry in axes.";
-      m_classes.diagnostics.push_back(std::move(finding));
+          listed(names) + "). Give each axis of the mechanism its own entry in axes.";
+      m_levels.diagnostics.push_back(std::move(finding));
     }
   }
 
   void reportMerges() {
-    std::vector<std::vector<int>> axesOfClass(m_classes.firstJoint.size());
-    std::vector<std::vector<std::size_t>> jointsOfClass(m_classes.firstJoint.size());
+    std::vector<std::vector<int>> axesOfLevel(m_levels.firstJoint.size());
+    std::vector<std::vector<std::size_t>> jointsOfLevel(m_levels.firstJoint.size());
     for (std::size_t j = 0; j < joints(); ++j) {
-      const auto found = static_cast<std::size_t>(m_classes.ofJoint[j]);
-      std::vector<int>& axes = axesOfClass[found];
+      const auto found = static_cast<std::size_t>(m_levels.ofJoint[j]);
+      std::vector<int>& axes = axesOfLevel[found];
       if (std::find(axes.begin(), axes.end(), m_axisOf[j]) != axes.end()) continue;
       axes.push_back(m_axisOf[j]);
-      jointsOfClass[found].push_back(j);
+      jointsOfLevel[found].push_back(j);
     }
-    for (std::size_t found = 0; found < axesOfClass.size(); ++found) {
-      if (axesOfClass[found].size() > 1) reportMerge(found, axesOfClass[found], jointsOfClass[found]);
+    for (std::size_t found = 0; found < axesOfLevel.size(); ++found) {
+      if (axesOfLevel[found].size() > 1) reportMerge(found, axesOfLevel[found], jointsOfLevel[found]);
     }
   }
 
@@ -211,15 +209,15 @@ class Classifier {
       const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axes[i])].id;
       names.push_back(id.text());
       finding.elements.emplace_back(id);
-      if (m_classes.sense[samples[i]] < 0) opposite.push_back(id.text());
+      if (m_levels.sense[samples[i]] < 0) opposite.push_back(id.text());
     }
     finding.message = "Axes " + listed(names) +
                       " are one line held by common links: they are treated as one axis (" +
-                      m_classes.levels[found] + ").";
+                      m_levels.names[found] + ").";
     if (!opposite.empty()) {
       finding.message += " The opposite direction of " + listed(opposite) + " is minded.";
     }
-    m_classes.diagnostics.push_back(std::move(finding));
+    m_levels.diagnostics.push_back(std::move(finding));
   }
 
   const Mechanism& m_mechanism;
@@ -227,13 +225,13 @@ class Classifier {
   const ReferenceLines& m_lines;
   std::vector<int> m_parent;  ///< union-find over joints
   std::vector<int> m_axisOf;  ///< by joint: its axis, by position
-  double m_size = 0;          ///< how far from the origin the mechanism reaches
-  AxisClasses m_classes;
+  double m_size = 1;          ///< how far from the origin the mechanism reaches
+  AxisLevels m_levels;
 };
 
 }  // namespace
 
-AxisClasses axisClasses(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines) {
+AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines) {
   return Classifier(mechanism, graph, lines).run();
 }
 
