@@ -1,0 +1,113 @@
+#include "core/meshfile/mesh_writer.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "core/io/file.h"
+#include "core/meshfile/encoders.h"
+
+namespace geargraph {
+namespace {
+
+using Files = std::vector<EncodedFile>;
+using Result = std::variant<Files, MeshFileError>;
+
+constexpr std::size_t kChunk = std::size_t{1} << 20U;
+constexpr double kEncoded = 0.8;  // of the progress; writing is the rest
+
+MeshFileError stopped() {
+  return {MeshFileError::Kind::stopped, "Stopped; nothing was written."};
+}
+
+Progress partOf(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [progress, from, to](double part) { progress(from + (to - from) * part); };
+}
+
+Result plain(std::optional<std::string> bytes, const std::string& stem, MeshFormat format) {
+  if (!bytes) return stopped();
+  return Files{{stem + "." + std::string(meshFormatName(format)), std::move(*bytes)}};
+}
+
+Result objFiles(const MeshScene& scene, const std::string& stem, const MeshWriteOptions& options) {
+  auto texts = objTexts(scene, stem + ".mtl", options);
+  if (!texts) return stopped();
+  return Files{{stem + ".obj", std::move(texts->scene)}, {stem + ".mtl", std::move(texts->materials)}};
+}
+
+std::optional<MeshFileError> writeBytes(ByteSink& sink, const std::string& bytes,
+                                        const MeshWriteOptions& options) {
+  for (std::size_t at = 0; at < bytes.size() && !sink.failed(); at += kChunk) {
+    if (options.stop.stop_requested()) return stopped();
+    sink.write(std::string_view(bytes).substr(at, kChunk));
+    if (options.progress) options.progress(static_cast<double>(at) / static_cast<double>(bytes.size()));
+  }
+  return std::nullopt;
+}
+
+std::optional<MeshFileError> toStandardOutput(const std::string& bytes, const MeshWriteOptions& options) {
+  DescriptorSink sink(STDOUT_FILENO);
+  if (auto error = writeBytes(sink, bytes, options)) return error;
+  if (sink.failed()) return MeshFileError{MeshFileError::Kind::file, "Standard output could not be written."};
+  return std::nullopt;
+}
+
+std::optional<MeshFileError> toFile(const std::filesystem::path& path, const std::string& bytes,
+                                    const MeshWriteOptions& options) {
+  AtomicFile file(path);
+  if (auto error = writeBytes(file, bytes, options)) return error;
+  if (const auto error = file.commit()) return MeshFileError{MeshFileError::Kind::file, error->message};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string& stem,
+                   const MeshWriteOptions& options) {
+  const std::size_t triangles = triangleCount(scene);
+  if (triangles > options.mostTriangles) {
+    return MeshFileError{MeshFileError::Kind::limit, "The scene has " + std::to_string(triangles) +
+                                                         " triangles, more than the limit of " +
+                                                         std::to_string(options.mostTriangles) +
+                                                         "; choose a coarser tolerance."};
+  }
+  if (options.stop.stop_requested()) return stopped();
+  switch (format) {
+    case MeshFormat::stl:
+      return plain(stlBytes(scene, options), stem, format);
+    case MeshFormat::obj:
+      return objFiles(scene, stem, options);
+    case MeshFormat::ply:
+      return plain(plyBytes(scene, options), stem, format);
+    case MeshFormat::glb:
+      return plain(glbBytes(scene, options), stem, format);
+    case MeshFormat::threeMf:
+      return plain(threeMfBytes(scene, options), stem, format);
+  }
+  return stopped();
+}
+
+std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format,
+                                       const std::filesystem::path& path, const MeshWriteOptions& options) {
+  MeshWriteOptions encoding = options;
+  encoding.progress = partOf(options.progress, 0, kEncoded);
+  const std::string stem = path == "-" ? "mechanism" : path.stem().string();
+  const Result encoded = encodedMesh(scene, format, stem, encoding);
+  if (const auto* error = std::get_if<MeshFileError>(&encoded)) return *error;
+  const Files& files = std::get<Files>(encoded);
+
+  MeshWriteOptions writing = options;
+  writing.progress = partOf(options.progress, kEncoded, 1);
+  if (path == "-") return toStandardOutput(files[0].bytes, writing);
+  for (std::size_t i = files.size(); i-- > 1;) {  // what the first refers to is there before it
+    MeshWriteOptions silent;
+    silent.stop = options.stop;
+    if (auto error = toFile(path.parent_path() / files[i].name, files[i].bytes, silent)) return error;
+  }
+  if (auto error = toFile(path, files[0].bytes, writing)) return error;
+  if (options.progress) options.progress(1);
+  return std::nullopt;
+}
+
+}  // namespace geargraph
