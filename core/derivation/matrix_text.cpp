@@ -35,18 +35,26 @@ std::string row(const IntegerMatrix& matrix, int i, const std::string& separator
   return text;
 }
 
+std::string separated(const IntegerMatrix& matrix, const std::string& separator) {
+  std::string text{matrixSymbol(matrix.kind())};
+  for (int j = 0; j < matrix.columns(); ++j) text += separator + matrix.columnHeading(j).text;
+  text += "\n";
+  for (int i = 0; i < matrix.rows(); ++i) {
+    text += matrix.rowHeading(i).text;
+    if (matrix.columns() > 0) text += separator + row(matrix, i, separator);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string matrixTsv(const IntegerMatrix& matrix) {
-  std::string text{matrixSymbol(matrix.kind())};
-  for (int j = 0; j < matrix.columns(); ++j) text += '\t' + matrix.columnHeading(j).text;
-  text += '\n';
-  for (int i = 0; i < matrix.rows(); ++i) {
-    text += matrix.rowHeading(i).text;
-    if (matrix.columns() > 0) text += '\t' + row(matrix, i, "\t");
-    text += '\n';
-  }
-  return text;
+  return separated(matrix, "\t");
+}
+
+std::string matrixCsv(const IntegerMatrix& matrix) {
+  return separated(matrix, ",");
 }
 
 std::string matrixLatex(const IntegerMatrix& matrix) {

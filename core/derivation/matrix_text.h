@@ -13,6 +13,9 @@ namespace geargraph {
 /// Tab-separated, for the clipboard of spreadsheet programs; the first cell is the matrix's symbol.
 [[nodiscard]] std::string matrixTsv(const IntegerMatrix& matrix);
 
+/// Comma-separated, for the clipboard; files are written by core/io. No label needs quotes.
+[[nodiscard]] std::string matrixCsv(const IntegerMatrix& matrix);
+
 /// An array environment, for math mode; needs no package.
 [[nodiscard]] std::string matrixLatex(const IntegerMatrix& matrix);
 

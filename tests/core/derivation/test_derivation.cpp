@@ -95,6 +95,8 @@ class DerivationTest : public QObject {
     QCOMPARE(lines.at(0), QStringLiteral("T\t8\t9\t10\t11\t12\t13\t14"));
     QCOMPARE(lines.at(2), QStringLiteral("C16\t0\t1\t-1\t0\t-1\t0\t0"));
     QCOMPARE(lines.size(), 6);  // header, 4 rows, what follows the last line end
+    QVERIFY(matrixCsv(*matrixOf(MatrixKind::spanningTree, graph, tree))
+                .starts_with("T,8,9,10,11,12,13,14\nC15,1,0,-1"));
   }
 
   void latexShowsThePartition() {
