@@ -1,0 +1,110 @@
+#include "ui/theme/style_sheet.h"
+
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+/// @role@ stands for a colour of the palette.
+const char* const kSheet = R"(
+QMainWindow, QMainWindow::separator { background: @panel@; }
+QMainWindow::separator { width: 5px; height: 5px; background: @hairline@; margin: 2px; }
+QMainWindow::separator:hover { background: @accent@; margin: 1px; }
+QMenuBar { background: @panel@; padding: 1px 4px; }
+QMenuBar::item { padding: 4px 10px; border-radius: 4px; }
+QMenuBar::item:selected { background: @halo@; color: @ink@; }
+QMenu { background: @sheet@; border: 1px solid @hairline@; padding: 4px; }
+QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
+QMenu::item:selected { background: @halo@; color: @ink@; }
+QMenu::item:disabled { color: @secondary@; }
+QMenu::separator { height: 1px; background: @hairline@; margin: 4px 6px; }
+QToolTip { background: @sheet@; color: @ink@; border: 1px solid @hairline@; padding: 5px 7px; }
+
+QToolBar { background: @sheet@; border: none; border-bottom: 1px solid @hairline@; padding: 4px 10px;
+           spacing: 4px; }
+QToolBar::separator { width: 1px; background: @hairline@; margin: 4px 6px; }
+QToolBar QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px 9px; }
+QToolBar QToolButton:hover { background: @panel@; border-color: @hairline@; }
+QToolBar QToolButton:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
+QToolBar QToolButton:disabled { color: @secondary@; }
+
+QTabBar { background: @panel@; }
+QTabBar::tab { background: transparent; color: @secondary@; padding: 6px 18px; border: none;
+               border-top: 2px solid transparent; }
+QTabBar::tab:selected { background: @sheet@; color: @ink@; border-top: 2px solid @accent@; }
+QTabBar::tab:hover:!selected { color: @ink@; }
+QTabWidget::pane { border: none; border-top: 1px solid @hairline@; }
+QDockWidget { color: @ink@; }
+QDockWidget::title { background: @panel@; padding: 6px 16px; border-bottom: 1px solid @hairline@; }
+
+QStatusBar { background: @panel@; border-top: 1px solid @hairline@; }
+QStatusBar::item { border: none; }
+QLabel[look="hint"] { color: @secondary@; }
+QLabel[look="title"] { font-weight: bold; }
+QLabel[look="problem"] { color: @error@; }
+QLabel[look="empty"] { color: @secondary@; padding: 24px; }
+QFrame[look="card"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 6px; }
+QFrame[look="card"] QLabel { border: none; background: transparent; }
+QFrame[look="banner"] { background: @chosen@; border: 1px solid @hairline@; border-radius: 6px; }
+
+QToolButton[look="chip"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 11px;
+                           padding: 2px 11px; min-height: 17px; }
+QToolButton[look="chip"]:hover { border-color: @accent@; }
+QToolButton[look="chip"]:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
+QToolButton[look="count"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 10px;
+                            padding: 1px 12px; font-weight: bold; font-size: 12px; }
+QToolButton[look="count"]:hover { border-color: @accent@; }
+QToolButton[look="count"][strong="true"] { background: @chosen@; color: @accent@; border-color: @halo@; }
+QToolButton[look="flat"] { border: none; background: transparent; color: @secondary@; padding: 3px 7px;
+                           border-radius: 4px; }
+QToolButton[look="flat"]:hover { background: @panel@; color: @ink@; }
+QToolButton[look="flat"]:checked { color: @accent@; }
+QToolButton[look="flat"]::menu-indicator { image: none; width: 0px; }
+
+QLineEdit { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px;
+            selection-background-color: @accent@; selection-color: @sheet@; }
+QLineEdit:focus { border-color: @accent@; }
+QLineEdit:disabled { background: @panel@; color: @secondary@; }
+QLineEdit[wrong="true"] { border-color: @error@; color: @error@; }
+QScrollArea, QScrollArea > QWidget > QWidget#page { background: @sheet@; border: none; }
+QTableView, QListView { background: @sheet@; border: none; outline: none; }
+QHeaderView { background: @sheet@; border: none; }
+QTableCornerButton::section { background: @sheet@; border: none; }
+
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0px; }
+QScrollBar:horizontal { background: transparent; height: 10px; margin: 0px; }
+QScrollBar::handle { background: @hairline@; border-radius: 4px; margin: 1px; }
+QScrollBar::handle:vertical { min-height: 24px; }
+QScrollBar::handle:horizontal { min-width: 24px; }
+QScrollBar::handle:hover { background: @secondary@; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0px; height: 0px; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+)";
+
+struct NamedColor {
+  const char* name;
+  ColorRole role;
+};
+
+constexpr NamedColor kNames[] = {
+    {"@sheet@", ColorRole::sheet},       {"@ink@", ColorRole::ink},     {"@secondary@", ColorRole::secondary},
+    {"@hairline@", ColorRole::hairline}, {"@panel@", ColorRole::panel}, {"@accent@", ColorRole::accent},
+    {"@halo@", ColorRole::halo},         {"@error@", ColorRole::error},
+};
+
+}  // namespace
+
+QString styleSheetOf(Theme theme) {
+  QString sheet = QString::fromUtf8(kSheet);
+  for (const NamedColor& named : kNames) {
+    sheet.replace(QLatin1String(named.name), qColor(named.role, theme).name());
+  }
+  // What is chosen stands on the halo, thinned with the sheet so that type on it stays readable.
+  const QColor sheetColor = qColor(ColorRole::sheet, theme);
+  const QColor halo = qColor(ColorRole::halo, theme);
+  const QColor chosen((sheetColor.red() + halo.red()) / 2, (sheetColor.green() + halo.green()) / 2,
+                      (sheetColor.blue() + halo.blue()) / 2);
+  return sheet.replace(QLatin1String("@chosen@"), chosen.name());
+}
+
+}  // namespace geargraph
