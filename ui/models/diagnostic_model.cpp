@@ -1,0 +1,65 @@
+#include "ui/models/diagnostic_model.h"
+
+#include <algorithm>
+
+namespace geargraph {
+namespace {
+
+QString shownText(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString placeOf(const Diagnostic& diagnostic) {
+  QString place;
+  if (diagnostic.line > 0) {
+    place = DiagnosticModel::tr("line %1, column %2").arg(diagnostic.line).arg(diagnostic.column);
+  }
+  if (!diagnostic.pointer.empty()) {
+    if (!place.isEmpty()) place += QStringLiteral(" · ");
+    place += shownText(diagnostic.pointer);
+  }
+  return place;
+}
+
+}  // namespace
+
+void DiagnosticModel::setDiagnostics(Diagnostics diagnostics) {
+  std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.severity() < b.severity(); });
+  if (diagnostics == m_diagnostics) return;
+  beginResetModel();
+  m_diagnostics = std::move(diagnostics);
+  endResetModel();
+}
+
+std::set<ElementId> DiagnosticModel::elementsOf(const QModelIndex& index) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const auto& elements = m_diagnostics[static_cast<std::size_t>(index.row())].elements;
+  return {elements.begin(), elements.end()};
+}
+
+int DiagnosticModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_diagnostics.size());
+}
+
+QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const Diagnostic& diagnostic = m_diagnostics[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      return shownText(diagnostic.message);
+    case Qt::AccessibleTextRole:
+      return shownText(severityName(diagnostic.severity())) + QStringLiteral(": ") +
+             shownText(diagnostic.message);
+    case SeverityRole:
+      return static_cast<int>(diagnostic.severity());
+    case CodeRole:
+      return shownText(codeName(diagnostic.code));
+    case PlaceRole:
+      return placeOf(diagnostic);
+    default:
+      return {};
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,166 @@
+#include "ui/models/matrix_model.h"
+
+namespace geargraph {
+namespace {
+
+QString shownText(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// The same rows and columns, in the same order, under the same labels.
+bool sameHeadings(const IntegerMatrix& a, const IntegerMatrix& b) {
+  if (a.kind() != b.kind() || a.rows() != b.rows() || a.columns() != b.columns()) return false;
+  for (int i = 0; i < a.rows(); ++i) {
+    const Heading before = a.rowHeading(i);
+    const Heading after = b.rowHeading(i);
+    if (before.element != after.element || before.label != after.label) return false;
+  }
+  for (int j = 0; j < a.columns(); ++j) {
+    const Heading before = a.columnHeading(j);
+    const Heading after = b.columnHeading(j);
+    if (before.element != after.element || before.label != after.label) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+MatrixModel::MatrixModel(QObject* parent) : QAbstractTableModel(parent) {
+  m_glow.setSingleShot(true);
+  m_glow.setInterval(kGlowMilliseconds);
+  connect(&m_glow, &QTimer::timeout, this, [this] {
+    m_before.reset();
+    if (rowCount() > 0 && columnCount() > 0) {
+      emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1), {ChangedRole});
+    }
+  });
+}
+
+void MatrixModel::setKind(MatrixKind kind) {
+  if (kind == m_kind) return;
+  m_kind = kind;
+  show(false);
+}
+
+void MatrixModel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  m_preview.reset();  // what was drawn is in the snapshot now, or was given up
+  show(true);
+}
+
+void MatrixModel::setPreview(std::optional<PreviewSnapshot> preview) {
+  if (!preview && !m_preview) return;
+  m_preview = std::move(preview);
+  show(false);
+}
+
+const AnalysisSnapshot* MatrixModel::shown() const {
+  if (m_preview && m_preview->snapshot->matrix(m_kind)) return m_preview->snapshot.get();
+  return m_snapshot.get();
+}
+
+void MatrixModel::show(bool glow) {
+  const AnalysisSnapshot* source = shown();
+  const IntegerMatrixPtr next = source != nullptr ? source->matrix(m_kind) : nullptr;
+  const IntegerMatrixPtr before = m_matrix;
+  m_rowsBefore.clear();
+  m_columnsBefore.clear();
+  m_before = glow && before && next && before->kind() == next->kind() ? before : nullptr;
+  if (m_before) {
+    for (int i = 0; i < before->rows(); ++i) m_rowsBefore.emplace(before->rowHeading(i).element, i);
+    for (int j = 0; j < before->columns(); ++j) m_columnsBefore.emplace(before->columnHeading(j).element, j);
+    m_glow.start();
+  }
+  if (before && next && sameHeadings(*before, *next)) {
+    m_matrix = next;
+    if (rowCount() > 0 && columnCount() > 0) {
+      emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+  } else {
+    beginResetModel();
+    m_matrix = next;
+    endResetModel();
+  }
+  emit matrixChanged();
+}
+
+std::set<ElementId> MatrixModel::elementsOfRow(int row) const {
+  const AnalysisSnapshot& source = *shown();
+  return geargraph::elementsOfRow(m_kind, *source.graph, source.tree.get(), row);
+}
+
+std::set<ElementId> MatrixModel::elementsOfCell(int row, int column) const {
+  std::set<ElementId> elements = elementsOfRow(row);
+  const bool pair =
+      m_kind == MatrixKind::incidence || m_kind == MatrixKind::reducedIncidence || m_kind == MatrixKind::path;
+  if (pair) elements.insert(columnElement(column));
+  return elements;
+}
+
+CellExplanation MatrixModel::explanation(const QModelIndex& index) const {
+  const AnalysisSnapshot& source = *shown();
+  return explainCell(m_kind, *source.graph, source.tree.get(), index.row(), index.column());
+}
+
+int MatrixModel::partition() const {
+  return m_matrix ? m_matrix->partition().value_or(-1) : -1;
+}
+
+int MatrixModel::rowCount(const QModelIndex& parent) const {
+  return m_matrix && !parent.isValid() ? m_matrix->rows() : 0;
+}
+
+int MatrixModel::columnCount(const QModelIndex& parent) const {
+  return m_matrix && !parent.isValid() ? m_matrix->columns() : 0;
+}
+
+QVariant MatrixModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const int row = index.row();
+  const int column = index.column();
+  switch (role) {
+    case Qt::DisplayRole:
+      return shownText(printedEntry(m_matrix->entry(row, column)));
+    case Qt::TextAlignmentRole:
+      return int(Qt::AlignCenter);
+    case Qt::AccessibleTextRole:
+      return shownText(explanation(index).title);
+    case ValueRole:
+      return m_matrix->entry(row, column);
+    case ChangedRole:
+      return hasChanged(row, column);
+    case GhostRole:
+      return isGhost(row, column);
+    default:
+      return {};
+  }
+}
+
+QVariant MatrixModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  const bool across = orientation == Qt::Horizontal;
+  if (!m_matrix || section < 0 || section >= (across ? columnCount() : rowCount())) return {};
+  const Heading heading = across ? m_matrix->columnHeading(section) : m_matrix->rowHeading(section);
+  switch (role) {
+    case Qt::DisplayRole:
+      return shownText(heading.text);
+    case GhostRole:
+      return m_preview && heading.element == m_preview->ghost;
+    default:
+      return {};
+  }
+}
+
+bool MatrixModel::isGhost(int row, int column) const {
+  return m_preview && (rowElement(row) == m_preview->ghost || columnElement(column) == m_preview->ghost);
+}
+
+bool MatrixModel::hasChanged(int row, int column) const {
+  if (!m_before) return false;
+  const auto rowBefore = m_rowsBefore.find(rowElement(row));
+  const auto columnBefore = m_columnsBefore.find(columnElement(column));
+  const int now = m_matrix->entry(row, column);
+  if (rowBefore == m_rowsBefore.end() || columnBefore == m_columnsBefore.end()) return now != 0;
+  return m_before->entry(rowBefore->second, columnBefore->second) != now;
+}
+
+}  // namespace geargraph

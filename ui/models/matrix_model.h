@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QTimer>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "core/analysis/analysis.h"
+#include "core/derivation/cell_explanation.h"
+#include "ui/models/joint_preview.h"
+
+namespace geargraph {
+
+/// One matrix of the newest snapshot as a table. Entries are asked for when they are shown, so a matrix of
+/// 10,000 rows costs what is on the screen.
+///
+/// While an arrow is being drawn the matrix is the one that it would make; the joint to be is the ghost.
+class MatrixModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    ValueRole = Qt::UserRole,  ///< int: the entry
+    ChangedRole,               ///< bool: the last edit changed the entry, less than 0.6 s ago
+    GhostRole,                 ///< bool: the cell, row or column of the joint to be
+  };
+  static constexpr int kGlowMilliseconds = 600;
+
+  explicit MatrixModel(QObject* parent = nullptr);
+
+  [[nodiscard]] MatrixKind kind() const { return m_kind; }
+  void setKind(MatrixKind kind);
+  void setSnapshot(const SnapshotPtr& snapshot);
+  void setPreview(std::optional<PreviewSnapshot> preview);
+
+  /// The matrix that is shown; null where there is none (no snapshot yet, or no spanning tree).
+  [[nodiscard]] const IntegerMatrixPtr& matrix() const { return m_matrix; }
+  /// The newest snapshot without the preview; null before the first.
+  [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+
+  [[nodiscard]] ElementId rowElement(int row) const { return m_matrix->rowHeading(row).element; }
+  [[nodiscard]] ElementId columnElement(int column) const { return m_matrix->columnHeading(column).element; }
+  /// What lights up for a row: for T and C the whole cycle.
+  [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const;
+  /// What lights up for a cell: the row of a cycle or cutset as a whole, else the two elements that meet in
+  /// it.
+  [[nodiscard]] std::set<ElementId> elementsOfCell(int row, int column) const;
+  /// @pre the index is in the model
+  [[nodiscard]] CellExplanation explanation(const QModelIndex& index) const;
+  /// The first column behind the dashed line, or -1.
+  [[nodiscard]] int partition() const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role = Qt::DisplayRole) const override;
+
+ signals:
+  void matrixChanged();  ///< another matrix, or none: titles and empty states are to be renewed
+
+ private:
+  [[nodiscard]] const AnalysisSnapshot* shown() const;
+  void show(bool glow);
+  [[nodiscard]] bool isGhost(int row, int column) const;
+  [[nodiscard]] bool hasChanged(int row, int column) const;
+
+  MatrixKind m_kind = MatrixKind::cycleBasis;
+  SnapshotPtr m_snapshot;
+  std::optional<PreviewSnapshot> m_preview;
+  IntegerMatrixPtr m_matrix;
+  IntegerMatrixPtr m_before;  ///< while cells glow: the matrix before the edit, else null
+  std::unordered_map<ElementId, int> m_rowsBefore;
+  std::unordered_map<ElementId, int> m_columnsBefore;
+  QTimer m_glow;
+};
+
+}  // namespace geargraph
