@@ -1,0 +1,278 @@
+#include "ui/panels/element_forms.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "core/mechanism/edits.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/term_tips.h"
+
+namespace geargraph {
+namespace {
+
+/// The value that all elements share, or nothing.
+template <class Element, class Get>
+auto shared(const std::vector<const Element*>& elements, Get get)
+    -> std::optional<std::decay_t<decltype(get(*elements.front()))>> {
+  const auto first = get(*elements.front());
+  for (const Element* element : elements) {
+    if (!(get(*element) == first)) return std::nullopt;
+  }
+  return first;
+}
+
+/// Shows a text that is not being typed just now.
+void showText(QLineEdit* field, const QString& text) {
+  if (field->text() != text) field->setText(text);
+}
+
+std::optional<Number> wholeNumber(const std::optional<int>& value) {
+  if (!value) return std::nullopt;
+  return Number(*value);
+}
+
+int asTeeth(const Number& number) {
+  return static_cast<int>(number.value());
+}
+
+const NumberTriple kOrigin{Number(0), Number(0), Number(0)};
+const NumberTriple kUpwards{Number(0), Number(0), Number(1)};
+
+}  // namespace
+
+DocumentForm::DocumentForm(Document* document)
+    : PropertyForm(document, {}), m_owner(document), m_name(new QLineEdit(this)) {
+  setTitle(tr("Document"));
+  m_name->setObjectName(QStringLiteral("documentName"));
+  m_nameGesture = document->newGesture();
+  addRow(tr("Name"), Term::label, m_name);
+  addNote(tr("Select a link, a joint or a mesh to see and change what belongs to it."));
+  connect(m_name, &QLineEdit::textEdited, this, &DocumentForm::setDocumentName);
+}
+
+void DocumentForm::setDocumentName(const QString& name) {
+  m_owner->apply({tr("Rename document"),
+                  [text = name.toStdString()](const Mechanism& before) -> Expected<Mechanism> {
+                    Mechanism next = before;
+                    next.name = text;
+                    return next;
+                  },
+                  m_nameGesture});
+}
+
+void DocumentForm::refresh() {
+  showText(m_name, shownText(mechanism().name));
+}
+
+LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
+    : PropertyForm(document, std::move(links)) {
+  if (elements().size() > 1) {
+    addNote(tr("Links share no properties. Delete removes them with their joints and meshes."));
+    return;
+  }
+  m_name = new QLineEdit(this);
+  m_name->setObjectName(QStringLiteral("linkName"));
+  addRow(tr("Name"), Term::link, m_name);
+  newGesture();
+  connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {
+    apply(tr("Rename link"), [text = name.toStdString()](Mechanism before, const ElementId& link) {
+      return withName(std::move(before), link, text);
+    });
+  });
+  connect(m_name, &QLineEdit::editingFinished, this, &LinkForm::newGesture);
+  m_ground = new QPushButton(tr("Make ground"), this);
+  m_ground->setObjectName(QStringLiteral("makeGround"));
+  connect(m_ground, &QPushButton::clicked, this, [this] {
+    newGesture();
+    apply(tr("Make ground"), [](Mechanism before, const ElementId& link) {
+      return withGround(std::move(before), LinkId(link.id));
+    });
+  });
+  addButtons({m_ground});
+}
+
+void LinkForm::refresh() {
+  if (elements().size() > 1) return setTitle(tr("%1 links").arg(elements().size()));
+  const ElementId link = elements().front();
+  const bool isGround = mechanism().links.front().id == LinkId(link.id);
+  setTitle(isGround ? tr("Link 0, the ground") : tr("Link %1").arg(label(link)));
+  showText(m_name, shownText(mechanism().find(LinkId(link.id))->name));
+  m_ground->setEnabled(!isGround);
+  m_ground->setToolTip(isGround ? tr("This link is the ground already.")
+                                : tr("This link stands still, and the labels follow: it becomes 0."));
+}
+
+JointForm::JointForm(Document* document, std::vector<ElementId> joints)
+    : PropertyForm(document, std::move(joints)),
+      m_axis(new QComboBox(this)),
+      m_point(new TripleField(QStringLiteral("axisPoint"), kOrigin)),
+      m_direction(new TripleField(QStringLiteral("axisDirection"), kUpwards)),
+      m_offset(makeNumber(QStringLiteral("offset"))) {
+  m_axis->setObjectName(QStringLiteral("axis"));
+  m_offset->setEmptyText(tr("several"));
+  addRow(tr("Axis"), Term::axis, m_axis);
+  addRow(tr("Point"), Term::axisPoint, m_point);
+  addRow(tr("Direction"), Term::axisDirection, m_direction);
+  addRow(tr("Offset"), Term::offset, m_offset);
+  auto* flip = new QPushButton(tr("Flip"), this);
+  flip->setToolTip(tr("Exchange tail and head: the arrow turns round, and the speed changes its sign."));
+  addButtons({flip});
+
+  connect(flip, &QPushButton::clicked, this, [this] {
+    newGesture();
+    apply(tr("Flip joint"),
+          [](Mechanism before, const ElementId& joint) { return withFlipped(std::move(before), joint); });
+  });
+  connect(m_axis, &QComboBox::activated, this, [this] {
+    newGesture();
+    apply(tr("Change axis"),
+          [axis = AxisId(m_axis->currentText().toStdString())](Mechanism before, const ElementId& joint) {
+            return withJointAxis(std::move(before), JointId(joint.id), axis);
+          });
+  });
+  connect(m_offset, &NumberField::edited, this, [this](const std::optional<Number>& offset) {
+    if (!offset) return;
+    apply(tr("Move bearing"), [number = *offset](Mechanism before, const ElementId& joint) {
+      return withOffset(std::move(before), JointId(joint.id), number);
+    });
+  });
+  connect(m_point, &TripleField::editingStarted, this, &JointForm::newGesture);
+  connect(m_direction, &TripleField::editingStarted, this, &JointForm::newGesture);
+  connect(m_point, &TripleField::edited, this,
+          [this](const std::optional<NumberTriple>& triple) { placeAxis(triple, true); });
+  connect(m_direction, &TripleField::edited, this,
+          [this](const std::optional<NumberTriple>& triple) { placeAxis(triple, false); });
+}
+
+void JointForm::placeAxis(const std::optional<NumberTriple>& triple, bool ofPoint) {
+  apply(ofPoint ? tr("Move axis") : tr("Turn axis"),
+        [triple, ofPoint](Mechanism before, const ElementId& joint) {
+          const AxisId id = before.find(JointId(joint.id))->axis;
+          const Axis axis = *before.find(id);
+          return withAxisPlaced(std::move(before), id, ofPoint ? triple : axis.point,
+                                ofPoint ? axis.direction : triple);
+        });
+}
+
+std::vector<const TurningJoint*> JointForm::joints() const {
+  std::vector<const TurningJoint*> found;
+  for (const ElementId& element : elements()) found.push_back(mechanism().find(JointId(element.id)));
+  return found;
+}
+
+void JointForm::fillAxes() {
+  QStringList ids;
+  for (const Axis& axis : mechanism().axes) ids << shownText(axis.id.text());
+  QStringList shown;
+  for (int i = 0; i < m_axis->count(); ++i) shown << m_axis->itemText(i);
+  if (shown == ids) return;
+  m_axis->clear();
+  m_axis->addItems(ids);
+}
+
+void JointForm::refresh() {
+  const auto all = joints();
+  const ElementId first = elements().front();
+  setTitle(all.size() > 1 ? tr("%1 turning joints").arg(all.size())
+                          : tr("Turning joint %1: %2 → %3")
+                                .arg(label(first), label(all.front()->tail), label(all.front()->head)));
+  const QSignalBlocker quiet(m_axis);
+  fillAxes();
+  const auto axis = shared(all, [](const TurningJoint& joint) { return joint.axis; });
+  m_axis->setCurrentIndex(axis ? m_axis->findText(shownText(axis->text())) : -1);
+  m_point->setEnabled(axis.has_value());
+  m_direction->setEnabled(axis.has_value());
+  const Axis* placed = axis ? mechanism().find(*axis) : nullptr;
+  m_point->setTriple(placed != nullptr ? placed->point : std::nullopt);
+  m_direction->setTriple(placed != nullptr ? placed->direction : std::nullopt);
+  m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
+}
+
+MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
+    : PropertyForm(document, std::move(meshes)),
+      m_tailTeeth(makeNumber(QStringLiteral("tailTeeth"))),
+      m_headTeeth(makeNumber(QStringLiteral("headTeeth"))),
+      m_kind(new QComboBox(this)),
+      m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"), kOrigin)),
+      m_ratio(new QLabel(this)) {
+  m_kind->setObjectName(QStringLiteral("meshKind"));
+  m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
+  const bool one = elements().size() == 1;
+  const GearMesh& first = *this->meshes().front();
+  addRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), Term::teeth, m_tailTeeth);
+  addRow(one ? tr("Teeth of gear %1").arg(label(first.head)) : tr("Teeth, head"), Term::teeth, m_headTeeth);
+  addRow(tr("Ratio"), Term::gearRatio, m_ratio);
+  addRow(tr("Kind"), Term::meshKind, m_kind);
+  addRow(tr("Pitch point"), Term::pitchPoint, m_pitchPoint);
+  auto* flip = new QPushButton(tr("Flip"), this);
+  flip->setToolTip(tr("Exchange tail and head with their teeth: the arrow turns round."));
+  addButtons({flip});
+
+  for (NumberField* field : {m_tailTeeth, m_headTeeth}) {
+    field->setWhole(kFewestTeeth, kMostTeeth);
+    field->setEmptyText(tr("several"));
+    connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
+      if (!number) return;
+      const bool ofTail = field == m_tailTeeth;
+      apply(tr("Change teeth"), [ofTail, teeth = asTeeth(*number)](Mechanism before, const ElementId& id) {
+        const GearMesh mesh = *before.find(MeshId(id.id));
+        return withTeeth(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
+                         ofTail ? mesh.headTeeth : teeth);
+      });
+    });
+  }
+  connect(m_kind, &QComboBox::activated, this, [this](int index) {
+    newGesture();
+    const auto kind = index > 0 ? std::optional(static_cast<MeshKind>(index - 1)) : std::nullopt;
+    apply(tr("Change kind"), [kind](Mechanism before, const ElementId& id) {
+      return withMeshKind(std::move(before), MeshId(id.id), kind);
+    });
+  });
+  connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);
+  connect(m_pitchPoint, &TripleField::edited, this, [this](const std::optional<NumberTriple>& point) {
+    apply(tr("Move pitch point"), [point](Mechanism before, const ElementId& id) {
+      return withPitchPoint(std::move(before), MeshId(id.id), point);
+    });
+  });
+  connect(flip, &QPushButton::clicked, this, [this] {
+    newGesture();
+    apply(tr("Flip mesh"),
+          [](Mechanism before, const ElementId& mesh) { return withFlipped(std::move(before), mesh); });
+  });
+}
+
+std::vector<const GearMesh*> MeshForm::meshes() const {
+  std::vector<const GearMesh*> found;
+  for (const ElementId& element : elements()) found.push_back(mechanism().find(MeshId(element.id)));
+  return found;
+}
+
+void MeshForm::refresh() {
+  const auto all = meshes();
+  const GearMesh& first = *all.front();
+  setTitle(
+      all.size() > 1
+          ? tr("%1 gear meshes").arg(all.size())
+          : tr("Gear mesh %1: %2 → %3").arg(label(elements().front()), label(first.tail), label(first.head)));
+  m_tailTeeth->setNumber(wholeNumber(shared(all, [](const GearMesh& mesh) { return mesh.tailTeeth; })));
+  m_headTeeth->setNumber(wholeNumber(shared(all, [](const GearMesh& mesh) { return mesh.headTeeth; })));
+  const auto ratio =
+      shared(all, [](const GearMesh& mesh) { return Rational(mesh.tailTeeth, mesh.headTeeth); });
+  m_ratio->setText(ratio ? shownText(ratio->toString()) : tr("several"));
+  const auto kind = shared(all, [](const GearMesh& mesh) { return mesh.kind; });
+  const QSignalBlocker quiet(m_kind);
+  m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
+  m_pitchPoint->setEnabled(all.size() == 1);
+  m_pitchPoint->setToolTip(all.size() == 1 ? QString() : tr("Each mesh has a pitch point of its own."));
+  m_pitchPoint->setTriple(all.size() == 1 ? first.pitchPoint : std::nullopt);
+}
+
+MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)
+    : PropertyForm(document, std::move(elements)) {
+  setTitle(tr("%1 elements").arg(this->elements().size()));
+  addNote(tr("They are of several kinds. Select elements of one kind to change them together."));
+}
+
+}  // namespace geargraph

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QLineEdit>
+
+#include "ui/panels/property_forms.h"
+
+namespace geargraph {
+
+/// The document's own name.
+class DocumentForm : public PropertyForm {
+  Q_OBJECT
+
+ public:
+  explicit DocumentForm(Document* document);
+  void refresh() override;
+
+ private:
+  void setDocumentName(const QString& name);
+
+  Document* m_owner;
+  QLineEdit* m_name;
+  quint64 m_nameGesture = 0;
+};
+
+class LinkForm : public PropertyForm {
+  Q_OBJECT
+
+ public:
+  LinkForm(Document* document, std::vector<ElementId> links);
+  void refresh() override;
+
+ private:
+  QLineEdit* m_name = nullptr;      ///< for one link
+  QPushButton* m_ground = nullptr;  ///< for one link
+};
+
+class JointForm : public PropertyForm {
+  Q_OBJECT
+
+ public:
+  JointForm(Document* document, std::vector<ElementId> joints);
+  void refresh() override;
+
+ private:
+  [[nodiscard]] std::vector<const TurningJoint*> joints() const;
+  void placeAxis(const std::optional<NumberTriple>& point, bool ofPoint);
+  void fillAxes();
+
+  QComboBox* m_axis;
+  TripleField* m_point;
+  TripleField* m_direction;
+  NumberField* m_offset;
+};
+
+class MeshForm : public PropertyForm {
+  Q_OBJECT
+
+ public:
+  MeshForm(Document* document, std::vector<ElementId> meshes);
+  void refresh() override;
+
+ private:
+  [[nodiscard]] std::vector<const GearMesh*> meshes() const;
+
+  NumberField* m_tailTeeth;
+  NumberField* m_headTeeth;
+  QComboBox* m_kind;
+  TripleField* m_pitchPoint;
+  QLabel* m_ratio;
+};
+
+/// Elements of several kinds: there is nothing that all of them have.
+class MixedForm : public PropertyForm {
+  Q_OBJECT
+
+ public:
+  MixedForm(Document* document, std::vector<ElementId> elements);
+  void refresh() override {}
+};
+
+}  // namespace geargraph

@@ -1,0 +1,205 @@
+#include "ui/panels/matrices_panel.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QFrame>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QToolTip>
+
+#include "core/derivation/matrix_text.h"
+#include "ui/panels/matrix_view.h"
+#include "ui/panels/term_tips.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kCardWidth = 176;
+constexpr int kWidthForCard = 560;
+
+QToolButton* flatButton(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setProperty("look", "flat");
+  return button;
+}
+
+}  // namespace
+
+MatricesPanel::MatricesPanel(Selection* selection, QWidget* parent)
+    : QWidget(parent), m_model(new MatrixModel(this)), m_view(new MatrixView(m_model, selection, this)) {
+  m_view->setObjectName(QStringLiteral("matrixView"));
+  m_empty = new QLabel(this);
+  m_empty->setProperty("look", "empty");
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_pages = new QStackedWidget(this);
+  m_pages->addWidget(m_view);
+  m_pages->addWidget(m_empty);
+
+  auto* lower = new QHBoxLayout;
+  lower->setContentsMargins(12, 0, 10, 8);
+  lower->addWidget(m_pages, 1);
+  lower->addWidget(makeCard(), 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(makeBar());
+  layout->addLayout(lower, 1);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+
+  connect(m_view, &MatrixView::restedOn, this, &MatricesPanel::explain);
+  connect(m_model, &MatrixModel::matrixChanged, this, &MatricesPanel::renew);
+  renew();
+}
+
+QWidget* MatricesPanel::makeBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(12, 6, 10, 2);
+  layout->setSpacing(5);
+  m_chips = new QButtonGroup(this);
+  for (const MatrixKind kind : allMatrixKinds()) {
+    auto* chip = new QToolButton(bar);
+    chip->setText(shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')));
+    chip->setObjectName(QStringLiteral("chip.") + shownText(matrixCommandName(kind)));
+    chip->setToolTip(tipOf(termOf(kind)));
+    chip->setCheckable(true);
+    chip->setChecked(kind == m_model->kind());
+    chip->setProperty("look", "chip");
+    m_chips->addButton(chip, static_cast<int>(kind));
+    layout->addWidget(chip);
+  }
+  connect(m_chips, &QButtonGroup::idClicked, this,
+          [this](int id) { showMatrix(static_cast<MatrixKind>(id)); });
+  layout->addStretch(1);
+
+  m_copy = makeCopyButton();
+  layout->addWidget(m_copy);
+  m_export = flatButton(tr("CSV…"), tr("Export the matrix with its labels to a CSV file"), bar);
+  m_export->setObjectName(QStringLiteral("exportCsv"));
+  connect(m_export, &QToolButton::clicked, this, [this] { emit exportWanted(m_model->matrix()); });
+  layout->addWidget(m_export);
+  auto* zeros = flatButton(tr("zeros ·"), tr("Show zeros as faint dots, or as 0"), bar);
+  zeros->setObjectName(QStringLiteral("zerosAsDots"));
+  connect(zeros, &QToolButton::clicked, this, [this, zeros] {
+    m_view->setZerosAsDots(!m_view->zerosAsDots());
+    zeros->setText(m_view->zerosAsDots() ? tr("zeros ·") : tr("zeros 0"));
+  });
+  layout->addWidget(zeros);
+  return bar;
+}
+
+QToolButton* MatricesPanel::makeCopyButton() {
+  auto* button = flatButton(tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
+  button->setObjectName(QStringLiteral("copyMatrix"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  using Writer = std::string (*)(const IntegerMatrix&);
+  const std::pair<QString, Writer> formats[] = {{tr("Table (TSV)"), &matrixTsv},
+                                                {QStringLiteral("CSV"), &matrixCsv},
+                                                {QStringLiteral("LaTeX"), &matrixLatex},
+                                                {QStringLiteral("MATLAB"), &matrixMatlab},
+                                                {QStringLiteral("NumPy"), &matrixNumpy}};
+  for (const auto& [name, writer] : formats) {
+    menu->addAction(name, this, [this, write = writer] {
+      if (m_model->matrix()) QApplication::clipboard()->setText(shownText(write(*m_model->matrix())));
+    });
+  }
+  button->setMenu(menu);
+  return button;
+}
+
+QFrame* MatricesPanel::makeCard() {
+  m_card = new QFrame(this);
+  m_card->setProperty("look", "card");
+  m_card->setFixedWidth(kCardWidth);
+  m_cardTitle = new QLabel(m_card);
+  m_cardTitle->setProperty("look", "title");
+  m_cardTitle->setWordWrap(true);
+  m_cardTitle->setObjectName(QStringLiteral("cellTitle"));
+  m_cardText = new QLabel(m_card);
+  m_cardText->setProperty("look", "hint");
+  m_cardText->setWordWrap(true);
+  m_cardText->setObjectName(QStringLiteral("cellText"));
+  auto* layout = new QVBoxLayout(m_card);
+  layout->setContentsMargins(11, 8, 9, 9);
+  layout->setSpacing(4);
+  layout->addWidget(m_cardTitle);
+  layout->addWidget(m_cardText);
+  return m_card;
+}
+
+void MatricesPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_model->setSnapshot(snapshot);
+}
+
+void MatricesPanel::setPreview(std::optional<PreviewSnapshot> preview) {
+  m_model->setPreview(std::move(preview));
+}
+
+void MatricesPanel::showMatrix(MatrixKind kind) {
+  m_chips->button(static_cast<int>(kind))->setChecked(true);
+  m_model->setKind(kind);
+}
+
+/// The card tells what the cell under the mouse means; without one, what the matrix is.
+void MatricesPanel::explain(const QModelIndex& index) {
+  const bool onCell = index.isValid() && m_model->checkIndex(index);
+  if (onCell) {
+    const CellExplanation cell = m_model->explanation(index);
+    m_cardTitle->setText(shownText(cell.title));
+    m_cardText->setText(shownText(cell.text));
+    if (m_card->isHidden()) {
+      const QString tip = QStringLiteral("<b>%1</b><br>%2").arg(m_cardTitle->text(), m_cardText->text());
+      QToolTip::showText(QCursor::pos(), tip, m_view);
+    }
+    return;
+  }
+  const Definition& definition = definitionOf(termOf(m_model->kind()));
+  m_cardTitle->setText(shownText(definition.name));
+  m_cardText->setText(shownText(definition.text) +
+                      (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
+}
+
+void MatricesPanel::renew() {
+  const bool there = m_model->matrix() != nullptr;
+  const bool empty = !there || m_model->rowCount() == 0 || m_model->columnCount() == 0;
+  m_copy->setEnabled(there);
+  m_export->setEnabled(there);
+  const QString why = whyEmpty();
+  m_export->setToolTip(there ? tr("Export the matrix with its labels to a CSV file") : why);
+  m_copy->setToolTip(there ? tr("Copy the matrix with its labels") : why);
+  m_empty->setText(why);
+  m_pages->setCurrentWidget(empty ? static_cast<QWidget*>(m_empty) : m_view);
+  explain({});
+}
+
+QString MatricesPanel::whyEmpty() const {
+  const SnapshotPtr& snapshot = m_model->snapshot();
+  if (!snapshot) return tr("The matrices appear as soon as the mechanism is analysed.");
+  if (!m_model->matrix()) {
+    QString why;
+    for (const Diagnostic& diagnostic : snapshot->diagnostics) {
+      const bool treeless = diagnostic.code == Code::disconnected || diagnostic.code == Code::turningLoop;
+      if (treeless && why.isEmpty()) why = shownText(diagnostic.message);
+    }
+    return tr("This matrix needs the turning joints to be a spanning tree.") + QStringLiteral("\n") + why;
+  }
+  if (snapshot->mechanism->n() == 0) return tr("Draw the first link: L, then click.");
+  if (snapshot->mechanism->t() == 0) return tr("Draw a turning joint: T, then drag from a link to another.");
+  return tr("Draw a gear mesh: G, then drag from a gear to the one it drives.");
+}
+
+void MatricesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  m_card->setVisible(width() >= kWidthForCard);
+}
+
+}  // namespace geargraph

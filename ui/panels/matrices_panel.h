@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "ui/models/matrix_model.h"
+#include "ui/selection/selection.h"
+
+class QButtonGroup;
+class QFrame;
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace geargraph {
+
+class MatrixView;
+
+/// The matrices of the newest snapshot: a chip for each, the matrix, and what the cell under the mouse means.
+class MatricesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MatricesPanel(Selection* selection, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  void setPreview(std::optional<PreviewSnapshot> preview);
+  void showMatrix(MatrixKind kind);
+
+  [[nodiscard]] MatrixModel& model() { return *m_model; }
+  [[nodiscard]] MatrixView& view() { return *m_view; }
+
+ signals:
+  void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QWidget* makeBar();
+  QToolButton* makeCopyButton();
+  QFrame* makeCard();
+  void explain(const QModelIndex& index);
+  void renew();
+  [[nodiscard]] QString whyEmpty() const;
+
+  MatrixModel* m_model;
+  MatrixView* m_view;
+  QButtonGroup* m_chips = nullptr;
+  QToolButton* m_copy = nullptr;
+  QToolButton* m_export = nullptr;
+  QStackedWidget* m_pages = nullptr;
+  QLabel* m_empty = nullptr;
+  QFrame* m_card = nullptr;
+  QLabel* m_cardTitle = nullptr;
+  QLabel* m_cardText = nullptr;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,80 @@
+#include "ui/panels/matrix_header.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "ui/panels/matrix_view.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+void paintBracket(QPainter& painter, int x, int top, int bottom, int hook) {
+  painter.drawPolyline(
+      QPolygon({QPoint(x + hook, top), QPoint(x, top), QPoint(x, bottom), QPoint(x + hook, bottom)}));
+}
+
+MatrixHeader::MatrixHeader(Qt::Orientation orientation, MatrixView* view)
+    : QHeaderView(orientation, view), m_view(view) {
+  setMouseTracking(true);
+  setSectionResizeMode(QHeaderView::Fixed);
+  setHighlightSections(false);
+  setSectionsClickable(true);
+  setMinimumSectionSize(8);
+}
+
+QSize MatrixHeader::sizeHint() const {
+  if (orientation() == Qt::Horizontal) return {0, 30};
+  const QFontMetrics metrics(font());
+  const int rows = count();
+  const QString widest = rows == 0 ? QString() : model()->headerData(rows - 1, Qt::Vertical).toString();
+  return {metrics.horizontalAdvance(widest) + 34 + MatrixView::kBracket, 0};
+}
+
+void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+  const Theme theme = themeOf(palette());
+  const bool across = orientation() == Qt::Horizontal;
+  const bool lit = across ? m_view->isColumnLit(section) : m_view->isRowLit(section);
+  const bool ghost = model()->headerData(section, orientation(), MatrixModel::GhostRole).toBool();
+
+  painter->save();
+  QFont labelFont = font();
+  labelFont.setBold(lit);
+  labelFont.setItalic(ghost);
+  painter->setFont(labelFont);
+  painter->setPen(qColor(lit ? ColorRole::accent : ColorRole::secondary, theme));
+  const QString text = model()->headerData(section, orientation()).toString();
+  if (across) {
+    const bool last = section == count() - 1;
+    painter->drawText(rect.adjusted(0, 0, last ? -MatrixView::kBracket : 0, 0), Qt::AlignCenter, text);
+  } else {
+    painter->drawText(rect.adjusted(0, 0, -MatrixView::kBracket - 8, 0), Qt::AlignRight | Qt::AlignVCenter,
+                      text);
+  }
+  painter->restore();
+}
+
+void MatrixHeader::paintEvent(QPaintEvent* event) {
+  QHeaderView::paintEvent(event);
+  if (orientation() == Qt::Horizontal || count() == 0) return;
+  QPainter painter(viewport());
+  painter.setPen(QPen(qColor(ColorRole::ink, themeOf(palette())), 2));
+  const int last = count() - 1;
+  paintBracket(painter, viewport()->width() - MatrixView::kBracket + 5, sectionViewportPosition(0) + 1,
+               sectionViewportPosition(last) + sectionSize(last) - 1, 7);
+}
+
+void MatrixHeader::mouseMoveEvent(QMouseEvent* event) {
+  QHeaderView::mouseMoveEvent(event);
+  const int section = logicalIndexAt(event->pos());
+  if (section == m_hovered) return;
+  m_hovered = section;
+  emit sectionHovered(section);
+}
+
+void MatrixHeader::leaveEvent(QEvent* event) {
+  QHeaderView::leaveEvent(event);
+  m_hovered = -1;
+  emit sectionHovered(-1);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,211 @@
+#include "ui/panels/matrix_view.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+#include "ui/panels/matrix_header.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+class EntryDelegate : public QStyledItemDelegate {
+ public:
+  explicit EntryDelegate(MatrixView* view) : QStyledItemDelegate(view), m_view(view) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const Theme theme = themeOf(option.palette);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const bool last = index.column() == index.model()->columnCount() - 1;
+    const QRectF cell = QRectF(option.rect).adjusted(0, 0, last ? -MatrixView::kBracket : 0, 0);
+    if (m_view->isRowLit(index.row()) || m_view->isColumnTinted(index.column())) {
+      QColor band = qColor(ColorRole::halo, theme);
+      band.setAlphaF(0.35F);
+      painter->fillRect(cell, band);
+    }
+    paintEntry(*painter, cell, option, index, theme);
+    painter->restore();
+  }
+
+ private:
+  void paintEntry(QPainter& painter, const QRectF& cell, const QStyleOptionViewItem& option,
+                  const QModelIndex& index, Theme theme) const {
+    const int value = index.data(MatrixModel::ValueRole).toInt();
+    QRectF pill(0, 0, 30, 21);
+    pill.moveCenter(cell.center());
+    if (index.data(MatrixModel::ChangedRole).toBool()) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(qColor(ColorRole::halo, theme));
+      painter.drawRoundedRect(pill.adjusted(-4, -4, 4, 4), 7, 7);
+    }
+    const bool ghost = index.data(MatrixModel::GhostRole).toBool();
+    ColorRole ink = ColorRole::secondary;
+    if (value != 0) {
+      ink = value > 0 ? ColorRole::positiveInk : ColorRole::negativeInk;
+      painter.setBrush(qColor(value > 0 ? ColorRole::positiveFill : ColorRole::negativeFill, theme));
+      painter.setPen(ghost ? QPen(qColor(ColorRole::secondary, theme), 1, Qt::DashLine) : QPen(Qt::NoPen));
+      painter.drawRoundedRect(pill, 5, 5);
+    }
+    if (m_view->underMouse() && option.state.testFlag(QStyle::State_MouseOver)) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(qColor(ColorRole::accent, theme), 1.6));
+      painter.drawRoundedRect(pill, 5, 5);
+    }
+    QFont font = option.font;
+    font.setItalic(ghost);
+    painter.setFont(font);
+    painter.setPen(qColor(ink, theme));
+    const bool dot = value == 0 && m_view->zerosAsDots();
+    painter.drawText(cell, Qt::AlignCenter, dot ? QStringLiteral("·") : index.data().toString());
+  }
+
+  MatrixView* m_view;
+};
+
+}  // namespace
+
+MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent)
+    : QTableView(parent), m_model(model), m_selection(selection) {
+  setModel(model);
+  setItemDelegate(new EntryDelegate(this));
+  setShowGrid(false);
+  setMouseTracking(true);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setFocusPolicy(Qt::StrongFocus);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setCornerButtonEnabled(false);
+  setFrameShape(QFrame::NoFrame);
+  setEntryPixels(kBodyPixels + 1);
+  setUpHeaders();
+
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(kRestMilliseconds);
+  connect(&m_rest, &QTimer::timeout, this, [this] { emit restedOn(m_under); });
+  connect(model, &MatrixModel::matrixChanged, this, &MatrixView::fitSections);
+  connect(selection, &Selection::hoverChanged, this, &MatrixView::repaintLit);
+  connect(selection, &Selection::selectionChanged, this, &MatrixView::repaintLit);
+  fitSections();
+}
+
+void MatrixView::setUpHeaders() {
+  auto* across = new MatrixHeader(Qt::Horizontal, this);
+  auto* down = new MatrixHeader(Qt::Vertical, this);
+  setHorizontalHeader(across);
+  setVerticalHeader(down);
+  across->setDefaultSectionSize(kColumnWidth);
+  down->setDefaultSectionSize(kRowHeight);
+  connect(across, &MatrixHeader::sectionHovered, this, [this](int column) {
+    if (column < 0) return m_selection->unhover();
+    m_selection->hover(m_model->columnElement(column));
+  });
+  connect(down, &MatrixHeader::sectionHovered, this, [this](int row) {
+    if (row < 0) return m_selection->unhover();
+    m_selection->hover(m_model->elementsOfRow(row));
+  });
+  connect(across, &QHeaderView::sectionClicked, this,
+          [this](int column) { m_selection->select({m_model->columnElement(column)}); });
+  connect(down, &QHeaderView::sectionClicked, this,
+          [this](int row) { m_selection->select({m_model->rowElement(row)}); });
+}
+
+/// The last column is wider by its bracket; all others have the size of print.
+void MatrixView::fitSections() {
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    const bool last = column == m_model->columnCount() - 1;
+    const int width = kColumnWidth + (last ? kBracket : 0);
+    if (horizontalHeader()->sectionSize(column) != width) horizontalHeader()->resizeSection(column, width);
+  }
+  updateGeometries();
+  viewport()->update();
+}
+
+void MatrixView::setZerosAsDots(bool dots) {
+  m_zerosAsDots = dots;
+  viewport()->update();
+}
+
+void MatrixView::setEntryPixels(int pixels) {
+  QFont entryFont = font();
+  entryFont.setPixelSize(pixels);
+  setFont(entryFont);
+}
+
+bool MatrixView::isRowLit(int row) const {
+  return m_model->matrix() && m_lit.contains(m_model->rowElement(row));
+}
+
+bool MatrixView::isColumnLit(int column) const {
+  return m_model->matrix() && m_lit.contains(m_model->columnElement(column));
+}
+
+bool MatrixView::isColumnTinted(int column) const {
+  return m_lit.size() == 1 && isColumnLit(column);
+}
+
+void MatrixView::repaintLit() {
+  // What is under the mouse takes precedence, so that a selection does not blur what is pointed at.
+  const auto& lit = m_selection->hovered().empty() ? m_selection->selected() : m_selection->hovered();
+  m_lit = {lit.begin(), lit.end()};
+  viewport()->update();
+  horizontalHeader()->viewport()->update();
+  verticalHeader()->viewport()->update();
+}
+
+void MatrixView::paintEvent(QPaintEvent* event) {
+  QTableView::paintEvent(event);
+  const int rows = m_model->rowCount();
+  const int columns = m_model->columnCount();
+  if (rows == 0 || columns == 0) return;
+  QPainter painter(viewport());
+  const Theme theme = themeOf(palette());
+  const int top = rowViewportPosition(0);
+  const int bottom = rowViewportPosition(rows - 1) + rowHeight(rows - 1);
+  painter.setPen(QPen(qColor(ColorRole::ink, theme), 2));
+  const int right = columnViewportPosition(columns - 1) + columnWidth(columns - 1) - 5;
+  paintBracket(painter, right, top + 1, bottom - 1, -7);
+  const int parted = m_model->partition();
+  if (parted <= 0 || parted >= columns) return;
+  painter.setPen(QPen(qColor(ColorRole::secondary, theme), 1.4, Qt::DashLine));
+  const int x = columnViewportPosition(parted);
+  painter.drawLine(x, top + 3, x, bottom - 3);
+}
+
+void MatrixView::hoverCell(const QModelIndex& index) {
+  if (index == m_under) return;
+  m_under = index;
+  emit restedOn({});
+  if (!index.isValid()) {
+    m_rest.stop();
+    m_selection->unhover();
+    return;
+  }
+  m_rest.start();
+  m_selection->hover(m_model->elementsOfCell(index.row(), index.column()));
+}
+
+void MatrixView::mouseMoveEvent(QMouseEvent* event) {
+  QTableView::mouseMoveEvent(event);
+  hoverCell(indexAt(event->pos()));
+}
+
+void MatrixView::mousePressEvent(QMouseEvent* event) {
+  const QModelIndex index = indexAt(event->pos());
+  if (!index.isValid()) return m_selection->clear();
+  m_selection->select({m_model->rowElement(index.row()), m_model->columnElement(index.column())});
+}
+
+void MatrixView::leaveEvent(QEvent* event) {
+  QTableView::leaveEvent(event);
+  hoverCell({});
+}
+
+void MatrixView::changeEvent(QEvent* event) {
+  QTableView::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) viewport()->update();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QTableView>
+#include <QTimer>
+#include <unordered_set>
+
+#include "ui/models/matrix_model.h"
+#include "ui/selection/selection.h"
+
+namespace geargraph {
+
+/// A matrix as it is printed: labels above and beside, brackets, the partition as a dashed line, ±1 tinted,
+/// zeros as faint dots. What the mouse is over lights up everywhere through the selection, and what is
+/// hovered or selected elsewhere lights up its row and column here.
+class MatrixView : public QTableView {
+  Q_OBJECT
+
+ public:
+  static constexpr int kColumnWidth = 44;
+  static constexpr int kRowHeight = 32;
+  static constexpr int kBracket = 12;  ///< room for a bracket, beside the first and the last column
+  static constexpr int kRestMilliseconds = 500;
+
+  MatrixView(MatrixModel* model, Selection* selection, QWidget* parent = nullptr);
+
+  void setZerosAsDots(bool dots);
+  [[nodiscard]] bool zerosAsDots() const { return m_zerosAsDots; }
+  void setEntryPixels(int pixels);
+
+  [[nodiscard]] bool isRowLit(int row) const;
+  [[nodiscard]] bool isColumnLit(int column) const;
+  /// The column of the one element that is pointed at, which is then tinted as a whole.
+  [[nodiscard]] bool isColumnTinted(int column) const;
+
+ signals:
+  /// The mouse rests on a cell for half a second, or (-1, -1) has left it.
+  void restedOn(const QModelIndex& index);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void setUpHeaders();
+  void fitSections();
+  void hoverCell(const QModelIndex& index);
+  void repaintLit();
+
+  MatrixModel* m_model;
+  Selection* m_selection;
+  std::unordered_set<ElementId> m_lit;
+  bool m_zerosAsDots = true;
+  QPersistentModelIndex m_under;
+  QTimer m_rest;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,164 @@
+#include "ui/panels/problems_panel.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QListView>
+#include <QPainter>
+#include <QStackedWidget>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+
+#include "ui/theme/application_theme.h"
+#include "ui/theme/icons.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kIconRoom = 38;
+constexpr int kRight = 14;
+
+/// An icon, the sentence, and below it the code and the place, in secondary ink.
+class FindingDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    const Theme theme = themeOf(option.palette);
+    const bool over = option.state.testFlag(QStyle::State_MouseOver);
+    if (over) {
+      QColor band = qColor(ColorRole::halo, theme);
+      band.setAlphaF(0.35F);
+      painter->fillRect(option.rect, band);
+    }
+    const auto severity = static_cast<Severity>(index.data(DiagnosticModel::SeverityRole).toInt());
+    const QPixmap icon = iconPixmap(severityIconName(severity), severityRole(severity), theme, 16,
+                                    painter->device()->devicePixelRatio());
+    painter->drawPixmap(option.rect.left() + 14, option.rect.top() + 9, icon);
+
+    QRect room = option.rect.adjusted(kIconRoom, 8, -kRight, -6);
+    painter->setPen(qColor(ColorRole::ink, theme));
+    QRect used;
+    painter->drawText(room, Qt::TextWordWrap, index.data().toString(), &used);
+    room.setTop(used.bottom() + 3);
+    painter->setPen(qColor(ColorRole::secondary, theme));
+    painter->setFont(smallFont(option.font));
+    painter->drawText(room, Qt::AlignLeft | Qt::AlignTop, footer(index));
+    painter->restore();
+  }
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    const int width = (list != nullptr ? list->viewport()->width() : 400) - kIconRoom - kRight;
+    const QRect text =
+        QFontMetrics(option.font)
+            .boundingRect(QRect(0, 0, width, 10'000), Qt::TextWordWrap, index.data().toString());
+    const int small = QFontMetrics(smallFont(option.font)).height();
+    return {width, text.height() + small + 19};
+  }
+
+ private:
+  static QFont smallFont(QFont font) {
+    font.setPixelSize(kSmallPixels);
+    return font;
+  }
+  static QString footer(const QModelIndex& index) {
+    const QString place = index.data(DiagnosticModel::PlaceRole).toString();
+    const QString code = index.data(DiagnosticModel::CodeRole).toString();
+    return place.isEmpty() ? code : code + QStringLiteral(" · ") + place;
+  }
+};
+
+}  // namespace
+
+ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
+    : QWidget(parent),
+      m_selection(selection),
+      m_model(new DiagnosticModel(this)),
+      m_list(new QListView(this)),
+      m_pages(new QStackedWidget(this)) {
+  m_list->setModel(m_model);
+  m_list->setObjectName(QStringLiteral("problemList"));
+  m_list->setItemDelegate(new FindingDelegate(m_list));
+  m_list->setMouseTracking(true);
+  m_list->setSelectionMode(QAbstractItemView::NoSelection);
+  m_list->setResizeMode(QListView::Adjust);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setFrameShape(QFrame::NoFrame);
+  m_list->viewport()->installEventFilter(this);
+  connect(m_list, &QListView::entered, this,
+          [this](const QModelIndex& index) { m_selection->hover(m_model->elementsOf(index)); });
+  connect(m_list, &QListView::clicked, this,
+          [this](const QModelIndex& index) { m_selection->select(m_model->elementsOf(index)); });
+
+  auto* fine = new QLabel(tr("No problems. Every link is tied to the ground, and the turning joints make a "
+                             "spanning tree."),
+                          this);
+  fine->setProperty("look", "empty");
+  fine->setAlignment(Qt::AlignCenter);
+  fine->setWordWrap(true);
+  m_pages->addWidget(m_list);
+  m_pages->addWidget(fine);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(makeBanner());
+  layout->addWidget(m_pages, 1);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+  renew();
+}
+
+QFrame* ProblemsPanel::makeBanner() {
+  m_banner = new QFrame(this);
+  m_banner->setProperty("look", "banner");
+  m_banner->setObjectName(QStringLiteral("fileBanner"));
+  m_bannerText = new QLabel(m_banner);
+  m_bannerText->setWordWrap(true);
+  auto* dismiss = new QToolButton(m_banner);
+  dismiss->setText(tr("Dismiss"));
+  dismiss->setProperty("look", "flat");
+  dismiss->setToolTip(tr("Show the problems of the open document again"));
+  connect(dismiss, &QToolButton::clicked, this, &ProblemsPanel::clearFileProblems);
+  auto* layout = new QHBoxLayout(m_banner);
+  layout->setContentsMargins(12, 6, 6, 6);
+  layout->addWidget(m_bannerText, 1);
+  layout->addWidget(dismiss);
+  return m_banner;
+}
+
+void ProblemsPanel::setDiagnostics(const Diagnostics& diagnostics) {
+  m_diagnostics = diagnostics;
+  renew();
+}
+
+void ProblemsPanel::setFileProblems(const QString& fileName, const Diagnostics& problems) {
+  m_fileName = fileName;
+  m_fileProblems = problems;
+  renew();
+}
+
+void ProblemsPanel::clearFileProblems() {
+  m_fileName.clear();
+  m_fileProblems.clear();
+  renew();
+}
+
+void ProblemsPanel::renew() {
+  const bool ofFile = !m_fileName.isEmpty();
+  m_model->setDiagnostics(ofFile ? m_fileProblems : m_diagnostics);
+  m_banner->setVisible(ofFile);
+  m_bannerText->setText(tr("%1 could not be opened (%n problem(s)). The document that was open stays open.",
+                           nullptr, static_cast<int>(m_fileProblems.size()))
+                            .arg(m_fileName));
+  m_pages->setCurrentIndex(m_model->rowCount() == 0 ? 1 : 0);
+  emit countChanged(m_model->rowCount());
+}
+
+bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) m_selection->unhover();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace geargraph

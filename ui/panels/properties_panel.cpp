@@ -1,0 +1,31 @@
+#include "ui/panels/properties_panel.h"
+
+#include "ui/panels/property_forms.h"
+
+namespace geargraph {
+
+PropertiesPanel::PropertiesPanel(Document* document, Selection* selection, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_selection(selection) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(selection, &Selection::selectionChanged, this, &PropertiesPanel::rebuild);
+  connect(document, &Document::changed, this, &PropertiesPanel::refresh);
+  rebuild();
+}
+
+void PropertiesPanel::rebuild() {
+  m_form = makePropertyForm(m_document, m_selection->selected());
+  m_form->setObjectName(QStringLiteral("page"));
+  m_form->setBackgroundRole(QPalette::Base);
+  m_form->setAutoFillBackground(true);
+  m_form->refresh();
+  if (QWidget* old = takeWidget()) old->deleteLater();  // the selection may change from inside it
+  setWidget(m_form);
+}
+
+void PropertiesPanel::refresh() {
+  if (m_form->isAboutExisting()) m_form->refresh();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QString>
+
+#include "core/derivation/glossary.h"
+
+namespace geargraph {
+
+/// The definition of a term as a tooltip: its name in bold, the text, the paper's equation.
+[[nodiscard]] QString tipOf(Term term);
+
+/// A text of core for a widget.
+[[nodiscard]] QString shownText(std::string_view text);
+
+}  // namespace geargraph
