@@ -1,0 +1,54 @@
+#include "app/editor/command_line.h"
+
+#include <QCommandLineParser>
+
+namespace geargraph {
+namespace {
+
+std::optional<QSize> sizeFrom(const QString& text) {
+  const QStringList parts = text.split(QLatin1Char('x'));
+  if (parts.size() != 2) return std::nullopt;
+  const QSize size(parts[0].toInt(), parts[1].toInt());
+  const bool sensible =
+      size.width() >= 320 && size.height() >= 240 && size.width() <= 16'384 && size.height() <= 16'384;
+  return sensible ? std::optional(size) : std::nullopt;
+}
+
+}  // namespace
+
+CommandLine readCommandLine(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QStringLiteral("Draw, analyse and see geared mechanisms. Without a document the paper's robot opens."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                      QStringLiteral("Write a picture of the window to <file> and exit."),
+                                      QStringLiteral("file"));
+  const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window, e.g. 1366x768."),
+                                QStringLiteral("WxH"));
+  const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
+  const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));
+  parser.addOptions({screenshot, size, dark, light});
+  parser.addPositionalArgument(QStringLiteral("documents"),
+                               QStringLiteral("Documents to open, a window each."),
+                               QStringLiteral("[documents…]"));
+  parser.process(arguments);
+
+  CommandLine line;
+  line.documents = parser.positionalArguments();
+  if (parser.isSet(screenshot)) line.screenshot = parser.value(screenshot);
+  if (parser.isSet(dark)) line.theme = Theme::dark;
+  if (parser.isSet(light)) line.theme = Theme::light;
+  if (parser.isSet(size)) {
+    line.size = sizeFrom(parser.value(size));
+    if (!line.size) {
+      qCritical("--size wants WIDTHxHEIGHT from 320x240 to 16384x16384, not %s.",
+                qPrintable(parser.value(size)));
+      ::exit(2);
+    }
+  }
+  return line;
+}
+
+}  // namespace geargraph

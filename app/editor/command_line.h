@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QSize>
+#include <QStringList>
+#include <optional>
+
+#include "core/drawing/palette.h"
+
+namespace geargraph {
+
+/// What the editor was asked to do.
+struct CommandLine {
+  QStringList documents;
+  std::optional<QString> screenshot;  ///< render the window to this file and exit
+  std::optional<Theme> theme;
+  std::optional<QSize> size;
+};
+
+/// Reads the arguments; prints help, version or what is wrong with them and exits where that was asked.
+[[nodiscard]] CommandLine readCommandLine(const QStringList& arguments);
+
+}  // namespace geargraph

@@ -1,0 +1,38 @@
+#include "ui/mainwindow/dock_titles.h"
+
+#include <QDockWidget>
+
+namespace geargraph {
+
+DockTitles::DockTitles(QMainWindow* window) : QObject(window), m_window(window) {
+  connect(window, &QMainWindow::tabifiedDockWidgetActivated, this, &DockTitles::renewSoon);
+}
+
+void DockTitles::watch(QDockWidget* dock) {
+  m_docks << dock;
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockTitles::renewSoon);
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitles::renewSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockTitles::renewSoon);
+  renewSoon();
+}
+
+/// When the move that is under way has ended: a dock must not lose its title bar in the middle of a drag.
+void DockTitles::renewSoon() {
+  if (m_pending) return;
+  m_pending = true;
+  QMetaObject::invokeMethod(this, &DockTitles::renew, Qt::QueuedConnection);
+}
+
+void DockTitles::renew() {
+  m_pending = false;
+  for (QDockWidget* dock : std::as_const(m_docks)) {
+    const bool tabbed = !dock->isFloating() && !m_window->tabifiedDockWidgets(dock).isEmpty();
+    const bool bare = dock->titleBarWidget() != nullptr;
+    if (tabbed == bare) continue;
+    QWidget* old = dock->titleBarWidget();
+    dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
+    delete old;
+  }
+}
+
+}  // namespace geargraph

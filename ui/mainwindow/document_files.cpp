@@ -1,0 +1,70 @@
+#include "ui/mainwindow/document_files.h"
+
+#include <QDir>
+#include <QFile>
+
+#include "core/io/csv.h"
+#include "core/io/file.h"
+#include "core/io/mechanism_file.h"
+
+namespace geargraph {
+namespace {
+
+std::filesystem::path nativePath(const QString& path) {
+  return QFile::encodeName(path).toStdString();
+}
+
+std::optional<QString> reason(const std::optional<FileError>& error) {
+  if (!error) return std::nullopt;
+  return QString::fromStdString(error->message);
+}
+
+}  // namespace
+
+Expected<Mechanism> readDocument(const QString& path) {
+  if (path.startsWith(QLatin1String(":/"))) {
+    QFile resource(path);
+    const bool there = resource.open(QIODevice::ReadOnly);
+    return readMechanism(there ? resource.readAll().toStdString() : std::string());
+  }
+  const auto bytes = readFile(nativePath(path), kLargestFile);
+  if (const auto* error = std::get_if<FileError>(&bytes)) {
+    return Diagnostic{Code::syntax, error->message, {}, {}, 0, 0};
+  }
+  return readMechanism(std::get<std::string>(bytes));
+}
+
+std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path) {
+  return reason(writeFile(nativePath(path), writeMechanism(mechanism)));
+}
+
+std::optional<QString> writeMatrixCsv(const IntegerMatrix& matrix, const QString& path) {
+  AtomicFile file(nativePath(path));
+  {
+    std::vector<std::string> columns;
+    for (int j = 0; j < matrix.columns(); ++j) columns.push_back(matrix.columnHeading(j).text);
+    CsvWriter writer(file, columns, {});
+    std::vector<MatrixEntry> entries;
+    for (int i = 0; i < matrix.rows() && !writer.failed(); ++i) {
+      matrix.rowEntries(i, entries);
+      writer.row(matrix.rowHeading(i).text, std::span<const MatrixEntry>(entries));
+    }
+  }
+  return reason(file.commit());
+}
+
+QStringList examplePaths() {
+  QStringList paths{robotExamplePath()};
+  const QDir examples(QStringLiteral(":/examples"));
+  for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {
+    const QString path = examples.filePath(name);
+    if (!paths.contains(path)) paths << path;
+  }
+  return paths;
+}
+
+QString robotExamplePath() {
+  return QStringLiteral(":/examples/robot.geargraph");
+}
+
+}  // namespace geargraph

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "core/base/expected.h"
+#include "core/graph/integer_matrix.h"
+#include "core/mechanism/mechanism.h"
+
+namespace geargraph {
+
+/// Reads a document from a file or, for a path that begins with ":/", from the program's own resources. A
+/// file that cannot be read at all is a `syntax` finding with the system's reason.
+[[nodiscard]] Expected<Mechanism> readDocument(const QString& path);
+
+/// Writes whole or not at all. Nothing where all went well, else why not.
+[[nodiscard]] std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path);
+
+/// A matrix with its labels as CSV, whole or not at all. Nothing where all went well, else why not.
+/// Cost: O(rows · columns).
+[[nodiscard]] std::optional<QString> writeMatrixCsv(const IntegerMatrix& matrix, const QString& path);
+
+/// The examples that come with the program, as paths of its resources, the paper's robot first.
+[[nodiscard]] QStringList examplePaths();
+[[nodiscard]] QString robotExamplePath();
+
+}  // namespace geargraph

@@ -1,0 +1,243 @@
+#include "ui/mainwindow/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTabWidget>
+
+#include "core/mechanism/edits.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/dock_titles.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/models/joint_preview.h"
+#include "ui/panels/inputs_panel.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/term_tips.h"
+#include "ui/theme/application_theme.h"
+#include "ui/theme/icons.h"
+
+namespace geargraph {
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_document(new Document(this)),
+      m_selection(new Selection(this)),
+      m_service(new AnalysisService(this)),
+      m_actions(std::make_unique<WindowActions>(this)) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setAttribute(Qt::WA_DeleteOnClose, false);
+  setWindowIcon(applicationIcon());
+  setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
+                 QMainWindow::GroupedDragging);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setDocumentMode(true);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+
+  auto* drawings = new QTabWidget(this);
+  drawings->setObjectName(QStringLiteral("drawings"));
+  drawings->setDocumentMode(true);
+  m_digraph = new DigraphView(m_document, m_selection, drawings);
+  m_digraph->setFrameShape(QFrame::NoFrame);
+  drawings->addTab(m_digraph, tr("Digraph"));
+  drawings->setTabToolTip(0, tipOf(Term::digraph));
+  setCentralWidget(drawings);
+
+  m_status = new StatusLine(m_selection, this);
+  setStatusBar(m_status);
+  m_recent = new RecentFiles(this);
+  m_titles = new DockTitles(this);
+  makeDocks();
+  makeMenus();
+  makeToolBar();
+  wireActions();
+  wireViews();
+  wireDigraph();
+  setDark(themeOf(QApplication::palette()) == Theme::dark);
+  resize(1366, 768);
+  onDocumentChanged();
+  renewTitle();
+}
+
+MainWindow::~MainWindow() {
+  disconnect(m_document, nullptr, this, nullptr);  // the undo stack empties while the window is taken apart
+}
+
+QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget,
+                                 Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QLatin1String(name));
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  m_docks.push_back(dock);
+  m_titles->watch(dock);
+  return dock;
+}
+
+void MainWindow::makeDocks() {
+  m_matrices = new MatricesPanel(m_selection, this);
+  m_problems = new ProblemsPanel(m_selection, this);
+  m_properties = new PropertiesPanel(m_document, m_selection, this);
+  m_inputs = new InputsPanel(m_document, m_selection, this);
+  addDock("dock.matrices", tr("Matrices"), m_matrices, Qt::BottomDockWidgetArea);
+  QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+  addDock("dock.inputs", tr("Inputs and results"), m_inputs, Qt::RightDockWidgetArea);
+  addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
+  connect(m_problems, &ProblemsPanel::countChanged, problems,
+          [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
+}
+
+void MainWindow::applyDefaultLayout() {
+  const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
+  for (QDockWidget* each : m_docks) {
+    each->setFloating(false);
+    each->show();
+  }
+  addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
+  tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
+  dock("dock.matrices")->raise();
+  addDockWidget(Qt::RightDockWidgetArea, dock("dock.inputs"));
+  tabifyDockWidget(dock("dock.inputs"), dock("dock.properties"));
+  dock("dock.inputs")->raise();
+  resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
+  resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
+}
+
+void MainWindow::wireViews() {
+  connect(m_document, &Document::changed, this, &MainWindow::onDocumentChanged);
+  connect(m_document, &Document::modifiedChanged, this, &MainWindow::renewTitle);
+  connect(m_document, &Document::filePathChanged, this, &MainWindow::renewTitle);
+  connect(m_document, &Document::refused, this, [this](const Diagnostics& why) {
+    m_status->showRefusal(shownText(why.front().message));
+    m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
+  });
+  connect(m_service, &AnalysisService::snapshotReady, this, &MainWindow::onSnapshot);
+  connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
+  connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
+  connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
+    if (mayDiscard() && !openDocument(path)) m_recent->forget(path);
+  });
+}
+
+void MainWindow::wireDigraph() {
+  connect(m_digraph, &DigraphView::toolChanged, this,
+          [this](ToolKind tool) { m_actions->tool[static_cast<std::size_t>(tool)]->setChecked(true); });
+  connect(m_digraph, &DigraphView::hintChanged, m_status, &StatusLine::setHint);
+  connect(m_digraph, &DigraphView::previewChanged, this, [this](const std::optional<JointPreview>& preview) {
+    m_matrices->setPreview(preview ? previewOf(*m_document->mechanism(), *preview) : std::nullopt);
+  });
+  connect(m_digraph, &DigraphView::propertiesWanted, this, [this](const ElementId& element) {
+    m_selection->select({element});
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.properties"));
+    dock->show();
+    dock->raise();
+  });
+  m_status->setHint(m_digraph->hint());
+}
+
+void MainWindow::onDocumentChanged() {
+  const MechanismPtr& mechanism = m_document->mechanism();
+  m_selection->keepOnly([&](const ElementId& element) { return labelOf(*mechanism, element).has_value(); });
+  m_status->clearRefusal();
+  m_service->request(mechanism, m_document->revision());
+  renewActions();
+}
+
+void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
+  m_matrices->setSnapshot(snapshot);
+  m_digraph->setSnapshot(snapshot);
+  m_problems->setDiagnostics(snapshot->diagnostics);
+  m_status->setSnapshot(snapshot);
+  WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
+                              tr("This matrix needs the turning joints to be a spanning tree."));
+  emit analysisShown();
+}
+
+bool MainWindow::openDocument(const QString& path) {
+  Expected<Mechanism> opened = readDocument(path);
+  const QString name = QFileInfo(path).fileName();
+  if (!opened) {
+    m_problems->setFileProblems(name, opened.error());
+    if (auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.problems"))) {
+      dock->show();
+      dock->raise();
+    }
+    m_status->showRefusal(
+        tr("%1 could not be opened: %2").arg(name, shownText(opened.error().front().message)));
+    return false;
+  }
+  const bool isExample = path.startsWith(QLatin1String(":/"));
+  m_problems->clearFileProblems();
+  m_selection->clear();
+  m_title = isExample ? name : QString();
+  m_document->replace(std::move(opened).value(), isExample ? QString() : path);
+  if (!isExample) m_recent->add(path);
+  renewTitle();
+  return true;
+}
+
+bool MainWindow::saveDocument(const QString& path) {
+  if (const auto why = writeDocument(*m_document->mechanism(), path)) {
+    m_status->showRefusal(*why);
+    return false;
+  }
+  m_document->markSaved(path);
+  m_recent->add(path);
+  renewTitle();
+  m_status->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
+  if (const auto why = writeMatrixCsv(matrix, path)) {
+    m_status->showRefusal(*why);
+    return false;
+  }
+  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+void MainWindow::renewTitle() {
+  QString name = QFileInfo(m_document->filePath()).fileName();
+  if (name.isEmpty()) name = m_title.isEmpty() ? tr("Untitled") : m_title;
+  setWindowTitle(name + QStringLiteral("[*] — GearGraph"));
+  setWindowModified(m_document->isModified());
+}
+
+void MainWindow::setDark(bool dark) {
+  const Theme theme = dark ? Theme::dark : Theme::light;
+  if (themeOf(QApplication::palette()) != theme) applyTheme(*qApp, theme);
+  m_actions->setTheme(theme);
+  m_digraph->setDark(dark);
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  const QByteArray geometry = settings.value(QStringLiteral("window/geometry")).toByteArray();
+  const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
+  if (!geometry.isEmpty()) restoreGeometry(geometry);
+  if (!state.isEmpty()) m_layoutApplied = restoreState(state);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (m_layoutApplied) return;
+  m_layoutApplied = true;
+  applyDefaultLayout();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) return event->ignore();
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/state"), saveState());
+  event->accept();
+}
+
+}  // namespace geargraph

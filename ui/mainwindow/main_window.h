@@ -1,0 +1,103 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "core/graph/integer_matrix.h"
+#include "ui/analysis/analysis_service.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/window_actions.h"
+#include "ui/selection/selection.h"
+
+namespace geargraph {
+
+class DigraphView;
+class DockTitles;
+class InputsPanel;
+class MatricesPanel;
+class ProblemsPanel;
+class PropertiesPanel;
+class RecentFiles;
+class StatusLine;
+
+/// One document and all its views. The window owns the three things that views share (document, selection,
+/// newest analysis) and wires them: an edit goes to the document, the document to the analysis, the analysis
+/// to the views.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Document& document() { return *m_document; }
+  [[nodiscard]] Selection& selection() { return *m_selection; }
+  [[nodiscard]] AnalysisService& analysis() { return *m_service; }
+  [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
+  [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
+  [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
+  [[nodiscard]] StatusLine& statusLine() { return *m_status; }
+  [[nodiscard]] WindowActions& actions() { return *m_actions; }
+
+  /// Opens a file or an example. A broken one is listed in the problems with its places, and the document
+  /// that was open stays. True where it was opened.
+  bool openDocument(const QString& path);
+  /// False, and said in the status bar, where it could not be written.
+  bool saveDocument(const QString& path);
+  bool exportCsv(const IntegerMatrix& matrix, const QString& path);
+
+  /// The places and sizes of windows and docks as they were when the last window closed.
+  void restoreLayout();
+  void setDark(bool dark);
+
+ signals:
+  /// The newest analysis has reached all views.
+  void analysisShown();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void makeDocks();
+  QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+  void applyDefaultLayout();
+  void makeMenus();
+  void makeToolBar();
+  void wireActions();
+  void wireViews();
+  void wireDigraph();
+
+  void onDocumentChanged();
+  void onSnapshot(const SnapshotPtr& snapshot);
+  void renewActions();
+  void renewTitle();
+  void makeGround();
+
+  void chooseAndOpen();
+  bool save();
+  bool chooseAndSave();
+  void chooseAndExport(const IntegerMatrixPtr& matrix);
+  /// True where the document may be given up: it is saved, or the person does not mind.
+  bool mayDiscard();
+  void showAbout();
+
+  Document* m_document;
+  Selection* m_selection;
+  AnalysisService* m_service;
+  std::unique_ptr<WindowActions> m_actions;
+  QString m_title;  ///< of an example, which has no file yet
+
+  DigraphView* m_digraph = nullptr;
+  MatricesPanel* m_matrices = nullptr;
+  ProblemsPanel* m_problems = nullptr;
+  PropertiesPanel* m_properties = nullptr;
+  InputsPanel* m_inputs = nullptr;
+  StatusLine* m_status = nullptr;
+  RecentFiles* m_recent = nullptr;
+  DockTitles* m_titles = nullptr;
+  std::vector<QDockWidget*> m_docks;
+  bool m_layoutApplied = false;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,47 @@
+#include "ui/mainwindow/recent_files.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace geargraph {
+namespace {
+const QString kKey = QStringLiteral("recentFiles");
+}
+
+RecentFiles::RecentFiles(QWidget* parent) : QMenu(tr("Open &recent"), parent) {
+  setToolTipsVisible(true);
+  connect(this, &QMenu::aboutToShow, this, &RecentFiles::fill);
+  fill();
+}
+
+QStringList RecentFiles::paths() {
+  return QSettings().value(kKey).toStringList();
+}
+
+void RecentFiles::add(const QString& path) {
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  QStringList list = paths();
+  list.removeAll(absolute);
+  list.prepend(absolute);
+  QSettings().setValue(kKey, QStringList(list.mid(0, kMost)));
+}
+
+void RecentFiles::forget(const QString& path) {
+  QStringList list = paths();
+  list.removeAll(path);
+  QSettings().setValue(kKey, list);
+}
+
+void RecentFiles::fill() {
+  clear();
+  const QStringList list = paths();
+  for (const QString& path : list) {
+    QAction* action = addAction(QFileInfo(path).fileName(), this, [this, path] { emit chosen(path); });
+    action->setToolTip(path);
+  }
+  if (!list.isEmpty()) return;
+  QAction* none = addAction(tr("No file has been opened yet"));
+  none->setEnabled(false);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QMenu>
+#include <QStringList>
+
+namespace geargraph {
+
+/// The files opened or saved lately, newest first, kept in the settings; and the menu that shows them.
+class RecentFiles : public QMenu {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMost = 10;
+
+  explicit RecentFiles(QWidget* parent = nullptr);
+
+  void add(const QString& path);
+  void forget(const QString& path);
+  [[nodiscard]] static QStringList paths();
+
+ signals:
+  void chosen(const QString& path);
+
+ private:
+  void fill();
+};
+
+}  // namespace geargraph

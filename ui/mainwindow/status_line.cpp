@@ -1,0 +1,113 @@
+#include "ui/mainwindow/status_line.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/panels/term_tips.h"
+#include "ui/theme/application_theme.h"
+#include "ui/theme/icons.h"
+
+namespace geargraph {
+
+StatusLine::StatusLine(Selection* selection, QWidget* parent)
+    : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
+  setSizeGripEnabled(false);
+  m_icon->setContentsMargins(10, 0, 0, 0);
+  m_message->setContentsMargins(4, 0, 4, 0);
+  m_message->setTextFormat(Qt::PlainText);
+  m_message->setMinimumWidth(1);  // a long sentence must not widen the window
+  m_message->setObjectName(QStringLiteral("statusMessage"));
+  addWidget(m_icon);
+  addWidget(m_message, 1);
+  m_links = addChip("chip.n", tipOf(Term::movingLinks));
+  m_joints = addChip("chip.t", tipOf(Term::turningJoints));
+  m_meshes = addChip("chip.c", tipOf(Term::gearMeshes));
+  renewMessage();
+}
+
+QToolButton* StatusLine::addChip(const char* name, const QString& tip) {
+  auto* chip = new QToolButton(this);
+  chip->setObjectName(QLatin1String(name));
+  chip->setProperty("look", "count");
+  chip->setToolTip(tip);
+  chip->setFocusPolicy(Qt::NoFocus);
+  chip->installEventFilter(this);
+  addPermanentWidget(chip);
+  connect(chip, &QToolButton::clicked, this, [this, chip] { m_selection->select(counted(chip)); });
+  return chip;
+}
+
+void StatusLine::setHint(const QString& hint) {
+  m_hint = hint;
+  renewMessage();
+}
+
+void StatusLine::showRefusal(const QString& why) {
+  m_refusal = why;
+  renewMessage();
+}
+
+void StatusLine::clearRefusal() {
+  m_refusal.clear();
+  m_note.clear();
+  renewMessage();
+}
+
+void StatusLine::showNote(const QString& note) {
+  m_refusal.clear();
+  m_note = note;
+  renewMessage();
+}
+
+QString StatusLine::text() const {
+  if (!m_refusal.isEmpty()) return m_refusal;
+  return m_note.isEmpty() ? m_hint : m_note;
+}
+
+void StatusLine::renewMessage() {
+  const bool refused = !m_refusal.isEmpty();
+  m_message->setText(text());
+  m_message->setToolTip(refused ? text() : QString());
+  QPalette colors = palette();
+  const Theme theme = themeOf(colors);
+  colors.setColor(QPalette::WindowText, qColor(refused ? ColorRole::error : ColorRole::secondary, theme));
+  m_message->setPalette(colors);
+  m_icon->setVisible(refused);
+  m_icon->setPixmap(
+      iconPixmap(severityIconName(Severity::error), ColorRole::error, theme, 16, devicePixelRatioF()));
+}
+
+void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  m_links->setText(tr("n %1").arg(snapshot->mechanism->n()));
+  m_joints->setText(tr("t %1").arg(snapshot->mechanism->t()));
+  m_meshes->setText(tr("c %1").arg(snapshot->mechanism->c()));
+}
+
+std::set<ElementId> StatusLine::counted(const QObject* chip) const {
+  std::set<ElementId> elements;
+  if (!m_snapshot) return elements;
+  const Mechanism& mechanism = *m_snapshot->mechanism;
+  if (chip == m_links) {
+    for (std::size_t i = 1; i < mechanism.links.size(); ++i) elements.insert(mechanism.links[i].id);
+  } else if (chip == m_joints) {
+    for (const TurningJoint& joint : mechanism.turningJoints) elements.insert(joint.id);
+  } else if (chip == m_meshes) {
+    for (const GearMesh& mesh : mechanism.gearMeshes) elements.insert(mesh.id);
+  }
+  return elements;
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter) m_selection->hover(counted(watched));
+  if (event->type() == QEvent::Leave) m_selection->unhover();
+  return QStatusBar::eventFilter(watched, event);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+  QStatusBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && m_message != nullptr) renewMessage();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QStatusBar>
+
+#include "core/analysis/analysis.h"
+#include "ui/selection/selection.h"
+
+class QLabel;
+class QToolButton;
+
+namespace geargraph {
+
+/// The status bar: what the tool expects next, or why an edit was refused; and n, t, c, rank, DOF as chips.
+/// Pointing at a chip lights up what it counts.
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(Selection* selection, QWidget* parent = nullptr);
+
+  void setHint(const QString& hint);
+  /// Stays until the next edit, or until another hint is due.
+  void showRefusal(const QString& why);
+  void clearRefusal();
+  void showNote(const QString& note);
+  void setSnapshot(const SnapshotPtr& snapshot);
+
+  [[nodiscard]] QString text() const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QToolButton* addChip(const char* name, const QString& tip);
+  void renewMessage();
+  [[nodiscard]] std::set<ElementId> counted(const QObject* chip) const;
+
+  Selection* m_selection;
+  SnapshotPtr m_snapshot;
+  QLabel* m_icon;
+  QLabel* m_message;
+  QString m_hint;
+  QString m_refusal;
+  QString m_note;
+  QToolButton* m_links;
+  QToolButton* m_joints;
+  QToolButton* m_meshes;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,123 @@
+#include "ui/mainwindow/window_actions.h"
+
+#include <QMainWindow>
+
+#include "ui/theme/icons.h"
+
+namespace geargraph {
+namespace {
+
+QString words(const char* text) {
+  return QMainWindow::tr(text);
+}
+
+/// Where the tip of an enabled action is kept while it is disabled.
+constexpr const char* kTip = "tip";
+
+}  // namespace
+
+QAction* WindowActions::make(const char* name, const QString& text, const QString& tip,
+                             const QList<QKeySequence>& keys, const QString& iconName) {
+  auto* action = new QAction(text, m_window);
+  action->setObjectName(QLatin1String(name));
+  action->setShortcuts(keys);
+  QString full = tip;
+  if (!keys.isEmpty()) full += QStringLiteral(" (%1)").arg(keys.first().toString(QKeySequence::NativeText));
+  action->setToolTip(full);
+  action->setProperty(kTip, full);
+  if (!iconName.isEmpty()) m_icons.emplace_back(action, iconName);
+  m_window->addAction(action);
+  return action;
+}
+
+void WindowActions::setAvailable(QAction* action, bool available, const QString& why) {
+  action->setEnabled(available);
+  action->setToolTip(available ? action->property(kTip).toString() : why);
+}
+
+void WindowActions::makeTools() {
+  struct ToolLook {
+    ToolKind kind;
+    const char* icon;
+    QString tip;
+  };
+  const ToolLook looks[] = {
+      {ToolKind::select, "select", words("Select, move, and change what is drawn")},
+      {ToolKind::link, "link", words("Draw links: click on an empty place")},
+      {ToolKind::turningJoint, "turning-joint",
+       words("Draw a turning joint: drag from a link to the link it carries")},
+      {ToolKind::gearMesh, "gear-mesh", words("Draw a gear mesh: drag from a gear to the one it drives")},
+      {ToolKind::input, "input", words("Drive a joint: click a turning joint or the link it carries")},
+      {ToolKind::pan, "pan", words("Move the sheet; the middle mouse button does so with any tool")},
+  };
+  tools = new QActionGroup(m_window);
+  for (const ToolLook& look : looks) {
+    const QString name = QString::fromUtf8(toolName(look.kind).data(), qsizetype(toolName(look.kind).size()));
+    const QChar key = QLatin1Char(toolKey(look.kind));
+    QAction* action = make("", name, look.tip, {QKeySequence(QString(key))}, QLatin1String(look.icon));
+    action->setObjectName(QStringLiteral("tool.") + QLatin1String(look.icon));
+    action->setIconText(name + QStringLiteral("  ") + key);
+    action->setCheckable(true);
+    action->setData(static_cast<int>(look.kind));
+    tools->addAction(action);
+    tool[static_cast<std::size_t>(look.kind)] = action;
+  }
+  tool[static_cast<std::size_t>(ToolKind::select)]->setChecked(true);
+}
+
+WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
+  newDocument = make("file.new", words("&New"), words("A document with the ground and nothing else"),
+                     {QKeySequence::New});
+  open = make("file.open", words("&Open…"), words("Open a document"), {QKeySequence::Open});
+  save = make("file.save", words("&Save"), words("Save the document"), {QKeySequence::Save});
+  saveAs = make("file.saveAs", words("Save &as…"), words("Save the document under another name"),
+                {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
+  exportMatrix = make("file.exportCsv", words("&Export matrix as CSV…"),
+                      words("Export the matrix that is shown, with its labels"),
+                      {QKeySequence(QStringLiteral("Ctrl+E"))});
+  close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
+  quit =
+      make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});
+
+  undo = make("edit.undo", words("&Undo"), words("Undo"), {QKeySequence(QStringLiteral("Ctrl+Z"))},
+              QStringLiteral("undo"));
+  redo = make("edit.redo", words("&Redo"), words("Redo"),
+              {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
+              QStringLiteral("redo"));
+  remove = make("edit.delete", words("&Delete"), words("Delete what is selected, and what needs it"),
+                {QKeySequence(Qt::Key_Delete)}, QStringLiteral("delete"));
+  rename =
+      make("edit.rename", words("Re&name"), words("Rename the selected link"), {QKeySequence(Qt::Key_F2)});
+  selectAll =
+      make("edit.selectAll", words("Select &all"), words("Select everything"), {QKeySequence::SelectAll});
+  makeTools();
+
+  flip = make("mechanism.flip", words("&Flip"), words("Exchange tail and head of the selected arrows"),
+              {QKeySequence(QStringLiteral("X"))}, QStringLiteral("flip"));
+  makeGround = make("mechanism.ground", words("Make &ground"), words("The selected link stands still"), {});
+  drive = make("mechanism.drive", words("Dri&ve"), words("Drive the selected joints, or stop driving them"),
+               {QKeySequence(QStringLiteral("Ctrl+I"))}, QStringLiteral("input"));
+  tidy = make("mechanism.tidy", words("&Tidy the drawing"), words("Lay the digraph out anew"),
+              {QKeySequence(QStringLiteral("Ctrl+L"))});
+
+  fit = make("view.fit", words("&Fit"), words("Show all of the drawing"),
+             {QKeySequence(QStringLiteral("Ctrl+0"))});
+  zoomIn = make("view.zoomIn", words("Zoom &in"), words("Larger"), {QKeySequence::ZoomIn});
+  zoomOut = make("view.zoomOut", words("Zoom &out"), words("Smaller"), {QKeySequence::ZoomOut});
+  light = make("view.light", words("&Light"), words("Dark on light"), {});
+  dark = make("view.dark", words("&Dark"), words("Light on dark"), {});
+  auto* themes = new QActionGroup(window);
+  for (QAction* action : {light, dark}) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+  resetLayout = make("view.reset", words("&Reset the layout"), words("All docks to their places"), {});
+  about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
+}
+
+void WindowActions::setTheme(Theme theme) {
+  for (const auto& [action, name] : m_icons) action->setIcon(icon(name, ColorRole::ink, theme));
+  (theme == Theme::dark ? dark : light)->setChecked(true);
+}
+
+}  // namespace geargraph

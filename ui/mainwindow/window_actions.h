@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QAction>
+#include <QActionGroup>
+#include <array>
+
+#include "core/drawing/palette.h"
+#include "ui/tools/tool.h"
+
+class QMainWindow;
+
+namespace geargraph {
+
+/// Every command of the window, with its key, its icon and its tip; menus and the tool bar show them. What
+/// cannot be done now is disabled, and its tip says why.
+struct WindowActions {
+  explicit WindowActions(QMainWindow* window);
+
+  /// Enables or disables an action; `why` becomes the tip of a disabled one.
+  static void setAvailable(QAction* action, bool available, const QString& why);
+  void setTheme(Theme theme);
+
+  QAction* newDocument;
+  QAction* open;
+  QAction* save;
+  QAction* saveAs;
+  QAction* exportMatrix;
+  QAction* close;
+  QAction* quit;
+
+  QAction* undo;
+  QAction* redo;
+  QAction* remove;
+  QAction* rename;
+  QAction* selectAll;
+
+  QActionGroup* tools;
+  std::array<QAction*, kToolCount> tool{};
+
+  QAction* flip;
+  QAction* makeGround;
+  QAction* drive;
+  QAction* tidy;
+
+  QAction* fit;
+  QAction* zoomIn;
+  QAction* zoomOut;
+  QAction* light;
+  QAction* dark;
+  QAction* resetLayout;
+  QAction* about;
+
+ private:
+  QAction* make(const char* name, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
+                const QString& iconName = {});
+  void makeTools();
+
+  QMainWindow* m_window;
+  std::vector<std::pair<QAction*, QString>> m_icons;
+};
+
+}  // namespace geargraph

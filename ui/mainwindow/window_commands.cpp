@@ -1,0 +1,232 @@
+// What the window does when a command is given: menus, tool bar, dialogs.
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "core/derivation/matrix_text.h"
+#include "core/mechanism/edits.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/panels/matrices_panel.h"
+
+namespace geargraph {
+namespace {
+
+QString documentFilter() {
+  return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
+}
+
+QString withSuffix(QString path, const QString& suffix) {
+  if (QFileInfo(path).suffix().isEmpty()) path += suffix;
+  return path;
+}
+
+}  // namespace
+
+void MainWindow::makeMenus() {
+  const WindowActions& a = *m_actions;
+  const auto menu = [this](const QString& title) {
+    QMenu* made = menuBar()->addMenu(title);
+    made->setToolTipsVisible(true);
+    return made;
+  };
+  QMenu* file = menu(tr("&File"));
+  file->addActions({a.newDocument, a.open});
+  file->addMenu(m_recent);
+  QMenu* examples = file->addMenu(tr("Open e&xample"));
+  for (const QString& path : examplePaths()) {
+    examples->addAction(QFileInfo(path).completeBaseName(), this, [this, path] {
+      if (mayDiscard()) openDocument(path);
+    });
+  }
+  file->addSeparator();
+  file->addActions({a.save, a.saveAs, a.exportMatrix});
+  file->addSeparator();
+  file->addActions({a.close, a.quit});
+
+  QMenu* edit = menu(tr("&Edit"));
+  edit->addActions({a.undo, a.redo});
+  edit->addSeparator();
+  edit->addActions({a.rename, a.remove, a.selectAll});
+
+  QMenu* view = menu(tr("&View"));
+  view->addActions({a.fit, a.zoomIn, a.zoomOut});
+  view->addSeparator();
+  for (QDockWidget* dock : m_docks) view->addAction(dock->toggleViewAction());
+  view->addAction(a.resetLayout);
+  view->addSeparator();
+  view->addActions({a.light, a.dark});
+
+  QMenu* mechanism = menu(tr("&Mechanism"));
+  mechanism->addActions(a.tools->actions());
+  mechanism->addSeparator();
+  mechanism->addActions({a.flip, a.drive, a.makeGround});
+  mechanism->addSeparator();
+  mechanism->addAction(a.tidy);
+
+  menu(tr("&Help"))->addAction(a.about);
+}
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("toolBar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->setIconSize({16, 16});
+  for (QAction* tool : m_actions->tools->actions()) {
+    if (tool->data().toInt() != static_cast<int>(ToolKind::pan)) bar->addAction(tool);
+  }
+  bar->addSeparator();
+  bar->addActions({m_actions->undo, m_actions->redo});
+  for (QAction* action : {m_actions->undo, m_actions->redo}) {
+    qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  }
+}
+
+void MainWindow::wireActions() {
+  const WindowActions& a = *m_actions;
+  QUndoStack& stack = m_document->undoStack();
+  connect(a.newDocument, &QAction::triggered, this, [this] {
+    if (!mayDiscard()) return;
+    m_title.clear();
+    m_selection->clear();
+    m_document->replace(emptyMechanism(), {});
+    renewTitle();
+  });
+  connect(a.open, &QAction::triggered, this, &MainWindow::chooseAndOpen);
+  connect(a.save, &QAction::triggered, this, &MainWindow::save);
+  connect(a.saveAs, &QAction::triggered, this, &MainWindow::chooseAndSave);
+  connect(a.exportMatrix, &QAction::triggered, this,
+          [this] { chooseAndExport(m_matrices->model().matrix()); });
+  connect(a.close, &QAction::triggered, this, &QWidget::close);
+  connect(a.quit, &QAction::triggered, qApp, &QApplication::closeAllWindows);
+  connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
+  connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
+  connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);
+  connect(a.remove, &QAction::triggered, m_digraph, &DigraphView::deleteSelected);
+  connect(a.rename, &QAction::triggered, m_digraph, &DigraphView::renameSelected);
+  connect(a.selectAll, &QAction::triggered, m_digraph, &DigraphView::selectAll);
+  connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
+    m_digraph->setTool(static_cast<ToolKind>(tool->data().toInt()));
+    m_digraph->setFocus();
+  });
+  connect(a.flip, &QAction::triggered, m_digraph, &DigraphView::flipSelected);
+  connect(a.drive, &QAction::triggered, m_digraph, &DigraphView::toggleInputs);
+  connect(a.tidy, &QAction::triggered, m_digraph, &DigraphView::tidy);
+  connect(a.makeGround, &QAction::triggered, this, &MainWindow::makeGround);
+  connect(a.fit, &QAction::triggered, m_digraph, &DigraphView::fit);
+  connect(a.zoomIn, &QAction::triggered, m_digraph, &DigraphView::zoomIn);
+  connect(a.zoomOut, &QAction::triggered, m_digraph, &DigraphView::zoomOut);
+  connect(a.light, &QAction::triggered, this, [this] { setDark(false); });
+  connect(a.dark, &QAction::triggered, this, [this] { setDark(true); });
+  connect(a.resetLayout, &QAction::triggered, this, &MainWindow::applyDefaultLayout);
+  connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
+}
+
+void MainWindow::renewActions() {
+  const WindowActions& a = *m_actions;
+  const QUndoStack& stack = m_document->undoStack();
+  const auto& selected = m_selection->selected();
+  const Mechanism& mechanism = *m_document->mechanism();
+  const ElementId ground = mechanism.links.front().id;
+  const auto count = [&](ElementKind kind) {
+    return std::count_if(selected.begin(), selected.end(),
+                         [kind](const ElementId& element) { return element.kind == kind; });
+  };
+  const auto links = count(ElementKind::link);
+  const auto joints = count(ElementKind::turningJoint);
+  const auto arrows = joints + count(ElementKind::gearMesh);
+  const QString nothing = tr("Nothing is selected.");
+
+  a.undo->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText().toLower()) : tr("&Undo"));
+  a.redo->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText().toLower()) : tr("&Redo"));
+  WindowActions::setAvailable(a.undo, stack.canUndo(), tr("There is nothing to undo."));
+  WindowActions::setAvailable(a.redo, stack.canRedo(), tr("There is nothing to redo."));
+  const bool onlyGround = selected.size() == 1 && selected.contains(ground);
+  WindowActions::setAvailable(a.remove, !selected.empty() && !onlyGround,
+                              onlyGround ? tr("The ground cannot be deleted.") : nothing);
+  WindowActions::setAvailable(a.rename, links == 1 && arrows == 0, tr("Select one link to rename it."));
+  WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));
+  WindowActions::setAvailable(a.drive, joints + links > 0 && !onlyGround,
+                              tr("Select a turning joint, or the link it carries."));
+  WindowActions::setAvailable(a.makeGround, links == 1 && !selected.contains(ground),
+                              selected.contains(ground) ? tr("This link is the ground already.")
+                                                        : tr("Select one link to make it the ground."));
+  WindowActions::setAvailable(a.tidy, mechanism.n() > 0, tr("There is no link to lay out yet."));
+}
+
+void MainWindow::makeGround() {
+  for (const ElementId& element : m_selection->selected()) {
+    if (element.kind != ElementKind::link) continue;
+    m_document->apply(
+        {tr("Make ground"),
+         [link = LinkId(element.id)](const Mechanism& before) { return withGround(before, link); }, 0});
+    return;
+  }
+}
+
+void MainWindow::chooseAndOpen() {
+  if (!mayDiscard()) return;
+  const QString folder = QFileInfo(m_document->filePath()).path();
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), folder, documentFilter());
+  if (!path.isEmpty()) openDocument(path);
+}
+
+bool MainWindow::save() {
+  return m_document->filePath().isEmpty() ? chooseAndSave() : saveDocument(m_document->filePath());
+}
+
+bool MainWindow::chooseAndSave() {
+  QString proposed = m_document->filePath();
+  if (proposed.isEmpty()) proposed = m_title.isEmpty() ? tr("untitled.geargraph") : m_title;
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save as"), proposed, documentFilter());
+  return !path.isEmpty() && saveDocument(withSuffix(path, QStringLiteral(".geargraph")));
+}
+
+void MainWindow::chooseAndExport(const IntegerMatrixPtr& matrix) {
+  if (!matrix) return;
+  const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
+                                                    tr("CSV files (*.csv);;All files (*)"));
+  if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
+}
+
+bool MainWindow::mayDiscard() {
+  if (!m_document->isModified()) return true;
+  QMessageBox question(
+      QMessageBox::Question, tr("Unsaved changes"),
+      tr("Save the changes to %1 first?").arg(windowTitle().section(QLatin1String("[*]"), 0, 0)),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void MainWindow::showAbout() {
+  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About GearGraph"),
+                              tr("<b>GearGraph</b><p>Draw, analyse and see geared mechanisms by the matroid "
+                                 "and the T–T graph methods "
+                                 "(Amirinezhad and Uyguroğlu, 2014).</p><p>MIT licence.</p>"),
+                              QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->setIconPixmap(windowIcon().pixmap(64, 64));
+  box->show();
+}
+
+}  // namespace geargraph
