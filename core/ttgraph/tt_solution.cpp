@@ -145,7 +145,7 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
   return matrix;
 }
 
-RatioRingPtr ratioRing(const TtGraph& graph, RatioNaming naming) {
+RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming) {
   std::vector<std::string> names;
   std::vector<Rational> values;
   for (const RatioNames& name : ratioNames(graph.graph())) {

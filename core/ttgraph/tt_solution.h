@@ -55,7 +55,7 @@ struct TtDetermination {
 
 /// The whole matrix as functions of the gear ratios; an entry is none where it went over the budget.
 ///
-/// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ratioRing() makes one.
+/// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ttRatioRing() makes one.
 /// Redundant meshes (surplus ones) are left out: their ratios are bound to the others.
 /// @pre the inputs are valid
 [[nodiscard]] std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(
@@ -65,6 +65,6 @@ struct TtDetermination {
 enum class RatioNaming { matroid, ttGraph };  ///< i15, or n41 [AU, Eq. (44)]
 
 /// The ring of the graph's ratios under these names, with their values.
-[[nodiscard]] RatioRingPtr ratioRing(const TtGraph& graph, RatioNaming naming);
+[[nodiscard]] RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming);
 
 }  // namespace geargraph

@@ -30,7 +30,7 @@ class TtPaperTest : public QObject {
   TtGraph graph{robot, digraph, tree, referenceLines(placementOf(robot))};
   // Inputs 8, 9, 11; unknowns 10, 12, 13, 14.
   SubstitutionPlan plan = substitutionPlan(graph, std::vector<int>{0, 1, 3});
-  RatioRingPtr teethRing = ratioRing(graph, RatioNaming::ttGraph);
+  RatioRingPtr teethRing = ttRatioRing(graph, RatioNaming::ttGraph);
   RateMatrix<std::optional<RationalFunction>> solution = ttSymbolicSolution(teethRing, graph, plan).value();
   std::vector<SubstitutionStep> steps = substitutionSteps(teethRing, graph, plan, solution).value();
   EquationNumbers numbers{graph, 4};
@@ -217,7 +217,7 @@ class TtPaperTest : public QObject {
       {"-i18*i17*i16*i15",   "-i18*i17*i16",  "-i18*i17"},  // w32
       {"-i17*i16*i15",       "-i17*i16",      "-i17"},      // w72
     };
-    QCOMPARE(rowsOf(ttSymbolicSolution(ratioRing(graph, RatioNaming::matroid), graph, plan).value()), expected);
+    QCOMPARE(rowsOf(ttSymbolicSolution(ttRatioRing(graph, RatioNaming::matroid), graph, plan).value()), expected);
     QCOMPARE(numbers.result(), 45);
   }
   // clang-format on

@@ -1,0 +1,87 @@
+#include <QTest>
+
+#include "core/ttgraph/tt_solution.h"
+#include "tests/core/support/textbook_trains.h"
+#include "tests/core/support/trains.h"
+#include "tests/core/support/tt_case.h"
+
+namespace geargraph {
+namespace {
+
+/// The known rates, the freedoms and the redundant meshes come out. False says which did not.
+bool isAsKnown(const test::TextbookTrain& train, const Mechanism& mechanism) {
+  const test::TtCase found(mechanism);
+  if (!found.graph.isComplete()) return false;
+  const SubstitutionPlan plan = substitutionPlan(found.graph, found.inputs());
+  const TtDetermination determination = ttDetermination(found.graph, plan).value();
+  if (!determination.valid()) return false;
+  if (static_cast<int>(plan.inputs.size()) != train.freedoms) return false;
+  if (static_cast<int>(determination.surplusMeshes.size()) != mechanism.c() - train.rank) return false;
+  const std::vector<Rational> rates = ttRates(found.graph, plan, found.speeds()).value();
+  for (const auto& [joint, rate] : train.rates) {
+    if (rates[static_cast<std::size_t>(joint)] != rate) {
+      qWarning("joint %d: %s, known is %s", joint, rates[static_cast<std::size_t>(joint)].toString().c_str(),
+               rate.toString().c_str());
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+/// The T-T method against trains whose motion is known.
+class TtTextbookTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void knownTrainsMoveAsKnown_data() {
+    QTest::addColumn<int>("index");
+    int index = 0;
+    for (const test::TextbookTrain& train : test::textbookTrains())
+      QTest::newRow(train.name.c_str()) << index++;
+  }
+
+  void knownTrainsMoveAsKnown() {
+    QFETCH(int, index);
+    const test::TextbookTrain train = test::textbookTrains()[static_cast<std::size_t>(index)];
+    QVERIFY(isAsKnown(train, train.mechanism));
+    const Mechanism elsewhere =
+        test::moved(train.mechanism, test::rotation(1, 2, -1, 3), {7, Rational(-22, 7), 100});
+    QVERIFY(isAsKnown(train, elsewhere));
+    QVERIFY(isAsKnown(train, test::withDirectionsScaled(elsewhere, {Rational(3, 2), 5, Rational(1, 9)})));
+    for (std::size_t axis = 0; axis < elsewhere.axes.size(); ++axis) {
+      QVERIFY(isAsKnown(train, test::withAxisFlipped(elsewhere, static_cast<int>(axis))));
+    }
+  }
+
+  void tooFewInputsLeaveJointsOpen() {
+    const test::TtCase found(test::textbookTrains()[7].mechanism);  // planetary, one planet
+    const TtDetermination determination =
+        ttDetermination(found.graph, substitutionPlan(found.graph, std::vector<int>{0})).value();
+    QVERIFY(!determination.valid());
+    QCOMPARE(determination.openJoints.size(), std::size_t(1));
+    QVERIFY(!determination.contradictory);
+  }
+
+  void tooManyInputsContradict() {
+    const test::TtCase found(test::textbookTrains()[7].mechanism);
+    const TtDetermination determination =
+        ttDetermination(found.graph, substitutionPlan(found.graph, std::vector<int>{0, 1, 2})).value();
+    QVERIFY(determination.openJoints.empty());
+    QVERIFY(determination.contradictory);
+  }
+
+  void dependentInputsOfTheRightNumberAreRefused() {
+    const test::TtCase found(test::robot());  // q10 = -i15 q8 whatever the rest
+    const TtDetermination determination =
+        ttDetermination(found.graph, substitutionPlan(found.graph, std::vector<int>{0, 2, 3})).value();
+    QVERIFY(determination.contradictory);
+    QVERIFY(!determination.openJoints.empty());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::TtTextbookTest)
+#include "test_tt_textbook.moc"
