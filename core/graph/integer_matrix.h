@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,14 @@ struct MatrixEntry {
   friend bool operator==(const MatrixEntry&, const MatrixEntry&) = default;
 };
 
+/// A row whose non-zeros are all the same: column j holds `value` where bit j % 64 of word j / 64 is set,
+/// else 0.
+struct UniformRow {
+  int value = 0;
+  std::vector<std::uint64_t> columns;
+  std::vector<std::uint8_t> marks;  ///< the matrix's own, kept from row to row
+};
+
 /// A matrix of -1, 0, +1 whose entries are answered without being stored. An immutable value behind a
 /// pointer, safe to read from any thread; it owns what it needs.
 class IntegerMatrix {
@@ -50,6 +59,9 @@ class IntegerMatrix {
   [[nodiscard]] virtual int entry(int row, int column) const = 0;
   /// The non-zeros of a row in column order, written over `entries`.
   virtual void rowEntries(int row, std::vector<MatrixEntry>& entries) const = 0;
+  /// The row as a set of columns, written over `uniform`; false where rows of this matrix need not be
+  /// uniform. Faster than rowEntries() for writers of whole matrices: no order has to be made.
+  virtual bool uniformRow(int /*row*/, UniformRow& /*uniform*/) const { return false; }
   /// The first column behind the dashed line: [G | G*], [T | U], [U | Q_c]; none where the matrix has no
   /// parts.
   [[nodiscard]] virtual std::optional<int> partition() const { return std::nullopt; }

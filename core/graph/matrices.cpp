@@ -1,6 +1,7 @@
 #include "core/graph/matrices.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/base/contract.h"
 
@@ -114,7 +115,10 @@ class TreeMatrix : public IntegerMatrix {
 
 class Path final : public TreeMatrix {
  public:
-  Path(DigraphPtr graph, SpanningTreePtr tree) : TreeMatrix(std::move(graph), std::move(tree)) {}
+  Path(DigraphPtr graph, SpanningTreePtr sharedTree) : TreeMatrix(std::move(graph), std::move(sharedTree)) {
+    const std::span<const int> order = tree().preorder();
+    m_isInPreorder = std::is_sorted(order.begin(), order.end());
+  }
 
   [[nodiscard]] MatrixKind kind() const override { return MatrixKind::path; }
   [[nodiscard]] int rows() const override { return graph().t(); }
@@ -124,10 +128,56 @@ class Path final : public TreeMatrix {
   [[nodiscard]] int entry(int row, int column) const override { return tree().pathEntry(row, column + 1); }
   void rowEntries(int row, std::vector<MatrixEntry>& entries) const override {
     entries.clear();
-    for (const int node : tree().below(row)) entries.push_back({node - 1, tree().directionToGround(row)});
-    std::sort(entries.begin(), entries.end(),
-              [](const MatrixEntry& a, const MatrixEntry& b) { return a.column < b.column; });
+    UniformRow uniform;
+    (void)uniformRow(row, uniform);
+    for (std::size_t i = 0; i < uniform.columns.size(); ++i) {
+      for (std::uint64_t word = uniform.columns[i]; word != 0; word &= word - 1) {
+        entries.push_back({static_cast<int>(i) * 64 + std::countr_zero(word), uniform.value});
+      }
+    }
   }
+  /// Cost: O(n / 8 + nodes below the joint).
+  bool uniformRow(int row, UniformRow& uniform) const override {
+    uniform.value = tree().directionToGround(row);
+    const auto size = static_cast<std::size_t>(columns());
+    uniform.columns.assign((size + 63) / 64, 0);
+    std::uint64_t* const words = uniform.columns.data();
+    const std::span<const int> nodes = tree().below(row);
+    if (m_isInPreorder) {
+      const auto first = static_cast<std::size_t>(nodes.front() - 1);
+      setBits(words, first, first + nodes.size());
+      return true;
+    }
+    if (nodes.size() < size / 16) {
+      for (const int node : nodes) {
+        words[(node - 1) / 64] |= std::uint64_t{1} << (static_cast<unsigned>(node - 1) % 64);
+      }
+      return true;
+    }
+    // Many nodes: marks are only stored, never read back, so that one does not wait for the one before.
+    uniform.marks.assign((size + 63) / 64 * 64, 0);
+    std::uint8_t* const marks = uniform.marks.data();
+    for (const int node : nodes) marks[node - 1] = 1;
+    for (std::size_t column = 0; column < uniform.marks.size(); column += 8) {
+      std::uint64_t eight = 0;
+      for (unsigned k = 0; k < 8; ++k) eight |= std::uint64_t{marks[column + k]} << (8 * k);
+      constexpr std::uint64_t kGather =
+          0x0102040810204080;  // brings the lowest bit of each byte into the highest
+      words[column / 64] |= ((eight * kGather) >> 56U) << (column % 64);
+    }
+    return true;
+  }
+
+ private:
+  static void setBits(std::uint64_t* words, std::size_t first, std::size_t last) {
+    while (first < last) {
+      const std::size_t end = std::min(last, (first / 64 + 1) * 64);
+      words[first / 64] |= (~std::uint64_t{0} >> (64 - (end - first))) << (first % 64);
+      first = end;
+    }
+  }
+
+  bool m_isInPreorder = false;  ///< links are numbered along the tree, so those below a joint are one run
 };
 
 /// T, or C = [T | U] where the unit block of the meshes follows.
