@@ -59,12 +59,12 @@ std::optional<FileError> writeMatrix(const fs::path& path, const IntegerMatrix& 
                                      const CsvOptions& options) {
   if (path == "-") {
     DescriptorSink out(STDOUT_FILENO);
-    writeMatrixCsv<MatrixEntry>(out, matrix, options);
+    writeMatrixCsv<MatrixEntry, UniformRow>(out, matrix, options);
     if (out.failed()) return FileError{"Standard output could not be written."};
     return std::nullopt;
   }
   AtomicFile file(path);
-  writeMatrixCsv<MatrixEntry>(file, matrix, options);
+  writeMatrixCsv<MatrixEntry, UniformRow>(file, matrix, options);
   return file.commit();
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
@@ -45,6 +47,9 @@ class CsvWriter {
   /// A row of whole numbers from its non-zeros: anything with `column` and `value`, in column order.
   template <class Entry>
   void row(std::string_view label, std::span<const Entry> entries);
+  /// A row that holds 0 or one and the same sign: column j is `sign` where bit j % 64 of word j / 64 is set.
+  /// The fastest: fields are copied eight columns at a time. @pre sign is 1 or -1, a word for each 64 columns
+  void signRow(std::string_view label, std::span<const std::uint64_t> columns, int sign);
   /// A row of real numbers. @pre as many as columns, finite
   void row(std::string_view label, std::span<const double> values);
 
@@ -54,8 +59,18 @@ class CsvWriter {
  private:
   static constexpr std::size_t kChunk = std::size_t{1} << 18U;
   static constexpr std::size_t kLongestField = 12;  // "-2147483648,"
-  static constexpr std::size_t kSlack = 16;         // short runs are copied 16 bytes at a time
+  static constexpr std::size_t kSlack = 32;         // short runs are copied with more than they have
 
+  /// What eight columns look like, by the bits of those that are not zero.
+  struct SignFields {
+    int sign = 0;
+    std::array<std::array<char, kSlack>, 256> text;
+    std::array<std::uint8_t, 256> length;
+  };
+  const SignFields& signFields(int sign);
+
+  /// Puts the label and its separator, where there are labels.
+  void beginRow(std::string_view label);
   /// The place for `bytes` more bytes.
   char* reserve(std::size_t bytes);
   void append(std::string_view bytes);
@@ -64,7 +79,7 @@ class CsvWriter {
   static char* copyFields(char* out, const std::string& fields, std::size_t count, std::size_t width) {
     const std::size_t bytes = count * width;
     if (bytes <= kSlack) {
-      std::memcpy(out, fields.data(), kSlack);
+      std::memcpy(out, fields.data(), kSlack);  // of a known length, so no call
     } else {
       std::memcpy(out, fields.data(), bytes);
     }
@@ -74,16 +89,19 @@ class CsvWriter {
   ByteSink& m_sink;
   CsvOptions m_options;
   std::size_t m_columns;
+  std::size_t m_templateFields;
   std::string m_zeros;      ///< "0,0,0," and so on, for all columns
+  std::string m_ones;       ///< "1,1,1,"
   std::string m_minusOnes;  ///< "-1,-1,-1,"
+  SignFields m_signFields;
   std::vector<char> m_buffer;
   std::size_t m_used = 0;
 };
 
 template <class Entry>
 void CsvWriter::row(std::string_view label, std::span<const Entry> entries) {
-  if (m_columns == 0) return append((m_options.labels ? csvLabel(label, m_options.separator) : "") + '\n');
-  if (m_options.labels) append(csvLabel(label, m_options.separator) + m_options.separator);
+  beginRow(label);
+  if (m_columns == 0) return;
   char* const begin = reserve(m_zeros.size() + entries.size() * kLongestField + kSlack);
   char* out = begin;
   std::size_t column = 0;

@@ -141,6 +141,37 @@ class TestCsv : public QObject {
     }
   }
 
+  /// Rows given as sets of columns look as the same rows given as entries.
+  void signRowsAreWhatTheirEntriesAre() {
+    std::mt19937_64 random(9);
+    for (int round = 0; round < 400; ++round) {
+      const auto columns = static_cast<std::size_t>(random() % 300 + 1);
+      const int sign = random() % 2 == 0 ? 1 : -1;
+      const auto kind = random() % 4;  // empty words, full words, both, and any
+      std::vector<std::uint64_t> words((columns + 63) / 64);
+      for (auto& word : words)
+        word = kind == 3 ? random() : (kind == 2 ? random() % 2 : kind) * ~std::uint64_t{0};
+      if (columns % 64 != 0) words.back() &= ~std::uint64_t{0} >> (64 - columns % 64);
+      std::vector<Entry> entries;
+      for (std::size_t column = 0; column < columns; ++column) {
+        if ((words[column / 64] >> (column % 64) & 1U) != 0)
+          entries.push_back({static_cast<int>(column), sign});
+      }
+      const std::vector<std::string> labels(columns, "x");
+      TextSink sink;
+      {
+        CsvWriter csv(sink, labels, {});
+        csv.signRow("C0", words, -sign);  // the writer may not remember the sign of the row before
+        csv.signRow("C0", words, sign);
+      }
+      for (Entry& entry : entries) entry.value = -sign;
+      const std::string negated = written({}, {entries}, labels);
+      for (Entry& entry : entries) entry.value = sign;
+      const std::string plain = written({}, {entries}, labels);
+      QCOMPARE(sink.text(), negated + plain.substr(plain.find('\n') + 1));
+    }
+  }
+
   void longTablesAreWrittenInChunks() {
     const std::vector<std::string> labels(200'000, "1");
     const std::string text = written({}, {{{199'999, 1}}, {{0, -1}}}, labels);
