@@ -73,6 +73,7 @@ class MainWindow : public QMainWindow {
   void renewActions();
   void renewTitle();
   void makeGround();
+  void chooseTheme(bool dark);
 
   void chooseAndOpen();
   bool save();

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -126,8 +127,8 @@ void MainWindow::wireActions() {
   connect(a.fit, &QAction::triggered, m_digraph, &DigraphView::fit);
   connect(a.zoomIn, &QAction::triggered, m_digraph, &DigraphView::zoomIn);
   connect(a.zoomOut, &QAction::triggered, m_digraph, &DigraphView::zoomOut);
-  connect(a.light, &QAction::triggered, this, [this] { setDark(false); });
-  connect(a.dark, &QAction::triggered, this, [this] { setDark(true); });
+  connect(a.light, &QAction::triggered, this, [this] { chooseTheme(false); });
+  connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(true); });
   connect(a.resetLayout, &QAction::triggered, this, &MainWindow::applyDefaultLayout);
   connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
@@ -162,6 +163,13 @@ void MainWindow::renewActions() {
                               selected.contains(ground) ? tr("This link is the ground already.")
                                                         : tr("Select one link to make it the ground."));
   WindowActions::setAvailable(a.tidy, mechanism.n() > 0, tr("There is no link to lay out yet."));
+}
+
+void MainWindow::chooseTheme(bool dark) {
+  QSettings().setValue(QStringLiteral("dark"), dark);
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    if (auto* main = qobject_cast<MainWindow*>(window)) main->setDark(dark);
+  }
 }
 
 void MainWindow::makeGround() {

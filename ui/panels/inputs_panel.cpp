@@ -9,6 +9,7 @@
 
 #include "core/mechanism/edits.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/rate_label.h"
 #include "ui/panels/speed_slider.h"
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
@@ -100,7 +101,7 @@ InputsPanel::Row InputsPanel::makeRow(const Mechanism& mechanism, const Input& i
 
   auto* dot = new QLabel(this);
   dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
-  auto* name = new QLabel(tr("θ̇%1 link %2").arg(jointLabel, head), this);
+  auto* name = new RateLabel(jointLabel, tr("link %1").arg(head), this);
   name->setToolTip(tr("Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the "
                       "direction of the axis, by the right-hand rule.")
                        .arg(jointLabel, head, tail));

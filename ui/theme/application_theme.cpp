@@ -36,6 +36,8 @@ QPalette paletteOf(Theme theme) {
   palette.setColor(QPalette::Highlight, color(ColorRole::accent));
   palette.setColor(QPalette::HighlightedText, color(ColorRole::sheet));
   palette.setColor(QPalette::Link, color(ColorRole::accent));
+  palette.setColor(QPalette::Light, color(ColorRole::sheet));
+  palette.setColor(QPalette::Dark, color(ColorRole::hairline));
   palette.setColor(QPalette::Mid, color(ColorRole::hairline));
   palette.setColor(QPalette::Midlight, color(ColorRole::hairline));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {

@@ -8,8 +8,10 @@ namespace {
 /// @role@ stands for a colour of the palette.
 const char* const kSheet = R"(
 QMainWindow, QMainWindow::separator { background: @panel@; }
-QMainWindow::separator { width: 5px; height: 5px; background: @hairline@; margin: 2px; }
-QMainWindow::separator:hover { background: @accent@; margin: 1px; }
+QMainWindow::separator { width: 4px; height: 4px; background: @panel@; }
+QMainWindow::separator:vertical { border-left: 1px solid @hairline@; }
+QMainWindow::separator:horizontal { border-top: 1px solid @hairline@; }
+QMainWindow::separator:hover { background: @halo@; }
 QMenuBar { background: @panel@; padding: 1px 4px; }
 QMenuBar::item { padding: 4px 10px; border-radius: 4px; }
 QMenuBar::item:selected { background: @halo@; color: @ink@; }
@@ -20,7 +22,7 @@ QMenu::item:disabled { color: @secondary@; }
 QMenu::separator { height: 1px; background: @hairline@; margin: 4px 6px; }
 QToolTip { background: @sheet@; color: @ink@; border: 1px solid @hairline@; padding: 5px 7px; }
 
-QToolBar { background: @sheet@; border: none; border-bottom: 1px solid @hairline@; padding: 4px 10px;
+QToolBar { background: @sheet@; border: none; border-bottom: 1px solid @hairline@; padding: 2px 8px;
            spacing: 4px; }
 QToolBar::separator { width: 1px; background: @hairline@; margin: 4px 6px; }
 QToolBar QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px 9px; }
@@ -28,12 +30,12 @@ QToolBar QToolButton:hover { background: @panel@; border-color: @hairline@; }
 QToolBar QToolButton:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
 QToolBar QToolButton:disabled { color: @secondary@; }
 
-QTabBar { background: @panel@; }
+QTabBar { background: @panel@; qproperty-drawBase: 0; }
 QTabBar::tab { background: transparent; color: @secondary@; padding: 6px 18px; border: none;
                border-top: 2px solid transparent; }
 QTabBar::tab:selected { background: @sheet@; color: @ink@; border-top: 2px solid @accent@; }
 QTabBar::tab:hover:!selected { color: @ink@; }
-QTabWidget::pane { border: none; border-top: 1px solid @hairline@; }
+QTabWidget::pane { border: none; }
 QDockWidget { color: @ink@; }
 QDockWidget::title { background: @panel@; padding: 6px 16px; border-bottom: 1px solid @hairline@; }
 

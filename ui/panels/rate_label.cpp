@@ -1,0 +1,60 @@
+#include "ui/panels/rate_label.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QtMath>
+
+namespace geargraph {
+namespace {
+const QString kTheta = QStringLiteral("θ");
+}
+
+double paintRate(QPainter* painter, const QFont& font, const QPointF& at, const QString& joint) {
+  const QFontMetricsF metrics(font);
+  const double theta = metrics.horizontalAdvance(kTheta);
+  QFont below = font;
+  below.setPixelSize(qMax(8, qRound(font.pixelSize() * 0.78)));
+  const double subscript = QFontMetricsF(below).horizontalAdvance(joint);
+  if (painter != nullptr) {
+    painter->save();
+    painter->setFont(font);
+    painter->drawText(at, kTheta);
+    const QRectF glyph = metrics.tightBoundingRect(kTheta).translated(at);
+    const double radius = font.pixelSize() * 0.075;
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(painter->pen().color());
+    const QPointF dot(glyph.center().x(), glyph.top() - 2.2 * radius);
+    painter->setPen(Qt::NoPen);
+    painter->drawEllipse(dot, radius, radius);
+    painter->restore();
+    painter->save();
+    painter->setFont(below);
+    painter->drawText(at + QPointF(theta + 0.5, font.pixelSize() * 0.16), joint);
+    painter->restore();
+  }
+  return theta + subscript + 1;
+}
+
+RateLabel::RateLabel(const QString& joint, const QString& words, QWidget* parent)
+    : QWidget(parent), m_joint(joint), m_words(words) {
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+QSize RateLabel::sizeHint() const {
+  const QFontMetricsF metrics(font());
+  const double width = paintRate(nullptr, font(), {}, m_joint) +
+                       (m_words.isEmpty() ? 0 : metrics.horizontalAdvance(QLatin1Char(' ') + m_words));
+  return {qCeil(width) + 2, qCeil(metrics.height()) + 4};
+}
+
+void RateLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(palette().color(QPalette::WindowText));
+  const QFontMetricsF metrics(font());
+  const double base = (height() + metrics.ascent() - metrics.descent()) / 2;
+  const double advance = paintRate(&painter, font(), QPointF(0, base), m_joint);
+  painter.setFont(font());
+  painter.drawText(QPointF(advance, base), QLatin1Char(' ') + m_words);
+}
+
+}  // namespace geargraph
