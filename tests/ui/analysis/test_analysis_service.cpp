@@ -1,0 +1,46 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/mechanism/edits.h"
+#include "ui/analysis/analysis_service.h"
+#include "ui/document/document.h"
+
+namespace geargraph {
+
+class AnalysisServiceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void onlyTheNewestOf39RapidEditsArrives() {
+    Document document;
+    AnalysisService service;
+    std::vector<quint64> arrived;
+    connect(&service, &AnalysisService::snapshotReady, &service, [&](const SnapshotPtr& snapshot) {
+      QCOMPARE(QThread::currentThread(), qApp->thread());
+      arrived.push_back(snapshot->revision);
+    });
+    for (int i = 0; i < 39; ++i) {
+      document.apply({QStringLiteral("Add link"),
+                      [](const Mechanism& mechanism) { return withLink(mechanism, SheetPoint{}); }, 0});
+      service.request(document.mechanism(), document.revision());
+    }
+    QVERIFY(!service.isUpToDate());
+    QTRY_VERIFY(service.isUpToDate());
+    QCOMPARE(arrived, std::vector<quint64>{document.revision()});
+    QCOMPARE(service.snapshot()->mechanism.get(), document.mechanism().get());
+    QCOMPARE(service.snapshot()->mechanism->n(), 39);
+  }
+
+  void destroyedWhileItWorksIsHarmless() {
+    for (int round = 0; round < 50; ++round) {
+      AnalysisService service;
+      service.request(std::make_shared<const Mechanism>(emptyMechanism()), 1);
+    }
+    QCoreApplication::processEvents();
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::AnalysisServiceTest)
+#include "test_analysis_service.moc"
