@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/gears/gear_solid.h"
+#include "core/mechanism/mechanism.h"
+#include "core/render/stage.h"
+
+namespace geargraph {
+
+/// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the
+/// links, turning with the inputs. What the document leaves open is placed automatically; meshes that no
+/// wheels can be made for are left out; without valid inputs nothing moves. An empty scene where the turning
+/// joints are no spanning tree.
+///
+/// A part selects its link. Wheels light up with their meshes too, bearings with their joints.
+///
+/// `cache` keeps solids from one edit to the next, so that only what changed is made again.
+/// Cost: O(n + t + c), the solution, and what new solids cost.
+/// @pre the mechanism is well formed
+[[nodiscard]] StagePtr trainStage(const Mechanism& mechanism, GearCache& cache);
+
+}  // namespace geargraph

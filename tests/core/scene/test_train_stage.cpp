@@ -1,0 +1,271 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/drawing/palette.h"
+#include "core/io/file.h"
+#include "core/io/mechanism_file.h"
+#include "core/mechanism/edits.h"
+#include "core/render/egl_host.h"
+#include "core/scene/train_stage.h"
+#include "core/scene/wheel_parts.h"
+#include "tests/core/support/mechanisms.h"
+#include "tests/core/support/trains.h"
+
+namespace geargraph {
+namespace {
+
+Mechanism paperRobot() {
+  const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", 1 << 20);
+  return readMechanism(std::get<std::string>(bytes)).value();
+}
+
+std::vector<Pose> posesAt(const Stage& stage, const std::vector<double>& angles) {
+  std::vector<Pose> poses(stage.scene.instances.size());
+  stage.place(angles, poses);
+  return poses;
+}
+
+/// Where the link of an instance went from its reference pose.
+Pose displacement(const Stage& stage, const std::vector<Pose>& poses, const ElementId& link) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Instance& instance = stage.scene.instances[i];
+    if (instance.element == link) return poses[i] * instance.pose.inverse();
+  }
+  return Pose::Identity();
+}
+
+/// An instance that is a wheel of this mesh on this link.
+bool isWheelOf(const Instance& instance, const ElementId& mesh) {
+  return std::find(instance.also.begin(), instance.also.end(), mesh) != instance.also.end();
+}
+
+/// Simple trains of every kind: spur pair, ring, planetary, bevel differential.
+std::vector<Mechanism> trains() {
+  std::vector<Mechanism> result;
+  test::TrainBuilder planetary("planetary");
+  const int centre = planetary.axis({0, 0, 0}, {0, 0, 1}), side = planetary.axis({45, 0, 0}, {0, 0, 1});
+  const int sun = planetary.link(0, centre), ring = planetary.link(0, centre),
+            arm = planetary.link(0, centre);
+  const int planet = planetary.linkReversed(arm, side);
+  planetary.external(sun, centre, 24, planet, side, 21);
+  planetary.internal(planet, side, 21, ring, centre, 66);
+  planetary.input(0, 2);
+  planetary.input(1, Rational(-1, 3));
+  result.push_back(planetary.mechanism());
+  test::TrainBuilder differential("differential");
+  const int x = differential.axis({0, 0, 0}, {1, 0, 0}), y = differential.axis({0, 0, 0}, {0, 1, 0});
+  const int left = differential.link(0, x), right = differential.link(0, x), cage = differential.link(0, x);
+  const int spider = differential.link(cage, y);
+  differential.bevel(left, x, 30, spider, y, 20, 1);
+  differential.bevel(right, x, 30, spider, y, 20, -1);
+  differential.input(0, 1);
+  differential.input(1, Rational(1, 2));
+  result.push_back(differential.mechanism());
+  result.push_back(test::robot());
+  result.push_back(paperRobot());
+  return result;
+}
+
+}  // namespace
+
+class TestTrainStage : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theRobotHasEightWheelsInTheColoursOfTheirLinks() {
+    const Mechanism robot = paperRobot();
+    const std::vector<WheelPart> wheels = wheelParts(robot, placementOf(robot));
+    std::multiset<std::pair<int, int>> linkAndTeeth;
+    for (const WheelPart& wheel : wheels) linkAndTeeth.emplace(wheel.link, wheel.spec.teeth);
+    QCOMPARE(linkAndTeeth, (std::multiset<std::pair<int, int>>{
+                               {1, 36}, {2, 30}, {3, 24}, {4, 18}, {5, 20}, {6, 24}, {7, 16}, {7, 18}}));
+    GearCache cache;
+    const StagePtr stage = trainStage(robot, cache);
+    for (const Instance& instance : stage->scene.instances) {
+      const std::size_t link = std::stoul(instance.element.id.text());
+      const Color color = linkColor(static_cast<int>(link));
+      QCOMPARE(instance.colour,
+               Rgb::fromHex(static_cast<unsigned>(color.red << 16 | color.green << 8 | color.blue)));
+    }
+  }
+
+  void everyWheelsPitchCircleTouchesItsPitchPoint() {
+    for (const Mechanism& mechanism : trains()) {
+      const Placement placement = placementOf(mechanism);
+      const auto wheels = wheelParts(mechanism, placement);
+      QCOMPARE(
+          std::count_if(placement.meshes.begin(), placement.meshes.end(), [](const auto& m) { return !!m; }),
+          static_cast<std::ptrdiff_t>(mechanism.gearMeshes.size()));
+      for (const WheelPart& wheel : wheels) {
+        for (const int mesh : wheel.meshes) {
+          const Eigen::Vector3d point =
+              vectorOf(placement.meshes[static_cast<std::size_t>(mesh)]->pitchPoint);
+          const Eigen::Vector3d local = wheel.pose.inverse() * point;
+          QVERIFY(std::abs(local.head<2>().norm() - pitchRadius(wheel.spec)) < 1e-9);
+          const bool bevel = wheel.spec.kind == GearKind::bevel;
+          if (bevel) QVERIFY(std::abs(local.norm() - coneDistance(wheel.spec)) < 1e-6);
+          if (!bevel) QVERIFY(std::abs(local.z()) < 1e-9);
+        }
+      }
+    }
+  }
+
+  void meshingWheelsHaveOneVelocityWhereTheyTouch() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = trainStage(mechanism, cache);
+      QVERIFY(stage->place);
+      const Placement placement = placementOf(mechanism);
+      constexpr double kStep = 1e-5;
+      for (const double time : {0.0, 0.7, 31.4}) {
+        std::vector<double> before, after;
+        for (const double speed : stage->inputSpeeds) {
+          before.push_back(speed * time);
+          after.push_back(speed * (time + kStep));
+        }
+        const auto then = posesAt(*stage, before), now = posesAt(*stage, after);
+        for (const auto& mesh : placement.meshes) {
+          const auto id = [&](int link) {
+            return ElementId(mechanism.links[static_cast<std::size_t>(link)].id);
+          };
+          const Eigen::Vector3d point =
+              displacement(*stage, then, id(mesh->carrier)) * vectorOf(mesh->pitchPoint);
+          const auto velocity = [&](int link) -> Eigen::Vector3d {
+            const Pose step =
+                displacement(*stage, now, id(link)) * displacement(*stage, then, id(link)).inverse();
+            return (step * point - point) / kStep;
+          };
+          const Eigen::Vector3d slip = velocity(mesh->tail) - velocity(mesh->head);
+          QVERIFY2(slip.norm() < 0.01, qPrintable(QString::number(slip.norm())));
+        }
+      }
+    }
+  }
+
+  void afterOnePeriodEverythingIsWhereItWas() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = trainStage(mechanism, cache);
+      QVERIFY(stage->period > 0);
+      std::vector<double> angles;
+      for (const double speed : stage->inputSpeeds) angles.push_back(speed * stage->period);
+      const auto poses = posesAt(*stage, angles);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        QVERIFY((poses[i].matrix() - stage->scene.instances[i].pose.matrix()).norm() < 1e-6);
+      }
+    }
+  }
+
+  void everyLinkButTheGroundHasItsNumber() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = trainStage(mechanism, cache);
+      QCOMPARE(static_cast<int>(stage->labels.size()), mechanism.n());
+      for (std::size_t i = 0; i < stage->labels.size(); ++i) {
+        QCOMPARE(stage->labels[i].text, std::to_string(i + 1));
+        QCOMPARE(stage->labels[i].element, ElementId(mechanism.links[i + 1].id));
+        QCOMPARE(stage->scene.instances[stage->labels[i].instance].element, stage->labels[i].element);
+      }
+    }
+  }
+
+  void wheelsLightUpWithTheirMeshesAndBearingsWithTheirJoints() {
+    GearCache cache;
+    const Mechanism robot = paperRobot();
+    const StagePtr stage = trainStage(robot, cache);
+    const auto& instances = stage->scene.instances;
+    for (const GearMesh& mesh : robot.gearMeshes) {
+      for (const LinkId link : {mesh.tail, mesh.head}) {
+        QCOMPARE(std::count_if(instances.begin(), instances.end(),
+                               [&](const Instance& i) {
+                                 return isWheelOf(i, mesh.id) && i.element == ElementId(link);
+                               }),
+                 1);
+      }
+    }
+    for (const TurningJoint& joint : robot.turningJoints) {
+      QCOMPARE(std::count_if(instances.begin(), instances.end(),
+                             [&](const Instance& i) { return isWheelOf(i, joint.id); }),
+               1);
+    }
+  }
+
+  void allPartsAreClosedAndTurnedOutwards() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = trainStage(mechanism, cache);
+      for (const auto& solid : stage->scene.solids) QVERIFY(signedVolume(*solid) > 0);
+    }
+  }
+
+  void anEditMakesOnlyWhatChangedAnew() {
+    GearCache cache;
+    const Mechanism robot = paperRobot();
+    const StagePtr before = trainStage(robot, cache);
+    const StagePtr after = trainStage(withTeeth(robot, MeshId("15"), 17, 34).value(), cache);
+    int kept = 0;
+    for (const auto& solid : after->scene.solids) {
+      kept += std::count(before->scene.solids.begin(), before->scene.solids.end(), solid) != 0;
+    }
+    QVERIFY(kept >= 6);  // the wheels of the other three meshes
+  }
+
+  void everyWheelOfTheRobotCanBePickedWhereItIs() {
+    GearCache cache;
+    const StagePtr stage = trainStage(paperRobot(), cache);
+    auto host = EglHost::create();
+    QVERIFY(host.has_value());
+    (*host)->setScene(stage->scene);
+    Frame frame;
+    frame.viewport = {500, 400};
+    frame.look = Look::light();
+    std::map<std::size_t, int> seen;
+    for (const double yaw : {-0.5, 2.6}) {
+      frame.camera = Camera::from(yaw, 0.3).fitted(cornersOf(stage->scene), frame.viewport);
+      for (int y = 2; y < 400; y += 10) {
+        for (int x = 2; x < 500; x += 10) {
+          const auto hit = (*host)->pick(frame, x, y);
+          if (!hit) continue;
+          ++seen[hit->instance];
+          const Instance& instance = stage->scene.instances[hit->instance];
+          QCOMPARE(hit->element, instance.element);
+          const Eigen::Vector3d local = instance.pose.inverse() * hit->point;
+          QVERIFY(boundsOf(*stage->scene.solids[instance.solid]).exteriorDistance(local) < 0.6);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < stage->scene.instances.size(); ++i) {
+      const auto& also = stage->scene.instances[i].also;
+      const bool wheel = !also.empty() && also.front().kind == ElementKind::gearMesh;
+      if (wheel) QVERIFY2(seen[i] > 2, qPrintable(QString::number(i)));
+    }
+  }
+
+  void whatIsNoTrainYetIsStillShownOrEmpty() {
+    GearCache cache;
+    QVERIFY(trainStage(emptyMechanism(), cache)->scene.instances.empty());
+    Mechanism loose = paperRobot();
+    loose.turningJoints.pop_back();
+    QVERIFY(trainStage(loose, cache)->scene.instances.empty());
+    Mechanism undriven = paperRobot();
+    undriven.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}};
+    const StagePtr still = trainStage(undriven, cache);
+    QVERIFY(!still->scene.instances.empty());
+    QVERIFY(!still->place);
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      const StagePtr stage = trainStage(test::randomTree(seed, static_cast<int>(seed % 12), 3), cache);
+      for (const auto& solid : stage->scene.solids) {
+        for (const Float3& p : solid->positions) QVERIFY(std::isfinite(p[0] + p[1] + p[2]));
+      }
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::TestTrainStage)
+#include "test_train_stage.moc"
