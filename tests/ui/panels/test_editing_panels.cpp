@@ -1,0 +1,182 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include "core/mechanism/edits.h"
+#include "tests/core/support/mechanisms.h"
+#include "ui/panels/inputs_panel.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/speed_slider.h"
+
+namespace geargraph {
+
+class EditingPanelsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Document> document;
+  Selection selection;
+  std::unique_ptr<PropertiesPanel> properties;
+  std::unique_ptr<InputsPanel> inputs;
+
+  NumberField* field(QWidget& panel, const char* name) {
+    for (auto* found : panel.findChildren<NumberField*>(QLatin1String(name))) {
+      if (found->isVisible()) return found;
+    }
+    return nullptr;
+  }
+  NumberField* property(const char* name) { return field(*properties, name); }
+  const GearMesh& mesh(const char* id) { return *document->mechanism()->find(MeshId(id)); }
+  static void focus(QWidget* widget) {
+    widget->window()->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(widget->window()));
+    widget->setFocus();
+  }
+  static void type(QLineEdit* into, const QString& text) {
+    focus(into);
+    into->selectAll();
+    QTest::keyClicks(into, text);
+  }
+
+ private slots:
+  void init() {
+    selection.clear();
+    document = std::make_unique<Document>();
+    Mechanism robot = test::robotTopology();
+    robot.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}, {JointId("9"), Number(0), {}}};
+    document->replace(std::move(robot), {});
+    properties = std::make_unique<PropertiesPanel>(document.get(), &selection);
+    inputs = std::make_unique<InputsPanel>(document.get(), &selection);
+    for (QWidget* panel : {static_cast<QWidget*>(properties.get()), static_cast<QWidget*>(inputs.get())}) {
+      panel->resize(500, 300);
+      panel->show();
+      QVERIFY(QTest::qWaitForWindowExposed(panel));
+    }
+  }
+  void cleanup() {
+    properties.reset();
+    inputs.reset();
+    document.reset();
+  }
+
+  void typedTeethAreOneStep() {
+    selection.select({ElementId(MeshId("15"))});
+    type(property("tailTeeth"), QStringLiteral("27"));
+    QCOMPARE(mesh("15").tailTeeth, 27);
+    QCOMPARE(mesh("15").headTeeth, 36);
+    QCOMPARE(document->undoStack().count(), 1);
+    document->undoStack().undo();
+    QCOMPARE(mesh("15").tailTeeth, 18);
+    QCOMPARE(property("tailTeeth")->text(), QStringLiteral("18"));
+  }
+
+  void arrowKeysSpin() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("headTeeth");
+    focus(teeth);
+    QTest::keyClick(teeth, Qt::Key_Up);
+    QTest::keyClick(teeth, Qt::Key_Up);
+    QTest::keyClick(teeth, Qt::Key_Down, Qt::ControlModifier);
+    QCOMPARE(mesh("15").headTeeth, 28);
+    QCOMPARE(document->undoStack().count(), 1);
+  }
+
+  void whatIsNoNumberChangesNothing() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("tailTeeth");
+    type(teeth, QStringLiteral("x"));
+    QVERIFY(teeth->QObject::property("wrong").toBool());
+    QVERIFY(!teeth->toolTip().isEmpty());
+    QCOMPARE(mesh("15").tailTeeth, 18);
+    type(teeth, QStringLiteral("100001"));
+    QVERIFY(teeth->QObject::property("wrong").toBool());
+    QCOMPARE(mesh("15").tailTeeth, 10000);  // as long as it was in range, it was followed
+    teeth->clearFocus();
+    QCOMPARE(teeth->text(), QStringLiteral("10000"));
+    QVERIFY(!teeth->QObject::property("wrong").toBool());
+  }
+
+  void severalMeshesChangeTogether() {
+    selection.select({ElementId(MeshId("15")), ElementId(MeshId("16"))});
+    QVERIFY(property("tailTeeth")->text().isEmpty());  // 18 and 20
+    type(property("tailTeeth"), QStringLiteral("24"));
+    QCOMPARE(mesh("15").tailTeeth, 24);
+    QCOMPARE(mesh("16").tailTeeth, 24);
+    QCOMPARE(mesh("16").headTeeth, 30);
+    QCOMPARE(document->undoStack().count(), 1);
+  }
+
+  void axesArePlacedWithExactFractions() {
+    selection.select({ElementId(JointId("8"))});
+    type(property("axisPoint.y"), QStringLiteral("-22/7"));
+    const Axis& axis = *document->mechanism()->find(AxisId("a"));
+    QVERIFY(axis.point.has_value());
+    QCOMPARE((*axis.point)[1].text(), std::string("-22/7"));
+    QVERIFY((*axis.point)[0].exact().isZero());
+    type(property("axisDirection.z"), QStringLiteral("0"));
+    QCOMPARE(document->mechanism()->find(AxisId("a"))->direction.has_value(), false);  // length 0: refused
+  }
+
+  void linksAreNamedAndGrounded() {
+    selection.select({ElementId(LinkId("4"))});
+    auto* name = properties->findChild<QLineEdit*>(QStringLiteral("linkName"));
+    type(name, QStringLiteral("sun"));
+    QCOMPARE(document->mechanism()->find(LinkId("4"))->name, std::string("sun"));
+    QCOMPARE(document->undoStack().count(), 1);
+    QTest::mouseClick(properties->findChild<QPushButton*>(QStringLiteral("makeGround")), Qt::LeftButton);
+    QCOMPARE(document->mechanism()->links.front().id, LinkId("4"));
+    auto* again = properties->findChild<QPushButton*>(QStringLiteral("makeGround"));
+    QVERIFY(!again->isEnabled());
+    QVERIFY(again->toolTip().contains("ground already"));
+  }
+
+  void kindsOfMeshesAreChosen() {
+    selection.select({ElementId(MeshId("15"))});
+    auto* kind = properties->findChild<QComboBox*>(QStringLiteral("meshKind"));
+    focus(kind);
+    QTest::keyClick(kind, Qt::Key_Down);
+    QCOMPARE(mesh("15").kind, std::optional(MeshKind::external));
+    QTest::keyClick(kind, Qt::Key_Up);
+    QCOMPARE(mesh("15").kind, std::nullopt);
+  }
+
+  void aVanishedElementLeavesTheForm() {
+    selection.select({ElementId(MeshId("15"))});
+    const ElementId gone[] = {ElementId(MeshId("15"))};
+    QVERIFY(
+        document->apply({QStringLiteral("Delete"),
+                         [&](const Mechanism& mechanism) { return withoutElements(mechanism, gone); }, 0}));
+    selection.keepOnly([](const ElementId&) { return false; });
+    QVERIFY(properties->findChild<QLineEdit*>(QStringLiteral("documentName")) != nullptr);
+  }
+
+  void slidersAndFieldsSetSpeeds() {
+    auto* slider = inputs->findChild<SpeedSlider*>(QStringLiteral("slider.9"));
+    const QPoint middle = slider->rect().center();
+    QTest::mousePress(slider, Qt::LeftButton, {}, middle);
+    for (int x = 10; x <= 60; x += 10) QTest::mouseMove(slider, middle + QPoint(x, 0));
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(60, 0));
+    const auto speed = [this](std::size_t i) { return (*document->mechanism()->inputs)[i].speed; };
+    QVERIFY(speed(1).value() > 0);
+    QCOMPARE(document->undoStack().count(), 1);
+    type(field(*inputs, "speed.8"), QStringLiteral("-3/2"));
+    QCOMPARE(speed(0).text(), std::string("-3/2"));
+    QCOMPARE(document->undoStack().count(), 2);
+    QVERIFY(inputs->findChild<SpeedSlider*>(QStringLiteral("slider.8"))->value() < 0);
+  }
+
+  void withoutInputsThePanelSaysWhatToDo() {
+    document->replace(emptyMechanism(), {});
+    const auto labels = inputs->findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().contains("No joint is driven yet");
+    }));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::EditingPanelsTest)
+#include "test_editing_panels.moc"

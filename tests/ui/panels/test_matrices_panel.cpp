@@ -1,0 +1,160 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/mechanism/edits.h"
+#include "tests/core/support/mechanisms.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_header.h"
+#include "ui/panels/matrix_view.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+SnapshotPtr snapshotOf(Mechanism mechanism) {
+  return analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
+}
+
+}  // namespace
+
+class MatricesPanelTest : public QObject {
+  Q_OBJECT
+
+  Selection selection;
+  std::unique_ptr<MatricesPanel> panel;
+
+  MatrixView& view() { return panel->view(); }
+  QPoint centre(int row, int column) {
+    return view().visualRect(panel->model().index(row, column)).center() - QPoint(4, 0);
+  }
+  QString cardTitle() { return panel->findChild<QLabel*>(QStringLiteral("cellTitle"))->text(); }
+
+ private slots:
+  void init() {
+    selection.clear();
+    selection.unhover();
+    panel = std::make_unique<MatricesPanel>(&selection);
+    panel->resize(800, 280);
+    panel->setSnapshot(snapshotOf(test::robotTopology()));
+    panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
+    QTest::mouseMove(panel.get(), QPoint(3, 3));  // away from where the last test left it
+  }
+  void cleanup() { panel.reset(); }
+
+  void hoveringACellLightsTheWholeCycle() {
+    QTest::mouseMove(view().viewport(), centre(1, 2));
+    const std::set<ElementId> cycle{JointId("9"), JointId("10"), JointId("12"), MeshId("16")};
+    QTRY_COMPARE(selection.hovered(), cycle);
+    QVERIFY(view().isRowLit(1));
+    QVERIFY(!view().isRowLit(0));
+    for (const int column : {1, 2, 4, 8}) QVERIFY(view().isColumnLit(column));
+    QVERIFY(!view().isColumnLit(0));
+  }
+
+  void restingOnACellExplainsIt() {
+    QSignalSpy rested(&view(), &MatrixView::restedOn);
+    QTest::mouseMove(view().viewport(), centre(1, 2));
+    QTRY_COMPARE(cardTitle(), QStringLiteral("C16, joint 10: −1"));
+    QVERIFY(panel->findChild<QLabel*>(QStringLiteral("cellText"))->text().endsWith("(from 1 to 0). Eq. (5)"));
+  }
+
+  void hoveringHeadersLightsTheirElements() {
+    QTest::mouseMove(view().horizontalHeader()->viewport(), QPoint(MatrixView::kColumnWidth * 3 / 2, 10));
+    QTRY_COMPARE(selection.hovered(), (std::set<ElementId>{JointId("9")}));
+    QTest::mouseMove(view().verticalHeader()->viewport(), QPoint(10, MatrixView::kRowHeight / 2));
+    QTRY_COMPARE(selection.hovered(), (std::set<ElementId>{JointId("8"), JointId("10"), MeshId("15")}));
+  }
+
+  void whatIsPointedAtElsewhereLightsUpHere() {
+    selection.hover(ElementId(JointId("12")));
+    QVERIFY(view().isColumnLit(4));
+    QVERIFY(view().isColumnTinted(4));
+    selection.unhover();
+    QVERIFY(!view().isColumnLit(4));
+    selection.select({ElementId(MeshId("17"))});
+    QVERIFY(view().isRowLit(2));
+    QVERIFY(view().isColumnLit(9));
+  }
+
+  void aClickSelectsRowAndColumn() {
+    QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, centre(0, 2));
+    QCOMPARE(selection.selected(), (std::set<ElementId>{MeshId("15"), JointId("10")}));
+  }
+
+  void chipsChangeTheMatrix() {
+    for (const MatrixKind kind : allMatrixKinds()) {
+      const std::string_view name = matrixCommandName(kind);
+      auto* chip =
+          panel->findChild<QToolButton*>(QStringLiteral("chip.") + QString::fromStdString(std::string(name)));
+      QVERIFY(chip != nullptr);
+      QTest::mouseClick(chip, Qt::LeftButton);
+      QCOMPARE(panel->model().kind(), kind);
+      QVERIFY(!chip->toolTip().isEmpty());
+    }
+  }
+
+  void copiesAsFiveKindsOfText() {
+    const QMenu* menu = panel->findChild<QToolButton*>(QStringLiteral("copyMatrix"))->menu();
+    QStringList begins;
+    for (QAction* action : menu->actions()) {
+      action->trigger();
+      begins << QApplication::clipboard()->text().left(13);
+    }
+    QCOMPARE(begins, (QStringList{"C = [T | U]\t8", "C = [T | U],8", "\\begin{array}", "% Cycle-basis",
+                                  "# Cycle-basis"}));
+  }
+
+  void zerosAreDotsOrNot() {
+    QTest::mouseMove(view().horizontalHeader()->viewport(), QPoint(2, 2));
+    const QImage dots = view().grab().toImage();
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("zerosAsDots")), Qt::LeftButton);
+    QVERIFY(!view().zerosAsDots());
+    QVERIFY(view().grab().toImage() != dots);
+  }
+
+  void anEmptyPanelSaysWhatToDo() {
+    panel->setSnapshot(snapshotOf(emptyMechanism()));
+    const auto says = [this](const QString& words) {
+      const auto labels = panel->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->isVisible() && label->text().contains(words);
+      });
+    };
+    QVERIFY(says("Draw the first link: L, then click."));
+    panel->setSnapshot(snapshotOf(withLink(test::robotTopology(), SheetPoint{}).value()));
+    QVERIFY(says("needs the turning joints to be a spanning tree"));
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportCsv"))->isEnabled());
+    QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("exportCsv"))->toolTip().contains("spanning tree"));
+  }
+
+  void problemsLightTheirCulprits() {
+    panel->hide();
+    ProblemsPanel problems(&selection);
+    problems.resize(500, 200);
+    problems.setDiagnostics(
+        {{Code::disconnected, "Links 3 and 7 are loose.", {LinkId("3"), LinkId("7")}, {}, 0, 0}});
+    problems.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&problems));
+    QListView& list = problems.list();
+    QTest::mouseMove(&problems, QPoint(490, 190));
+    const QPoint at = list.visualRect(problems.model().index(0)).center();
+    QTest::mouseMove(list.viewport(), at);
+    const std::set<ElementId> culprits{LinkId("3"), LinkId("7")};
+    QTRY_COMPARE(selection.hovered(), culprits);
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(selection.selected(), culprits);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::MatricesPanelTest)
+#include "test_matrices_panel.moc"
