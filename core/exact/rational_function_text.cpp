@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 #include <vector>
 
@@ -14,12 +15,14 @@ struct Style {
 constexpr Style kText{"*", false};
 constexpr Style kLatex{" ", true};
 
-/// "i15" as "i_{15}".
+/// "i15" as "i_{15}", "n12_3" as "n_{12,3}".
 std::string latexName(const std::string& name) {
   std::size_t at = 0;
   while (at < name.size() && std::isdigit(static_cast<unsigned char>(name[at])) == 0) ++at;
   if (at == 0 || at == name.size()) return name;
-  return name.substr(0, at) + "_{" + name.substr(at) + "}";
+  std::string label = name.substr(at);
+  std::replace(label.begin(), label.end(), '_', ',');
+  return name.substr(0, at) + "_{" + label + "}";
 }
 
 std::string power(const std::string& name, ulong exponent, const Style& style) {
