@@ -7,6 +7,8 @@
 namespace geargraph {
 namespace {
 
+constexpr int kCountablePrimes = 4;  // the paper's robot has four; more are written as a number
+
 /// "51", and with a mark between where a label has two digits: "12_3".
 std::string pairOf(int a, int b, const char* between) {
   const std::string first = std::to_string(a);
@@ -21,11 +23,15 @@ std::string quotes(int count) {
 }  // namespace
 
 std::string VelocityName::toText() const {
-  return "w" + pairOf(of, relativeTo, "_") + quotes(primes);
+  const bool countable = primes <= kCountablePrimes;
+  return "w" + pairOf(of, relativeTo, "_") +
+         (countable ? quotes(primes) : "(" + std::to_string(primes) + ")");
 }
 
 std::string VelocityName::toLatex() const {
-  return "\\omega_{" + pairOf(of, relativeTo, ",") + "}" + quotes(primes);
+  const bool countable = primes <= kCountablePrimes;
+  return "\\omega_{" + pairOf(of, relativeTo, ",") + "}" +
+         (countable ? quotes(primes) : "^{(" + std::to_string(primes) + ")}");
 }
 
 VelocityName branchName(const Digraph& graph, int joint) {

@@ -14,8 +14,10 @@ struct VelocityName {
   int relativeTo = 0;  ///< label
   int primes = 0;      ///< 0: a tree branch
 
-  [[nodiscard]] std::string toText() const;   ///< "w51''", with two-digit labels "w12_3"
-  [[nodiscard]] std::string toLatex() const;  ///< "\omega_{51}''", with two-digit labels "\omega_{12,3}"
+  [[nodiscard]] std::string toText()
+      const;  ///< "w51''", with two-digit labels "w12_3", from five primes on "w51(5)"
+  [[nodiscard]] std::string toLatex()
+      const;  ///< "\omega_{51}''", with two-digit labels "\omega_{12,3}", "\omega_{51}^{(5)}"
   friend bool operator==(const VelocityName&, const VelocityName&) = default;
 };
 

@@ -64,6 +64,23 @@ class TtEquationsTest : public QObject {
                      "-n_{52} n_{41} \\omega_{40} - n_{52} \\omega_{50}"}));
   }
 
+  void labelsOfTwoDigitsAreKeptApart() {
+    test::TrainBuilder train("row of wheels");
+    int last = 0;
+    for (int wheel = 0; wheel < 11; ++wheel) {
+      const int axis = train.axis({50 * wheel, 0, 0}, {0, 0, 1});
+      const int next = train.link(0, axis);
+      if (wheel > 0) train.external(last, axis - 1, 20, next, axis, 30);
+      last = next;
+    }
+    const Printed row(train.mechanism(), {8}, RatioNaming::ttGraph, FormulaStyle::latex);
+    QCOMPARE(row.equations.terminal(9),
+             std::string("\\omega_{10,0}^{(10)} = -n_{11,10} \\omega_{11,0}^{(10)}"));
+    const auto step = std::find_if(row.steps.begin(), row.steps.end(),
+                                   [](const SubstitutionStep& s) { return s.joint == 10; });
+    QCOMPARE(row.equations.stages(*step).back(), std::string("n_{10,11} n_{9,10} \\omega_{90}"));
+  }
+
   void gearRatiosAreWrittenWithTheirMeshes() {
     const Printed robot(test::robot(), {0, 1, 3}, RatioNaming::matroid, FormulaStyle::latex);
     QCOMPARE(robot.equations.terminal(0), std::string("\\omega_{40}' = -\\frac{1}{i_{15}} \\omega_{10}'"));
