@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <stop_token>
 
 #include "core/base/contract.h"
 #include "core/base/rational.h"
@@ -48,7 +50,9 @@ class FusedField {
   }
   [[nodiscard]] Value negated(const Value& a) const { return {-a.number, m_prime.negate(a.residue)}; }
   [[nodiscard]] double pivotWeight(const Value& value) const {
-    return value.residue == 0 ? 0 : std::abs(value.number);
+    // A double that cancelled to 0 beside a residue that is not: light, but fit where nothing else is.
+    constexpr double kLightest = 1e-300;
+    return value.residue == 0 ? 0 : std::max(std::abs(value.number), kLightest);
   }
 
  private:
@@ -90,6 +94,10 @@ class RationalFunctionField {
   using Value = RationalFunction;
 
   explicit RationalFunctionField(RatioRingPtr ring) : m_ring(std::move(ring)) {}
+  /// Asks `enough` to stop, and leaves values as they are from then on, once one has more than `mostTerms`
+  /// terms.
+  RationalFunctionField(RatioRingPtr ring, std::int64_t mostTerms, std::stop_source enough)
+      : m_ring(std::move(ring)), m_mostTerms(mostTerms), m_enough(std::move(enough)) {}
 
   [[nodiscard]] const RatioRingPtr& ring() const { return m_ring; }
   [[nodiscard]] Value one() const { return RationalFunction::fromInteger(m_ring, 1); }
@@ -97,7 +105,13 @@ class RationalFunctionField {
     return RationalFunction::fromInteger(m_ring, value);
   }
   [[nodiscard]] bool isZero(const Value& value) const { return value.isZero(); }
-  void subtractProduct(Value& a, const Value& b, const Value& c) const { a -= b * c; }
+  void subtractProduct(Value& a, const Value& b, const Value& c) const {
+    if (m_mostTerms > 0 && (a.termCount() > m_mostTerms || b.termCount() * c.termCount() > 8 * m_mostTerms)) {
+      m_enough.request_stop();
+      return;
+    }
+    a -= b * c;
+  }
   [[nodiscard]] Value quotient(const Value& a, const Value& b) const { return a / b; }
   [[nodiscard]] Value negated(const Value& a) const { return -a; }
   /// Short pivots first; none that vanishes at the ratios' own values, where the ring knows them.
@@ -108,6 +122,8 @@ class RationalFunctionField {
 
  private:
   RatioRingPtr m_ring;
+  std::int64_t m_mostTerms = 0;  ///< 0: no limit
+  mutable std::stop_source m_enough;
 };
 
 }  // namespace geargraph

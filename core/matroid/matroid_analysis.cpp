@@ -1,0 +1,119 @@
+#include "core/matroid/matroid_analysis.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/matroid/findings.h"
+
+namespace geargraph {
+namespace {
+
+class Analyzer {
+ public:
+  Analyzer(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+           const std::stop_token& stop)
+      : m_mechanism(mechanism), m_model(model), m_placement(placement), m_stop(stop) {}
+
+  std::optional<MatroidAnalysis> run() {
+    takeInputs();
+    if (!trySolving() && !chooseAndSolve()) return std::nullopt;
+    if (!explain()) return std::nullopt;
+    if (m_result.solution) {
+      m_result.linkVelocities = linkVelocities(m_model, m_placement, m_result.solution->rates);
+      m_result.meshVelocities = meshVelocities(m_model, m_result.linkVelocities);
+    }
+    m_result.diagnostics = findingsOf(m_mechanism, m_model, m_placement, m_result, m_wanted, m_stop);
+    if (m_stop.stop_requested()) return std::nullopt;
+    return std::move(m_result);
+  }
+
+ private:
+  void takeInputs() {
+    if (!m_mechanism.inputs) return;
+    m_result.inputsGiven = true;
+    std::unordered_map<JointId, int> position;
+    for (int joint = 0; joint < m_model.t(); ++joint)
+      position.emplace(m_mechanism.turningJoints[joint].id, joint);
+    for (const Input& input : *m_mechanism.inputs) {
+      m_wanted.push_back(position.at(input.joint));
+      m_speeds.push_back(input.speed.exact());
+    }
+  }
+
+  /// The usual case: the document's inputs are valid, and one elimination says everything.
+  bool trySolving() {
+    if (!m_result.inputsGiven) return false;
+    m_result.solution = solveLive(m_model, m_field, m_wanted, m_speeds, m_stop);
+    if (!m_result.solution) return false;
+    m_result.rank = m_result.solution->rank;
+    m_result.dead = m_result.solution->dead;
+    m_result.idle = idleJoints(m_model);
+    m_result.choice.joints = m_wanted;
+    m_result.speeds = m_speeds;
+    finishCounts();
+    return true;
+  }
+
+  bool chooseAndSolve() {
+    const auto structure = structureOf(m_model, m_field, m_stop);
+    if (!structure) return false;
+    m_result.rank = structure->rank;
+    m_result.dead = structure->dead;
+    m_result.idle = structure->idle;
+    finishCounts();
+    auto choice = chooseInputs(m_model, m_field, *structure, m_wanted, m_stop);
+    if (!choice) return false;
+    m_result.choice = std::move(*choice);
+    for (const int joint : m_result.choice.joints) {
+      const auto wanted = std::find(m_wanted.begin(), m_wanted.end(), joint);
+      m_result.speeds.push_back(wanted == m_wanted.end()
+                                    ? Rational(1)
+                                    : m_speeds[static_cast<std::size_t>(wanted - m_wanted.begin())]);
+    }
+    if (m_result.inputsGiven) return true;
+    m_result.solution = solveLive(m_model, m_field, m_result.choice.joints, m_result.speeds, m_stop);
+    return m_result.solution.has_value();
+  }
+
+  void finishCounts() {
+    m_result.dof = m_model.t() - m_result.rank;
+    m_result.kutzbachDof = m_model.n() - m_model.c();
+  }
+
+  bool explain() {
+    if (m_result.rank < m_model.c()) {
+      auto redundancies = redundanciesOf(m_model, m_field, m_stop);
+      if (!redundancies) return false;
+      m_result.redundancies = std::move(*redundancies);
+    }
+    std::vector<char> redundant(static_cast<std::size_t>(m_model.c()), 0);
+    for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.mesh] = 1;
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+      if (redundant[mesh] == 0) m_result.independentMeshes.push_back(mesh);
+    }
+    if (std::find(m_result.dead.begin(), m_result.dead.end(), 1) == m_result.dead.end()) return true;
+    auto loops = geargraph::lockedLoops(m_model, m_field, m_result.dead, m_stop);
+    if (!loops) return false;
+    m_result.lockedLoops = std::move(*loops);
+    m_result.rigidBlocks = geargraph::rigidBlocks(m_model, m_result.dead);
+    return true;
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  std::stop_token m_stop;
+  FusedField m_field;
+  std::vector<int> m_wanted;
+  std::vector<Rational> m_speeds;
+  MatroidAnalysis m_result;
+};
+
+}  // namespace
+
+std::optional<MatroidAnalysis> analyzeMatroid(const Mechanism& mechanism, const KinematicModel& model,
+                                              const Placement& placement, const std::stop_token& stop) {
+  return Analyzer(mechanism, model, placement, stop).run();
+}
+
+}  // namespace geargraph
