@@ -8,10 +8,11 @@
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 int main(int argc, char** argv) {
   using namespace geargraph;
-  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);  // else a floating dock uploads everything anew
+  View3D::prepareApplication();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("GearGraph"));
   QApplication::setApplicationName(QStringLiteral("GearGraph"));

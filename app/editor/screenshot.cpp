@@ -9,6 +9,7 @@ namespace geargraph {
 namespace {
 
 void takeScreenshot(MainWindow& window, const QString& file) {
+  window.selection().unhover();  // wherever the pointer happens to be
   const bool written = window.grab().save(file);
   if (!written) qCritical("Cannot write %s.", qPrintable(file));
   QApplication::exit(written ? 0 : 1);
@@ -18,7 +19,7 @@ void takeScreenshot(MainWindow& window, const QString& file) {
 
 void screenshotWhenReady(MainWindow& window, const QString& file) {
   QObject::connect(
-      &window, &MainWindow::analysisShown, &window,
+      &window, &MainWindow::settled, &window,
       [&window, file] {
         // Behind the layout and paint events that the arrival has posted.
         QMetaObject::invokeMethod(

@@ -3,8 +3,8 @@
 #include <QDir>
 #include <QFile>
 
-#include "core/io/csv.h"
 #include "core/io/file.h"
+#include "core/io/matrix_csv.h"
 #include "core/io/mechanism_file.h"
 
 namespace geargraph {
@@ -38,18 +38,9 @@ std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& 
   return reason(writeFile(nativePath(path), writeMechanism(mechanism)));
 }
 
-std::optional<QString> writeMatrixCsv(const IntegerMatrix& matrix, const QString& path) {
+std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path) {
   AtomicFile file(nativePath(path));
-  {
-    std::vector<std::string> columns;
-    for (int j = 0; j < matrix.columns(); ++j) columns.push_back(matrix.columnHeading(j).text);
-    CsvWriter writer(file, columns, {});
-    std::vector<MatrixEntry> entries;
-    for (int i = 0; i < matrix.rows() && !writer.failed(); ++i) {
-      matrix.rowEntries(i, entries);
-      writer.row(matrix.rowHeading(i).text, std::span<const MatrixEntry>(entries));
-    }
-  }
+  writeMatrixCsv<MatrixEntry, UniformRow>(file, matrix);
   return reason(file.commit());
 }
 

@@ -19,7 +19,7 @@ namespace geargraph {
 
 /// A matrix with its labels as CSV, whole or not at all. Nothing where all went well, else why not.
 /// Cost: O(rows · columns).
-[[nodiscard]] std::optional<QString> writeMatrixCsv(const IntegerMatrix& matrix, const QString& path);
+[[nodiscard]] std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path);
 
 /// The examples that come with the program, as paths of its resources, the paper's robot first.
 [[nodiscard]] QStringList examplePaths();

@@ -21,6 +21,7 @@
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
@@ -29,6 +30,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_document(new Document(this)),
       m_selection(new Selection(this)),
       m_service(new AnalysisService(this)),
+      m_stages(new StageService(this)),
       m_actions(std::make_unique<WindowActions>(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setAttribute(Qt::WA_DeleteOnClose, false);
@@ -59,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
   wireActions();
   wireViews();
   wireDigraph();
+  wireView3D();
   setDark(themeOf(QApplication::palette()) == Theme::dark);
   resize(1366, 768);
   onDocumentChanged();
@@ -87,6 +90,8 @@ void MainWindow::makeDocks() {
   m_inputs = new InputsPanel(m_document, m_selection, this);
   addDock("dock.matrices", tr("Matrices"), m_matrices, Qt::BottomDockWidgetArea);
   QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+  m_view3d = new View3D(m_selection, this);
+  addDock("dock.view3d", tr("3D"), m_view3d, Qt::RightDockWidgetArea);
   addDock("dock.inputs", tr("Inputs and results"), m_inputs, Qt::RightDockWidgetArea);
   addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
@@ -102,11 +107,14 @@ void MainWindow::applyDefaultLayout() {
   addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
   tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
   dock("dock.matrices")->raise();
-  addDockWidget(Qt::RightDockWidgetArea, dock("dock.inputs"));
+  addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
+  splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
   tabifyDockWidget(dock("dock.inputs"), dock("dock.properties"));
   dock("dock.inputs")->raise();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
+  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() * 53 / 100, height() * 47 / 100},
+              Qt::Vertical);
 }
 
 void MainWindow::wireViews() {
@@ -141,11 +149,24 @@ void MainWindow::wireDigraph() {
   m_status->setHint(m_digraph->hint());
 }
 
+void MainWindow::wireView3D() {
+  connect(m_stages, &StageService::stageReady, this, [this](const StagePtr& stage) {
+    m_view3d->setStage(stage);
+    tellWhenSettled();
+  });
+  connect(m_digraph, &DigraphView::spaceTapped, this, [this] { m_view3d->playback().toggle(); });
+}
+
+void MainWindow::tellWhenSettled() {
+  if (isSettled()) emit settled();
+}
+
 void MainWindow::onDocumentChanged() {
   const MechanismPtr& mechanism = m_document->mechanism();
   m_selection->keepOnly([&](const ElementId& element) { return labelOf(*mechanism, element).has_value(); });
   m_status->clearRefusal();
   m_service->request(mechanism, m_document->revision());
+  m_stages->request(mechanism);
   renewActions();
 }
 
@@ -156,7 +177,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_status->setSnapshot(snapshot);
   WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
                               tr("This matrix needs the turning joints to be a spanning tree."));
-  emit analysisShown();
+  tellWhenSettled();
 }
 
 bool MainWindow::openDocument(const QString& path) {
@@ -195,7 +216,7 @@ bool MainWindow::saveDocument(const QString& path) {
 }
 
 bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
-  if (const auto why = writeMatrixCsv(matrix, path)) {
+  if (const auto why = exportMatrixCsv(matrix, path)) {
     m_status->showRefusal(*why);
     return false;
   }
@@ -215,6 +236,7 @@ void MainWindow::setDark(bool dark) {
   if (themeOf(QApplication::palette()) != theme) applyTheme(*qApp, theme);
   m_actions->setTheme(theme);
   m_digraph->setDark(dark);
+  m_view3d->setDark(dark);
 }
 
 void MainWindow::restoreLayout() {

@@ -8,6 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/mainwindow/window_actions.h"
 #include "ui/selection/selection.h"
+#include "ui/stage/stage_service.h"
 
 namespace geargraph {
 
@@ -19,6 +20,7 @@ class ProblemsPanel;
 class PropertiesPanel;
 class RecentFiles;
 class StatusLine;
+class View3D;
 
 /// One document and all its views. The window owns the three things that views share (document, selection,
 /// newest analysis) and wires them: an edit goes to the document, the document to the analysis, the analysis
@@ -34,6 +36,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return *m_service; }
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
+  [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
@@ -49,10 +52,12 @@ class MainWindow : public QMainWindow {
   /// The places and sizes of windows and docks as they were when the last window closed.
   void restoreLayout();
   void setDark(bool dark);
+  /// Is everything shown as the document is now?
+  [[nodiscard]] bool isSettled() const { return m_service->isUpToDate() && m_stages->isUpToDate(); }
 
  signals:
-  /// The newest analysis has reached all views.
-  void analysisShown();
+  /// Analysis and stage of the document as it is now have reached all views.
+  void settled();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -67,9 +72,11 @@ class MainWindow : public QMainWindow {
   void wireActions();
   void wireViews();
   void wireDigraph();
+  void wireView3D();
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
+  void tellWhenSettled();
   void renewActions();
   void renewTitle();
   void makeGround();
@@ -86,6 +93,7 @@ class MainWindow : public QMainWindow {
   Document* m_document;
   Selection* m_selection;
   AnalysisService* m_service;
+  StageService* m_stages;
   std::unique_ptr<WindowActions> m_actions;
   QString m_title;  ///< of an example, which has no file yet
 
@@ -94,6 +102,7 @@ class MainWindow : public QMainWindow {
   ProblemsPanel* m_problems = nullptr;
   PropertiesPanel* m_properties = nullptr;
   InputsPanel* m_inputs = nullptr;
+  View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   RecentFiles* m_recent = nullptr;
   DockTitles* m_titles = nullptr;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QObject>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/mechanism/mechanism.h"
+#include "core/scene/train_stage.h"
+
+namespace geargraph {
+
+/// Makes the stages of the 3D view on a thread of its own; the newest request wins, and a stale stage never
+/// reaches a view. Solids are kept from one edit to the next. A request that changes nothing of the stage (a
+/// node moved, a link renamed) is answered at once with the stage there is.
+class StageService : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StageService(QObject* parent = nullptr);
+  ~StageService() override;
+
+  void request(const MechanismPtr& mechanism);
+  [[nodiscard]] const StagePtr& stage() const { return m_stage; }
+  /// Has the newest request been answered?
+  [[nodiscard]] bool isUpToDate() const { return m_arrived == m_wanted; }
+
+ signals:
+  void stageReady(const geargraph::StagePtr& stage);
+
+ private:
+  struct Request {
+    MechanismPtr mechanism;
+    quint64 number = 0;
+  };
+
+  void run(const std::stop_token& quit);
+  void arrived(const StagePtr& stage, quint64 number);
+
+  quint64 m_wanted = 0;
+  quint64 m_arrived = 0;
+  MechanismPtr m_mechanism;  ///< of the newest request
+  StagePtr m_stage;
+  std::mutex m_mutex;
+  std::condition_variable_any m_wake;
+  std::optional<Request> m_next;  ///< guarded by m_mutex
+  std::jthread m_thread;          ///< last: it starts when all else is there
+};
+
+}  // namespace geargraph
