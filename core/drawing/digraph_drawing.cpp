@@ -1,0 +1,196 @@
+#include "core/drawing/digraph_drawing.h"
+
+#include "core/drawing/edge_routing.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kHaloWidth = 9;     ///< of the band along an arrow
+constexpr double kHaloRing = 6;      ///< beyond a node's ring
+constexpr double kHitHalfWidth = 5;  ///< of an arrow
+constexpr double kHatchStep = 7;
+constexpr double kHatchWidth = 1.4;
+constexpr double kGhostWidth = 3;
+
+std::string labelText(int label) {
+  return std::to_string(label);
+}
+
+/// Long labels have to fit into the disc.
+double nodeLabelSize(int label) {
+  if (label < 100) return 15;
+  return label < 1000 ? 13 : 11;
+}
+
+/// Collects marks of one element.
+class Pen {
+ public:
+  Pen(DisplayList& list, ElementId element) : m_list(list), m_element(element) {}
+
+  template <class What>
+  void put(MarkRole role, int z, What what) {
+    m_list.marks.push_back({m_element, role, z, std::move(what)});
+  }
+
+ private:
+  DisplayList& m_list;
+  ElementId m_element;
+};
+
+void drawHatching(Pen& pen, const NodePlace& ground) {
+  const SheetPoint out = *ground.groundSide;
+  const SheetPoint along = turned(out);
+  const SheetPoint middle = ground.center + kGroundDistance * out;
+  const Stroke base{Polyline{{middle - kGroundHalfWidth * along, middle + kGroundHalfWidth * along}, false},
+                    ColorRole::secondary, kHatchWidth, Dash::solid};
+  pen.put(MarkRole::hatching, kLineDepth, base);
+  for (double place = -kGroundHalfWidth + kHatchStep; place <= kGroundHalfWidth; place += kHatchStep) {
+    const SheetPoint start = middle + place * along;
+    const SheetPoint end = start + kHatchDepth * out - (kHatchDepth - 1) * along;
+    pen.put(MarkRole::hatching, kLineDepth,
+            Stroke{Polyline{{start, end}, false}, ColorRole::secondary, kHatchWidth, Dash::solid});
+  }
+}
+
+void drawBadge(Pen& pen, const NodePlace& node) {
+  const Box box{badgeExtent(node.badgeCenter), kBadgeHalfHeight};
+  pen.put(MarkRole::input, kBadgeDepth, Fill{box, ColorRole::inputFill});
+  pen.put(MarkRole::input, kBadgeDepth, Stroke{box, ColorRole::input, 1.2, Dash::solid});
+  pen.put(MarkRole::input, kBadgeDepth,
+          Text{"motor", node.badgeCenter, kBadgeTextSize, false, ColorRole::inputInk});
+}
+
+/// The arrow's tip with its wings; the line ends inside of it.
+Polyline arrowhead(const Curve& curve) {
+  const SheetPoint tip = curve.to;
+  const SheetPoint along = curve.isStraight()
+                               ? curve.direction(1)
+                               : unit(tip - curve.at(1 - 6 / std::max(12.0, distance(curve.from, tip))));
+  const double size = std::min(kArrowLength, distance(curve.from, tip) * 0.6);
+  const SheetPoint base = tip - size * along;
+  const SheetPoint wing = (size / kArrowLength * kArrowHalfWidth) * turned(along);
+  return {{tip, base + wing, base - wing}, true};
+}
+
+/// The line without the part that the arrowhead covers, so that its blunt end does not show beside the tip.
+Curve shaft(const Curve& curve) {
+  const double span = distance(curve.from, curve.to);
+  if (span < 1e-9) return curve;
+  const double covered = std::min(kArrowLength * 0.8, span * 0.5);
+  return curve.part(0, 1 - covered / span);
+}
+
+void drawArrow(Pen& pen, const EdgePlace& edge, const Tint& tint) {
+  const Dash dash = edge.isMesh() ? Dash::dashed : Dash::solid;
+  const double width = edge.isMesh() ? kMeshWidth : kTurningWidth;
+  pen.put(MarkRole::line, kLineDepth, Stroke{shaft(edge.curve), tint, width, dash});
+  pen.put(MarkRole::arrowhead, kLineDepth, Fill{arrowhead(edge.curve), tint});
+}
+
+/// A chevron on the line that points where the walk of a cycle goes.
+void drawWalk(Pen& pen, const EdgePlace& edge, int walk) {
+  constexpr double kSize = 5;
+  const SheetPoint middle = edge.curve.at(0.5);
+  const SheetPoint along = static_cast<double>(walk) * edge.curve.direction(0.5);
+  const SheetPoint tip = middle + kSize * along;
+  const SheetPoint wing = kSize * turned(along);
+  const SheetPoint tail = middle - kSize * along;
+  pen.put(
+      MarkRole::walk, kLineDepth + 1,
+      Fill{Polyline{{tip, tail + wing, middle - 0.4 * kSize * along, tail - wing}, true}, ColorRole::accent});
+}
+
+}  // namespace
+
+DisplayList nodeDrawing(const NodePlace& node, const Emphasis& emphasis) {
+  DisplayList list;
+  Pen pen(list, node.link);
+  const Circle disc{node.center, kNodeRadius};
+  if (emphasis.any()) {
+    pen.put(MarkRole::halo, kHaloDepth, Fill{Circle{node.center, kNodeRadius + kHaloRing}, ColorRole::halo});
+  }
+  if (node.groundSide) drawHatching(pen, node);
+  pen.put(MarkRole::node, kNodeDepth, Fill{disc, ColorRole::sheet});
+  const Tint ring = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label);
+  pen.put(MarkRole::node, kNodeDepth, Stroke{disc, ring, kRingWidth, Dash::solid});
+  const Tint ink = emphasis.selected ? ColorRole::accent : ColorRole::ink;
+  pen.put(MarkRole::label, kNodeDepth,
+          Text{labelText(node.label), node.center, nodeLabelSize(node.label), true, ink});
+  // Names in every corner would be clutter: the paper's numbers carry the drawing.
+  if (!node.name.empty() && emphasis.any()) {
+    pen.put(MarkRole::name, kLabelDepth,
+            Text{node.name, node.nameCenter, kNameSize, false, ColorRole::secondary});
+  }
+  list.outlines.push_back({node.link, kNodeDepth, Circle{node.center, kNodeRadius + kRingWidth / 2}, 0});
+  if (node.input) {
+    Pen badge(list, *node.input);
+    drawBadge(badge, node);
+    list.outlines.push_back({*node.input, kBadgeDepth, Box{badgeExtent(node.badgeCenter), 0}, 0});
+  }
+  return list;
+}
+
+DisplayList edgeDrawing(const EdgePlace& edge, const Emphasis& emphasis) {
+  DisplayList list;
+  Pen pen(list, edge.element);
+  if (emphasis.any()) {
+    pen.put(MarkRole::halo, kHaloDepth, Stroke{edge.curve, ColorRole::halo, kHaloWidth, Dash::solid});
+  }
+  const bool accented = emphasis.selected || emphasis.walk != 0;
+  const Tint tint = accented ? ColorRole::accent : ColorRole::ink;
+  drawArrow(pen, edge, tint);
+  if (emphasis.walk != 0) drawWalk(pen, edge, emphasis.walk);
+  pen.put(MarkRole::label, kLabelDepth,
+          Text{labelText(edge.label), edge.labelCenter, kLabelSize, true, tint});
+  list.outlines.push_back({edge.element, kLineDepth, edge.curve, kHitHalfWidth});
+  list.outlines.push_back(
+      {edge.element, kLabelDepth, Box{edgeLabelExtent(edge.labelCenter, edge.label), 0}, 0});
+  return list;
+}
+
+DisplayList digraphDrawing(const DigraphGeometry& geometry, const Emphases& emphases) {
+  const auto emphasisOf = [&](const ElementId& element) {
+    const auto found = emphases.find(element);
+    return found == emphases.end() ? Emphasis{} : found->second;
+  };
+  DisplayList list;
+  for (const EdgePlace& edge : geometry.edges) list.append(edgeDrawing(edge, emphasisOf(edge.element)));
+  for (const NodePlace& node : geometry.nodes) list.append(nodeDrawing(node, emphasisOf(node.link)));
+  list.sortByDepth();
+  return list;
+}
+
+DisplayList digraphDrawing(const Mechanism& mechanism, const NodePositions& positions,
+                           const Emphases& emphases) {
+  return digraphDrawing(digraphGeometry(mechanism, positions), emphases);
+}
+
+Curve ghostCourse(SheetPoint tail, SheetPoint end, bool endIsNode) {
+  const Curve whole = Curve::straight(tail, end);
+  return endIsNode ? trimmedAtRims(whole) : trimmedAtStart(whole);
+}
+
+DisplayList arrowGhost(ElementKind kind, const Curve& curve, bool valid) {
+  DisplayList list;
+  Pen pen(list, ElementId{});
+  if (!valid) {
+    pen.put(MarkRole::ghost, kGhostDepth, Stroke{curve, ColorRole::secondary, kGhostWidth, Dash::dotted});
+    return list;
+  }
+  const bool mesh = kind == ElementKind::gearMesh;
+  pen.put(MarkRole::ghost, kGhostDepth,
+          Stroke{shaft(curve), ColorRole::accent, mesh ? kMeshWidth : kTurningWidth,
+                 mesh ? Dash::dashed : Dash::solid});
+  pen.put(MarkRole::ghost, kGhostDepth, Fill{arrowhead(curve), ColorRole::accent});
+  return list;
+}
+
+DisplayList linkGhost(SheetPoint center) {
+  DisplayList list;
+  Pen pen(list, ElementId{});
+  pen.put(MarkRole::ghost, kGhostDepth,
+          Stroke{Circle{center, kNodeRadius}, ColorRole::secondary, kGhostWidth, Dash::dotted});
+  return list;
+}
+
+}  // namespace geargraph

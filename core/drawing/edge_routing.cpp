@@ -1,0 +1,98 @@
+#include "core/drawing/edge_routing.h"
+
+#include <map>
+
+#include "core/drawing/digraph_geometry.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
+constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that it passes
+constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
+constexpr double kDetourStep = 16;
+constexpr int kDetours = 12;  ///< tried on each side
+constexpr int kMostHits = 4;  ///< more count as many
+constexpr double kTrimRadius = kNodeRadius + kRingWidth / 2 + kGapToRim;
+
+/// The parameter where the curve leaves the circle of kTrimRadius around `center` for good, sought from the
+/// end where it is inside (at parameter `inside`) towards the other.
+double crossing(const Curve& curve, SheetPoint center, double inside, double outside) {
+  for (int i = 0; i < 24; ++i) {
+    const double middle = (inside + outside) / 2;
+    (distance(curve.at(middle), center) < kTrimRadius ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+/// Twice the straight middle line's offset for each edge among those of the same two links: 0 for an only
+/// one, else spread evenly to both sides, measured in the direction from the lower to the higher ordinal.
+std::vector<double> parallelHeights(const Digraph& graph) {
+  const auto key = [&](int edge) { return std::minmax({graph.edge(edge).tail, graph.edge(edge).head}); };
+  std::map<std::pair<int, int>, std::vector<int>> bundles;
+  for (int e = 0; e < graph.edgeCount(); ++e) bundles[key(e)].push_back(e);
+  std::vector<double> heights(static_cast<std::size_t>(graph.edgeCount()), 0);
+  for (const auto& [ends, edges] : bundles) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double place = static_cast<double>(i) - (static_cast<double>(edges.size()) - 1) / 2;
+      const bool against = graph.edge(edges[i]).tail != ends.first;
+      heights[static_cast<std::size_t>(edges[i])] = (against ? -1 : 1) * place * kParallelSpacing;
+    }
+  }
+  return heights;
+}
+
+/// The least bent course that passes all other nodes; where there is none, the one that meets the fewest.
+Curve detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
+             const DigraphEdge& edge) {
+  Curve best = Curve::bent(from, to, height);
+  int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMostHits);
+  for (int step = 1; step <= kDetours && fewest > 0; ++step) {
+    for (const double skew : {0.0, 0.35, -0.35}) {
+      for (const int side : {1, -1}) {
+        Curve tried = Curve::bent(from, to, height + side * step * kDetourStep);
+        tried.control = tried.control + skew * (to - from);
+        const int hits = nodes.circlesHit(tried, kGapToOtherNode, edge.tail, edge.head, fewest);
+        if (hits >= fewest) continue;
+        best = tried;
+        fewest = hits;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Curve trimmedAtStart(const Curve& curve) {
+  if (distance(curve.from, curve.to) <= kTrimRadius) return Curve::straight(curve.to, curve.to);
+  return curve.part(crossing(curve, curve.from, 0, 1), 1);
+}
+
+Curve trimmedAtRims(const Curve& curve) {
+  // Discs that touch leave no room for an arrow: it shrinks to the middle.
+  if (distance(curve.from, curve.to) <= 2 * kTrimRadius && curve.isStraight()) {
+    return Curve::straight(curve.at(0.5), curve.at(0.5));
+  }
+  const double start = crossing(curve, curve.from, 0, 0.5);
+  const double end = crossing(curve, curve.to, 1, 0.5);
+  return curve.part(start, end);
+}
+
+std::vector<std::optional<Curve>> routedEdges(const Digraph& graph,
+                                              const std::vector<std::optional<SheetPoint>>& centers,
+                                              const ObstacleGrid& nodes) {
+  const std::vector<double> heights = parallelHeights(graph);
+  std::vector<std::optional<Curve>> curves(static_cast<std::size_t>(graph.edgeCount()));
+  for (int e = 0; e < graph.edgeCount(); ++e) {
+    const DigraphEdge& edge = graph.edge(e);
+    const auto& from = centers[static_cast<std::size_t>(edge.tail)];
+    const auto& to = centers[static_cast<std::size_t>(edge.head)];
+    if (!from || !to) continue;
+    const double height = heights[static_cast<std::size_t>(e)];
+    curves[static_cast<std::size_t>(e)] = trimmedAtRims(detour(*from, *to, height, nodes, edge));
+  }
+  return curves;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,75 @@
+#include "core/drawing/label_placement.h"
+
+#include <array>
+
+#include "core/drawing/digraph_geometry.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kLabelGap = 2.5;  ///< that a label keeps from everything
+constexpr double kNearLine = 7;    ///< between a label and its own line
+constexpr double kRim = kNodeRadius + kRingWidth / 2;
+
+/// The box beside the curve at t, on the left (+1) or right (-1) side, `gap` away from the tangent.
+Extent beside(const Curve& curve, double t, int side, double gap, double halfWidth, double halfHeight) {
+  const SheetPoint out = -1.0 * side * turned(curve.direction(t));
+  const double support = halfWidth * std::abs(out.x) + halfHeight * std::abs(out.y);
+  return {curve.at(t) + (support + gap) * out, halfWidth, halfHeight};
+}
+
+/// How many steps a free box can grow until it touches something.
+int roominess(const Extent& box, const ObstacleGrid& taken) {
+  int steps = 0;
+  for (const double gap : {5.0, 10.0, 18.0}) {
+    if (taken.touches(box, gap)) break;
+    ++steps;
+  }
+  return steps;
+}
+
+}  // namespace
+
+SheetPoint placeBeside(const Curve& curve, double halfWidth, double halfHeight, const ObstacleGrid& taken) {
+  constexpr std::array<double, 13> kPlaces{0.5,  0.44, 0.56, 0.38, 0.62, 0.32, 0.68,
+                                           0.26, 0.74, 0.2,  0.8,  0.14, 0.86};
+  for (const double gap : {kNearLine, kNearLine + 7, kNearLine + 16}) {
+    for (const double t : kPlaces) {
+      std::optional<SheetPoint> best;
+      int most = -1;
+      for (const int side : {1, -1}) {
+        const Extent box = beside(curve, t, side, gap, halfWidth, halfHeight);
+        if (taken.touches(box, kLabelGap)) continue;
+        const int room = roominess(box, taken);
+        if (room <= most) continue;
+        most = room;
+        best = box.center;
+      }
+      if (best) return *best;
+    }
+  }
+  return beside(curve, 0.5, 1, kNearLine, halfWidth, halfHeight).center;
+}
+
+SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
+  constexpr std::array<SheetPoint, 8> kOffsets{
+      {{-34, -22}, {34, -22}, {-34, 22}, {34, 22}, {0, -33}, {0, 33}, {-44, 0}, {44, 0}}};
+  for (const SheetPoint offset : kOffsets) {
+    if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return center + offset;
+  }
+  return center + kOffsets.front();
+}
+
+std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,
+                                      const ObstacleGrid& taken) {
+  const double beyond = kRim + 3 + halfHeight;
+  const double aside = kRim + 4 + halfWidth;
+  for (const SheetPoint offset :
+       {SheetPoint{0, beyond}, SheetPoint{0, -beyond}, SheetPoint{aside, 0}, SheetPoint{-aside, 0}}) {
+    const Extent box{center + offset, halfWidth, halfHeight};
+    if (!taken.touches(box, kLabelGap)) return box.center;
+  }
+  return std::nullopt;
+}
+
+}  // namespace geargraph

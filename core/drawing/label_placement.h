@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "core/drawing/obstacle_grid.h"
+
+namespace geargraph {
+
+/// Where a label of this size goes beside an arrow: as near to its middle as it touches nothing, on the side
+/// where it has more room.
+[[nodiscard]] SheetPoint placeBeside(const Curve& curve, double halfWidth, double halfHeight,
+                                     const ObstacleGrid& taken);
+
+/// Where a badge goes at a node: a corner of it that is free, the upper left one first.
+[[nodiscard]] SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken);
+
+/// Where a name goes under, above or beside a node; none where there is no room for it.
+[[nodiscard]] std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,
+                                                    const ObstacleGrid& taken);
+
+}  // namespace geargraph

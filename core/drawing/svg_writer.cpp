@@ -1,0 +1,141 @@
+#include "core/drawing/svg_writer.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+namespace geargraph {
+namespace {
+
+/// To a hundredth of a pixel, without the zeros behind, whatever the locale.
+std::string number(double value) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
+  std::string out(text.data(), end.ptr);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out == "-0" ? "0" : out;
+}
+
+std::string attribute(std::string_view name, double value) {
+  return " " + std::string(name) + "=\"" + number(value) + "\"";
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        // Control characters are no XML, whatever a name in a file holds.
+        if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    }
+  }
+  return out;
+}
+
+std::string pair(SheetPoint p) {
+  return number(p.x) + " " + number(p.y);
+}
+
+/// The tag of a shape without its end.
+struct ShapeTag {
+  std::string operator()(const Circle& circle) const {
+    return "<circle" + attribute("cx", circle.center.x) + attribute("cy", circle.center.y) +
+           attribute("r", circle.radius);
+  }
+  std::string operator()(const Box& box) const {
+    return "<rect" + attribute("x", box.extent.left()) + attribute("y", box.extent.top()) +
+           attribute("width", 2 * box.extent.halfWidth) + attribute("height", 2 * box.extent.halfHeight) +
+           attribute("rx", box.corner);
+  }
+  std::string operator()(const Polyline& line) const {
+    std::string points;
+    for (const SheetPoint p : line.points)
+      points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+    return (line.closed ? "<polygon" : "<polyline") + attribute("points", points);
+  }
+  std::string operator()(const Curve& curve) const {
+    const std::string path = curve.isStraight()
+                                 ? "M" + pair(curve.from) + " L" + pair(curve.to)
+                                 : "M" + pair(curve.from) + " Q" + pair(curve.control) + " " + pair(curve.to);
+    return "<path" + attribute("d", path);
+  }
+};
+
+std::string_view dashArray(Dash dash) {
+  switch (dash) {
+    case Dash::solid:
+      return {};
+    case Dash::dashed:
+      return "6.5 4.5";
+    case Dash::dashDotted:
+      return "12 3 2 3";
+    case Dash::dotted:
+      return "0.1 6";
+  }
+  return {};
+}
+
+struct MarkTag {
+  Theme theme;
+
+  std::string operator()(const Stroke& stroke) const {
+    std::string tag = std::visit(ShapeTag{}, stroke.shape) + attribute("fill", "none") +
+                      attribute("stroke", hexOf(colorOf(stroke.tint, theme))) +
+                      attribute("stroke-width", stroke.width);
+    if (stroke.dash != Dash::solid) tag += attribute("stroke-dasharray", dashArray(stroke.dash));
+    if (stroke.dash == Dash::dotted) tag += attribute("stroke-linecap", "round");
+    return tag + "/>";
+  }
+  std::string operator()(const Fill& fill) const {
+    return std::visit(ShapeTag{}, fill.shape) + attribute("fill", hexOf(colorOf(fill.tint, theme))) + "/>";
+  }
+  std::string operator()(const Text& text) const {
+    constexpr double kDigitHeight = 0.729;  // of DejaVu Sans, in em
+    std::string tag = "<text" + attribute("x", text.center.x) +
+                      attribute("y", text.center.y + kDigitHeight * text.size / 2) +
+                      attribute("font-size", text.size) + attribute("fill", hexOf(colorOf(text.tint, theme)));
+    if (text.bold) tag += attribute("font-weight", "bold");
+    return tag + ">" + escaped(text.text) + "</text>";
+  }
+};
+
+}  // namespace
+
+std::string svgOf(const DisplayList& list, Theme theme, double margin) {
+  const Extent sheet = extentOf(list).grown(margin);
+  const std::string width = number(2 * sheet.halfWidth);
+  const std::string height = number(2 * sheet.halfHeight);
+  std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "version=\"1.1\"" +
+      attribute("width", width) + attribute("height", height) +
+      attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
+      ">\n<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
+      attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, theme))) +
+      "/>\n<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
+  for (const Mark& mark : list.marks) {
+    svg += "<g" + attribute("data-list", listName(mark.element.kind)) +
+           attribute("data-id", escaped(mark.element.id.text())) + ">" +
+           std::visit(MarkTag{theme}, mark.what) + "</g>\n";
+  }
+  return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace geargraph

@@ -1,0 +1,118 @@
+#include <QtTest>
+#include <thread>
+
+#include "core/drawing/layout.h"
+#include "tests/core/support/mechanisms.h"
+
+using namespace geargraph;
+
+namespace {
+
+/// The two nearest nodes' distance.
+double closest(const NodePositions& positions) {
+  double least = 1e9;
+  for (const auto& [a, p] : positions) {
+    for (const auto& [b, q] : positions) {
+      if (a < b) least = std::min(least, distance(p, q));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+class TestLayout : public QObject {
+  Q_OBJECT
+ private slots:
+  void groundAloneStandsAtTheOrigin() {
+    const Mechanism empty = emptyMechanism();
+    QCOMPARE(layoutOf(empty), (NodePositions{{empty.links.front().id, SheetPoint{0, 0}}}));
+  }
+
+  void everyLinkStandsRightOfTheOneThatCarriesIt() {
+    const Mechanism robot = test::robotTopology();
+    const NodePositions positions = layoutOf(robot);
+    for (const TurningJoint& joint : robot.turningJoints) {
+      QVERIFY(positions.at(joint.head).x > positions.at(joint.tail).x + 2 * kNodeRadius);
+    }
+  }
+
+  void nodesKeepApart_data() {
+    QTest::addColumn<int>("links");
+    QTest::addColumn<int>("meshes");
+    QTest::newRow("8") << 7 << 4;
+    QTest::newRow("20") << 19 << 15;
+    QTest::newRow("150") << 149 << 80;
+    QTest::newRow("no joints but a tree") << 30 << 0;
+  }
+  void nodesKeepApart() {
+    QFETCH(int, links);
+    QFETCH(int, meshes);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Mechanism mechanism = test::randomTree(seed, links, meshes);
+      const NodePositions positions = layoutOf(mechanism);
+      QCOMPARE(positions.size(), mechanism.links.size());
+      QVERIFY(closest(positions) >= 75);
+    }
+  }
+
+  void looseLinksArePlacedToo() {
+    Mechanism mechanism = test::randomTree(3, 12, 0);
+    mechanism.turningJoints.clear();
+    const NodePositions positions = layoutOf(mechanism);
+    QCOMPARE(positions.size(), std::size_t{13});
+    QVERIFY(closest(positions) >= 75);
+  }
+
+  void theSameDocumentGetsTheSameLayoutFromAnyThread() {
+    const Mechanism mechanism = test::randomTree(7, 60, 40);
+    const NodePositions expected = layoutOf(mechanism);
+    std::vector<NodePositions> results(4);
+    {
+      std::vector<std::jthread> threads;
+      for (NodePositions& result : results) threads.emplace_back([&] { result = layoutOf(mechanism); });
+    }
+    for (const NodePositions& result : results) QVERIFY(result == expected);
+  }
+
+  void placedNodesStayAndTheOthersKeepClear() {
+    const Mechanism whole = test::randomTree(5, 40, 20);
+    Mechanism mechanism = whole;
+    NodePositions kept;
+    for (std::size_t i = 0; i < mechanism.links.size(); i += 3) {
+      kept[mechanism.links[i].id] = {static_cast<double>(100 * (i % 7)), static_cast<double>(37 * i)};
+    }
+    mechanism.view.nodes = kept;
+    const NodePositions positions = completedPositions(mechanism);
+    QCOMPARE(positions.size(), mechanism.links.size());
+    for (const auto& [link, place] : kept) QVERIFY(positions.at(link) == place);
+    for (const auto& [link, place] : positions) {
+      if (kept.contains(link)) continue;
+      for (const auto& [other, at] : positions) QVERIFY(other == link || distance(place, at) >= 75);
+    }
+  }
+
+  void completeDocumentsAreLeftAlone() {
+    Mechanism mechanism = test::robotTopology();
+    mechanism.view.nodes = layoutOf(mechanism);
+    mechanism.view.nodes[LinkId("4")] = {12.5, -7};
+    QVERIFY(completedPositions(mechanism) == mechanism.view.nodes);
+  }
+
+  void documentsWithoutPositionsAreLaidOut() {
+    Mechanism mechanism = test::robotTopology();
+    mechanism.view.nodes.clear();
+    QVERIFY(completedPositions(mechanism) == layoutOf(mechanism));
+  }
+
+  void aThousandLinksTakeLessThanASecond() {
+    const Mechanism mechanism = test::randomTree(11, 999, 500);
+    QElapsedTimer timer;
+    timer.start();
+    QCOMPARE(layoutOf(mechanism).size(), std::size_t{1000});
+    QVERIFY2(timer.elapsed() < 1000, qPrintable(QString::number(timer.elapsed())));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestLayout)
+#include "test_layout.moc"
