@@ -57,6 +57,7 @@ bool Document::apply(const Edit& edit) {
 void Document::replace(Mechanism mechanism, const QString& filePath) {
   m_undoStack.clear();
   publish(std::make_shared<const Mechanism>(std::move(mechanism)));
+  emit replaced();
   markSaved(filePath);
 }
 

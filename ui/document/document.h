@@ -47,6 +47,7 @@ class Document : public QObject {
 
  signals:
   void changed();                        ///< another mechanism: read mechanism() and revision()
+  void replaced();                       ///< after changed(): it is another document, by New or Open
   void refused(const Diagnostics& why);  ///< an edit was refused; nothing changed
   void modifiedChanged(bool modified);
   void filePathChanged(const QString& filePath);
