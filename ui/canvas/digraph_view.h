@@ -5,9 +5,12 @@
 
 #include "core/analysis/analysis.h"
 #include "core/drawing/palette.h"
+#include "ui/canvas/digraph_scene.h"
+#include "ui/canvas/tool_controller.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
-#include "ui/tools/tool.h"
+
+class QMenu;
 
 namespace geargraph {
 
@@ -22,7 +25,6 @@ class DigraphView : public QGraphicsView {
 
  public:
   DigraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
-  ~DigraphView() override;
 
   [[nodiscard]] ToolKind tool() const;
   void setTool(ToolKind tool);
@@ -51,6 +53,10 @@ class DigraphView : public QGraphicsView {
                           ///< driving them
   void tidy();            ///< lays the whole drawing out anew, as one undo step
 
+  [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, for export
+  /// The entries for what is at a place of the viewport; the caller owns the menu.
+  [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
+
  signals:
   void toolChanged(geargraph::ToolKind tool);
   void hintChanged(const QString& hint);
@@ -61,9 +67,61 @@ class DigraphView : public QGraphicsView {
   /// Space was tapped, not held for panning: play or pause.
   void spaceTapped();
 
+ protected:
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
+
  private:
-  class Private;
-  std::unique_ptr<Private> d;
+  enum class Grip { none, tool, pan };
+
+  void rebuild();
+  void showAnotherDocument();
+  void updateEmphases();
+  void applyTheme(Theme theme);
+  void updateCursor();
+  void openRenameEditor(LinkId link);
+  void escape();
+  bool editKey(const QKeyEvent& event);
+  bool viewKey(const QKeyEvent& event);
+  bool toolKeyPressed(const QKeyEvent& event);
+  void drawCaption(QPainter& painter, const QString& text) const;
+  void drawMessage(QPainter& painter, const QString& text) const;
+  void zoomAt(QPointF viewportPlace, double factor);
+  void panBy(QPointF sheetUnits);
+  void moveView(QPointF pixels);
+  [[nodiscard]] double scaleNow() const { return transform().m11(); }
+  [[nodiscard]] std::optional<ElementId> elementUnder(QPointF viewportPlace) const;
+  [[nodiscard]] Pointer pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modifiers) const;
+  [[nodiscard]] QString toolTipFor(const ElementId& element) const;
+
+  Document* m_document;
+  Selection* m_selection;
+  DigraphScene* m_scene;
+  NodePlacer* m_placer;
+  ToolController* m_controller;
+  SnapshotPtr m_snapshot;
+  MeshId m_wantedCycle;
+  QString m_caption;
+  Grip m_grip = Grip::none;
+  bool m_spaceDown = false;
+  bool m_spaceUsed = false;
+  bool m_fitted = true;        ///< the drawing still fills the window, as nobody moved it
+  bool m_themeChosen = false;  ///< setDark() was called: the palette does not decide any more
+  bool m_bare = false;         ///< a message stands where the drawing will be
+  bool m_hovering = false;     ///< what is hovered is under our mouse
 };
 
 }  // namespace geargraph

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <set>
+
+#include "core/base/expected.h"
+#include "core/mechanism/mechanism.h"
+
+namespace geargraph {
+
+/// The turning joint that carries a link: the one towards the ground, or the only one that could be it while
+/// the tree is not complete. Without one, `why` says so in words for a menu.
+struct Carrying {
+  std::optional<JointId> joint;
+  QString why;
+};
+[[nodiscard]] Carrying carryingJoint(const Mechanism& mechanism, LinkId link);
+
+[[nodiscard]] bool isInput(const Mechanism& mechanism, JointId joint);
+
+/// The joint becomes an input with a speed of 1 rad/s, or is none any more.
+[[nodiscard]] Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint);
+
+/// What the selected elements drive: their joints, and those that carry their links.
+[[nodiscard]] std::set<JointId> jointsDrivenBy(const Mechanism& mechanism,
+                                               const std::set<ElementId>& elements);
+
+/// "link 3", "turning joint 8", "3 elements"
+[[nodiscard]] QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements);
+
+}  // namespace geargraph

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/mechanism/mechanism.h"
+
+class QMenu;
+
+namespace geargraph {
+
+/// What the entries of a context menu do; the view carries it out.
+struct ContextActions {
+  std::function<void()> rename;
+  std::function<void()> toggleInput;
+  std::function<void()> makeGround;
+  std::function<void()> flip;
+  std::function<void()> remove;
+  std::function<void()> addLink;
+  std::function<void()> selectAll;
+  std::function<void()> tidy;
+  std::function<void()> fit;
+};
+
+/// Fills a menu for an element, or for the empty sheet. An entry that is not possible is grey and says why in
+/// its text.
+void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
+                     const ContextActions& actions);
+
+}  // namespace geargraph

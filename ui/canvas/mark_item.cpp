@@ -1,0 +1,35 @@
+#include "ui/canvas/mark_item.h"
+
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
+
+#include "ui/canvas/mark_painter.h"
+
+namespace geargraph {
+
+MarkItem::MarkItem(double depth) {
+  setZValue(depth);
+  setAcceptedMouseButtons(Qt::NoButton);
+}
+
+void MarkItem::setMarks(std::vector<Mark> marks) {
+  if (marks == m_marks) return;
+  prepareGeometryChange();
+  m_marks = std::move(marks);
+  m_bounds = {};
+  for (const Mark& mark : m_marks) m_bounds |= toQRect(extentOf(mark).grown(1));
+  update();
+}
+
+void MarkItem::setTheme(Theme theme) {
+  if (theme == m_theme) return;
+  m_theme = theme;
+  update();
+}
+
+void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const double scale = QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
+  paintMarks(*painter, m_marks, m_theme, scale);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,106 @@
+#include "ui/canvas/mark_painter.h"
+
+#include <QFont>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace geargraph {
+namespace {
+
+constexpr double kSmallestText = 4;     ///< px on screen
+constexpr double kSmallestArrow = 0.2;  ///< scale
+constexpr double kSmallestDash = 0.3;
+constexpr double kThinnestLine = 0.7;  ///< px on screen
+
+QPen penOf(const Stroke& stroke, Theme theme, double scale) {
+  const double width = std::max(stroke.width, kThinnestLine / scale);
+  QPen pen(toQColor(colorOf(stroke.tint, theme)), width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
+  const auto dashes = [&](const QList<qreal>& px) {
+    QList<qreal> pattern;  // Qt counts in widths of the pen
+    for (const qreal length : px) pattern << length / width;
+    pen.setDashPattern(pattern);
+  };
+  if (scale < kSmallestDash) return pen;
+  switch (stroke.dash) {
+    case Dash::solid:
+      break;
+    case Dash::dashed:
+      dashes({6.5, 4.5});
+      break;
+    case Dash::dashDotted:
+      dashes({12, 3, 2, 3});
+      break;
+    case Dash::dotted:
+      pen.setCapStyle(Qt::RoundCap);
+      dashes({0.1, 6});
+      break;
+  }
+  return pen;
+}
+
+/// Draws a shape with the painter's pen and brush.
+struct ShapePainter {
+  QPainter& painter;
+
+  void operator()(const Circle& circle) const {
+    painter.drawEllipse(toQPoint(circle.center), circle.radius, circle.radius);
+  }
+  void operator()(const Box& box) const {
+    painter.drawRoundedRect(toQRect(box.extent), box.corner, box.corner);
+  }
+  void operator()(const Polyline& line) const {
+    QPolygonF points;
+    for (const SheetPoint p : line.points) points << toQPoint(p);
+    line.closed ? painter.drawPolygon(points) : painter.drawPolyline(points);
+  }
+  void operator()(const Curve& curve) const {
+    if (curve.isStraight()) {
+      painter.drawLine(toQPoint(curve.from), toQPoint(curve.to));
+      return;
+    }
+    QPainterPath path(toQPoint(curve.from));
+    path.quadTo(toQPoint(curve.control), toQPoint(curve.to));
+    painter.drawPath(path);
+  }
+};
+
+struct MarkPainter {
+  QPainter& painter;
+  Theme theme;
+  double scale;
+  MarkRole role;
+
+  void operator()(const Stroke& stroke) const {
+    painter.setPen(penOf(stroke, theme, scale));
+    painter.setBrush(Qt::NoBrush);
+    std::visit(ShapePainter{painter}, stroke.shape);
+  }
+  void operator()(const Fill& fill) const {
+    if (role == MarkRole::arrowhead && scale < kSmallestArrow) return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(toQColor(colorOf(fill.tint, theme)));
+    std::visit(ShapePainter{painter}, fill.shape);
+  }
+  void operator()(const Text& text) const {
+    if (text.size * scale < kSmallestText) return;
+    QFont font = painter.font();
+    font.setPixelSize(static_cast<int>(text.size));
+    font.setBold(text.bold);
+    painter.setFont(font);
+    painter.setPen(toQColor(colorOf(text.tint, theme)));
+    const QString shown = QString::fromStdString(text.text);
+    const QFontMetricsF metrics(font);
+    painter.drawText(QPointF(text.center.x - metrics.horizontalAdvance(shown) / 2,
+                             text.center.y + metrics.capHeight() / 2),
+                     shown);
+  }
+};
+
+}  // namespace
+
+void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, double scale) {
+  for (const Mark& mark : marks) std::visit(MarkPainter{painter, theme, scale, mark.role}, mark.what);
+}
+
+}  // namespace geargraph

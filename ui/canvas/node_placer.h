@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <thread>
+
+#include "core/drawing/layout.h"
+
+namespace geargraph {
+
+/// Knows where every link of a document stands on the sheet: where the document says so, there; else where it
+/// was put before; else where the layout puts it. Small documents are laid out at once, large ones in a
+/// thread of their own.
+class NodePlacer final : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// The places known now. Emits placesFound() later if some are still being sought.
+  [[nodiscard]] NodePositions placesOf(const MechanismPtr& mechanism);
+  [[nodiscard]] bool isSeeking() const { return m_sought != nullptr; }
+
+  /// Seeks a new layout for all links; laidOut() follows, at once for a small document.
+  void layOut(const MechanismPtr& mechanism);
+
+  /// The document with every place that is known written into it, so that saving keeps what is seen.
+  [[nodiscard]] Mechanism adopted(Mechanism mechanism) const;
+  /// Another document: what was found for the last one counts no more.
+  void forget();
+
+ signals:
+  void placesFound();
+  void laidOut(const geargraph::NodePositions& positions);
+
+ private:
+  using Search = NodePositions (*)(const Mechanism&);
+  using Deliver = void (NodePlacer::*)(const NodePositions&);
+  void start(const MechanismPtr& mechanism, Search search, Deliver deliver);
+  void remember(const NodePositions& positions);
+
+  NodePositions m_found;  ///< for links that the document has no place for
+  MechanismPtr m_sought;  ///< what the thread works on
+  quint64 m_request = 0;  ///< the newest; what older ones find is dropped
+  std::jthread m_thread;
+};
+
+}  // namespace geargraph

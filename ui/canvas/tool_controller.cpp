@@ -1,0 +1,281 @@
+#include "ui/canvas/tool_controller.h"
+
+#include <QCoreApplication>
+
+#include "core/drawing/hit_test.h"
+#include "core/mechanism/edits.h"
+#include "ui/canvas/canvas_edits.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kSnapReach = 6;  ///< px on screen
+
+QString translated(std::string_view text) {
+  return QCoreApplication::translate("tools", std::string(text).c_str());
+}
+
+/// Would the arrow make a joint if it were released here?
+Expected<Mechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draft) {
+  if (draft.kind == ElementKind::gearMesh) return withGearMesh(mechanism, draft.tail, draft.head);
+  return withTurningJoint(mechanism, draft.tail, draft.head);
+}
+
+}  // namespace
+
+ToolController::ToolController(Document& document, Selection& selection, DigraphScene& scene,
+                               NodePlacer& placer, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_scene(scene), m_placer(placer) {
+  m_hint = translated(m_machine.hint());
+}
+
+void ToolController::setTool(ToolKind tool) {
+  if (tool == m_machine.tool()) return;
+  handle(Escaped{}, m_scale);
+  m_machine = ToolMachine(tool);
+  showState();
+  emit toolChanged(tool);
+}
+
+void ToolController::handle(const ToolEvent& event, double scale) {
+  m_scale = scale;
+  for (const Proposal& proposal : m_machine.on(event)) carryOut(proposal);
+  showState();
+}
+
+void ToolController::handlePan(const ToolEvent& event) {
+  for (const Proposal& proposal : m_pan.on(event)) carryOut(proposal);
+}
+
+void ToolController::carryOut(const Proposal& proposal) {
+  struct Visitor {
+    ToolController& self;
+    void operator()(const SelectOnly& p) const { self.m_selection.select({p.element}); }
+    void operator()(const ToggleSelected& p) const { self.m_selection.toggle(p.element); }
+    void operator()(const ClearSelection&) const { self.m_selection.clear(); }
+    void operator()(const SelectInside& p) const { self.selectInside(p); }
+    void operator()(const MoveSelected& p) const { self.moveSelected(p); }
+    void operator()(const MoveEnded&) const { self.m_drag.reset(); }
+    void operator()(const MoveCancelled&) const { self.cancelMove(); }
+    void operator()(const AddLink& p) const { self.addLink(p.at); }
+    void operator()(const AddJoint& p) const { self.addJoint(p); }
+    void operator()(const ToggleInput& p) const { self.toggleInputs({p.element}); }
+    void operator()(const PanBy& p) const { emit self.panned({p.dx, p.dy}); }
+  };
+  std::visit(Visitor{*this}, proposal);
+}
+
+void ToolController::apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce,
+                           quint64 gesture) {
+  m_document.apply({text, std::move(reduce), gesture});
+}
+
+// --- moving -----------------------------------------------------------------------------------------------
+
+ToolController::Drag ToolController::beginDrag() {
+  Drag drag{m_document.newGesture(), m_document.mechanism(), {}, {}};
+  for (const auto& [link, place] : m_scene.positions()) {
+    if (m_selection.isSelected(link)) {
+      drag.moving.emplace_back(link, place);
+    } else {
+      drag.resting.push_back(place);
+    }
+  }
+  return drag;
+}
+
+void ToolController::moveSelected(const MoveSelected& move) {
+  if (!m_drag) m_drag = beginDrag();
+  std::vector<SheetPoint> from;
+  for (const auto& [link, place] : m_drag->moving) from.push_back(place);
+  const double reach = move.unsnapped ? 0 : kSnapReach / m_scale;
+  m_snap =
+      reach > 0 ? snapped(from, m_drag->resting, move.dx, move.dy, reach) : Snap{move.dx, move.dy, {}, {}};
+  std::vector<std::pair<LinkId, SheetPoint>> places = m_drag->moving;
+  for (auto& [link, place] : places) place = place + SheetPoint{m_snap.dx, m_snap.dy};
+  apply(
+      places.size() == 1 ? tr("Move link") : tr("Move links"),
+      [this, places](const Mechanism& mechanism) {
+        return withNodesMoved(m_placer.adopted(mechanism), places);
+      },
+      m_drag->gesture);
+}
+
+void ToolController::cancelMove() {
+  if (!m_drag) return;
+  // Back to the very value it had: the step merges with the drag's and both are gone.
+  const MechanismPtr before = m_drag->before;
+  apply(
+      tr("Move links"), [before](const Mechanism&) -> Expected<Mechanism> { return *before; },
+      m_drag->gesture);
+  m_drag.reset();
+}
+
+void ToolController::nudge(double dx, double dy, bool repeated) {
+  const Drag drag = beginDrag();
+  if (drag.moving.empty()) return;
+  if (!repeated || m_nudge == 0) m_nudge = drag.gesture;
+  std::vector<std::pair<LinkId, SheetPoint>> places = drag.moving;
+  for (auto& [link, place] : places) place = place + SheetPoint{dx, dy};
+  apply(
+      tr("Nudge"),
+      [this, places](const Mechanism& mechanism) {
+        return withNodesMoved(m_placer.adopted(mechanism), places);
+      },
+      m_nudge);
+}
+
+void ToolController::place(const NodePositions& positions) {
+  const std::vector<std::pair<LinkId, SheetPoint>> places(positions.begin(), positions.end());
+  apply(tr("Tidy the drawing"),
+        [places](const Mechanism& mechanism) { return withNodesMoved(mechanism, places); });
+}
+
+// --- making and removing ----------------------------------------------------------------------------------
+
+void ToolController::addLink(SheetPoint at) {
+  const std::size_t before = m_document.mechanism()->links.size();
+  apply(tr("Add link"),
+        [this, at](const Mechanism& mechanism) { return withLink(m_placer.adopted(mechanism), at); });
+  const auto& links = m_document.mechanism()->links;
+  if (links.size() > before) m_selection.select({links.back().id});
+}
+
+void ToolController::addJoint(const AddJoint& joint) {
+  const bool mesh = joint.kind == ElementKind::gearMesh;
+  const ArrowDraft draft{joint.kind, joint.tail, joint.head, {}};
+  const bool done =
+      m_document.apply({mesh ? tr("Add gear mesh") : tr("Add turning joint"),
+                        [draft](const Mechanism& mechanism) { return withDraft(mechanism, draft); }, 0});
+  if (!done) return;
+  const Mechanism& mechanism = *m_document.mechanism();
+  m_selection.select(
+      {mesh ? ElementId(mechanism.gearMeshes.back().id) : ElementId(mechanism.turningJoints.back().id)});
+}
+
+void ToolController::removeSelected() {
+  const std::set<ElementId> selected = m_selection.selected();
+  if (selected.empty()) return;
+  const std::vector<ElementId> elements(selected.begin(), selected.end());
+  apply(tr("Delete %1").arg(describe(*m_document.mechanism(), selected)),
+        [elements](const Mechanism& mechanism) { return withoutElements(mechanism, elements); });
+}
+
+void ToolController::flipSelected() {
+  std::vector<ElementId> arrows;
+  for (const ElementId& element : m_selection.selected()) {
+    const bool arrow = element.kind == ElementKind::turningJoint || element.kind == ElementKind::gearMesh;
+    if (arrow) arrows.push_back(element);
+  }
+  if (arrows.empty()) return;
+  apply(tr("Flip %1").arg(describe(*m_document.mechanism(), {arrows.begin(), arrows.end()})),
+        [arrows](Mechanism mechanism) -> Expected<Mechanism> {
+          for (const ElementId& arrow : arrows) {
+            Expected<Mechanism> next = withFlipped(std::move(mechanism), arrow);
+            if (!next) return next.error();
+            mechanism = std::move(next).value();
+          }
+          return mechanism;
+        });
+}
+
+void ToolController::toggleInputs(const std::set<ElementId>& elements) {
+  const std::set<JointId> joints = jointsDrivenBy(*m_document.mechanism(), elements);
+  if (joints.empty()) {
+    for (const ElementId& element : elements) {
+      if (element.kind != ElementKind::link) continue;
+      m_hint = tr("Cannot be driven: %1").arg(carryingJoint(*m_document.mechanism(), LinkId(element.id)).why);
+      emit hintChanged(m_hint);
+    }
+    return;
+  }
+  apply(tr("Drive or release"), [joints](Mechanism mechanism) -> Expected<Mechanism> {
+    for (const JointId joint : joints) {
+      Expected<Mechanism> next = withInputToggled(mechanism, joint);
+      if (!next) return next.error();
+      mechanism = std::move(next).value();
+    }
+    return mechanism;
+  });
+}
+
+void ToolController::rename(LinkId link, const QString& name) {
+  const std::string text = name.trimmed().toStdString();
+  apply(tr("Rename link"),
+        [link, text](const Mechanism& mechanism) { return withName(mechanism, link, text); });
+}
+
+void ToolController::makeGround(LinkId link) {
+  apply(tr("Make ground"), [link](const Mechanism& mechanism) { return withGround(mechanism, link); });
+}
+
+void ToolController::selectInside(const SelectInside& band) {
+  std::set<ElementId> elements;
+  if (band.add) elements = m_selection.selected();
+  for (const ElementId& element : elementsInside(m_scene.outlines(), Extent::spanning(band.from, band.to))) {
+    elements.insert(element);
+  }
+  m_selection.select(std::move(elements));
+}
+
+// --- what is shown meanwhile ------------------------------------------------------------------------------
+
+void ToolController::showState() {
+  std::optional<JointPreview> preview;
+  const QString hint = previewAndHint(preview);
+  if (preview != m_preview) {
+    m_preview = preview;
+    emit previewChanged(preview);
+  }
+  m_scene.setOverlay(overlay());
+  if (hint == m_hint) return;
+  m_hint = hint;
+  emit hintChanged(hint);
+}
+
+QString ToolController::previewAndHint(std::optional<JointPreview>& preview) const {
+  const QString hint = translated(m_machine.hint());
+  const std::optional<ArrowDraft> draft = m_machine.arrowDraft();
+  if (!draft) return hint;
+  preview = JointPreview{draft->kind, draft->tail, draft->head, false};
+  if (draft->head.empty()) return hint;
+  if (m_preview && m_preview->valid &&
+      *m_preview == JointPreview{draft->kind, draft->tail, draft->head, true}) {
+    preview->valid = true;  // known already; the check is not free
+    return hint;
+  }
+  const Expected<Mechanism> next = withDraft(*m_document.mechanism(), *draft);
+  preview->valid = next.has_value();
+  return next ? hint : QString::fromStdString(next.error().front().message);
+}
+
+DisplayList ToolController::overlay() const {
+  DisplayList list;
+  const double hair = 1 / m_scale;
+  const auto put = [&](const Shape& shape, Dash dash) {
+    list.marks.push_back({{}, MarkRole::ghost, kGhostDepth, Stroke{shape, ColorRole::accent, hair, dash}});
+  };
+  if (const auto band = m_machine.rubberBand()) {
+    put(Box{Extent::spanning(band->from, band->to), 0}, Dash::solid);
+  }
+  if (const auto link = m_machine.linkDraft()) list.append(linkGhost(*link));
+  if (const auto draft = m_machine.arrowDraft()) {
+    const auto tail = m_scene.positions().find(draft->tail);
+    const auto head = m_scene.positions().find(draft->head);
+    if (tail != m_scene.positions().end()) {
+      const bool ends = head != m_scene.positions().end();
+      const Curve course = ghostCourse(tail->second, ends ? head->second : draft->cursor, ends);
+      list.append(arrowGhost(draft->kind, course, m_preview && m_preview->valid));
+    }
+  }
+  if (m_drag) {
+    constexpr double kFar = 4000;
+    const SheetPoint at = m_drag->moving.empty() ? SheetPoint{} : m_drag->moving.front().second;
+    if (m_snap.column)
+      put(Curve::straight({*m_snap.column, at.y - kFar}, {*m_snap.column, at.y + kFar}), Dash::solid);
+    if (m_snap.row) put(Curve::straight({at.x - kFar, *m_snap.row}, {at.x + kFar, *m_snap.row}), Dash::solid);
+  }
+  return list;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+#include "ui/canvas/digraph_scene.h"
+#include "ui/canvas/node_placer.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/tools/snapping.h"
+#include "ui/tools/tool_machine.h"
+
+namespace geargraph {
+
+/// Carries out what the tools propose: turns proposals into edits of the document, into the selection, into
+/// what is shown over the drawing; numbers the gestures. The only place where a mouse changes a document.
+class ToolController final : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolController(Document& document, Selection& selection, DigraphScene& scene, NodePlacer& placer,
+                 QObject* parent);
+
+  [[nodiscard]] ToolKind tool() const { return m_machine.tool(); }
+  void setTool(ToolKind tool);
+  [[nodiscard]] bool isIdle() const { return m_machine.isIdle(); }
+  [[nodiscard]] QString hint() const { return m_hint; }
+
+  /// `scale`: pixels a unit of the sheet takes, for the width of what lies over the drawing.
+  void handle(const ToolEvent& event, double scale);
+  /// While panning for a moment (middle button, Space) the tool rests.
+  void handlePan(const ToolEvent& event);
+
+  // What keys and menus ask for, as edits of one undo step each.
+  void removeSelected();
+  void flipSelected();
+  void toggleInputs(const std::set<ElementId>& elements);
+  void nudge(double dx, double dy, bool repeated);
+  void addLink(SheetPoint at);
+  void rename(LinkId link, const QString& name);
+  void makeGround(LinkId link);
+  void place(const NodePositions& positions);
+
+ signals:
+  void toolChanged(geargraph::ToolKind tool);
+  void hintChanged(const QString& hint);
+  void previewChanged(const std::optional<geargraph::JointPreview>& preview);
+  void panned(QPointF by);  ///< sheet units
+
+ private:
+  struct Drag {
+    quint64 gesture = 0;
+    MechanismPtr before;
+    std::vector<std::pair<LinkId, SheetPoint>> moving;  ///< where the nodes were
+    std::vector<SheetPoint> resting;
+  };
+
+  void carryOut(const Proposal& proposal);
+  void moveSelected(const MoveSelected& move);
+  void cancelMove();
+  void addJoint(const AddJoint& joint);
+  void selectInside(const SelectInside& band);
+  [[nodiscard]] Drag beginDrag();
+  void apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce,
+             quint64 gesture = 0);
+  void showState();
+  [[nodiscard]] QString previewAndHint(std::optional<JointPreview>& preview) const;
+  [[nodiscard]] DisplayList overlay() const;
+
+  Document& m_document;
+  Selection& m_selection;
+  DigraphScene& m_scene;
+  NodePlacer& m_placer;
+  ToolMachine m_machine{ToolKind::select};
+  ToolMachine m_pan{ToolKind::pan};
+  std::optional<Drag> m_drag;
+  Snap m_snap;
+  quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held
+  double m_scale = 1;
+  QString m_hint;
+  std::optional<JointPreview> m_preview;
+};
+
+}  // namespace geargraph
