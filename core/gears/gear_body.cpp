@@ -79,6 +79,22 @@ double largestBore(const GearSpec& spec) {
   return 2 * (belowCone(small, root, spec.coneAngle).radius - 0.1 * spec.module);
 }
 
+AxialSpan axialSpan(const GearSpec& spec) {
+  if (spec.kind != GearKind::bevel) return {-spec.faceWidth / 2, spec.faceWidth / 2};
+  const double large = coneDistance(spec);
+  const double small = large - spec.faceWidth;
+  const double tip = -(spec.addendum + spec.profileShift) * spec.module;
+  AxialSpan span{1e300, -1e300};
+  const auto include = [&](double height) {
+    span.low = std::min(span.low, height);
+    span.high = std::max(span.high, height);
+  };
+  include(belowCone(large, tip, spec.coneAngle).height);
+  include(belowCone(small, tip * small / large, spec.coneAngle).height);
+  for (const Circle& c : bevelMeridian(spec)) include(c.height);
+  return span;
+}
+
 std::vector<Circle> bodyMeridian(const GearSpec& spec) {
   switch (spec.kind) {
     case GearKind::internal:

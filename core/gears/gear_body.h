@@ -18,4 +18,11 @@ namespace geargraph {
 /// Largest bore (diameter) that leaves a body of a module's fifth below the teeth.
 [[nodiscard]] double largestBore(const GearSpec& spec);
 
+/// Where the gear lies along its axis, in its own frame: lowest and highest z of teeth and body.
+struct AxialSpan {
+  double low = 0;
+  double high = 0;
+};
+[[nodiscard]] AxialSpan axialSpan(const GearSpec& spec);
+
 }  // namespace geargraph

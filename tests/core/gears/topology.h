@@ -14,6 +14,7 @@ namespace geargraph::test {
 /// What an exact weld of a mesh turns out to be.
 struct Topology {
   bool closed = true;    ///< every edge has exactly two triangles, in opposite directions
+  bool balanced = true;  ///< every edge is met as often one way as the other: shells that touch weld to this
   bool manifold = true;  ///< the triangles round every vertex make one fan
   int pieces = 0;
   int genus = 0;  ///< of all pieces together
@@ -51,8 +52,11 @@ class Weld {
       }
     }
     for (const auto& [edge, count] : edges) {
-      if (count != 1 || edges.count({edge.second, edge.first}) == 0) result.closed = false;
+      const auto back = edges.find({edge.second, edge.first});
+      if (back == edges.end() || back->second != count) result.balanced = false;
+      if (count != 1) result.closed = false;
     }
+    result.closed = result.closed && result.balanced;
     for (const auto& fan : fans) result.manifold = result.manifold && oneCycle(fan);
     for (int v = 0; v < m_vertices; ++v) result.pieces += root(v) == v ? 1 : 0;
     const int euler = m_vertices - static_cast<int>(edges.size() / 2) + static_cast<int>(m_faces.size());

@@ -1,0 +1,125 @@
+#include "core/gears/axis_layout.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/gears/gear_body.h"
+#include "core/gears/train_wheels.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+
+double middleModule(const GearTrain& train) {
+  if (train.gears.empty()) return kDefaultModule;
+  double sum = 0;
+  for (const TrainGear& gear : train.gears) sum += gear.spec.module;
+  return sum / static_cast<double>(train.gears.size());
+}
+
+void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
+  for (const TrainGear& gear : train.gears) {
+    AxisLayout& layout = layouts[static_cast<std::size_t>(gear.axisClass)];
+    const AxialSpan span = axialSpan(gear.spec);
+    const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
+    const double origin = layout.coordinate(gear.pose.translation());
+    const double a = origin + sense * span.low;
+    const double b = origin + sense * span.high;
+    layout.wheels.push_back(
+        {std::min(a, b), std::max(a, b), gear.link, gear.spec.kind == GearKind::internal});
+    layout.taken.push_back(layout.wheels.back());
+  }
+}
+
+/// Where classes that share a link cross, nothing can stand on either; and bearings go to the other end.
+void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts) {
+  const AxisClasses& classes = *placement.classes;
+  for (std::size_t c = 0; c < layouts.size(); ++c) {
+    AxisLayout& layout = layouts[c];
+    double pull = 0;
+    for (std::size_t d = 0; d < layouts.size(); ++d) {
+      const int top = classes.classes[d].top;
+      const int other = classes.classes[c].top;
+      const bool below = classes.classOfLink(*placement.tree, top) == static_cast<int>(c);
+      const bool above = classes.classOfLink(*placement.tree, other) == static_cast<int>(d);
+      if (c == d || !(below || above || top == other)) continue;
+      const Vector3d across = layout.direction.cross(layouts[d].direction);
+      if (across.norm() < 1e-6) continue;
+      const Vector3d apart = layouts[d].point - layout.point;
+      if (std::abs(apart.dot(across)) > layout.module * across.norm()) continue;
+      const double at = apart.cross(layouts[d].direction).dot(across) / across.squaredNorm();
+      layout.taken.push_back({at - 3 * layout.module, at + 3 * layout.module, -1, false});
+      double middle = 0;
+      for (const Stretch& s : layout.wheels) {
+        middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
+      }
+      pull += at - middle;
+    }
+    layout.bearingSide = pull < -1e-9 ? 1 : -1;
+  }
+}
+
+}  // namespace
+
+bool AxisLayout::isFree(double low, double high) const {
+  return std::none_of(taken.begin(), taken.end(),
+                      [&](const Stretch& s) { return low < s.high - 1e-9 && s.low < high - 1e-9; });
+}
+
+std::vector<double> AxisLayout::slotCandidates() const {
+  std::vector<double> candidates;
+  for (const Stretch& s : taken) {
+    candidates.push_back(s.high + gap() + width() / 2);
+    candidates.push_back(s.low - gap() - width() / 2);
+  }
+  if (candidates.empty()) candidates.push_back(0);
+  return candidates;
+}
+
+double AxisLayout::freeSlot(double wanted) const {
+  if (slotIsFree(wanted)) return wanted;
+  double best = outerSlot();
+  for (const double middle : slotCandidates()) {
+    if (slotIsFree(middle) && std::abs(middle - wanted) < std::abs(best - wanted) - 1e-9) best = middle;
+  }
+  return best;
+}
+
+double AxisLayout::outerSlot() const {
+  double outer = 0;
+  bool first = true;
+  for (const double middle : slotCandidates()) {
+    if (first || bearingSide * middle > bearingSide * outer) outer = middle;
+    first = false;
+  }
+  return outer;
+}
+
+std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
+                                    const GearTrain& train) {
+  const AxisClasses& classes = *placement.classes;
+  const JointTree& tree = *placement.tree;
+  std::vector<AxisLayout> layouts(classes.classes.size());
+  const double module = middleModule(train);
+  for (std::size_t c = 0; c < layouts.size(); ++c) {
+    const AxisLine& line = placement.lineOfClass(static_cast<int>(c));
+    layouts[c].point = wide(line.point);
+    layouts[c].direction = wide(line.direction);
+    layouts[c].module = module;
+  }
+  addWheels(train, layouts);
+  addCrossings(placement, layouts);
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    AxisLayout& layout = layouts[static_cast<std::size_t>(classes.classOf[j])];
+    const AxisLine& own = placement.axes[static_cast<std::size_t>(tree.axisOf[j])];
+    const Vector3d drawn = wide(own.point) + mechanism.turningJoints[j].offset.value() * wide(own.direction);
+    const int child = tree.child[j];
+    layout.bearings.push_back(
+        {static_cast<int>(j), tree.parent[static_cast<std::size_t>(child)], child, layout.coordinate(drawn)});
+  }
+  return layouts;
+}
+
+}  // namespace geargraph

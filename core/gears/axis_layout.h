@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/gears/train.h"
+
+namespace geargraph {
+
+/// A stretch of an axis that something fills.
+struct Stretch {
+  double low = 0;
+  double high = 0;
+  int link = -1;      ///< whose it is; -1: nobody's, kept free
+  bool ring = false;  ///< a ring's teeth: no shaft reaches them
+};
+
+/// A bearing: the parent's eye about the child's shaft.
+struct Bearing {
+  int joint = 0;
+  int parent = 0;
+  int child = 0;
+  double at = 0;  ///< coordinate along the class's line
+};
+
+/// What stands where along the line of an axis class. Coordinates run along the line from its point.
+struct AxisLayout {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  double module = 1;     ///< what all measures of the bodies go by
+  int bearingSide = -1;  ///< end of the axis where bearings go that have no place of their own
+  std::vector<Stretch> wheels;
+  std::vector<Stretch> taken;  ///< wheels, and whatever was placed since
+  std::vector<Bearing> bearings;
+
+  [[nodiscard]] double coordinate(const Eigen::Vector3d& p) const { return (p - point).dot(direction); }
+  [[nodiscard]] Eigen::Vector3d at(double coordinate) const { return point + coordinate * direction; }
+  [[nodiscard]] bool isFree(double low, double high) const;
+  [[nodiscard]] double width() const { return 3 * module; }  ///< of bearings and arms
+  [[nodiscard]] double gap() const { return 0.6 * module; }
+  [[nodiscard]] bool slotIsFree(double middle) const {
+    return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);
+  }
+  void take(double middle, int link) {
+    taken.push_back({middle - width() / 2, middle + width() / 2, link, false});
+  }
+  /// Middles of slots that touch something, and those outside of everything.
+  [[nodiscard]] std::vector<double> slotCandidates() const;
+  /// The free slot nearest to `wanted`; outside of everything on the bearing side where there is none.
+  [[nodiscard]] double freeSlot(double wanted) const;
+  /// The first free slot outside of everything on the bearing side.
+  [[nodiscard]] double outerSlot() const;
+};
+
+/// The axis classes with their wheels, crossings and the bearings still without a place.
+[[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
+                                                  const GearTrain& train);
+
+}  // namespace geargraph

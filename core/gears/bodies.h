@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+
+#include "core/gears/shell_builder.h"
+#include "core/gears/solid.h"
+
+namespace geargraph {
+
+/// The frame at `origin` with z along `axis` (unit) and x as near `towards` as it can be, for parts that have
+/// an axis.
+[[nodiscard]] Eigen::Isometry3d frameAlong(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+                                           const Eigen::Vector3d& towards = Eigen::Vector3d::UnitX());
+
+/// A body of revolution about z. The meridian runs with the material on the left (from the top face inward,
+/// down the bore, outward along the bottom, up the outside) and closes by itself.
+[[nodiscard]] Solid lathed(std::span<const Circle> meridian, double tolerance);
+
+/// A shaft or tube along z from `from` to `to`, its ends chamfered. `inner` 0: solid. Lengths.
+[[nodiscard]] Solid tube(double outer, double inner, double from, double to, double tolerance);
+
+/// One end of an arm: an eye about an axis parallel to z.
+struct Eye {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double radius = 1;
+  double hole = 0;  ///< radius, 0: none
+};
+
+/// A flat arm: the hull of two round eyes, of thickness from z = `from` to `to`, with their holes.
+/// @pre neither eye lies inside the other
+[[nodiscard]] Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance);
+
+}  // namespace geargraph

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/gears/train.h"
+
+namespace geargraph {
+
+/// Chordal tolerance of shafts and arms in modules.
+constexpr double kBodyTolerance = 0.02;
+
+/// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train);
+
+}  // namespace geargraph

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "core/gears/gear_spec.h"
+#include "core/mechanism/mechanism.h"
+#include "core/placement/placement.h"
+
+namespace geargraph {
+
+/// A wheel while the train is made.
+struct TrainWheel {
+  int link = 0;
+  int axisClass = 0;
+  std::vector<int> meshes;
+  std::optional<WheelId> id;
+  Eigen::Vector3d axis;      ///< +z of the gear; bevel: from the apex to the gear
+  Eigen::Vector3d origin;    ///< of the gear's frame: middle of the face, or the apex
+  double workingRadius = 0;  ///< operating pitch radius in its first mesh
+  GearSpec spec;
+};
+
+struct TrainPair {
+  int mesh = 0;
+  int tail = 0;  ///< positions of wheels
+  int head = 0;
+  MeshKind kind = MeshKind::external;
+  Eigen::Vector3d pitchPoint;
+  double distance = 0;   ///< of the axes; 0 for bevels
+  bool movable = false;  ///< the document leaves open where along the axes the pair lies
+};
+
+struct TrainWheels {
+  std::vector<TrainWheel> wheels;
+  std::vector<TrainPair> pairs;
+};
+
+/// Which wheels there are, where, and of what kind, teeth and cone. The specs' other measures are not set
+/// yet.
+[[nodiscard]] TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement);
+
+/// Modules, profile shifts, face widths, backlash and tips of all wheels.
+void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
+
+/// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.
+void stackWheels(TrainWheels& train);
+
+[[nodiscard]] inline Eigen::Vector3d wide(const Vector3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace geargraph

@@ -1,0 +1,76 @@
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+
+#include "core/gears/bodies.h"
+#include "tests/core/gears/topology.h"
+
+using namespace geargraph;
+using std::numbers::pi;
+
+namespace {
+
+void compareShell(const Solid& solid, int genus) {
+  const test::Topology topology = test::topologyOf(solid);
+  QVERIFY(topology.closed);
+  QVERIFY(topology.manifold);
+  QCOMPARE(topology.degenerate, 0);
+  QCOMPARE(topology.pieces, 1);
+  QCOMPARE(topology.genus, genus);
+  QVERIFY(test::worstNormalDegrees(solid, 1e-4) < 20);
+}
+
+}  // namespace
+
+class TestBodies : public QObject {
+  Q_OBJECT
+ private slots:
+  void shaftsAndTubesAreClosed() {
+    compareShell(tube(3, 0, -5, 12, 0.01), 0);
+    compareShell(tube(4, 2.5, 0, 3, 0.01), 1);
+  }
+
+  void tubesHaveTheirVolume() {
+    const double plain = pi * (16 - 6.25) * 30;
+    QVERIFY(std::abs(signedVolume(tube(4, 2.5, 0, 30, 1e-4)) / plain - 1) < 0.01);  // but for the chamfers
+  }
+
+  void armsAreClosedWithAndWithoutHoles_data() {
+    QTest::addColumn<double>("holeA");
+    QTest::addColumn<double>("holeB");
+    QTest::addColumn<int>("genus");
+    QTest::newRow("two holes") << 2.0 << 1.0 << 2;
+    QTest::newRow("one hole") << 0.0 << 1.0 << 1;
+    QTest::newRow("no hole") << 0.0 << 0.0 << 0;
+  }
+  void armsAreClosedWithAndWithoutHoles() {
+    QFETCH(double, holeA);
+    QFETCH(double, holeB);
+    QFETCH(int, genus);
+    for (const double distance : {6.0, 25.0}) {
+      for (const double angle : {0.0, 1.0, 2.5, -2.0}) {
+        const Eigen::Vector2d end(distance * std::cos(angle), distance * std::sin(angle));
+        const Solid part = arm({{0, 0}, 3, holeA}, {end, 2, holeB}, -1, 2, 0.01);
+        compareShell(part, genus);
+        // Hull of two circles: two sectors and the trapezium between the tangents.
+        const double tangent = std::acos(1 / distance);
+        const double hull = 9 * (pi - tangent) + 4 * tangent + 5 * std::sqrt(distance * distance - 1);
+        const double area = hull - pi * (holeA * holeA + holeB * holeB);
+        QVERIFY(std::abs(signedVolume(part) / (3 * area) - 1) < 0.01);
+      }
+    }
+  }
+
+  void framesAreRightHandedWithZAlongTheAxis() {
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, -1),
+                                        Eigen::Vector3d(1, 2, 3).normalized().eval()}) {
+      const Eigen::Isometry3d frame = frameAlong({1, 2, 3}, axis);
+      QVERIFY((frame.linear().col(2) - axis).norm() < 1e-12);
+      QVERIFY(std::abs(frame.linear().determinant() - 1) < 1e-12);
+      QVERIFY((frame.linear() * frame.linear().transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestBodies)
+#include "test_bodies.moc"
