@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "core/ttgraph/ratio_weights.h"
-#include "core/ttgraph/tt_system.h"
+#include "core/ttgraph/symbolic_system.h"
 
 namespace geargraph {
 namespace {
@@ -22,7 +21,8 @@ class Chain {
         m_numbers(graph, static_cast<int>(plan.outputs.size())),
         m_numberOf(plan.jointAt.size(), 0) {}
 
-  std::vector<SubstitutionStep> run(const System& system) {
+  std::vector<SubstitutionStep> run(const SymbolicSystem& symbolic) {
+    const System& system = symbolic.system;
     for (const SubstitutionPlan::Step& step : m_plan.steps) {
       add(step.joint, {step.mesh}, system.direct().rows, step.mesh);
     }
@@ -34,13 +34,26 @@ class Chain {
         add(joint, {system.restMesh(line.row)}, system.rest().rows, line.row);
       }
     }
+    if (!symbolic.withoutCoupled) addStanding(system.coupledMeshes());
     return std::move(m_steps);
   }
 
  private:
+  /// The coupled unknowns that never turn: no line gives them.
+  void addStanding(const std::vector<int>& meshes) {
+    for (int column = 0; column < m_plan.coupledUnknowns; ++column) {
+      const int joint = m_plan.jointAt[static_cast<std::size_t>(column)];
+      if (m_numberOf[static_cast<std::size_t>(joint)] != 0) continue;
+      SubstitutionStep step;
+      step.joint = joint;
+      step.coupled = true;
+      step.meshes = meshes;
+      finish(std::move(step));
+    }
+  }
+
   void add(int joint, std::vector<int> meshes, const Rows& rows, int row) {
     SubstitutionStep step;
-    step.number = m_numbers.step(static_cast<int>(m_steps.size()));
     step.joint = joint;
     step.coupled = meshes.size() > 1;
     step.meshes = std::move(meshes);
@@ -51,10 +64,15 @@ class Chain {
       step.before.push_back({m_plan.jointAt[static_cast<std::size_t>(rows.column(entry))],
                              m_field.quotient(rows.value(entry), divisor)});
     }
+    finish(std::move(step));
+  }
+
+  void finish(SubstitutionStep step) {
+    step.number = m_numbers.step(static_cast<int>(m_steps.size()));
     step.uses = usesOf(step);
-    const auto output = std::lower_bound(m_plan.outputs.begin(), m_plan.outputs.end(), joint);
+    const auto output = std::lower_bound(m_plan.outputs.begin(), m_plan.outputs.end(), step.joint);
     step.after = m_solution.entries[static_cast<std::size_t>(output - m_plan.outputs.begin())];
-    m_numberOf[static_cast<std::size_t>(joint)] = step.number;
+    m_numberOf[static_cast<std::size_t>(step.joint)] = step.number;
     m_steps.push_back(std::move(step));
   }
 
@@ -93,14 +111,9 @@ class Chain {
 std::optional<std::vector<SubstitutionStep>> substitutionSteps(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,
     const RateMatrix<std::optional<RationalFunction>>& solution, const std::stop_token& stop) {
-  const auto determination = ttDetermination(graph, plan, stop);
-  if (!determination) return std::nullopt;
-  std::vector<char> redundant(static_cast<std::size_t>(graph.graph().c()), 0);
-  for (const int mesh : determination->surplusMeshes) redundant[static_cast<std::size_t>(mesh)] = 1;
-  const RationalFunctionField field(ring);
-  const auto system = System::of(field, graph, plan, RatioWeights{&field}, redundant, stop);
-  if (!system) return std::nullopt;
-  return Chain(field, graph, plan, solution).run(*system);
+  const auto symbolic = symbolicSystem(ring, graph, plan, stop);
+  if (!symbolic) return std::nullopt;
+  return Chain(*symbolic->field, graph, plan, solution).run(*symbolic);
 }
 
 }  // namespace geargraph

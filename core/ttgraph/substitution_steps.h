@@ -29,7 +29,8 @@ struct SubstitutionStep {
   std::vector<std::optional<RationalFunction>> after;  ///< by input; none where over the budget
 };
 
-/// The whole chain, in order: a step for each unknown. `solution` is ttSymbolicSolution() over the same ring.
+/// The whole chain, in order: a step for each unknown, but for coupled ones whose elimination grows beyond
+/// reading. `solution` is ttSymbolicSolution() over the same ring.
 /// None where `stop` was requested.
 [[nodiscard]] std::optional<std::vector<SubstitutionStep>> substitutionSteps(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,

@@ -1,9 +1,7 @@
 #include "core/ttgraph/tt_solution.h"
 
-#include <random>
-
 #include "core/ttgraph/notation.h"
-#include "core/ttgraph/ratio_weights.h"
+#include "core/ttgraph/symbolic_system.h"
 #include "core/ttgraph/tt_system.h"
 
 namespace geargraph {
@@ -22,31 +20,6 @@ RateMatrix<Value> shapeOf(const SubstitutionPlan& plan) {
   RateMatrix<Value> matrix{plan.outputs, plan.inputs, {}};
   matrix.entries.assign(plan.outputs.size(), std::vector<Value>(plan.inputs.size()));
   return matrix;
-}
-
-/// Ratios drawn at random, apart for the double and for the residue: what vanishes there vanishes
-/// identically.
-struct RandomRatioWeights {
-  const FusedField* field;
-  std::vector<Fused> ratios;  ///< by mesh
-
-  RandomRatioWeights(const FusedField& fused, int meshes) : field(&fused) {
-    std::mt19937_64 random(20141001);
-    ResidueStream residues(fused.prime(), 45);
-    for (int mesh = 0; mesh < meshes; ++mesh) {
-      ratios.push_back({0.5 + static_cast<double>(random() % 1'000'003) / 1e6, residues.next()});
-    }
-  }
-  [[nodiscard]] std::pair<Fused, Fused> operator()(const TerminalPair& pair) const {
-    return {ratios[static_cast<std::size_t>(pair.mesh)], field->fromInteger(-pair.sign)};
-  }
-};
-
-/// By mesh: 1 where the mesh is surplus.
-std::vector<char> marked(const std::vector<int>& meshes, int count) {
-  std::vector<char> marks(static_cast<std::size_t>(count), 0);
-  for (const int mesh : meshes) marks[static_cast<std::size_t>(mesh)] = 1;
-  return marks;
 }
 
 }  // namespace
@@ -108,38 +81,24 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
                                                                               const SubstitutionPlan& plan,
                                                                               const std::stop_token& stop,
                                                                               int budget) {
-  // 1. Which meshes are redundant at the ratios' own values: they are left out.
-  // 2. Which rates vanish identically: they are not computed.
-  // 3. The same substitutions with functions, expanded line by line.
-  const FusedField fused;
-  const auto numeric = fusedSystem(fused, graph, plan, stop);
-  if (!numeric) return std::nullopt;
-  const std::vector<char> redundant = marked(numeric->surplusMeshes(), graph.graph().c());
-  const auto generic =
-      FusedSystem::of(fused, graph, plan, RandomRatioWeights(fused, graph.graph().c()), redundant, stop);
-  const RationalFunctionField field(ring);
-  const auto system =
-      TtSystem<RationalFunctionField>::of(field, graph, plan, RatioWeights{&field}, redundant, stop);
-  if (!generic || !system) return std::nullopt;
-
+  const auto symbolic = symbolicSystem(ring, graph, plan, stop);
+  if (!symbolic) return std::nullopt;
+  const RationalFunctionField& field = *symbolic->field;
   auto matrix = shapeOf<std::optional<RationalFunction>>(plan);
   for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
-    std::vector<Fused> sample(plan.inputs.size());
-    sample[input] = fused.one();
-    std::vector<char> vanishing;
-    const std::vector<Fused> rates = generic->rates(sample);
-    for (const int joint : plan.jointAt) {
-      vanishing.push_back(fused.isZero(rates[static_cast<std::size_t>(joint)]) ? 1 : 0);
-    }
     std::vector<std::optional<RationalFunction>> x(plan.jointAt.size(), field.fromInteger(0));
     x[static_cast<std::size_t>(plan.firstInputColumn()) + input] = field.one();
-    if (!expand(field, system->direct(), vanishing, x, stop, budget) ||
-        !expand(field, system->rest(), vanishing, x, stop, budget)) {
+    const std::vector<char>& vanishing = symbolic->vanishing[input];
+    if (!expand(field, symbolic->system.direct(), vanishing, x, stop, budget) ||
+        !expand(field, symbolic->system.rest(), vanishing, x, stop, budget)) {
       return std::nullopt;
     }
     for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
-      const int column = plan.columnOf[static_cast<std::size_t>(plan.outputs[output])];
-      matrix.entries[output][input] = std::move(x[static_cast<std::size_t>(column)]);
+      const auto column =
+          static_cast<std::size_t>(plan.columnOf[static_cast<std::size_t>(plan.outputs[output])]);
+      const bool coupled = static_cast<int>(column) < plan.coupledUnknowns;
+      if (symbolic->withoutCoupled && coupled && vanishing[column] == 0) continue;
+      matrix.entries[output][input] = std::move(x[column]);
     }
   }
   return matrix;

@@ -53,7 +53,8 @@ struct TtDetermination {
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});
 
-/// The whole matrix as functions of the gear ratios; an entry is none where it went over the budget.
+/// The whole matrix as functions of the gear ratios; an entry is none where it, or the coupled equations that
+/// it comes from, went over the budget.
 ///
 /// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ttRatioRing() makes one.
 /// Redundant meshes (surplus ones) are left out: their ratios are bound to the others.

@@ -12,6 +12,12 @@
 
 namespace geargraph {
 
+/// What a system does without.
+struct LeftOut {
+  std::vector<char> meshes;   ///< by mesh, 1: its row; empty: none
+  std::vector<char> columns;  ///< by column, 1: its terms in the coupled rest, for its rate is 0; empty: none
+};
+
 /// The terminal equations with their circuits put in, one row a mesh, in some arithmetic:
 ///
 ///     tail(mesh) * (tail circuit) + head(mesh) * (head circuit) = 0
@@ -24,17 +30,17 @@ class TtSystem {
  public:
   using Value = typename Field::Value;
 
-  /// `skipped`, by mesh: leave its row out (a redundant one); empty: take all. None where `stop` was
-  /// requested. Cost: the circuit terms, and the elimination of the coupled rest.
+  /// `left`: of the coupled rest only. None where `stop` was requested.
+  /// Cost: the circuit terms, and the elimination of the coupled rest.
   template <class Weights>
   [[nodiscard]] static std::optional<TtSystem> of(const Field& field, const TtGraph& graph,
                                                   const SubstitutionPlan& plan, const Weights& weights,
-                                                  const std::vector<char>& skipped = {},
+                                                  const LeftOut& left = {},
                                                   const std::stop_token& stop = {}) {
     TtSystem system(field, plan);
     system.m_direct.unknowns = system.m_direct.columns = static_cast<int>(plan.jointAt.size());
     for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
-      system.addRow(system.m_direct.rows, graph, mesh, weights);
+      system.addRow(system.m_direct.rows, graph, mesh, weights, {});
     }
     for (const SubstitutionPlan::Step& step : plan.steps) {
       system.m_direct.lines.push_back(
@@ -42,8 +48,8 @@ class TtSystem {
     }
     SparseRows<Value> rest;
     for (const int mesh : plan.coupledMeshes) {
-      if (!skipped.empty() && skipped[static_cast<std::size_t>(mesh)] != 0) continue;
-      system.addRow(rest, graph, mesh, weights);
+      if (!left.meshes.empty() && left.meshes[static_cast<std::size_t>(mesh)] != 0) continue;
+      system.addRow(rest, graph, mesh, weights, left.columns);
       system.m_restMeshes.push_back(mesh);
     }
     auto solved =
@@ -52,6 +58,9 @@ class TtSystem {
     system.m_rest = std::move(*solved);
     return system;
   }
+
+  /// The arithmetic to go on with: the one it was made with, or one like it that lives longer.
+  void setField(const Field& field) { m_field = &field; }
 
   /// Unknowns that the equations leave open: too few inputs, or dependent ones. Ascending.
   [[nodiscard]] std::vector<int> openJoints() const {
@@ -132,12 +141,14 @@ class TtSystem {
   }
 
   template <class Weights>
-  void addRow(SparseRows<Value>& rows, const TtGraph& graph, int mesh, const Weights& weights) const {
+  void addRow(SparseRows<Value>& rows, const TtGraph& graph, int mesh, const Weights& weights,
+              const std::vector<char>& left) const {
     const auto add = [&](std::span<const CircuitTerm> circuit, const Value& weight) {
       const Value negative = m_field->negated(weight);
       for (const CircuitTerm& term : circuit) {
-        rows.add(m_plan->columnOf[static_cast<std::size_t>(term.joint)],
-                 term.coefficient > 0 ? weight : negative);
+        const int column = m_plan->columnOf[static_cast<std::size_t>(term.joint)];
+        if (!left.empty() && left[static_cast<std::size_t>(column)] != 0) continue;
+        rows.add(column, term.coefficient > 0 ? weight : negative);
       }
     };
     const auto [tail, head] = weights(*graph.terminal(mesh));
