@@ -215,15 +215,16 @@ class WellFormedCheck {
   std::unordered_map<WheelId, LinkId> m_linkOfWheel;
 };
 
-/// Union-find over link positions, with the joints of the growing forest kept to name loops.
+/// A forest of links (by position) that grows by turning joints: union-find while it grows, parents
+/// afterwards.
 class Forest {
  public:
-  explicit Forest(std::size_t links) : m_parent(links), m_edges(links) {
-    for (std::size_t i = 0; i < links; ++i) m_parent[i] = i;
+  explicit Forest(std::size_t links) : m_group(links), m_edges(links) {
+    for (std::size_t i = 0; i < links; ++i) m_group[i] = i;
   }
 
   [[nodiscard]] std::size_t rootOf(std::size_t link) {
-    while (m_parent[link] != link) link = m_parent[link] = m_parent[m_parent[link]];
+    while (m_group[link] != link) link = m_group[link] = m_group[m_group[link]];
     return link;
   }
 
@@ -232,31 +233,56 @@ class Forest {
     const std::size_t rootA = rootOf(a);
     const std::size_t rootB = rootOf(b);
     if (rootA == rootB) return false;
-    m_parent[rootA] = rootB;
-    m_edges[a].emplace_back(b, joint);
-    m_edges[b].emplace_back(a, joint);
+    m_group[rootA] = rootB;
+    m_edges[a].push_back({b, joint});
+    m_edges[b].push_back({a, joint});
     return true;
   }
 
-  /// The joints between two links of one tree, from `from` to `to`.
-  [[nodiscard]] std::vector<std::size_t> path(std::size_t from, std::size_t to) const {
-    std::unordered_map<std::size_t, std::pair<std::size_t, std::size_t>> cameBy{{from, {from, 0}}};
-    std::vector<std::size_t> queue{from};
-    for (std::size_t at = 0; at < queue.size() && !cameBy.contains(to); ++at) {
-      for (const auto& [next, joint] : m_edges[queue[at]]) {
-        if (cameBy.try_emplace(next, queue[at], joint).second) queue.push_back(next);
+  /// Hangs every tree on its first link; join() nothing more. Cost: O(links).
+  void hang() {
+    constexpr auto kNobody = static_cast<std::size_t>(-1);
+    m_parent.assign(m_edges.size(), {kNobody, 0});
+    m_depth.assign(m_edges.size(), 0);
+    std::vector<std::size_t> queue;
+    for (std::size_t first = 0; first < m_edges.size(); ++first) {
+      if (m_parent[first].link != kNobody) continue;
+      m_parent[first].link = first;
+      queue.assign(1, first);
+      for (std::size_t at = 0; at < queue.size(); ++at) {
+        for (const Edge& edge : m_edges[queue[at]]) {
+          if (m_parent[edge.link].link != kNobody) continue;
+          m_parent[edge.link] = {queue[at], edge.joint};
+          m_depth[edge.link] = m_depth[queue[at]] + 1;
+          queue.push_back(edge.link);
+        }
       }
     }
+  }
+
+  /// The joints between two links of one tree, from `from` to `to`. Cost: O(their number).
+  [[nodiscard]] std::vector<std::size_t> path(std::size_t from, std::size_t to) const {
     std::vector<std::size_t> joints;
-    for (std::size_t link = to; link != from; link = cameBy.at(link).first)
-      joints.push_back(cameBy.at(link).second);
-    std::reverse(joints.begin(), joints.end());
+    std::vector<std::size_t> last;
+    while (from != to) {
+      const bool climbsFrom = m_depth[from] >= m_depth[to];
+      std::size_t& link = climbsFrom ? from : to;
+      (climbsFrom ? joints : last).push_back(m_parent[link].joint);
+      link = m_parent[link].link;
+    }
+    joints.insert(joints.end(), last.rbegin(), last.rend());
     return joints;
   }
 
  private:
-  std::vector<std::size_t> m_parent;
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_edges;
+  struct Edge {
+    std::size_t link = 0;
+    std::size_t joint = 0;
+  };
+  std::vector<std::size_t> m_group;
+  std::vector<std::vector<Edge>> m_edges;
+  std::vector<Edge> m_parent;
+  std::vector<std::size_t> m_depth;
 };
 
 constexpr std::size_t kMostNamesInASentence = 8;
@@ -273,6 +299,10 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// A drawing has few loops, all of which are named; a hostile file may have 50,000 of 50,000 joints each.
+constexpr std::size_t kMostNamedInLoops = 1'000'000;
+
+/// `path`: the joints that the closing one makes a loop with; empty where too many were named already.
 Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
                           const std::vector<std::size_t>& path) {
   const TurningJoint& last = mechanism.turningJoints[closing];
@@ -286,8 +316,9 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
     oneAxis = oneAxis && other.axis == last.axis;
   }
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
-  std::string message = "Turning joint " + label + " closes a loop with " + joined(names) + ". ";
-  message += oneAxis
+  std::string message =
+      "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") + joined(names) + ". ";
+  message += oneAxis && !path.empty()
                  ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
                        " is a redundant bearing: drop it."
                  : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
@@ -306,12 +337,21 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
 
   Forest forest(mechanism.links.size());
   Diagnostics findings;
+  std::vector<std::size_t> closing;
   for (std::size_t j = 0; j < mechanism.turningJoints.size(); ++j) {
     const TurningJoint& joint = mechanism.turningJoints[j];
     const std::size_t tail = position.at(joint.tail);
     const std::size_t head = position.at(joint.head);
-    if (!forest.join(tail, head, j))
-      findings.push_back(loopDiagnostic(mechanism, j, forest.path(tail, head)));
+    if (!forest.join(tail, head, j)) closing.push_back(j);
+  }
+  if (!closing.empty()) forest.hang();
+  std::size_t named = 0;
+  for (const std::size_t j : closing) {
+    const TurningJoint& joint = mechanism.turningJoints[j];
+    std::vector<std::size_t> path;
+    if (named < kMostNamedInLoops) path = forest.path(position.at(joint.tail), position.at(joint.head));
+    named += path.size();
+    findings.push_back(loopDiagnostic(mechanism, j, path));
   }
 
   std::vector<ElementId> loose;

@@ -11,7 +11,7 @@ namespace geargraph {
 
 /// Do the turning joints make a spanning tree: `disconnected` (one finding, all links that no chain of
 /// turning joints ties to the ground) and `turning-loop` (one finding for each joint that closes a loop, the
-/// loop named).
+/// loop named, until a million joints of loops are named).
 /// @pre the mechanism is well formed
 /// Cost: O(n + t), and the length of each loop.
 [[nodiscard]] Diagnostics treeDiagnostics(const Mechanism& mechanism);

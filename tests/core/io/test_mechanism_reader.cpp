@@ -19,6 +19,7 @@ class TestMechanismReader : public QObject {
   void findings_knowTheirPlaceInTheFile();
   void treeFaults_areForTheEditorToMend_data();
   void treeFaults_areForTheEditorToMend();
+  void manyLongLoops_areAllReported();
   void listsMayBeLeftOut_whereNothingNeedsThem();
   void limits_areRefused();
   void limits_areInclusive();
@@ -233,6 +234,29 @@ void TestMechanismReader::treeFaults_areForTheEditorToMend() {
   }
   QVERIFY(read.has_value());
   QCOMPARE(summary(treeDiagnostics(*read)), expected.toStdString());
+}
+
+/// A chain of links, and as many joints again from the ground to its far half.
+void TestMechanismReader::manyLongLoops_areAllReported() {
+  Mechanism mechanism = emptyMechanism();
+  mechanism.links.clear();
+  constexpr int kLinks = 40'000;
+  const auto id = [](int i) { return std::to_string(i); };
+  for (int i = 0; i <= kLinks; ++i) mechanism.links.push_back({LinkId(id(i)), {}, {}});
+  for (int i = 1; i <= kLinks; ++i) {
+    mechanism.turningJoints.push_back(
+        {JointId(id(i)), LinkId(id(i - 1)), LinkId(id(i)), AxisId("a"), {}, {}});
+  }
+  for (int i = kLinks / 2; i < kLinks; ++i) {
+    mechanism.turningJoints.push_back(
+        {JointId(id(kLinks + i)), LinkId("0"), LinkId(id(i)), AxisId("b"), {}, {}});
+  }
+  const Diagnostics findings = treeDiagnostics(mechanism);
+  QCOMPARE(findings.size(), std::size_t{kLinks / 2});
+  QCOMPARE(findings.front().elements.size(), std::size_t{kLinks / 2 + 1});
+  QVERIFY(findings.front().elements.at(1) == ElementId(JointId("1")));
+  QCOMPARE(findings.back().elements.size(), std::size_t{1});
+  QVERIFY(findings.back().message.find("closes a loop. ") != std::string::npos);
 }
 
 void TestMechanismReader::listsMayBeLeftOut_whereNothingNeedsThem() {
