@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QPoint>
+#include <QStringList>
+
+#include "core/mechanism/mechanism.h"
+#include "ui/mainwindow/main_window.h"
+
+namespace geargraph::test {
+
+/// A person at the digraph of a window: real mouse and key events, links named by the paper's labels.
+class Hand {
+ public:
+  explicit Hand(MainWindow& window) : m_window(window) {}
+
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+  /// Clicks at this part of the drawing's width and height.
+  void click(double across, double down);
+  void clickLink(int label);
+  void press(int link);
+  void moveOver(int link);
+  void release(int link);
+  /// Presses one link, moves to another, lets go.
+  void drag(int from, int to);
+  /// The robot of the paper [AU, Fig. 2]: seven links, seven turning joints, four meshes.
+  void drawRobot();
+
+  [[nodiscard]] QPoint placeOf(int link);
+
+ private:
+  [[nodiscard]] QWidget* sheet();
+
+  MainWindow& m_window;
+};
+
+/// The rows of the matrix that is shown, entries parted by blanks, with "-" for minus.
+[[nodiscard]] QStringList shownRows(MainWindow& window, MatrixKind kind);
+
+/// Settings in a folder of their own, thrown away at the end of the program; call before the first window.
+void isolateSettings();
+
+}  // namespace geargraph::test

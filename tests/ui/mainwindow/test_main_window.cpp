@@ -1,0 +1,191 @@
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include "core/mechanism/edits.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+  const QTemporaryDir folder;
+
+  [[nodiscard]] const MechanismPtr& now() const { return window->document().mechanism(); }
+  QString written(const QString& name, const QByteArray& bytes) {
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) return {};
+    return file.fileName();
+  }
+  void addLink() {
+    window->document().apply({QStringLiteral("Add link"),
+                              [](const Mechanism& mechanism) {
+                                return withLink(mechanism, SheetPoint{90, 90});
+                              },
+                              0});
+  }
+  /// Answers the close question when it comes up.
+  static void answerWith(QMessageBox::StandardButton button) {
+    QTimer::singleShot(0, qApp, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      QVERIFY(box != nullptr);
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    window = std::make_unique<MainWindow>();
+    QVERIFY(window->openDocument(robotExamplePath()));
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QTRY_VERIFY(window->isSettled());
+  }
+  void cleanup() { window.reset(); }
+
+  void aBrokenFileIsAListOfProblems() {
+    const MechanismPtr before = now();
+    QVERIFY(
+        !window->openDocument(written("cut.geargraph", "{\n  \"format\": \"geargraph\",\n  \"links\": [")));
+    QCOMPARE(now().get(), before.get());
+    DiagnosticModel& model = window->problems().model();
+    QVERIFY(model.rowCount() > 0);
+    QVERIFY(model.index(0).data(DiagnosticModel::PlaceRole).toString().startsWith("line 3"));
+    QVERIFY(window->statusLine().text().contains("cut.geargraph"));
+    QVERIFY(window->problems().isVisible());
+
+    const QByteArray wrong = R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}, {"id": "0"}],
+      "axes": [], "turningJoints": [{"id": "8", "tail": "0", "head": "9", "axis": "z"}], "gearMeshes": []})";
+    QVERIFY(!window->openDocument(written("wrong.geargraph", wrong)));
+    QVERIFY(model.rowCount() > 1);  // all problems of a file together
+    QCOMPARE(now().get(), before.get());
+
+    QVERIFY(!window->openDocument(folder.filePath(QStringLiteral("missing.geargraph"))));
+    QCOMPARE(now().get(), before.get());
+    QVERIFY(window->openDocument(robotExamplePath()));
+    QTRY_VERIFY(window->isSettled());
+    QCOMPARE(window->windowTitle(), QStringLiteral("robot.geargraph[*] — GearGraph"));
+  }
+
+  void arbitraryBytesAreRefused() {
+    const MechanismPtr before = now();
+    QByteArray bytes;
+    for (int i = 0; i < 4096; ++i) bytes += static_cast<char>((i * 2'654'435'761U) >> 24U);
+    QVERIFY(!window->openDocument(written("noise.geargraph", bytes)));
+    QVERIFY(!window->openDocument(written("empty.geargraph", {})));
+    QVERIFY(!window->openDocument(folder.path()));
+    QCOMPARE(now().get(), before.get());
+  }
+
+  void aRefusedEditSaysWhyAndChangesNothing() {
+    const MechanismPtr before = now();
+    test::Hand hand(*window);
+    hand.key(Qt::Key_T);
+    hand.drag(3, 6);  // closes a loop of turning joints
+    QCOMPARE(now().get(), before.get());
+    QCOMPARE(window->document().undoStack().count(), 0);
+    QVERIFY2(window->statusLine().text().contains("loop"), qPrintable(window->statusLine().text()));
+    addLink();
+    QVERIFY(!window->statusLine().text().contains("loop"));
+  }
+
+  void everyDisabledActionSaysWhy() {
+    window->document().replace(emptyMechanism(), {});
+    for (const QAction* action : window->findChildren<QAction*>()) {
+      if (action->isEnabled() || action->objectName().isEmpty()) continue;
+      QVERIFY2(action->toolTip().endsWith(QLatin1Char('.')), qPrintable(action->objectName()));
+    }
+    QVERIFY(!window->actions().undo->isEnabled());
+    QCOMPARE(window->actions().undo->toolTip(), QStringLiteral("There is nothing to undo."));
+  }
+
+  void chipsCountAndLightUp() {
+    auto* links = window->findChild<QToolButton*>(QStringLiteral("chip.n"));
+    auto* meshes = window->findChild<QToolButton*>(QStringLiteral("chip.c"));
+    QCOMPARE(links->text(), QStringLiteral("n 7"));
+    QCOMPARE(meshes->text(), QStringLiteral("c 4"));
+    QTest::mouseMove(meshes);
+    QTRY_COMPARE(window->selection().hovered().size(), std::size_t{4});
+    QTest::mouseMove(links);
+    QTRY_COMPARE(window->selection().hovered().size(), std::size_t{7});
+    QVERIFY(links->toolTip().contains("Moving links"));
+  }
+
+  void unsavedChangesAreAskedAbout() {
+    addLink();
+    QVERIFY(window->isWindowModified());
+    answerWith(QMessageBox::Cancel);
+    QVERIFY(!window->close());
+    QVERIFY(window->isVisible());
+    answerWith(QMessageBox::Discard);
+    QVERIFY(window->close());
+  }
+
+  void layoutIsRemembered() {
+    auto* dock = window->findChild<QDockWidget*>(QStringLiteral("dock.problems"));
+    dock->hide();
+    QVERIFY(window->close());
+    MainWindow next;
+    next.restoreLayout();
+    next.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&next));
+    QVERIFY(!next.findChild<QDockWidget*>(QStringLiteral("dock.problems"))->isVisible());
+    next.actions().resetLayout->trigger();
+    QVERIFY(!next.findChild<QDockWidget*>(QStringLiteral("dock.problems"))->isHidden());
+    next.close();
+  }
+
+  void everyDockHasANameToBeRememberedBy() {
+    const auto docks = window->findChildren<QDockWidget*>();
+    QVERIFY(docks.size() >= 5);
+    for (const QDockWidget* dock : docks) QVERIFY(dock->objectName().startsWith("dock."));
+  }
+
+  void themesSwitchInARunningWindow() {
+    window->actions().dark->trigger();
+    QCOMPARE(themeOf(QApplication::palette()), Theme::dark);
+    QCOMPARE(window->digraph().theme(), Theme::dark);
+    window->actions().light->trigger();
+    QCOMPARE(themeOf(QApplication::palette()), Theme::light);
+  }
+
+  void examplesOpen() {
+    for (const QString& path : examplePaths()) {
+      QVERIFY2(window->openDocument(path), qPrintable(path));
+      QTRY_VERIFY(window->isSettled());
+      QVERIFY(window->document().filePath().isEmpty());  // Save asks for a name
+    }
+  }
+
+  void whatCannotBeWrittenIsSaid() {
+    const QString nowhere = folder.filePath(QStringLiteral("no/such/folder/a.geargraph"));
+    addLink();
+    QVERIFY(!window->saveDocument(nowhere));
+    QVERIFY(window->isWindowModified());
+    QVERIFY(!window->statusLine().text().isEmpty());
+    QVERIFY(!window->exportCsv(*window->analysis().snapshot()->matrix(MatrixKind::incidence), nowhere));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::MainWindowTest)
+#include "test_main_window.moc"
