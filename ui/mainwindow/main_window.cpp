@@ -69,7 +69,9 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  disconnect(m_document, nullptr, this, nullptr);  // the undo stack empties while the window is taken apart
+  // The history empties itself while the window is taken apart.
+  disconnect(m_document, nullptr, this, nullptr);
+  disconnect(&m_document->undoStack(), nullptr, this, nullptr);
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget,

@@ -26,8 +26,13 @@ void Hand::click(double across, double down) {
 QPoint Hand::placeOf(int link) {
   const Mechanism& mechanism = *m_window.document().mechanism();
   const LinkId id = mechanism.links.at(static_cast<std::size_t>(link)).id;
-  const auto place = m_window.digraph().placeOf(id);
-  return m_window.digraph().mapFromScene(QPointF(place.x, place.y));
+  const DisplayList drawing = m_window.digraph().displayList();
+  for (const Outline& outline : drawing.outlines) {
+    const auto* disc = std::get_if<Circle>(&outline.shape);
+    if (disc == nullptr || outline.element != ElementId(id)) continue;
+    return m_window.digraph().mapFromScene(QPointF(disc->center.x, disc->center.y));
+  }
+  return {};
 }
 
 void Hand::clickLink(int label) {
