@@ -30,8 +30,14 @@ void AnalysisWorker::run(const std::stop_token& quit) {
       m_next.reset();
       m_running = request.stop;
     }
-    SnapshotPtr snapshot = analyze(std::move(request.mechanism), request.revision, request.stop.get_token());
-    if (snapshot && !request.stop.stop_requested() && !quit.stop_requested()) m_deliver(std::move(snapshot));
+    const auto deliver = [&](const SnapshotPtr& snapshot) {
+      if (!snapshot || request.stop.stop_requested() || quit.stop_requested()) return false;
+      m_deliver(snapshot);
+      return true;
+    };
+    const std::stop_token stop = request.stop.get_token();
+    const SnapshotPtr live = analyzeLive(std::move(request.mechanism), request.revision, stop);
+    if (deliver(live)) deliver(analyzeFully(live, {}, stop));
   }
 }
 

@@ -11,7 +11,8 @@
 namespace geargraph {
 
 /// Analyses mechanisms on one thread of its own; the newest request wins. A request that is overtaken is
-/// stopped, and its snapshot is never delivered.
+/// stopped, and its snapshot is never delivered. Each request is answered twice: the live part as soon as it
+/// is there, then the complete snapshot.
 ///
 /// `deliver` is called on the worker's thread. It is not called again once the destructor has returned.
 /// Free of Qt on purpose: the distribution's Qt is not built for the thread sanitizer, this is.

@@ -17,10 +17,13 @@ class AnalysisService : public QObject {
   void request(const MechanismPtr& mechanism, quint64 revision);
   /// The newest snapshot that has arrived; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
-  /// Has the newest request been answered?
+  /// Has the newest request been answered, if only by its live part?
   [[nodiscard]] bool isUpToDate() const { return m_snapshot && m_snapshot->revision == m_wanted; }
+  /// Has all of it been answered?
+  [[nodiscard]] bool isComplete() const { return isUpToDate() && m_snapshot->isComplete; }
 
  signals:
+  /// Twice a request that is not overtaken: the live part, then the complete snapshot.
   void snapshotReady(const SnapshotPtr& snapshot);
 
  private:

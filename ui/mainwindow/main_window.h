@@ -53,7 +53,7 @@ class MainWindow : public QMainWindow {
   void restoreLayout();
   void setDark(bool dark);
   /// Is everything shown as the document is now?
-  [[nodiscard]] bool isSettled() const { return m_service->isUpToDate() && m_stages->isUpToDate(); }
+  [[nodiscard]] bool isSettled() const { return m_service->isComplete() && m_stages->isUpToDate(); }
 
  signals:
   /// Analysis and stage of the document as it is now have reached all views.
