@@ -39,6 +39,7 @@ void ToolController::setTool(ToolKind tool) {
 
 void ToolController::handle(const ToolEvent& event, double scale) {
   m_scale = scale;
+  if (!std::holds_alternative<Moved>(event) && !std::holds_alternative<Released>(event)) m_notice.clear();
   for (const Proposal& proposal : m_machine.on(event)) carryOut(proposal);
   showState();
 }
@@ -184,9 +185,10 @@ void ToolController::toggleInputs(const std::set<ElementId>& elements) {
   if (joints.empty()) {
     for (const ElementId& element : elements) {
       if (element.kind != ElementKind::link) continue;
-      m_hint = tr("Cannot be driven: %1").arg(carryingJoint(*m_document.mechanism(), LinkId(element.id)).why);
-      emit hintChanged(m_hint);
+      m_notice =
+          tr("Cannot be driven: %1").arg(carryingJoint(*m_document.mechanism(), LinkId(element.id)).why);
     }
+    showState();
     return;
   }
   apply(tr("Drive or release"), [joints](Mechanism mechanism) -> Expected<Mechanism> {
@@ -222,7 +224,8 @@ void ToolController::selectInside(const SelectInside& band) {
 
 void ToolController::showState() {
   std::optional<JointPreview> preview;
-  const QString hint = previewAndHint(preview);
+  QString hint = previewAndHint(preview);
+  if (!m_notice.isEmpty()) hint = m_notice;
   if (preview != m_preview) {
     m_preview = preview;
     emit previewChanged(preview);

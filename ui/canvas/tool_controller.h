@@ -77,6 +77,7 @@ class ToolController final : public QObject {
   Snap m_snap;
   quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held
   double m_scale = 1;
+  QString m_notice;  ///< why the last click did nothing; stands until the next one
   QString m_hint;
   std::optional<JointPreview> m_preview;
 };
