@@ -17,9 +17,9 @@ class Comparison {
     differ(joint);
   }
   void differ(int joint) { m_joints.insert(joint); }
-  [[nodiscard]] Agreement result() {
+  [[nodiscard]] Agreement result(bool determined = true) {
     m_result.joints.assign(m_joints.begin(), m_joints.end());
-    m_result.equal = m_joints.empty();
+    m_result.equal = determined && m_joints.empty();
     return std::move(m_result);
   }
 
@@ -61,7 +61,7 @@ Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& 
       }
     }
   }
-  return comparison.result();
+  return comparison.result(ttGraph.determined);
 }
 
 Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rational> ttGraph) {
@@ -79,19 +79,13 @@ Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rationa
 std::optional<Agreement> agreementWith(const TtGraph& graph, const ExactSolution& matroid,
                                        std::span<const Rational> speeds, const std::stop_token& stop) {
   const SubstitutionPlan plan = substitutionPlan(graph, matroid.inputs);
-  const auto determination = ttDetermination(graph, plan, stop);
-  if (!determination) return std::nullopt;
-  if (!determination->valid()) {  // what one method solves, the other has to
-    Comparison comparison;
-    for (const int joint : determination->contradictory ? plan.inputs : determination->openJoints) {
-      comparison.differ(joint);
-    }
-    return comparison.result();
-  }
   if (matroid.matrix.empty() && !matroid.inputs.empty() && !matroid.outputs.empty()) {
+    const auto determination = ttDetermination(graph, plan, stop);
     const auto rates = ttRates(graph, plan, speeds, stop);
-    if (!rates) return std::nullopt;
-    return agreementOf(matroid.rates, *rates);
+    if (!determination || !rates) return std::nullopt;
+    Agreement agreement = agreementOf(matroid.rates, *rates);
+    agreement.equal = agreement.equal && determination->valid();
+    return agreement;
   }
   const auto solution = ttSolution(graph, plan, stop);
   if (!solution) return std::nullopt;

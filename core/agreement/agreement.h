@@ -19,7 +19,8 @@ struct Agreement {
   std::vector<int> joints;     ///< whose rates differ, ascending
 };
 
-/// Of two solutions that are there. Different inputs or outputs do not agree.
+/// Of two solutions that are there. Different inputs or outputs do not agree, nor does a matrix that is not
+/// determined.
 [[nodiscard]] Agreement agreementOf(const ExactSolution& matroid, const RateMatrix<Rational>& ttGraph);
 /// Of the rates of all joints, by joint, at the same input speeds.
 [[nodiscard]] Agreement agreementOf(std::span<const Rational> matroid, std::span<const Rational> ttGraph);

@@ -17,7 +17,7 @@ std::optional<FusedSystem> fusedSystem(const FusedField& field, const TtGraph& g
 /// An empty matrix of the plan's shape.
 template <class Value>
 RateMatrix<Value> shapeOf(const SubstitutionPlan& plan) {
-  RateMatrix<Value> matrix{plan.outputs, plan.inputs, {}};
+  RateMatrix<Value> matrix{plan.outputs, plan.inputs, {}, true};
   matrix.entries.assign(plan.outputs.size(), std::vector<Value>(plan.inputs.size()));
   return matrix;
 }
@@ -63,12 +63,14 @@ std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph, const Subst
       TtSystem<RationalField>::of(field, graph, plan, TeethWeights<RationalField>{&field}, {}, stop);
   if (!system) return std::nullopt;
   auto matrix = shapeOf<Rational>(plan);
+  matrix.determined = system->openJoints().empty();
   std::vector<Rational> unit(plan.inputs.size());
   for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
     if (stop.stop_requested()) return std::nullopt;
     unit[input] = 1;
     std::vector<Rational> rates = system->rates(unit);
     unit[input] = 0;
+    matrix.determined = matrix.determined && system->holds(rates);
     for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
       matrix.entries[output][input] = std::move(rates[static_cast<std::size_t>(plan.outputs[output])]);
     }

@@ -19,6 +19,9 @@ struct RateMatrix {
   std::vector<int> outputs;  ///< joints by ordinal, ascending
   std::vector<int> inputs;   ///< joints by ordinal, in the order of the document's inputs
   std::vector<std::vector<Value>> entries;
+  /// No rate is left open, and the meshes that were not needed hold for every input. False for inputs that
+  /// are not valid: such a matrix is no solution.
+  bool determined = true;
 };
 
 /// Whether the inputs determine the motion, and the meshes that add nothing.
@@ -47,8 +50,7 @@ struct TtDetermination {
                                                         std::span<const Fused> inputRates,
                                                         const std::stop_token& stop = {});
 
-/// The whole matrix, exact. Cost: as the rates, for each input.
-/// @pre the inputs are valid
+/// The whole matrix, exact; it says whether the inputs were valid. Cost: as the rates, for each input.
 [[nodiscard]] std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph,
                                                              const SubstitutionPlan& plan,
                                                              const std::stop_token& stop = {});

@@ -185,6 +185,32 @@ class AgreementTest : public QObject {
     QCOMPARE(agreement.joints, (std::vector<int>{2, 4, 5, 6}));
   }
 
+  void aRedundantMeshThatOneMethodSeesOtherwiseIsFound() {
+    // Three planets; in the other document one planet's second mesh has another ratio, which locks the train.
+    const auto planets = [](int teeth) {
+      test::TrainBuilder train("planets");
+      const int a = train.axis({0, 0, 0}, {0, 0, 1});
+      const int sun = train.link(0, a);
+      const int ring = train.link(0, a);
+      const int carrier = train.link(0, a);
+      for (int i = 0; i < 2; ++i) {
+        const int b = train.axis({i == 0 ? 40 : -40, 0, 0}, {0, 0, 1});
+        const int planet = train.link(carrier, b);
+        train.external(sun, a, 24, planet, b, 18);
+        train.internal(planet, b, i == 0 ? 18 : teeth, ring, a, 60);
+      }
+      return train.mechanism();
+    };
+    const Both good(planets(18));
+    const Both locked(planets(19));
+    QVERIFY(agreementWith(good.graph, good.exact(), good.speeds())->equal);
+    QVERIFY(!agreementWith(locked.graph, good.exact(), good.speeds())->equal);
+    ExactSolution ratesOnly = good.exact();
+    ratesOnly.matrix.clear();
+    QVERIFY(agreementWith(good.graph, ratesOnly, good.speeds())->equal);
+    QVERIFY(!agreementWith(locked.graph, ratesOnly, good.speeds())->equal);
+  }
+
   void inputsThatOneMethodRefusesDoNotAgree() {
     const Both both(test::robot());
     ExactSolution wrong = both.exact();
