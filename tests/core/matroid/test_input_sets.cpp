@@ -1,0 +1,153 @@
+#include <QtTest>
+#include <set>
+
+#include "core/matroid/input_sets.h"
+#include "tests/core/support/matroid_fixture.h"
+#include "tests/core/support/train_sketch.h"
+#include "tests/core/support/trains.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+namespace {
+
+using Sets = std::vector<std::vector<int>>;
+
+/// All valid sets by trying every set of E joints.
+Sets tried(const Worked& worked) {
+  const FusedField field;
+  Sets sets;
+  std::vector<int> set;
+  const auto extend = [&](const auto& self, int from) -> void {
+    if (static_cast<int>(set.size()) == worked.analysis.dof) {
+      const std::vector<Rational> speeds(set.size(), Rational(1));
+      if (solveLive(worked.model, field, set, speeds)) sets.push_back(set);
+      return;
+    }
+    for (int joint = from; joint < worked.model.t(); ++joint) {
+      set.push_back(joint);
+      self(self, joint + 1);
+      set.pop_back();
+    }
+  };
+  extend(extend, 0);
+  return sets;
+}
+
+InputSets setsOf(const Worked& worked) {
+  return *InputSets::of(worked.model, FusedField(), worked.analysis.choice.joints);
+}
+
+}  // namespace
+
+class TestInputSets : public QObject {
+  Q_OBJECT
+ private slots:
+  void theRobotHas21SetsOfThree() {
+    const Worked worked(robot());
+    const InputSets sets = setsOf(worked);
+    QCOMPARE(*sets.count(), Rational(21));
+    const Sets all = sets.list(1000);
+    QCOMPARE(all.size(), std::size_t{21});
+    QVERIFY(all.front() == (std::vector<int>{0, 1, 3}));
+    QVERIFY(all == tried(worked));
+  }
+
+  void countAndListAreThoseOfTryingEverySet() {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      const int n = 6 + static_cast<int>(seed % 5);
+      const Worked worked(randomTrain(seed, n, n - 2 - static_cast<int>(seed % 4)));
+      const InputSets sets = setsOf(worked);
+      const Sets expected = tried(worked);
+      QCOMPARE(*sets.count(), Rational(static_cast<std::int64_t>(expected.size())));
+      QVERIFY(sets.list(100'000) == expected);
+    }
+  }
+
+  void listsStopAtTheirLimit() {
+    const Worked worked(robot());
+    const Sets all = setsOf(worked).list(1000);
+    const Sets few = setsOf(worked).list(5);
+    QCOMPARE(few.size(), std::size_t{5});
+    QVERIFY(std::equal(few.begin(), few.end(), all.begin()));
+    QVERIFY(setsOf(worked).list(0).empty());
+  }
+
+  void anExchangeIsValidExactlyIfTheExchangedSetIs() {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+      const Worked worked(randomTrain(seed, 10, 7));
+      const InputSets sets = setsOf(worked);
+      const Sets all = tried(worked);
+      const std::vector<int>& inputs = worked.analysis.choice.joints;
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (int y = 0; y < worked.model.t(); ++y) {
+          if (std::find(inputs.begin(), inputs.end(), y) != inputs.end()) continue;
+          std::vector<int> exchanged = inputs;
+          exchanged[i] = y;
+          std::sort(exchanged.begin(), exchanged.end());
+          const bool valid = std::find(all.begin(), all.end(), exchanged) != all.end();
+          QCOMPARE(sets.canReplace(inputs[i], y), valid);
+        }
+      }
+    }
+  }
+
+  void whatMayReplaceAnInputOfTheRobot() {
+    const Worked worked(robot());
+    const InputSets sets = setsOf(worked);
+    QVERIFY(sets.replacementsFor(3) == (std::vector<int>{5, 6}));        // 11: 13 or 14
+    QVERIFY(sets.replacementsFor(0) == (std::vector<int>{2, 4, 5, 6}));  // 8: 10, 12, 13 or 14
+  }
+
+  void aLockedTrainHasTheEmptySetOnly() {
+    const Worked worked(
+        TrainSketch(2).joint(0, 1, "a").joint(0, 2, "b").mesh(1, 2, 20, 40).mesh(1, 2, 20, 41).build());
+    QCOMPARE(*setsOf(worked).count(), Rational(1));
+    QVERIFY(setsOf(worked).list(10) == Sets{{}});
+  }
+
+  void hundredsOfIndependentPairsMultiply() {
+    TrainSketch train(400);
+    for (int i = 0; i < 200; ++i) {
+      const std::string name = std::to_string(i);
+      train.joint(0, 2 * i + 1, "a" + name).joint(0, 2 * i + 2, "b" + name);
+    }
+    for (int i = 0; i < 200; ++i) train.mesh(2 * i + 1, 2 * i + 2, 20, 30);
+    const Worked worked(train.build());
+    Rational power = 1;
+    for (int i = 0; i < 200; ++i) power *= Rational(2);
+    QCOMPARE(*setsOf(worked).count(), power);  // one of each pair
+  }
+
+  void aChainOfDifferentialsIsCountedThoughItHasNoParts() {
+    // Carrier of one is sun of the next, every ring free: K couples all of them.
+    const auto chain = [](int stages) {
+      TrainSketch train(1 + 3 * stages);
+      train.joint(0, 1, "a");
+      for (int s = 0; s < stages; ++s) {
+        const int sun = s == 0 ? 1 : 3 * s;
+        train.joint(0, 3 * s + 2, "a")
+            .joint(0, 3 * s + 3, "a")
+            .joint(3 * s + 3, 3 * s + 4, "p" + std::to_string(s));
+        train.mesh(sun, 3 * s + 4, 20, 15, MeshKind::external);
+        train.mesh(3 * s + 4, 3 * s + 2, 15, 50, MeshKind::internal);
+      }
+      return train.build();
+    };
+    const Worked small(chain(3));
+    QCOMPARE(*setsOf(small).count(), Rational(static_cast<std::int64_t>(tried(small).size())));
+    const Worked large(chain(60));
+    const auto count = setsOf(large).count();
+    QVERIFY(count.has_value() && count->isInteger() && *count > Rational(std::int64_t{1} << 60));
+  }
+
+  void aStopEndsTheCount() {
+    const Worked worked(robot());
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!setsOf(worked).count(stop.get_token()).has_value());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestInputSets)
+#include "test_input_sets.moc"
