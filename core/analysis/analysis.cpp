@@ -1,20 +1,31 @@
 #include "core/analysis/analysis.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 #include "core/mechanism/validate.h"
 
 namespace geargraph {
 namespace {
 
-/// Both methods report what they both meet (an axis that splits, a mesh without a carrier): once is enough.
-void addNew(Diagnostics& all, const Diagnostics& more) {
-  for (const Diagnostic& diagnostic : more) {
-    const bool known = std::any_of(all.begin(), all.end(), [&](const Diagnostic& other) {
-      return other.code == diagnostic.code && other.elements == diagnostic.elements;
-    });
-    if (!known) all.push_back(diagnostic);
+/// The placement and the T-T graph both meet axes that split or merge and meshes without a carrier; such a
+/// finding is said once, in the words of the T-T graph, whose notions they are.
+Diagnostics geometryFindings(const Diagnostics& ttGraph, const Diagnostics& placement) {
+  std::set<std::pair<Code, ElementId>> said;
+  for (const Diagnostic& diagnostic : ttGraph) {
+    for (const ElementId& element : diagnostic.elements) said.emplace(diagnostic.code, element);
   }
+  Diagnostics findings = ttGraph;
+  for (const Diagnostic& diagnostic : placement) {
+    const bool known =
+        !diagnostic.elements.empty() && said.contains({diagnostic.code, diagnostic.elements.front()});
+    if (!known) findings.push_back(diagnostic);
+  }
+  return findings;
+}
+
+void append(Diagnostics& all, const Diagnostics& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -37,10 +48,11 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
 
   snapshot->kinematics = liveKinematics(*snapshot->mechanism, snapshot->graph, snapshot->tree, stop);
   if (!snapshot->kinematics) return nullptr;
-  addNew(snapshot->diagnostics, snapshot->kinematics->placement.diagnostics);
-  addNew(snapshot->diagnostics, snapshot->kinematics->ttGraph->diagnostics());
-  if (const MatroidAnalysis* matroid = snapshot->matroid())
-    addNew(snapshot->diagnostics, matroid->diagnostics);
+  append(snapshot->diagnostics, geometryFindings(snapshot->kinematics->ttGraph->diagnostics(),
+                                                 snapshot->kinematics->placement.diagnostics));
+  if (const MatroidAnalysis* matroid = snapshot->matroid()) {
+    append(snapshot->diagnostics, matroid->diagnostics);
+  }
   return snapshot;
 }
 
@@ -51,7 +63,7 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   if (matroid == nullptr || !matroid->solution || hasErrors(live->diagnostics)) return snapshot;
   snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
   if (!snapshot->solved) return nullptr;
-  addNew(snapshot->diagnostics, snapshot->solved->diagnostics);
+  append(snapshot->diagnostics, snapshot->solved->diagnostics);
   return snapshot;
 }
 

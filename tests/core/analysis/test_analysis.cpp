@@ -1,0 +1,93 @@
+#include <QTest>
+
+#include "core/analysis/analysis.h"
+#include "tests/core/support/textbook_trains.h"
+#include "tests/core/support/trains.h"
+
+namespace geargraph {
+namespace {
+
+SnapshotPtr analysisOf(const Mechanism& mechanism) {
+  return analyze(std::make_shared<const Mechanism>(mechanism));
+}
+
+std::vector<Code> codesOf(const AnalysisSnapshot& snapshot) {
+  std::vector<Code> codes;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics) codes.push_back(diagnostic.code);
+  return codes;
+}
+
+}  // namespace
+
+/// What the snapshot holds when both methods have spoken.
+class AnalysisTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theRobotIsSolvedByBothMethodsWithoutFindings() {
+    const SnapshotPtr snapshot = analysisOf(test::robot());
+    QVERIFY(snapshot->diagnostics.empty());
+    const SolvedKinematics& solved = *snapshot->solved;
+    QVERIFY(solved.agreement->equal);
+    QCOMPARE(solved.agreement->compared, 12LL);
+    for (std::size_t row = 0; row < 4; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) {
+        QCOMPARE(solved.symbolic->matrix[row * 3 + column]->toText(),
+                 solved.ttSymbolic->entries[row][column]->toText());
+      }
+    }
+    QCOMPARE(solved.ttSteps->size(), std::size_t(4));
+  }
+
+  void everyTextbookTrainAgrees() {
+    for (const test::TextbookTrain& train : test::textbookTrains()) {
+      const SnapshotPtr snapshot = analysisOf(train.mechanism);
+      QVERIFY(snapshot->solved);
+      QVERIFY(snapshot->solved->agreement->equal);
+    }
+  }
+
+  void aMeshWithoutACarrierIsSaidOnce() {
+    Mechanism robot = test::robot();
+    robot.gearMeshes[0].tail = LinkId("5");  // coaxial with 1
+    robot.gearMeshes[0].pitchPoint.reset();
+    robot.gearMeshes[3].tail = LinkId("4");  // three axes from 3
+    robot.gearMeshes[3].pitchPoint.reset();
+    const SnapshotPtr snapshot = analysisOf(robot);
+    QCOMPARE(codesOf(*snapshot), (std::vector<Code>{Code::coaxialMesh, Code::noTransferVertex}));
+    QVERIFY(
+        snapshot->diagnostics[1].message.find("its path reads a|b|c|e. A carrier must hold both axes: attach "
+                                              "gear 4 to link 2.") != std::string::npos);
+    QVERIFY(!snapshot->solved);
+  }
+
+  void axesThatSplitOrMergeAreSaidOnce() {
+    test::TrainBuilder train("three names, one line, and a bend");
+    const int a = train.axis({0, 0, 0}, {0, 0, 1});
+    const int b = train.axis({0, 0, 5}, {0, 0, -1});
+    const int c = train.axis({0, 0, 9}, {0, 0, 3});
+    const int bend = train.axis({0, 0, 0}, {0, 1, 0});
+    const int first = train.link(0, a);
+    train.link(0, b);
+    train.link(0, c);
+    const int second = train.link(first, bend);
+    train.link(second, a);
+    const SnapshotPtr snapshot = analysisOf(train.mechanism());
+    std::vector<Code> geometry;
+    for (const Code code : codesOf(*snapshot)) {
+      if (code == Code::splitAxis || code == Code::mergedAxes) geometry.push_back(code);
+    }
+    QCOMPARE(geometry, (std::vector<Code>{Code::splitAxis, Code::mergedAxes}));
+  }
+
+  void aPitchPointOffItsPlaneIsStillSaid() {
+    Mechanism robot = test::robot();
+    robot.gearMeshes[1].pitchPoint = NumberTriple{Number(9), Number(-20), Number(30)};
+    QCOMPARE(codesOf(*analysisOf(robot)), (std::vector<Code>{Code::pitchGeometry}));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::AnalysisTest)
+#include "test_analysis.moc"
