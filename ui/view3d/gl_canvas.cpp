@@ -28,11 +28,11 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     if (isSoftware()) update();
   });
   connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
-  connect(viewer, &Viewer::viewChanged, this, [this] {
+  connect(viewer, &Viewer::moving, this, [this] {
     m_still = false;
     m_whenStill.start();
-    update();
   });
+  connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
   viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
 }
 
