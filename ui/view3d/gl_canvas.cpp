@@ -86,7 +86,7 @@ void GlCanvas::paintGL() {
   painter.setFont(font());
   const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
                                       m_viewer->viewport(), m_viewer->pixelRatio());
-  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {

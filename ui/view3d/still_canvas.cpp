@@ -51,7 +51,7 @@ void StillCanvas::paintPicture(QPainter& painter) {
   if (m_viewer->stage() == nullptr) return;
   const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
                                       m_viewer->viewport(), m_viewer->pixelRatio());
-  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
 }
 
 void StillCanvas::paintEvent(QPaintEvent*) {
