@@ -51,7 +51,7 @@ Float3 colourOfLink(int label) {
 /// The gear that "15:tail" names, or a wheel of the document that bears the name itself.
 const TrainGear* gearNamed(const LoadedTrain& loaded, const std::string& name) {
   for (const TrainMesh& mesh : loaded.train.meshes) {
-    const std::string label = std::to_string(loaded.mechanism.meshLabel(mesh.mesh));
+    const std::string label = std::to_string(loaded.mechanism().meshLabel(mesh.mesh));
     if (name == label + ":tail") return &loaded.train.gears[static_cast<std::size_t>(mesh.tailGear)];
     if (name == label + ":head") return &loaded.train.gears[static_cast<std::size_t>(mesh.headGear)];
   }
@@ -82,9 +82,9 @@ std::variant<MeshScene, int> gearScene(const LoadedTrain& loaded, const std::str
     std::cerr << diagnosticLines(name, solid.error());
     return static_cast<int>(kMechanismErrors);
   }
-  const Link& link = loaded.mechanism.links[static_cast<std::size_t>(gear->link)];
-  const int label = loaded.mechanism.linkLabel(gear->link);
-  MeshScene scene{gear->name, loaded.mechanism.unit, {}, {}};
+  const Link& link = loaded.mechanism().links[static_cast<std::size_t>(gear->link)];
+  const int label = loaded.mechanism().linkLabel(gear->link);
+  MeshScene scene{gear->name, loaded.mechanism().unit, {}, {}};
   scene.materials.push_back(
       {link.name.empty() ? "link " + std::to_string(label) : link.name, colourOfLink(label)});
   MeshNode& node = scene.nodes.emplace_back();
@@ -105,11 +105,12 @@ std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Argumen
   }
   if (const auto label = arguments.value("--link")) {
     std::erase_if(made.parts, [&](const LinkPart& part) {
-      return std::to_string(loaded.mechanism.linkLabel(part.link)) != *label;
+      return std::to_string(loaded.mechanism().linkLabel(part.link)) != *label;
     });
     if (made.parts.empty()) return wrongUsage(kExport, "There is no link \"" + *label + "\" with solids.");
   }
-  const LinkSceneSource source{loaded.mechanism, *loaded.tree, placed.kinematics, made.parts, colourOfLink};
+  const LinkSceneSource source{loaded.mechanism(), *loaded.snapshot->tree, placed.kinematics, made.parts,
+                               colourOfLink};
   std::optional<UniformMotion> motion;
   if (carriesAnimation(format) && !loaded.motions.empty()) {
     motion = UniformMotion{loaded.motions.front(), std::nullopt};
@@ -141,7 +142,7 @@ int exportSolids(const Arguments& arguments, MeshFormat format) {
   }
   const auto loaded = loadTrain(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
-  const LoadedTrain& train = *std::get<0>(loaded);
+  const LoadedTrain& train = std::get<LoadedTrain>(loaded);
   const double fineness = std::get<double>(tolerance);
   if (isTooLarge(train, fineness)) return kResourceLimit;
   const auto scene = arguments.has("--gear")
@@ -162,10 +163,10 @@ int exportAssembly(const Arguments& arguments) {
     return wrongUsage(kExport, "--to assembly writes a folder; \"-\" is none.");
   const auto loaded = loadTrain(arguments.files.front());
   if (const int* status = std::get_if<int>(&loaded)) return *status;
-  const LoadedTrain& train = *std::get<0>(loaded);
+  const LoadedTrain& train = std::get<LoadedTrain>(loaded);
   if (isTooLarge(train, std::get<double>(tolerance))) return kResourceLimit;
   std::vector<std::vector<Rational>> motions = train.motions;
-  if (motions.empty()) motions.emplace_back(static_cast<std::size_t>(train.mechanism.t()));  // all at rest
+  if (motions.empty()) motions.emplace_back(static_cast<std::size_t>(train.mechanism().t()));  // all at rest
   GearCache cache;
   const auto count = static_cast<std::size_t>(std::get<double>(frames));
   const auto assembly = assemblyOf(train.placed(), cache, std::get<double>(tolerance), motions, count);
