@@ -273,7 +273,7 @@ HalfTooth bevelTooth(const GearSpec& spec, double tolerance) {
   tooth.shortened = shortenTip(r, tooth.formRad);
   const double psiA = std::max(r.psiAt(r.tip), psiF + 1e-6 * r.mu);
   const auto flank = [&](double psi) { return r.flank(psi); };
-  for (const double psi : equalSagitta(psiF, psiA, chord, developed(r, flank))) {
+  for (const double psi : equalSagitta(psiF, psiA, kFlankShare * chord, developed(r, flank))) {
     tooth.points.push_back(r.flank(psi));
   }
   const ProfilePoint corner = tooth.points.back();

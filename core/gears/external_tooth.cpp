@@ -145,7 +145,7 @@ HalfTooth externalTooth(const GearSpec& spec, double tolerance) {
     tooth.points.back().rad = tooth.formRad;
     tooth.points.back().gam = g.flankAngle(t0);
   }
-  addFlank(g, t0, t1, tolerance, !tooth.undercut, tooth);
+  addFlank(g, t0, t1, tolerance * kFlankShare, !tooth.undercut, tooth);
 
   const ProfilePoint corner = tooth.points.back();
   const int n = chordsOfArc(corner.gam, corner.rad, tolerance);

@@ -83,8 +83,9 @@ HalfTooth ringTooth(const GearSpec& spec, double tolerance) {
   const double t0 = s.rollOf(s.ra);
   const double from = std::pow(s.tangent, 1.5);
   const double to = std::pow(t0, 1.5);
-  const int n =
-      std::max(1, static_cast<int>(std::ceil(2.0 / 3 * std::sqrt(s.rb / (8 * tolerance)) * (from - to))));
+  const int n = std::max(
+      1,
+      static_cast<int>(std::ceil(2.0 / 3 * std::sqrt(s.rb / (8 * kFlankShare * tolerance)) * (from - to))));
   for (int i = 0; i <= n; ++i) {
     const double power = from + (to - from) * i / n;
     const double t = i == 0 ? s.tangent : i == n ? t0 : std::cbrt(power * power);
