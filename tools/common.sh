@@ -7,11 +7,12 @@ preset=${GEARGRAPH_PRESET:-release}
 build=$root/build/$preset
 
 # Installs what is missing of tools/packages.txt; asks nothing, and does nothing when all is there.
+# install_packages bench: also the lines that begin with "bench:".
 install_packages() {
   local missing=() name
   while read -r name; do
     dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q 'ok installed' || missing+=("$name")
-  done < <(grep -v '^[[:space:]]*\(#\|$\)' "$root/tools/packages.txt")
+  done < <(sed -e "s/^${1:-only}: *//" -e '/^[a-z]*:/d' -e '/^[[:space:]]*\(#\|$\)/d' "$root/tools/packages.txt")
   [ ${#missing[@]} -eq 0 ] && return 0
 
   local as_root=()

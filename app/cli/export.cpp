@@ -1,4 +1,5 @@
-// `export FILE --to csv --matrix NAME -o OUT` and `export FILE --to csv --all -o FOLDER`.
+// `export FILE --to csv --matrix NAME -o OUT` and `export FILE --to csv --all -o FOLDER`; other forms have
+// files of their own (export_forms.h).
 
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/export_forms.h"
 #include "app/cli/load.h"
 #include "core/analysis/analysis.h"
 #include "core/io/matrix_csv.h"
@@ -113,8 +115,16 @@ int exportAll(const AnalysisSnapshot& snapshot, const Arguments& arguments, cons
 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, "One file is needed.");
-  if (arguments.value("--to") != "csv")
-    return wrongUsage(kExport, "--to csv is needed; it is the only form so far.");
+  const std::string form = arguments.value("--to").value_or("");
+  if (const auto format = meshFormatFromName(form)) {
+    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
+    return exportSolids(arguments, *format);
+  }
+  if (form == "assembly") {
+    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
+    return exportAssembly(arguments);
+  }
+  if (form != "csv") return wrongUsage(kExport, "--to is one of csv, stl, obj, ply, glb, 3mf, assembly.");
   if (arguments.has("--matrix") == arguments.has("--all"))
     return wrongUsage(kExport, "Give --matrix NAME or --all.");
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
@@ -137,21 +147,26 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--to", "csv", "the form of the result"},
+    Option{"--to", "FORM", "csv: matrices; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
     Option{"--matrix", "NAME",
            "one of incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset"},
     Option{"--all", "", "every matrix, into the folder that -o names"},
     Option{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"},
-    Option{"--force", "", "with --all: overwrite files that are there"},
+    Option{"--force", "", "with a folder: overwrite files that are there"},
     Option{"--no-labels", "", "without the header row and the first column"},
     Option{"--separator", "NAME", "comma (the default), semicolon or tab"},
     Option{"--decimal", "NAME", "point (the default) or comma"},
     Option{"--bom", "", "begin with a byte order mark, for spreadsheet programs"},
+    Option{"--gear", "MESH:SIDE", "one gear in its own frame: 15:tail or 15:head"},
+    Option{"--link", "LABEL", "the solids of one link"},
+    Option{"--animate", "SECONDS", "with glb: how long one period plays (without: as long as it takes)"},
+    Option{"--tolerance", "MODULES", "of solids: farthest chord from the exact form (0.002)"},
+    Option{"--frames", "N", "with assembly: poses of every gear, 12 or more (24)"},
 };
 
 }  // namespace
 
-const Command kExport = {"export", "FILE --to csv (--matrix NAME -o OUT | --all -o FOLDER)",
-                         "Writes matrices as CSV.", kOptions, run};
+const Command kExport = {"export", "FILE --to FORM [...] -o OUT",
+                         "Writes matrices as CSV, and gears as 3D files.", kOptions, run};
 
 }  // namespace geargraph::cli

@@ -14,13 +14,12 @@ namespace geargraph {
 /// Gaussian elimination of the rows that peeling left, sparsest pivots first (Markowitz). Used by
 /// eliminate().
 ///
-/// 1. Take a row with the fewest unknowns; in it, of the entries that are fit to divide by, one whose column
-/// is
-///    shortest.
-/// 2. Subtract it from the other rows of that column. Solved and given columns ride along.
-/// 3. A row that loses its last unknown is empty; repeat until all rows are pivots or empty. (Rows in which
-/// nothing
-///    is fit to divide by to the end count as empty too: they say nothing at the ratios' own values.)
+/// 1. A row with one unknown solves it; in other rows the unknown rides along from then on, as solved and
+///    given columns do, so that nothing grows.
+/// 2. Else take a row with the fewest unknowns; in it, of the entries that are fit to divide by, one whose
+///    column is shortest. Subtract the row from the other rows of that column.
+/// 3. A row that loses its last unknown is empty; repeat until all rows are used or empty. (Rows in which
+///    nothing is fit to divide by to the end count as empty too: at the ratios' own values they say nothing.)
 template <class Field>
 class CoreElimination {
  public:
@@ -64,6 +63,7 @@ class CoreElimination {
     return true;
   }
 
+  [[nodiscard]] const std::vector<Pivot>& solved() const { return m_solved; }  ///< in order of solution
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return m_pivots; }  ///< in order of elimination
   [[nodiscard]] const std::vector<int>& emptyRows() const { return m_empty; }
   [[nodiscard]] SparseRows<Value> takeRows() {
@@ -109,7 +109,8 @@ class CoreElimination {
       return;
     }
     const int column = m_rows[row][at].column;
-    m_pivots.push_back({row, column});
+    const bool solves = m_count[row] == 1;
+    (solves ? m_solved : m_pivots).push_back({row, column});
     std::vector<int> others = std::move(m_columnRows[column]);
     m_columnRows[column].clear();
     m_active[column] = 0;
@@ -117,7 +118,12 @@ class CoreElimination {
       if (m_active[entry.column] != 0) std::erase(m_columnRows[entry.column], row);
     }
     for (const int other : others) {
-      if (other != row) subtract(row, at, other);
+      if (other == row) continue;
+      if (solves) {
+        setCount(other, m_count[other] - 1);
+      } else {
+        subtract(row, at, other);
+      }
     }
     for (const int waiting : m_postponed) m_waiting.emplace(m_count[waiting], waiting);
     m_postponed.clear();
@@ -146,8 +152,15 @@ class CoreElimination {
     }
     for (const Entry& entry : into) m_place[entry.column] = -1;
     dropZeros(into, column, other);
-    const auto node = m_waiting.extract({countBefore, other});
-    if (!node.empty()) m_waiting.emplace(m_count[other], other);
+    const int count = m_count[other];
+    m_count[other] = countBefore;
+    setCount(other, count);
+  }
+
+  void setCount(int row, int count) {
+    const bool waits = m_waiting.erase({m_count[row], row}) > 0;
+    m_count[row] = count;
+    if (waits) m_waiting.emplace(count, row);
   }
 
   void dropZeros(std::vector<Entry>& row, int pivotColumn, int number) {
@@ -173,6 +186,7 @@ class CoreElimination {
   std::vector<int> m_place;                    ///< by column: scratch of subtract(), -1 between calls
   std::set<std::pair<int, int>> m_waiting;     ///< (unknowns, row) of the rows still to be treated
   std::vector<int> m_postponed;
+  std::vector<Pivot> m_solved;
   std::vector<Pivot> m_pivots;
   std::vector<int> m_empty;
 };

@@ -66,8 +66,12 @@ template <class Field>
   if (!core.run(stop)) return std::nullopt;
 
   result.coreSize = static_cast<int>(peeling.coreRows.size());
-  result.lines.reserve(peeling.first.size() + core.pivots().size() + peeling.last.size());
+  result.lines.reserve(peeling.solved.size());
   for (const Pivot& pivot : peeling.first) result.lines.push_back({pivot.column, pivot.row, false});
+  for (const Pivot& pivot : core.solved()) {
+    result.lines.push_back({pivot.column, pivot.row, true});
+    peeling.solved[pivot.column] = 1;
+  }
   for (auto pivot = core.pivots().rbegin(); pivot != core.pivots().rend(); ++pivot) {
     result.lines.push_back({pivot->column, pivot->row, true});
     peeling.solved[pivot->column] = 1;

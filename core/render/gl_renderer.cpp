@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kHoverTint = 0.10F;
 constexpr float kSelectedTint = 0.22F;
+constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
 class GlRenderer final : public Renderer {
  public:
@@ -175,10 +176,13 @@ void GlRenderer::drawSolids(const Frame& frame) {
 
 void GlRenderer::drawEdges(const Frame& frame) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
+  // In a small picture lines of one pixel would cover the teeth that they are to show.
+  const double fade = std::clamp(frame.viewport.height / (kFullEdgeHeight * frame.pixelRatio), 0.55, 1.0);
+  const float strength = frame.look.edgeStrength * static_cast<float>(fade);
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
   eachInstance([&](std::size_t i, const GlSolid& solid) {
-    m_passes.flat(view * pose(frame, i).matrix(), frame.look.edge, frame.look.edgeStrength);
+    m_passes.flat(view * pose(frame, i).matrix(), frame.look.edge, strength);
     solid.drawEdges();
   });
   m_gl->DepthMask(GL_TRUE);

@@ -26,7 +26,7 @@ Look Look::dark() {
   look.shadow = Rgb::fromHex(0x0B0D10);
   look.shadowStrength = 0.55F;
   look.edge = Rgb::fromHex(0x0B0D10);
-  look.edgeStrength = 0.55F;
+  look.edgeStrength = 0.45F;
   look.accent = Rgb::fromHex(0x6C9BFF);
   look.letters = Rgb::fromHex(0xE6E9EE);
   return look;

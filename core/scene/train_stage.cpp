@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "core/drawing/palette.h"
-#include "core/gears/gear_body.h"
+#include "core/gears/train.h"
 #include "core/pose/forward_kinematics.h"
-#include "core/scene/frame_parts.h"
 #include "core/scene/joint_motion.h"
 
 namespace geargraph {
@@ -17,6 +16,12 @@ constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to co
 Rgb colourOf(int link) {
   const Color color = linkColor(link);
   return Rgb::fromHex(static_cast<unsigned>(color.red << 16 | color.green << 8 | color.blue));
+}
+
+/// Middle of a gear's teeth, in its own frame.
+Eigen::Vector3d middleOf(const GearSpec& spec) {
+  if (spec.kind != GearKind::bevel) return Eigen::Vector3d::Zero();
+  return {0, 0, (coneDistance(spec) - 0.5 * spec.faceWidth) * std::cos(spec.coneAngle)};
 }
 
 /// The stage while it is built, with the link of every instance.
@@ -30,16 +35,16 @@ class StageBuilder {
 
  private:
   Instance& add(int link, std::shared_ptr<const Solid> solid, const Pose& pose);
-  void addWheels(const std::vector<WheelPart>& wheels, const FrameParts& frame);
-  void addFrame(FrameParts frame);
-  void addLabels(const std::vector<WheelPart>& wheels, const FrameParts& frame);
+  void addGear(const TrainGear& gear);
+  void addBody(const LinkBody& body);
+  void addLabels();
 
   const Mechanism& m_mechanism;
   const Placement& m_placement;
   GearCache& m_cache;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
-  std::vector<std::size_t> m_instanceOfWheel;  ///< by wheel; its own number of instances where it has none
+  std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
 };
 
 Instance& StageBuilder::add(int link, std::shared_ptr<const Solid> solid, const Pose& pose) {
@@ -55,57 +60,39 @@ Instance& StageBuilder::add(int link, std::shared_ptr<const Solid> solid, const 
   return m_stage->scene.instances.emplace_back(std::move(instance));
 }
 
-void StageBuilder::addWheels(const std::vector<WheelPart>& wheels, const FrameParts& frame) {
-  for (std::size_t i = 0; i < wheels.size(); ++i) {
-    GearSpec spec = wheels[i].spec;
-    spec.body = GearBody::dressed;
-    if (spec.kind != GearKind::internal) {
-      const double bore = 2 * frame.wheelBoreRadius[i];
-      spec.bore = bore < largestBore(spec) ? bore : 0;
-    }
-    m_instanceOfWheel.push_back(m_stage->scene.instances.size());
-    auto solid = m_cache.solid(spec, kScreenTolerance);
-    if (!solid) {
-      m_instanceOfWheel.back() = SIZE_MAX;
-      continue;
-    }
-    Instance& instance = add(wheels[i].link, *std::move(solid), wheels[i].pose);
-    for (const int mesh : wheels[i].meshes) {
-      instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
-    }
+// The link's number stands beside its largest wheel.
+void StageBuilder::addGear(const TrainGear& gear) {
+  auto solid = m_cache.solid(gear.spec, kScreenTolerance);
+  if (!solid) return;  // a shape that cannot be made; the train's diagnostics say why
+  Instance& instance = add(gear.link, *std::move(solid), gear.pose);
+  for (const int mesh : gear.meshes) {
+    instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   }
+  if (gear.wheel) instance.also.push_back(*gear.wheel);
+  StageLabel& label = m_labelOf[static_cast<std::size_t>(gear.link)];
+  const double radius = nominalTipRadius(gear.spec);
+  if (radius <= label.radius) return;
+  label.radius = radius;
+  label.instance = m_stage->scene.instances.size() - 1;
+  label.place = middleOf(gear.spec);
 }
 
-void StageBuilder::addFrame(FrameParts frame) {
-  for (LinkFrame& link : frame.links) {
-    add(link.link, std::make_shared<const Solid>(std::move(link.solid)), Pose::Identity());
-  }
-  for (Collar& collar : frame.collars) {
-    add(collar.link, std::make_shared<const Solid>(std::move(collar.solid)), Pose::Identity())
-        .also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(collar.joint)].id);
-  }
+void StageBuilder::addBody(const LinkBody& body) {
+  Instance& instance = add(body.link, body.solid, Pose::Identity());
+  const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
+  if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
+  StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
+  if (label.radius > 0) return;
+  const Eigen::AlignedBox3d box = boundsOf(*body.solid);
+  label.radius = 0.25 * box.diagonal().norm();
+  label.instance = m_stage->scene.instances.size() - 1;
+  label.place = box.center();
 }
 
-// The number stands beside the largest wheel, or at the bearing of a link that has none.
-void StageBuilder::addLabels(const std::vector<WheelPart>& wheels, const FrameParts& frame) {
-  const auto links = static_cast<int>(m_mechanism.links.size());
-  for (int link = 1; link < links; ++link) {
-    StageLabel label;
-    for (std::size_t i = 0; i < wheels.size(); ++i) {
-      const double radius = nominalTipRadius(wheels[i].spec);
-      if (wheels[i].link != link || m_instanceOfWheel[i] == SIZE_MAX || radius <= label.radius) continue;
-      label.radius = radius;
-      label.instance = m_instanceOfWheel[i];
-      label.place = wheels[i].middle();
-    }
-    if (label.radius == 0) {
-      const auto own = std::find(m_links.begin(), m_links.end(), link);
-      if (own == m_links.end()) continue;
-      label.instance = static_cast<std::size_t>(own - m_links.begin());
-      label.place =
-          frame.bearings[static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(link)])];
-      label.radius = 2.5 * frame.shaftRadius;
-    }
+void StageBuilder::addLabels() {
+  for (int link = 1; link <= m_mechanism.n(); ++link) {
+    StageLabel& label = m_labelOf[static_cast<std::size_t>(link)];
+    if (label.radius == 0) continue;
     label.text = std::to_string(m_mechanism.linkLabel(link));
     label.colour = colourOf(link);
     label.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
@@ -114,12 +101,11 @@ void StageBuilder::addLabels(const std::vector<WheelPart>& wheels, const FramePa
 }
 
 std::shared_ptr<Stage> StageBuilder::build() {
-  const std::vector<WheelPart> wheels = wheelParts(m_mechanism, m_placement);
-  FrameParts frame = frameParts(m_mechanism, m_placement, wheels);
-  const FrameParts sizes{{}, {}, frame.shaftRadius, frame.wheelBoreRadius, frame.bearings};
-  addFrame(std::move(frame));
-  addWheels(wheels, sizes);
-  addLabels(wheels, sizes);
+  const GearTrain train = trainOf(m_mechanism, m_placement);
+  m_labelOf.resize(m_mechanism.links.size());
+  for (const TrainGear& gear : train.gears) addGear(gear);
+  for (const LinkBody& body : train.bodies) addBody(body);
+  addLabels();
   return m_stage;
 }
 
@@ -145,7 +131,7 @@ std::vector<TurningLine> turningLines(const Mechanism& mechanism, const Placemen
   for (int joint = 0; joint < mechanism.t(); ++joint) {
     const int axis = placement.tree->axisOf[static_cast<std::size_t>(joint)];
     const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
-    lines.push_back({vectorOf(line.point), vectorOf(line.direction)});
+    lines.push_back({Eigen::Vector3d::Map(line.point.data()), Eigen::Vector3d::Map(line.direction.data())});
   }
   return lines;
 }

@@ -11,7 +11,7 @@ namespace geargraph {
 /// wheels can be made for are left out; without valid inputs nothing moves. An empty scene where the turning
 /// joints are no spanning tree.
 ///
-/// A part selects its link. Wheels light up with their meshes too, bearings with their joints.
+/// A part selects its link. Wheels light up with their meshes too, shafts with their joints.
 ///
 /// `cache` keeps solids from one edit to the next, so that only what changed is made again.
 /// Cost: O(n + t + c), the solution, and what new solids cost.

@@ -156,6 +156,17 @@ def sympy_linsolve(train):
     return sympy.linsolve((outputs, right), *unknowns)
 
 
+def numpy_poses(train):
+    """Forward kinematics down the tree: T_child = T_parent Exp(z, p, 0.25), a 4 x 4 product a link."""
+    poses = [np.eye(4)] * (train.n + 1)
+    cosine, sine = np.cos(0.25), np.sin(0.25)
+    for joint, (tail, head, _) in enumerate(train.joints):  # parents stand before their children in these files
+        x = float(joint)
+        step = np.array([[cosine, -sine, 0, x - cosine * x], [sine, cosine, 0, -sine * x], [0, 0, 1, 0], [0, 0, 0, 1]])
+        poses[head] = poses[tail] @ step
+    return poses
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     result = {}
@@ -164,8 +175,9 @@ def main():
         result[f"networkx+scipy {size}"] = best(lambda: networkx_scipy(train), 3 if size == "1000" else 1)
         if size == "1000":
             result["numpy dense 1000"] = best(lambda: numpy_dense(train))
-    robot = prepare(Train(folder / "tree-7.geargraph"))
-    result["sympy LUsolve robot"] = best(lambda: sympy_lusolve(robot))
+            result["numpy poses 1000"] = best(lambda: numpy_poses(train))
+    seven = prepare(Train(folder / "tree-7.geargraph"))
+    result["sympy LUsolve 7"] = best(lambda: sympy_lusolve(seven))
     twenty = prepare(Train(folder / "tree-20.geargraph"))
     result["sympy LUsolve 20"] = best(lambda: sympy_lusolve(twenty), 1)
     eighty = prepare(Train(folder / "tree-80.geargraph"))

@@ -28,11 +28,11 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     if (isSoftware()) update();
   });
   connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
-  connect(viewer, &Viewer::viewChanged, this, [this] {
+  connect(viewer, &Viewer::moving, this, [this] {
     m_still = false;
     m_whenStill.start();
-    update();
   });
+  connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
   viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
 }
 
@@ -86,7 +86,7 @@ void GlCanvas::paintGL() {
   painter.setFont(font());
   const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
                                       m_viewer->viewport(), m_viewer->pixelRatio());
-  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {

@@ -12,6 +12,7 @@ constexpr double kRadius = 11.5;
 constexpr double kGap = 5;         // between a part and its disc
 constexpr double kCrossed = 0.25;  // of the part's radius beyond the middle: the disc changes sides
 constexpr int kRounds = 12;
+constexpr int kTextSize = 12;
 
 QColor colorOf(const Rgb& rgb) {
   return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
@@ -37,6 +38,27 @@ void pushApart(std::vector<PlacedLabel>& labels, double width, double height) {
       label.centre.setY(std::clamp(label.centre.y(), edge, std::max(edge, height - edge)));
     }
   }
+}
+
+QImage discImage(const QString& text, const QColor& ring, QFont font, bool dark, double ratio) {
+  const int side = 2 * static_cast<int>(std::ceil((kRadius + 2) * ratio));
+  QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(ratio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF whole({}, QSizeF(side, side) / ratio);
+  painter.setPen(QPen(ring, 2.2));
+  painter.setBrush(dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white));
+  painter.drawEllipse(whole.center(), kRadius, kRadius);
+  font.setBold(true);
+  font.setPixelSize(kTextSize);
+  const double width = QFontMetricsF(font).horizontalAdvance(text), room = 2 * kRadius - 7;
+  if (width > room) font.setPixelSize(std::max(6, static_cast<int>(kTextSize * room / width)));
+  painter.setFont(font);
+  painter.setPen(dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
+  painter.drawText(whole, Qt::AlignCenter, text);
+  return image;
 }
 
 }  // namespace
@@ -70,26 +92,19 @@ std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const P
 
 void LabelLayer::paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels,
                        bool dark) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = painter.font();
-  font.setBold(true);
+  const double ratio = painter.device()->devicePixelRatio();
   for (const PlacedLabel& placed : labels) {
     const StageLabel& label = stage.labels[placed.label];
     const QString text = QString::fromStdString(label.text);
-    font.setPixelSize(12);
-    const double width = QFontMetricsF(font).horizontalAdvance(text);
-    const double room = 2 * placed.radius - 7;
-    if (width > room) font.setPixelSize(std::max(6, static_cast<int>(12 * room / width)));
-    painter.setFont(font);
-    painter.setPen(QPen(colorOf(label.colour), 2.2));
-    painter.setBrush(dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white));
-    painter.drawEllipse(placed.centre, placed.radius, placed.radius);
-    painter.setPen(dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
-    const QPointF corner(placed.radius, placed.radius);
-    painter.drawText(QRectF(placed.centre - corner, placed.centre + corner), Qt::AlignCenter, text);
+    const QString key = QStringLiteral("%1 %2 %3 %4 %5")
+                            .arg(text, colorOf(label.colour).name(), painter.font().family())
+                            .arg(ratio)
+                            .arg(dark);
+    QImage& image = m_images[key];
+    if (image.isNull()) image = discImage(text, colorOf(label.colour), painter.font(), dark, ratio);
+    const QPointF corner = placed.centre - QPointF(0.5, 0.5) * (image.width() / ratio);
+    painter.drawImage(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, image);
   }
-  painter.restore();
 }
 
 std::optional<ElementId> LabelLayer::at(const Stage& stage, const std::vector<PlacedLabel>& labels,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QHash>
+#include <QImage>
 #include <QPointF>
 #include <QString>
 #include <optional>
@@ -32,14 +34,16 @@ class LabelLayer {
   [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,
                                                const Camera& camera, const Viewport& viewport,
                                                double pixelRatio);
-  static void paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels, bool dark);
+  /// Discs come from small images, because a painter on OpenGL smooths nothing by itself.
+  void paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels, bool dark);
   /// The element of the label under a place.
   [[nodiscard]] static std::optional<ElementId> at(const Stage& stage, const std::vector<PlacedLabel>& labels,
                                                    const QPointF& place);
 
  private:
   bool m_shown = true;
-  std::vector<int> m_sides;  ///< by label: -1 left, +1 right, 0 not placed yet
+  QHash<QString, QImage> m_images;  ///< by text, colours, font and pixel ratio
+  std::vector<int> m_sides;         ///< by label: -1 left, +1 right, 0 not placed yet
 };
 
 }  // namespace geargraph

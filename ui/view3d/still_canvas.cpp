@@ -6,7 +6,8 @@
 namespace geargraph {
 
 StillCanvas::StillCanvas(Viewer* viewer, LabelLayer* labels, const QString& why, QWidget* parent)
-    : QWidget(parent), m_viewer(viewer), m_labels(labels), m_sentence(why) {
+    : QWidget(parent), m_viewer(viewer), m_labels(labels), m_sentence(tr("Still picture")) {
+  setToolTip(tr("%1 The picture is painted beside the screen, so it moves in steps.").arg(why));
   setMouseTracking(true);
   auto host = EglHost::create();
   if (host) {
@@ -50,14 +51,14 @@ void StillCanvas::paintPicture(QPainter& painter) {
   if (m_viewer->stage() == nullptr) return;
   const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
                                       m_viewer->viewport(), m_viewer->pixelRatio());
-  LabelLayer::paint(painter, *m_viewer->stage(), placed, m_dark);
+  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
 }
 
 void StillCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (m_host != nullptr) paintPicture(painter);
   painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
-  const QRect inside = rect().adjusted(12, 30, -12, -10);
+  const QRect inside = rect().adjusted(12, 10, -12, -10);
   const int where = m_host != nullptr ? Qt::AlignTop | Qt::AlignLeft : Qt::AlignCenter;
   painter.drawText(inside, where | Qt::TextWordWrap, m_sentence);
 }

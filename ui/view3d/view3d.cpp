@@ -24,9 +24,7 @@ constexpr double kTimeStep = 0.05;  // s, of the keys , and .
 QString obstacle() {
   const QString platform = QGuiApplication::platformName();
   if (platform == "offscreen" || platform == "minimal" || platform == "vnc" || platform == "linuxfb") {
-    return QObject::tr(
-               "Qt's platform \"%1\" has no OpenGL windows: a still picture, drawn beside the screen.")
-        .arg(platform);
+    return QObject::tr("Qt's platform \"%1\" has no windows with OpenGL.").arg(platform);
   }
   QOpenGLContext context;
   QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
@@ -34,7 +32,7 @@ QString obstacle() {
   wanted.setProfile(QSurfaceFormat::CoreProfile);
   context.setFormat(wanted);
   if (context.create() && context.format().version() >= qMakePair(3, 3)) return {};
-  return QObject::tr("This display offers no OpenGL 3.3: a still picture, drawn beside the screen.");
+  return QObject::tr("This display offers no OpenGL 3.3.");
 }
 
 }  // namespace
@@ -145,7 +143,10 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->makeButtons();
   const QString why = obstacle();
   why.isEmpty() ? d->useGl() : d->useStill(why);
-  connect(&d->playback, &Playback::timeChanged, &d->viewer, &Viewer::setTime);
+  connect(&d->playback, &Playback::timeChanged, &d->viewer, [this](double seconds) {
+    emit d->viewer.moving();
+    d->viewer.setTime(seconds);
+  });
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
   setDark(false);
   setEmptyText(tr("Nothing to turn yet: place axes and give the meshes their teeth."));

@@ -142,6 +142,7 @@ bool Viewer::mouseMove(const QMouseEvent& event) {
   }
   const QPointF step = event.position() - m_last;
   m_last = event.position();
+  emit moving();
   setCamera(m_gesture == Gesture::orbit
                 ? m_camera.orbited(step.x(), step.y())
                 : m_camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
@@ -170,6 +171,7 @@ void Viewer::zoomAt(const QPointF& place, double factor) {
 bool Viewer::wheel(const QWheelEvent& event) {
   const double notches = event.angleDelta().y() / 120.0;
   if (notches == 0) return false;
+  emit moving();
   zoomAt(event.position(),
          std::clamp(std::pow(kZoomPerNotch, notches), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
   return true;

@@ -65,6 +65,7 @@ class Viewer : public QObject {
   void sceneChanged();  ///< other solids or instances
   void viewChanged();   ///< anything that is painted
   void cameraChanged();
+  void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:
   enum class Gesture { none, orbit, pan };

@@ -1,6 +1,7 @@
 #include <QTest>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "core/agreement/agreement.h"
 #include "core/matroid/symbolic_solution.h"
@@ -37,6 +38,48 @@ Mechanism randomMechanism(int seed, int n, bool loose = false) {
   return test::moved(test::withDirectionsScaled(train, {2, Rational(5, 3), 1}),
                      test::rotation(1 + below(4), below(4), below(3) - 1, below(4)),
                      {below(90), -below(70), Rational(below(500), 11)});
+}
+
+/// The mechanism with the link beyond `joint` hung on another link of the same axis, and the rates that
+/// describe the same motion there: Buchsbaum and Freudenstein's coaxial rearrangement. Nothing where no other
+/// link fits.
+struct Rehung {
+  Mechanism mechanism;
+  std::vector<Rational> rates;
+};
+
+std::optional<Rehung> rehung(const Both& both, int joint, const std::vector<Rational>& rates) {
+  const Digraph& graph = *both.worked.graph;
+  const SpanningTree& tree = *both.worked.tree;
+  const AxisLevels& levels = both.graph.levels();
+  const auto levelOf = [&](int other) { return levels.ofJoint[static_cast<std::size_t>(other)]; };
+  const int child = tree.child(joint);
+  const int parent = tree.parent(child);
+  std::set<int> onAxis;
+  bool parentStays = false;
+  for (int other = 0; other < graph.t(); ++other) {
+    if (other == joint || levelOf(other) != levelOf(joint)) continue;
+    for (const int end : {graph.turningEdge(other).tail, graph.turningEdge(other).head}) {
+      onAxis.insert(end);
+      parentStays = parentStays || end == parent;
+    }
+  }
+  std::erase_if(onAxis, [&](int link) { return link == parent || tree.isOnWalk(joint, link); });
+  if (!parentStays || onAxis.empty()) return std::nullopt;
+
+  const int hub = *onAxis.rbegin();
+  Rehung result{both.worked.mechanism, rates};
+  TurningJoint& moved = result.mechanism.turningJoints[static_cast<std::size_t>(joint)];
+  const bool outward = graph.turningEdge(joint).head == child;
+  (outward ? moved.tail : moved.head) = graph.nodeId(hub);
+  Rational relative;  // of the child against its new parent, along the axis
+  for (const PathStep& step : treePath(tree, hub, child)) {
+    const auto at = static_cast<std::size_t>(step.joint);
+    relative += Rational(step.direction * levels.sense[at]) * rates[at];
+  }
+  const auto at = static_cast<std::size_t>(joint);
+  result.rates[at] = Rational(outward ? levels.sense[at] : -levels.sense[at]) * relative;
+  return result;
 }
 
 /// Carriers, signs and redundancy agree, and the solutions entry by entry.
@@ -107,6 +150,32 @@ class AgreementTest : public QObject {
         for (const auto& [joint, rate] : train.rates) QCOMPARE(rates[static_cast<std::size_t>(joint)], rate);
       }
     }
+  }
+
+  void otherTreesDescribeTheSameMotion() {
+    std::vector<Mechanism> mechanisms;
+    for (const test::TextbookTrain& train : test::textbookTrains()) mechanisms.push_back(train.mechanism);
+    for (int seed = 1; seed <= 60; ++seed) mechanisms.push_back(randomMechanism(seed + 2000, 10 + seed % 30));
+    int rearranged = 0;
+    for (const Mechanism& mechanism : mechanisms) {
+      const Both both(mechanism);
+      const std::vector<Rational> rates = both.exact().rates;
+      for (int joint = 0; joint < mechanism.t(); ++joint) {
+        auto other = rehung(both, joint, rates);
+        if (!other) continue;
+        other->mechanism.inputs.reset();
+        const Both changed(other->mechanism);
+        std::vector<Rational> speeds;
+        for (const int input : changed.inputs())
+          speeds.push_back(other->rates[static_cast<std::size_t>(input)]);
+        QCOMPARE(solveExact(changed.worked.model, changed.inputs(), speeds)->rates, other->rates);
+        const SubstitutionPlan plan = substitutionPlan(changed.graph, changed.inputs());
+        QCOMPARE(ttRates(changed.graph, plan, speeds).value(), other->rates);
+        QCOMPARE(changed.worked.analysis.rank, both.worked.analysis.rank);
+        ++rearranged;
+      }
+    }
+    QVERIFY(rearranged > 200);
   }
 
   void randomTrains_data() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,19 @@ namespace geargraph::test {
     if (count != 1 || opposite == edges.end()) return false;
   }
   return !edges.empty();
+}
+
+/// As isClosed(), but bodies of several shells may touch along an edge.
+[[nodiscard]] inline bool isBalanced(const WeldedMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    }
+  }
+  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
 }  // namespace geargraph::test

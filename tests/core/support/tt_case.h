@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/ttgraph/tt_solution.h"
+#include "tests/core/support/trains.h"
 
 namespace geargraph::test {
 
@@ -35,6 +36,32 @@ struct TtCase {
   /// Some valid inputs: what no equation gives.
   [[nodiscard]] std::vector<int> someInputs() const {
     return ttDetermination(graph, substitutionPlan(graph, {})).value().openJoints;
+  }
+
+  /// The velocity, in the drawn pose, of the point where a mesh touches, as a point of one of its links.
+  [[nodiscard]] ExactTriple velocityAt(int link, const ExactTriple& point,
+                                       const std::vector<Rational>& rates) const {
+    ExactTriple velocity{0, 0, 0};
+    for (const PathStep& step : treePath(*tree, 0, link)) {
+      const TurningJoint& joint = mechanism.turningJoints[static_cast<std::size_t>(step.joint)];
+      const Axis& axis = *mechanism.find(joint.axis);
+      const Rational rate = Rational(step.direction) * rates[static_cast<std::size_t>(step.joint)];
+      const ExactTriple arm = point - exactOf(*axis.point);
+      velocity = velocity + rate * cross(unitDirection(axis), arm);
+    }
+    return velocity;
+  }
+
+  /// Do the two gears of every mesh have one velocity where they touch? Exactly; false where a point is not
+  /// rational.
+  [[nodiscard]] bool rollsWithoutSliding(const std::vector<Rational>& rates) const {
+    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+      const auto point = exactPitchPoint(mechanism, placement, mesh);
+      const DigraphEdge& edge = digraph->meshEdge(mesh);
+      if (!point || velocityAt(edge.tail, *point, rates) != velocityAt(edge.head, *point, rates))
+        return false;
+    }
+    return true;
   }
 
   Mechanism mechanism;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/analysis/analysis.h"
+#include "core/meshfile/train_files.h"
+
+namespace geargraph::cli {
+
+/// A document with its gears and how they move.
+struct LoadedTrain {
+  SnapshotPtr snapshot;  ///< with a tree and its kinematics
+  GearTrain train;
+  /// Rates of all joints (rad/s): at the document's speeds, and with all inputs at different ones, which
+  /// moves meshes that those leave at rest. None where there is nothing to solve.
+  std::vector<std::vector<Rational>> motions;
+
+  [[nodiscard]] const Mechanism& mechanism() const { return *snapshot->mechanism; }
+  [[nodiscard]] PlacedTrain placed() const {
+    return {mechanism(), *snapshot->tree, snapshot->kinematics->placement, train};
+  }
+};
+
+/// Reads a file and makes its gears. Findings go to standard error. The exit status where there is nothing to
+/// export: it could not be read, or has errors.
+[[nodiscard]] std::variant<LoadedTrain, int> loadTrain(const std::string& file);
+
+}  // namespace geargraph::cli

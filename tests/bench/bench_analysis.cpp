@@ -1,0 +1,93 @@
+// The engine: live analysis, exact and symbolic solutions, forward kinematics. Peers in C++ are in
+// bench_peers.cpp.
+
+#include <benchmark/benchmark.h>
+
+#include "core/analysis/analysis.h"
+#include "core/base/contract.h"
+#include "core/pose/forward_kinematics.h"
+#include "tests/bench/families.h"
+#include "tests/core/support/trains.h"
+
+namespace geargraph {
+namespace {
+
+using Family = Mechanism (*)(int links);
+
+MechanismPtr shared(Mechanism mechanism) {
+  return std::make_shared<const Mechanism>(std::move(mechanism));
+}
+
+void live(benchmark::State& state, Family family) {
+  const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));
+  for (auto _ : state) {
+    const SnapshotPtr snapshot = analyzeLive(mechanism);
+    GEARGRAPH_REQUIRE(snapshot->matroid() != nullptr && snapshot->matroid()->solution);
+    benchmark::DoNotOptimize(snapshot);
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK_CAPTURE(live, tree, bench::epicyclicTree)->Arg(7)->RangeMultiplier(10)->Range(100, 10'000);
+BENCHMARK_CAPTURE(live, nested, bench::nestedCarriers)->RangeMultiplier(10)->Range(100, 10'000);
+BENCHMARK_CAPTURE(live, stacks, bench::coaxialStacks)->RangeMultiplier(10)->Range(100, 1'000);
+
+void liveRobot(benchmark::State& state) {
+  const MechanismPtr mechanism = shared(test::robot());
+  for (auto _ : state) benchmark::DoNotOptimize(analyzeLive(mechanism));
+}
+BENCHMARK(liveRobot);
+
+/// What the live analysis of a mechanism is made of, from its model on: rank, freedom, inputs, speeds.
+void matroidOnly(benchmark::State& state) {
+  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  const LiveKinematics& kinematics = *snapshot->kinematics;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(analyzeMatroid(*mechanism, *kinematics.model, kinematics.placement));
+  }
+}
+BENCHMARK(matroidOnly)->Arg(1'000)->Arg(10'000);
+
+void exact(benchmark::State& state) {
+  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  const MatroidAnalysis& matroid = *snapshot->matroid();
+  const KinematicModel& model = *snapshot->kinematics->model;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solveExact(model, matroid.choice.joints, matroid.speeds));
+  }
+}
+BENCHMARK(exact)->Arg(200)->Arg(1'000);
+
+void symbolic(benchmark::State& state) {
+  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  const LiveKinematics& kinematics = *snapshot->kinematics;
+  const MatroidAnalysis& matroid = *snapshot->matroid();
+  const CoefficientMatrix coefficients(*mechanism, *kinematics.model, kinematics.placement);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solveSymbolic(*mechanism, *kinematics.model, coefficients,
+                                           matroid.independentMeshes, matroid.choice.joints));
+  }
+}
+BENCHMARK(symbolic)->Arg(7)->Arg(20)->Arg(80);
+
+void forwardKinematics(benchmark::State& state) {
+  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  std::vector<TurningLine> lines(static_cast<std::size_t>(mechanism->t()));
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].point.x() = static_cast<double>(i);
+  const ForwardKinematics kinematics(*snapshot->tree, lines);
+  std::vector<double> angles(lines.size(), 0.25);
+  std::vector<Eigen::Isometry3d> poses(mechanism->links.size());
+  for (auto _ : state) {
+    kinematics.place(angles, poses);
+    benchmark::DoNotOptimize(poses.data());
+  }
+}
+BENCHMARK(forwardKinematics)->Arg(1'000);
+
+}  // namespace
+}  // namespace geargraph
+
+BENCHMARK_MAIN();

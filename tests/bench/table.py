@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Writes the table of ratios into README, between its two marks.
+
+    table.py FOLDER README      FOLDER holds analysis.json, peers.json (Google Benchmark) and python.json (peers.py)
+"""
+
+import json
+import pathlib
+import sys
+
+BEGIN, END = "<!-- bench -->", "<!-- /bench -->"
+
+# What, ours, peer, peer's name, accepted and aimed-at ratio (peer's time over ours; below 1: ours may be slower).
+ROWS = [
+    ("live analysis, 1,000 links", "live/tree/1000", "networkx+scipy 1000", "networkx + scipy, no rank", 40, 100),
+    ("live analysis, 10,000 links", "live/tree/10000", "networkx+scipy 10000", "networkx + scipy, no rank", 40, 100),
+    ("live analysis, 1,000 links", "live/tree/1000", "numpy dense 1000", "numpy, the paper's formulas", 1000, 2500),
+    ("live analysis, 1,000 links", "live/tree/1000", "eigenSparse/1000", "Eigen SparseLU, no rank", 6, 15),
+    ("live analysis, 10,000 links", "live/tree/10000", "eigenSparse/10000", "Eigen SparseLU, no rank", 6, 15),
+    ("live analysis, the paper's robot", "liveRobot", "eigenDenseRobot", "Eigen dense, no rank, geometry given", 1, 2.5),
+    ("rank, inputs, speeds, 10,000 links", "matroidOnly/10000", "kluAlone/10000", "KLU, the solve alone", 0.67, 1.67),
+    ("exact rates, 200 links", "exact/200", "flintDense/200", "FLINT dense rank + Dixon", 1000, 4000),
+    ("symbolic, 7 links", "symbolic/7", "sympy LUsolve 7", "SymPy LUsolve", 40, 80),
+    ("symbolic, 20 links", "symbolic/20", "sympy LUsolve 20", "SymPy LUsolve", 300, 800),
+    ("symbolic, 80 links", "symbolic/80", "sympy linsolve 80", "SymPy linsolve", 3000, 8000),
+    ("forward kinematics, 1,000 links", "forwardKinematics/1000", "numpy poses 1000", "a numpy loop", 60, 150),
+]
+
+
+def google(path):
+    """Median CPU seconds by name."""
+    unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
+    return {
+        run["run_name"]: run["cpu_time"] * unit[run["time_unit"]]
+        for run in json.loads(path.read_text())["benchmarks"]
+        if run.get("aggregate_name") == "median"
+    }
+
+
+def shown(ratio):
+    return f"{ratio:,.0f}" if ratio >= 20 else f"{ratio:.2g}"
+
+
+def main():
+    folder, readme = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    times = {**google(folder / "analysis.json"), **google(folder / "peers.json"),
+             **json.loads((folder / "python.json").read_text())}
+    lines = ["| work | against | times faster | accepted | aimed at |", "| --- | --- | --- | --- | --- |"]
+    for work, ours, peer, name, accepted, aim in ROWS:
+        lines.append(f"| {work} | {name} | {shown(times[peer] / times[ours])} | {accepted:,} | {aim:,} |")
+    growth = times["live/tree/10000"] / times["live/tree/1000"]
+    lines += ["", f"From 1,000 to 10,000 links the live analysis takes {growth:.1f} times as long (at most 16 accepted)."]
+    text = readme.read_text()
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    readme.write_text(f"{before}{BEGIN}\n" + "\n".join(lines) + f"\n{END}{after}")
+    print("\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()

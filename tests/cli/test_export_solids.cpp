@@ -1,0 +1,227 @@
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "core/meshfile/mesh_reader.h"
+#include "tests/core/meshfile/assembly_check.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+using nlohmann::json;
+
+namespace {
+
+struct Run {
+  int status = -1;
+  std::string output;
+  std::string errors;
+};
+
+Run run(const QStringList& words, const QByteArray& input = {}) {
+  QProcess process;
+  process.start(QStringLiteral(GEARGRAPH_CLI), words);
+  process.write(input);
+  process.closeWriteChannel();
+  process.waitForFinished(120'000);
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
+}
+
+QString example(const QString& name) {
+  return GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph";
+}
+
+/// `export robot.geargraph --to FORM -o OUT ...`
+Run exported(const QString& form, const QString& out, const QStringList& more = {}) {
+  return run(QStringList{"export", example("robot"), "--to", form, "-o", out} + more);
+}
+
+QByteArray contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+MeshScene sceneIn(const std::string& bytes, MeshFormat format) {
+  const auto read = readMesh(bytes, format);
+  if (const auto* error = std::get_if<MeshFileError>(&read)) qFatal("%s", error->message.c_str());
+  return std::get<MeshScene>(read);
+}
+
+bool hasNode(const MeshScene& scene, const std::string& name) {
+  return std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                     [&](const MeshNode& node) { return node.name == name; });
+}
+
+/// Wheels with these teeth in a row on the ground, each meshing with the next.
+QByteArray rowOfWheels(const std::vector<int>& teeth) {
+  json document{{"format", "geargraph"}, {"version", 1}, {"links", {{{"id", "0"}}}}};
+  for (std::size_t i = 0; i < teeth.size(); ++i) {
+    const std::string id = std::to_string(i + 1);
+    document["links"].push_back({{"id", id}});
+    document["axes"].push_back({{"id", id}});
+    document["turningJoints"].push_back({{"id", "j" + id}, {"tail", "0"}, {"head", id}, {"axis", id}});
+    if (i == 0) continue;
+    document["gearMeshes"].push_back({{"id", "m" + id},
+                                      {"tail", std::to_string(i)},
+                                      {"head", id},
+                                      {"tailTeeth", teeth[i - 1]},
+                                      {"headTeeth", teeth[i]}});
+  }
+  document["inputs"] = {{{"joint", "j1"}, {"speed", 1}}};
+  return QByteArray::fromStdString(document.dump());
+}
+
+}  // namespace
+
+class TestExportSolids : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyFormatIsWrittenTheSameToFilesAndToStandardOutput_data() {
+    QTest::addColumn<QString>("form");
+    for (const MeshFormat format : allMeshFormats()) {
+      const std::string name(meshFormatName(format));
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+    }
+  }
+  void everyFormatIsWrittenTheSameToFilesAndToStandardOutput() {
+    QFETCH(QString, form);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("mechanism." + form);
+    const Run toFile = exported(form, path, {"--tolerance", "0.01"});
+    QCOMPARE(toFile.errors, std::string());
+    QCOMPARE(toFile.status, 0);
+    const Run toOutput = exported(form, "-", {"--tolerance", "0.01"});
+    QCOMPARE(toOutput.status, 0);
+    QVERIFY(toOutput.output == contents(path).toStdString());
+    const MeshScene scene = sceneIn(toOutput.output, *meshFormatFromName(form.toStdString()));
+    QVERIFY(triangleCount(scene) > 10'000);
+  }
+
+  void nodesBearTheNamesOfTheDocument() {
+    const Run glb = exported("glb", "-");
+    const MeshScene scene = sceneIn(glb.output, MeshFormat::glb);
+    QCOMPARE(scene.name, std::string("Geared robotic mechanism"));
+    for (const char* name : {"15:tail", "15:head", "18:head"}) QVERIFY(hasNode(scene, name));
+    QVERIFY(hasNode(scene, "carrier 1") || hasNode(scene, "link 1"));
+  }
+
+  void theAnimationPlaysAsLongAsAsked() {
+    const MeshScene scene = sceneIn(exported("glb", "-", {"--animate", "4"}).output, MeshFormat::glb);
+    QVERIFY(std::abs(durationOf(scene) - 4) < 1e-5);
+    const auto rest = worldPoses(scene);
+    const auto end = worldPosesAt(scene, 4);
+    const auto between = worldPosesAt(scene, 0.3);
+    bool moved = false;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      QVERIFY(end[i].isApprox(rest[i], 1e-5));
+      moved = moved || !between[i].isApprox(rest[i], 1e-2);
+    }
+    QVERIFY(moved);
+    QVERIFY(durationOf(sceneIn(exported("glb", "-").output, MeshFormat::glb)) >
+            1);  // as long as it really takes
+  }
+
+  void oneGearStandsInItsOwnFrame() {
+    const Run tail = exported("stl", "-", {"--gear", "15:tail"});
+    const Run head = exported("stl", "-", {"--gear", "15:head"});
+    QCOMPARE(tail.status + head.status, 0);
+    const MeshScene small = flattened(sceneIn(tail.output, MeshFormat::stl));
+    const MeshScene large = flattened(sceneIn(head.output, MeshFormat::stl));
+    const Eigen::AlignedBox3d box = boundsOf(*small.nodes[0].solid);
+    QVERIFY(std::abs(box.center().z()) < 1e-3 && std::abs(box.center().x()) < 0.05 * box.sizes().x());
+    QVERIFY(boundsOf(*large.nodes[0].solid).sizes().x() > 1.5 * box.sizes().x());  // 36 teeth against 18
+  }
+
+  void oneLinkBringsItsSolidsOnly() {
+    const std::string all = exported("stl", "-").output;
+    std::size_t sum = 0;
+    for (int link = 0; link <= 7; ++link) {
+      const Run one = exported("stl", "-", {"--link", QString::number(link)});
+      if (one.status == 0) sum += one.output.size() - 84;
+    }
+    QCOMPARE(sum, all.size() - 84);
+  }
+
+  void theAssemblyPassesTheCheck() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("teeth");
+    const Run first = exported("assembly", out, {"--frames", "13"});
+    QCOMPARE(first.errors, std::string());
+    QCOMPARE(first.status, 0);
+    const AssemblyFindings found = checkedAssembly(out);
+    QCOMPARE(found.gears, 8);
+    QCOMPARE(found.pairs, 4);
+    QCOMPARE(found.frames, 13);
+    QVERIFY(found.closed && found.leastTravel >= 0.99);
+    QVERIFY(found.phaseError < 0.005 && found.penetration < 0.004);
+    const QByteArray before = contents(out + "/assembly.json");
+    QCOMPARE(exported("assembly", out).status, 2);  // 24 frames would be another file
+    QCOMPARE(contents(out + "/assembly.json"), before);
+    QCOMPARE(exported("assembly", out, {"--force"}).status, 0);
+    QVERIFY(contents(out + "/assembly.json").size() > before.size());
+    QCOMPARE(checkedAssembly(out).frames, 24);
+  }
+
+  void wrongUsageIsToldApart() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("out");
+    for (const QStringList& more : QList<QStringList>{{"--gear", "99:tail"},
+                                                      {"--gear", "15"},
+                                                      {"--link", "9"},
+                                                      {"--gear", "15:tail", "--link", "1"},
+                                                      {"--animate", "4"},
+                                                      {"--tolerance", "0"},
+                                                      {"--tolerance", "fine"}}) {
+      const Run wrong = exported("stl", out, more);
+      QVERIFY2(wrong.status == 2 && !wrong.errors.empty(), qPrintable(more.join(' ')));
+    }
+    QCOMPARE(exported("glb", out, {"--animate", "-1"}).status, 2);
+    QCOMPARE(exported("assembly", out, {"--frames", "11"}).status, 2);
+    QCOMPARE(exported("assembly", "-").status, 2);
+    QCOMPARE(exported("step", out).status, 2);
+    QCOMPARE(run({"export", example("robot"), "--to", "stl"}).status, 2);
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+
+  void whatCannotBeReadOrWrittenIsTwo() {
+    const QTemporaryDir folder;
+    QCOMPARE(run({"export", folder.filePath("none"), "--to", "stl", "-o", folder.filePath("out")}).status, 2);
+    QCOMPARE(exported("glb", folder.filePath("no/such/out")).status, 2);
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+
+  void aMechanismWithErrorsIsOne() {
+    const QTemporaryDir folder;
+    QByteArray loose = rowOfWheels({20, 30});
+    loose.replace(R"("tail":"0")", R"("tail":"1")");  // link 1 on itself, link 2 on link 1
+    for (const char* form : {"stl", "glb", "assembly"}) {
+      const Run refused = run({"export", "-", "--to", form, "-o", folder.filePath("out")}, loose);
+      QCOMPARE(refused.status, 1);
+      QVERIFY(refused.errors.find("error") != std::string::npos);
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+
+  void aPeriodTooLongForKeysStandsStillUnlessAskedFor() {
+    const QByteArray awkward = rowOfWheels({101, 103, 107, 109, 113});
+    const Run still = run({"export", "-", "--to", "glb", "--tolerance", "0.05", "-o", "-"}, awkward);
+    QCOMPARE(still.status, 0);
+    QVERIFY(still.errors.find("stands still") != std::string::npos);
+    QCOMPARE(durationOf(sceneIn(still.output, MeshFormat::glb)), 0.0);
+    const Run asked =
+        run({"export", "-", "--to", "glb", "--tolerance", "0.05", "--animate", "5", "-o", "-"}, awkward);
+    QCOMPARE(asked.status, 3);
+    QVERIFY(asked.output.empty());
+  }
+
+  void moreTrianglesThanTheLimitAreRefusedBeforeTheyAreMade() {
+    const Run refused = run({"export", "-", "--to", "stl", "-o", "-"}, rowOfWheels({20, 100'000}));
+    QCOMPARE(refused.status, 3);
+    QVERIFY(refused.errors.find("coarser --tolerance") != std::string::npos);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestExportSolids)
+#include "test_export_solids.moc"
