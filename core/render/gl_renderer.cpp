@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/render/frustum.h"
 #include "core/render/gl_objects.h"
 #include "core/render/gl_passes.h"
 #include "core/render/triad.h"
@@ -50,8 +51,9 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] static Emphasis emphasis(const Frame& frame, std::size_t instance) {
     return frame.emphasis.empty() ? Emphasis::none : frame.emphasis[instance];
   }
+  /// Visits what may be seen through this clip matrix.
   template <class Visit>
-  void eachInstance(Visit visit) const;
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) const;
 
   void drawGround(const Frame& frame);
   void drawShadow(const Frame& frame);
@@ -69,6 +71,11 @@ class GlRenderer final : public Renderer {
 
   Scene m_scene;
   Bounds m_bounds;
+  struct Ball {  ///< about a solid, in its own frame
+    Eigen::Vector3d centre{0, 0, 0};
+    double radius = 0;
+  };
+  std::vector<Ball> m_balls;  ///< by solid
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
 
   GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
@@ -88,12 +95,25 @@ void GlRenderer::setScene(const Scene& scene) {
   m_solids = std::move(solids);
   m_scene = scene;  // keeps the solids alive, so that their addresses stay theirs
   m_bounds = boundsOf(m_scene);
+  m_balls.clear();
+  for (const auto& solid : m_scene.solids) {
+    const Eigen::AlignedBox3d box = boundsOf(*solid);
+    if (box.isEmpty()) {
+      m_balls.push_back({});
+    } else {
+      m_balls.push_back({box.center(), 0.5 * box.diagonal().norm()});
+    }
+  }
 }
 
 template <class Visit>
-void GlRenderer::eachInstance(Visit visit) const {
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) const {
+  const Frustum frustum(clip);
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
-    const GlSolid& solid = *m_solids.at(m_scene.solids[m_scene.instances[i].solid].get());
+    const std::size_t shape = m_scene.instances[i].solid;
+    const Ball& ball = m_balls[shape];
+    if (!frustum.mayShow(pose(frame, i) * ball.centre, ball.radius)) continue;
+    const GlSolid& solid = *m_solids.at(m_scene.solids[shape].get());
     solid.bind();
     visit(i, solid);
   }
@@ -151,8 +171,14 @@ void GlRenderer::drawGround(const Frame& frame) {
 }
 
 void GlRenderer::drawShadow(const Frame& frame) {
-  m_passes.beginShadow(disc(), m_bounds.radius());
-  eachInstance([&](std::size_t i, const GlSolid& solid) {
+  const Disc ground = disc();
+  m_passes.beginShadow(ground, m_bounds.radius());
+  Eigen::Matrix4d seenFromAbove = Eigen::Matrix4d::Identity() / ground.radius;
+  seenFromAbove(0, 3) = -ground.x / ground.radius;
+  seenFromAbove(1, 3) = -ground.y / ground.radius;
+  seenFromAbove.row(2) *= 1e-6;  // however high
+  seenFromAbove(3, 3) = 1;
+  eachInstance(frame, seenFromAbove, [&](std::size_t i, const GlSolid& solid) {
     if (m_scene.instances[i].castsShadow) m_passes.castShadow(pose(frame, i).matrix(), solid);
   });
   m_passes.endShadow();
@@ -163,7 +189,7 @@ void GlRenderer::drawSolids(const Frame& frame) {
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
   m_passes.beginLit(view, projection(frame));
-  eachInstance([&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
     const Emphasis state = emphasis(frame, i);
     const float tint = state == Emphasis::selected  ? kSelectedTint
                        : state == Emphasis::hovered ? kHoverTint
@@ -181,7 +207,7 @@ void GlRenderer::drawEdges(const Frame& frame) {
   const float strength = frame.look.edgeStrength * static_cast<float>(fade);
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
-  eachInstance([&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
     m_passes.flat(view * pose(frame, i).matrix(), frame.look.edge, strength);
     solid.drawEdges();
   });
@@ -203,7 +229,7 @@ void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
     m_gl->ClearColor(0, 0, 0, 0);
     m_gl->Clear(GL_COLOR_BUFFER_BIT);
     m_passes.beginFlat(projection(frame), 1);
-    eachInstance([&](std::size_t i, const GlSolid& solid) {
+    eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
       if (emphasis(frame, i) != wanted) return;
       m_passes.flat(view * pose(frame, i).matrix(), Rgb{1, 1, 1}, 1);
       solid.drawTriangles();
@@ -253,7 +279,7 @@ std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
   m_gl->ClearColor(0, 0, 0, 0);
   m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   m_passes.beginFlat(cut * through, 1);
-  eachInstance([&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, cut * through * view, [&](std::size_t i, const GlSolid& solid) {
     m_passes.flatNumber(view * pose(frame, i).matrix(), static_cast<std::uint32_t>(i + 1));
     solid.drawTriangles();
   });

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/render/camera.h"
+#include "core/render/frustum.h"
 
 using namespace geargraph;
 
@@ -112,6 +113,20 @@ class TestCamera : public QObject {
       QVERIFY(near((device.x() + 1) * 320, place.x, 1e-6));
       QVERIFY(near((1 - device.y()) * 200, place.y, 1e-6));
       QVERIFY(std::abs(device.z()) <= 1);
+    });
+  }
+
+  void theFrustumKeepsWhatIsInThePictureAndDropsWhatIsFarBesideIt() {
+    eachCamera([](const Camera& camera, const Eigen::Vector3d& point, double, double) {
+      const ScreenPoint place = camera.project(point, kView);
+      const Frustum frustum(camera.projection(kView, camera.target(), 500) * camera.view().matrix());
+      const bool inside =
+          place.depth > 0 && place.x > 0 && place.x < kView.width && place.y > 0 && place.y < kView.height;
+      if (inside) QVERIFY(frustum.mayShow(point, 1e-6));
+      const Eigen::Vector3d beside = camera.atTargetDepth(-5, 200, kView);
+      const double pixel = camera.millimetresPerPixel(kView);
+      QVERIFY(!frustum.mayShow(beside, 4 * pixel));
+      QVERIFY(frustum.mayShow(beside, 6 * pixel));
     });
   }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace geargraph {
+
+/// The six planes of a picture in the world, from the matrix that takes the world to OpenGL's clip space.
+class Frustum {
+ public:
+  explicit Frustum(const Eigen::Matrix4d& clip) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int side : {-1, 1}) {
+        Eigen::RowVector4d plane = clip.row(3) + side * clip.row(static_cast<Eigen::Index>(axis));
+        plane /= plane.head<3>().norm();
+        m_planes[2 * axis + (side > 0 ? 1 : 0)] = plane;
+      }
+    }
+  }
+
+  /// False only where the ball is wholly outside one of the planes.
+  [[nodiscard]] bool mayShow(const Eigen::Vector3d& centre, double radius) const {
+    for (const Eigen::RowVector4d& plane : m_planes) {
+      if (plane.head<3>().dot(centre) + plane[3] < -radius) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::array<Eigen::RowVector4d, 6> m_planes;
+};
+
+}  // namespace geargraph

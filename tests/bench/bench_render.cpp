@@ -1,0 +1,90 @@
+// The renderer without a display: a picture of so many gears of 60 teeth, plain, smoothed, with its shadow,
+// and a pick. Bars (quiet machine): four samples at most 2.8, with the shadow 4.5 times a plain picture; a
+// pick 0.15 times.
+
+#include <benchmark/benchmark.h>
+
+#include "core/gears/gear_solid.h"
+#include "core/render/egl_host.h"
+
+namespace geargraph {
+namespace {
+
+constexpr Viewport kView{1280, 720};
+
+/// A square of gears in a few shapes, each turned by an angle of its own.
+Scene gearField(int count) {
+  Scene scene;
+  GearSpec spec = standardGear(GearKind::external, 60, 2, 20);
+  scene.solids.push_back(std::make_shared<const Solid>(gearSolid(spec, kScreenTolerance).value()));
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  for (int i = 0; i < count; ++i) {
+    Instance instance;
+    instance.pose.translation() = Eigen::Vector3d(126.0 * (i % side), 126.0 * (i / side), 10.0 * (i % 3));
+    instance.pose.rotate(Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d::UnitZ()));
+    instance.colour = Rgb::fromHex(i % 2 == 0 ? 0x0072B2 : 0xD55E00);
+    instance.element = LinkId(std::to_string(i));
+    scene.instances.push_back(instance);
+  }
+  return scene;
+}
+
+struct Field {
+  std::unique_ptr<EglHost> host;
+  Scene scene;
+  Frame frame;
+
+  Field(int count, int samples, bool shadow) : scene(gearField(count)) {
+    auto made = EglHost::create();
+    if (!made) return;
+    host = std::move(made).value();
+    host->setScene(scene);
+    frame.viewport = kView;
+    frame.look = Look::light();
+    frame.look.samples = samples;
+    frame.look.contactShadow = shadow;
+    frame.camera = Camera::from(-0.5, 0.6).fitted(cornersOf(scene), kView);
+  }
+};
+
+void picture(benchmark::State& state, int samples, bool shadow) {
+  Field field(static_cast<int>(state.range(0)), samples, shadow);
+  if (field.host == nullptr) return state.SkipWithError("no OpenGL");
+  benchmark::DoNotOptimize(field.host->picture(field.frame));  // shaders are compiled at first use
+  for (auto _ : state) benchmark::DoNotOptimize(field.host->picture(field.frame));
+}
+
+void pick(benchmark::State& state) {
+  Field field(static_cast<int>(state.range(0)), 1, false);
+  if (field.host == nullptr) return state.SkipWithError("no OpenGL");
+  benchmark::DoNotOptimize(field.host->pick(field.frame, 640, 360));
+  for (auto _ : state) benchmark::DoNotOptimize(field.host->pick(field.frame, 640, 360));
+}
+
+/// From nothing to a picture: context, shaders, upload, paint.
+void firstPicture(benchmark::State& state) {
+  for (auto _ : state) {
+    Field field(static_cast<int>(state.range(0)), 4, true);
+    if (field.host == nullptr) return state.SkipWithError("no OpenGL");
+    benchmark::DoNotOptimize(field.host->picture(field.frame));
+  }
+}
+
+BENCHMARK_CAPTURE(picture, plain, 1, false)->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(picture, samples4, 4, false)
+    ->Arg(30)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(picture, samples4_shadow, 4, true)
+    ->Arg(30)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(pick)->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(firstPicture)->Arg(30)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace geargraph
+
+BENCHMARK_MAIN();
