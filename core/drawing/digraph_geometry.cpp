@@ -14,8 +14,6 @@ constexpr double kMargin = 80;
 constexpr std::size_t kNameCharacters = 18;
 constexpr double kRim = kNodeRadius + kRingWidth / 2;
 
-using Centers = std::vector<std::optional<SheetPoint>>;
-
 Extent areaOf(const Centers& centers) {
   std::optional<Extent> area;
   for (const auto& center : centers) {
@@ -101,6 +99,73 @@ Extent labelExtent(const EdgePlace& edge) {
   return edgeLabelExtent(edge.labelCenter, edge.label);
 }
 
+/// Names apart, which are placed last and keep out of everything's way.
+bool standsAlike(const NodePlace& a, const NodePlace& b) {
+  return a.center == b.center && a.groundSide == b.groundSide && a.input.has_value() == b.input.has_value() &&
+         (!a.input || a.badgeCenter == b.badgeCenter);
+}
+
+/// Everything that stands elsewhere than before, at its old and its new place.
+class Changes {
+ public:
+  Changes(const Extent& area, const DigraphGeometry& former, const DigraphGeometry& now) : m_grid(area) {
+    for (std::size_t i = 0; i < now.nodes.size(); ++i) {
+      if (standsAlike(former.nodes[i], now.nodes[i])) continue;
+      add(former.nodes[i]);
+      add(now.nodes[i]);
+    }
+    for (std::size_t i = 0; i < now.edges.size(); ++i) {
+      if (former.edges[i].curve == now.edges[i].curve) continue;
+      m_grid.addCurve(former.edges[i].curve);
+      m_grid.addCurve(now.edges[i].curve);
+    }
+  }
+
+  void labelMoved(const EdgePlace& from, const EdgePlace& to) {
+    m_grid.addBox(labelExtent(from));
+    m_grid.addBox(labelExtent(to));
+  }
+  [[nodiscard]] const ObstacleGrid& grid() const { return m_grid; }
+
+ private:
+  void add(const NodePlace& node) {
+    m_grid.addCircle(node.center, kRim, node.label);
+    if (node.groundSide) m_grid.addBox(hatchingExtent(node));
+    if (node.input) m_grid.addBox(badgeExtent(node.badgeCenter));
+  }
+
+  ObstacleGrid m_grid;
+};
+
+void placeLabels(DigraphGeometry& geometry, ObstacleGrid& taken) {
+  for (EdgePlace& edge : geometry.edges) {
+    const Extent size = labelExtent(edge);
+    const LabelPlace place = placeBeside(edge.curve, size.halfWidth, size.halfHeight, taken);
+    edge.labelCenter = place.center;
+    edge.labelCrowded = place.crowded;
+    taken.addBox(labelExtent(edge));
+  }
+}
+
+/// The same labels as placeLabels(), taken over from `former` where nothing near them has changed.
+void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const DigraphGeometry& former,
+                      Changes changes) {
+  for (std::size_t i = 0; i < geometry.edges.size(); ++i) {
+    EdgePlace& edge = geometry.edges[i];
+    const EdgePlace& before = former.edges[i];
+    const Extent size = labelExtent(edge);
+    LabelPlace place{before.labelCenter, before.labelCrowded};
+    const bool stays = edge.label == before.label && edge.curve == before.curve &&
+                       isStillBeside(edge.curve, size.halfWidth, size.halfHeight, place, changes.grid());
+    if (!stays) place = placeBeside(edge.curve, size.halfWidth, size.halfHeight, taken);
+    edge.labelCenter = place.center;
+    edge.labelCrowded = place.crowded;
+    if (!(edge.labelCenter == before.labelCenter) || edge.label != before.label)
+      changes.labelMoved(before, edge);
+    taken.addBox(labelExtent(edge));
+  }
+}
+
 void placeNodes(DigraphGeometry& geometry, const Digraph& graph, const Centers& centers,
                 const std::map<int, JointId>& driven, ObstacleGrid& taken) {
   for (int v = 0; v < graph.nodeCount(); ++v) {
@@ -123,6 +188,28 @@ void placeNodes(DigraphGeometry& geometry, const Digraph& graph, const Centers& 
     node.badgeCenter = placeAtCorner(node.center, node.label, taken);
     taken.addBox(badgeExtent(node.badgeCenter));
   }
+}
+
+/// Is it the same digraph, seen by ordinals, all of it with places?
+bool isSameDigraph(const DigraphGeometry& former, const Digraph& graph) {
+  if (former.nodes.size() != static_cast<std::size_t>(graph.nodeCount()) ||
+      former.edges.size() != static_cast<std::size_t>(graph.edgeCount())) {
+    return false;
+  }
+  for (int e = 0; e < graph.edgeCount(); ++e) {
+    const EdgePlace& place = former.edges[static_cast<std::size_t>(e)];
+    if (place.tail != graph.edge(e).tail || place.head != graph.edge(e).head) return false;
+  }
+  return true;
+}
+
+Courses coursesFrom(const DigraphGeometry& former, const Digraph& graph, const Centers& centers,
+                    const ObstacleGrid& nodes) {
+  Centers formerCenters;
+  for (const NodePlace& node : former.nodes) formerCenters.emplace_back(node.center);
+  Courses courses;
+  for (const EdgePlace& edge : former.edges) courses.emplace_back(edge.curve);
+  return reroutedEdges(graph, centers, nodes, formerCenters, courses);
 }
 
 }  // namespace
@@ -148,6 +235,11 @@ Extent edgeLabelExtent(SheetPoint center, int label) {
 }
 
 DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions) {
+  return digraphGeometry(mechanism, positions, {});
+}
+
+DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions,
+                                const DigraphGeometry& former) {
   const Digraph graph(mechanism);
   Centers centers(static_cast<std::size_t>(graph.nodeCount()));
   for (int v = 0; v < graph.nodeCount(); ++v) {
@@ -160,21 +252,26 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     const auto& center = centers[static_cast<std::size_t>(v)];
     if (center) taken.addCircle(*center, kRim, v);
   }
-  const std::vector<std::optional<Curve>> curves = routedEdges(graph, centers, taken);
-  for (const auto& curve : curves) {
-    if (curve) taken.addCurve(*curve);
+  const bool again = isSameDigraph(former, graph);
+  const Courses courses =
+      again ? coursesFrom(former, graph, centers, taken) : routedEdges(graph, centers, taken);
+  for (const auto& course : courses) {
+    if (course) taken.addCurve(*course);
   }
 
   DigraphGeometry geometry;
   placeNodes(geometry, graph, centers, drivenLinks(mechanism, graph), taken);
   for (int e = 0; e < graph.edgeCount(); ++e) {
-    const auto& curve = curves[static_cast<std::size_t>(e)];
-    if (!curve) continue;
-    EdgePlace place{graph.edgeId(e), graph.edgeLabel(e), graph.edge(e).tail, graph.edge(e).head, *curve, {}};
-    const Extent size = labelExtent(place);
-    place.labelCenter = placeBeside(*curve, size.halfWidth, size.halfHeight, taken);
-    taken.addBox(labelExtent(place));
-    geometry.edges.push_back(std::move(place));
+    const auto& course = courses[static_cast<std::size_t>(e)];
+    if (!course) continue;
+    const DigraphEdge& edge = graph.edge(e);
+    geometry.edges.push_back({graph.edgeId(e), graph.edgeLabel(e), edge.tail, edge.head, *course, {}, false});
+  }
+  const bool comparable = again && geometry.nodes.size() == former.nodes.size();
+  if (comparable) {
+    placeLabelsAgain(geometry, taken, former, Changes(areaOf(centers), former, geometry));
+  } else {
+    placeLabels(geometry, taken);
   }
   placeNames(geometry, mechanism, taken);
   return geometry;

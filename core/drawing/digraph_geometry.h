@@ -42,6 +42,7 @@ struct EdgePlace {
   int head = 0;
   Curve curve;
   SheetPoint labelCenter;
+  bool labelCrowded = false;  ///< no place was free for it
   [[nodiscard]] bool isMesh() const { return element.kind == ElementKind::gearMesh; }
   friend bool operator==(const EdgePlace&, const EdgePlace&) = default;
 };
@@ -61,6 +62,10 @@ struct DigraphGeometry {
 ///
 /// Cost: near linear in links + joints + meshes for drawings of even density (bench: 1,000 links).
 [[nodiscard]] DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions);
+
+/// The same result, faster where few nodes have moved since `former` was made: for drags.
+[[nodiscard]] DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions& positions,
+                                              const DigraphGeometry& former);
 
 [[nodiscard]] Extent badgeExtent(SheetPoint center);
 [[nodiscard]] Extent edgeLabelExtent(SheetPoint center, int label);

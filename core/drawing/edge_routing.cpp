@@ -11,8 +11,9 @@ constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
 constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that it passes
 constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
 constexpr double kDetourStep = 16;
-constexpr int kDetours = 12;  ///< tried on each side
-constexpr int kMostHits = 4;  ///< more count as many
+constexpr int kDetours = 12;           ///< tried on each side
+constexpr int kMostHits = 4;           ///< more count as many
+constexpr std::size_t kFewMoved = 16;  ///< places, for which looking at what they concern pays
 constexpr double kTrimRadius = kNodeRadius + kRingWidth / 2 + kGapToRim;
 
 /// The parameter where the curve leaves the circle of kTrimRadius around `center` for good, sought from the
@@ -62,6 +63,17 @@ Curve detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& 
   return best;
 }
 
+/// Where nodes have come from and gone to.
+std::vector<SheetPoint> movedPlaces(const Centers& before, const Centers& after) {
+  std::vector<SheetPoint> places;
+  for (std::size_t v = 0; v < after.size(); ++v) {
+    if (before[v] == after[v]) continue;
+    if (before[v]) places.push_back(*before[v]);
+    if (after[v]) places.push_back(*after[v]);
+  }
+  return places;
+}
+
 }  // namespace
 
 Curve trimmedAtStart(const Curve& curve) {
@@ -79,20 +91,33 @@ Curve trimmedAtRims(const Curve& curve) {
   return curve.part(start, end);
 }
 
-std::vector<std::optional<Curve>> routedEdges(const Digraph& graph,
-                                              const std::vector<std::optional<SheetPoint>>& centers,
-                                              const ObstacleGrid& nodes) {
+Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes) {
+  return reroutedEdges(graph, centers, nodes, {}, {});
+}
+
+Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
+                      const Centers& formerCenters, const Courses& former) {
+  const bool comparable = formerCenters.size() == centers.size();
+  const std::vector<SheetPoint> moved =
+      comparable ? movedPlaces(formerCenters, centers) : std::vector<SheetPoint>{};
+  const bool fewMoved = comparable && moved.size() <= kFewMoved;
   const std::vector<double> heights = parallelHeights(graph);
-  std::vector<std::optional<Curve>> curves(static_cast<std::size_t>(graph.edgeCount()));
-  for (int e = 0; e < graph.edgeCount(); ++e) {
-    const DigraphEdge& edge = graph.edge(e);
+  Courses courses(static_cast<std::size_t>(graph.edgeCount()));
+  for (std::size_t e = 0; e < courses.size(); ++e) {
+    const DigraphEdge& edge = graph.edge(static_cast<int>(e));
     const auto& from = centers[static_cast<std::size_t>(edge.tail)];
     const auto& to = centers[static_cast<std::size_t>(edge.head)];
     if (!from || !to) continue;
-    const double height = heights[static_cast<std::size_t>(e)];
-    curves[static_cast<std::size_t>(e)] = trimmedAtRims(detour(*from, *to, height, nodes, edge));
+    // No course that is tried lies farther from the straight line than this.
+    const double reach = std::abs(heights[e]) + kDetours * kDetourStep + kGapToOtherNode + 2 * kNodeRadius;
+    const auto near = [&](SheetPoint place) { return distanceToSegment(place, *from, *to) <= reach; };
+    if (fewMoved && former[e] && std::none_of(moved.begin(), moved.end(), near)) {
+      courses[e] = former[e];
+    } else {
+      courses[e] = trimmedAtRims(detour(*from, *to, heights[e], nodes, edge));
+    }
   }
-  return curves;
+  return courses;
 }
 
 }  // namespace geargraph

@@ -8,10 +8,17 @@
 
 namespace geargraph {
 
+using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
+using Courses = std::vector<std::optional<Curve>>;       ///< of edges, by ordinal
+
 /// The arrow's course for every edge of the digraph, from rim to rim; none where an end has no place.
 /// `nodes` holds the circles of the nodes, owned by their ordinals.
-[[nodiscard]] std::vector<std::optional<Curve>> routedEdges(
-    const Digraph& graph, const std::vector<std::optional<SheetPoint>>& centers, const ObstacleGrid& nodes);
+[[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
+
+/// The same, faster: what was found for the same digraph with its nodes at `formerCenters` is taken over
+/// where no node that has moved could make a difference.
+[[nodiscard]] Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
+                                    const Centers& formerCenters, const Courses& former);
 
 /// The part of a curve between two node centres that lies outside of their rims.
 [[nodiscard]] Curve trimmedAtRims(const Curve& curve);

@@ -18,10 +18,15 @@ Extent beside(const Curve& curve, double t, int side, double gap, double halfWid
   return {curve.at(t) + (support + gap) * out, halfWidth, halfHeight};
 }
 
+constexpr std::array<double, 3> kRoominess{5, 10, 18};  ///< gaps that are tried around a free place
+constexpr std::array<double, 3> kDistances{kNearLine, kNearLine + 7, kNearLine + 16};
+constexpr std::array<double, 13> kPlaces{0.5,  0.44, 0.56, 0.38, 0.62, 0.32, 0.68,
+                                         0.26, 0.74, 0.2,  0.8,  0.14, 0.86};
+
 /// How many steps a free box can grow until it touches something.
 int roominess(const Extent& box, const ObstacleGrid& taken) {
   int steps = 0;
-  for (const double gap : {5.0, 10.0, 18.0}) {
+  for (const double gap : kRoominess) {
     if (taken.touches(box, gap)) break;
     ++steps;
   }
@@ -30,10 +35,8 @@ int roominess(const Extent& box, const ObstacleGrid& taken) {
 
 }  // namespace
 
-SheetPoint placeBeside(const Curve& curve, double halfWidth, double halfHeight, const ObstacleGrid& taken) {
-  constexpr std::array<double, 13> kPlaces{0.5,  0.44, 0.56, 0.38, 0.62, 0.32, 0.68,
-                                           0.26, 0.74, 0.2,  0.8,  0.14, 0.86};
-  for (const double gap : {kNearLine, kNearLine + 7, kNearLine + 16}) {
+LabelPlace placeBeside(const Curve& curve, double halfWidth, double halfHeight, const ObstacleGrid& taken) {
+  for (const double gap : kDistances) {
     for (const double t : kPlaces) {
       std::optional<SheetPoint> best;
       int most = -1;
@@ -45,10 +48,28 @@ SheetPoint placeBeside(const Curve& curve, double halfWidth, double halfHeight, 
         most = room;
         best = box.center;
       }
-      if (best) return *best;
+      if (best) return {*best, false};
     }
   }
-  return beside(curve, 0.5, 1, kNearLine, halfWidth, halfHeight).center;
+  return {beside(curve, 0.5, 1, kNearLine, halfWidth, halfHeight).center, true};
+}
+
+bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight, const LabelPlace& former,
+                   const ObstacleGrid& changed) {
+  for (const double gap : kDistances) {
+    for (const double t : kPlaces) {
+      bool found = false;
+      for (const int side : {1, -1}) {
+        const Extent box = beside(curve, t, side, gap, halfWidth, halfHeight);
+        if (changed.touches(box, kRoominess.back())) return false;
+        found = found || box.center == former.center;
+      }
+      // All that was looked at before the place was chosen is as it was. A crowded label looked at
+      // everything.
+      if (found && !former.crowded) return true;
+    }
+  }
+  return former.crowded;
 }
 
 SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {

@@ -6,10 +6,21 @@
 
 namespace geargraph {
 
+/// A label's place, and whether it touches something because there was no free one.
+struct LabelPlace {
+  SheetPoint center;
+  bool crowded = false;
+};
+
 /// Where a label of this size goes beside an arrow: as near to its middle as it touches nothing, on the side
 /// where it has more room.
-[[nodiscard]] SheetPoint placeBeside(const Curve& curve, double halfWidth, double halfHeight,
+[[nodiscard]] LabelPlace placeBeside(const Curve& curve, double halfWidth, double halfHeight,
                                      const ObstacleGrid& taken);
+
+/// Would placeBeside() find `former` again, if only what is in `changed` came or went since? May say no where
+/// it would.
+[[nodiscard]] bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight,
+                                 const LabelPlace& former, const ObstacleGrid& changed);
 
 /// Where a badge goes at a node: a corner of it that is free, the upper left one first.
 [[nodiscard]] SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken);

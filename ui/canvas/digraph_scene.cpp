@@ -1,6 +1,7 @@
 #include "ui/canvas/digraph_scene.h"
 
 #include <unordered_set>
+#include <utility>
 
 #include "ui/canvas/mark_painter.h"
 
@@ -8,6 +9,24 @@ namespace geargraph {
 namespace {
 
 constexpr double kRoomAround = 20000;  ///< how far the sheet can be pulled beyond the drawing
+
+/// How many outlines an element has: an arrow's line and label, a node's disc and badge.
+int outlinesOf(const EdgePlace&) {
+  return 2;
+}
+int outlinesOf(const NodePlace& node) {
+  return node.input ? 2 : 1;
+}
+
+/// Do both show the same elements in the same order?
+bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
+  const auto sameEdge = [](const EdgePlace& x, const EdgePlace& y) { return x.element == y.element; };
+  const auto sameNode = [](const NodePlace& x, const NodePlace& y) {
+    return x.link == y.link && x.input == y.input;
+  };
+  return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), sameEdge) &&
+         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameNode);
+}
 
 }  // namespace
 
@@ -25,26 +44,58 @@ Emphasis DigraphScene::emphasisOf(const ElementId& element) const {
 
 void DigraphScene::show(const Mechanism& mechanism, NodePositions positions) {
   m_positions = std::move(positions);
-  m_geometry = digraphGeometry(mechanism, m_positions);
+  DigraphGeometry geometry = digraphGeometry(mechanism, m_positions, m_geometry);
+  const DigraphGeometry former = std::exchange(m_geometry, std::move(geometry));
+  if (hasSameOutlines(former, m_geometry)) {
+    drawWhatDiffers(former);
+  } else {
+    drawAll();
+  }
+  const QRectF drawn = drawnRect();
+  if (!sceneRect().contains(drawn.adjusted(-1000, -1000, 1000, 1000))) {
+    setSceneRect(drawn.adjusted(-kRoomAround, -kRoomAround, kRoomAround, kRoomAround));
+  }
+}
+
+void DigraphScene::drawAll() {
   m_outlines.clear();
   for (auto& [element, part] : m_parts) part.shown = false;
-  for (const EdgePlace& edge : m_geometry.edges) drawEdge(edge);
-  for (const NodePlace& node : m_geometry.nodes) drawNode(node);
+  for (const EdgePlace& edge : m_geometry.edges) {
+    const std::vector<Outline> outlines = draw(edge);
+    m_outlines.insert(m_outlines.end(), outlines.begin(), outlines.end());
+  }
+  for (const NodePlace& node : m_geometry.nodes) {
+    const std::vector<Outline> outlines = draw(node);
+    m_outlines.insert(m_outlines.end(), outlines.begin(), outlines.end());
+  }
   std::erase_if(m_parts, [](const auto& entry) { return !entry.second.shown; });
-  const QRectF wanted = drawnRect().adjusted(-kRoomAround, -kRoomAround, kRoomAround, kRoomAround);
-  if (!sceneRect().contains(drawnRect().adjusted(-1000, -1000, 1000, 1000))) setSceneRect(wanted);
 }
 
-void DigraphScene::drawNode(const NodePlace& node) {
+void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
+  auto slot = m_outlines.begin();
+  const auto update = [&](const auto& before, const auto& now) {
+    if (before == now) {
+      slot += outlinesOf(now);
+      return;
+    }
+    for (const Outline& outline : draw(now)) *slot++ = outline;
+  };
+  for (std::size_t i = 0; i < former.edges.size(); ++i) update(former.edges[i], m_geometry.edges[i]);
+  for (std::size_t i = 0; i < former.nodes.size(); ++i) update(former.nodes[i], m_geometry.nodes[i]);
+}
+
+std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
   DisplayList drawing = nodeDrawing(node, emphasisOf(node.link));
-  m_outlines.insert(m_outlines.end(), drawing.outlines.begin(), drawing.outlines.end());
+  std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(node.link, std::move(drawing), kNodeDepth);
+  return outlines;
 }
 
-void DigraphScene::drawEdge(const EdgePlace& edge) {
+std::vector<Outline> DigraphScene::draw(const EdgePlace& edge) {
   DisplayList drawing = edgeDrawing(edge, emphasisOf(edge.element));
-  m_outlines.insert(m_outlines.end(), drawing.outlines.begin(), drawing.outlines.end());
+  std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(edge.element, std::move(drawing), kLineDepth);
+  return outlines;
 }
 
 void DigraphScene::redraw(const ElementId& element, DisplayList drawing, double depth) {
@@ -84,12 +135,10 @@ void DigraphScene::setEmphases(Emphases emphases) {
   m_emphases = std::move(emphases);
   if (changed.empty()) return;
   for (const NodePlace& node : m_geometry.nodes) {
-    if (changed.contains(node.link)) redraw(node.link, nodeDrawing(node, emphasisOf(node.link)), kNodeDepth);
+    if (changed.contains(node.link)) draw(node);
   }
   for (const EdgePlace& edge : m_geometry.edges) {
-    if (changed.contains(edge.element)) {
-      redraw(edge.element, edgeDrawing(edge, emphasisOf(edge.element)), kLineDepth);
-    }
+    if (changed.contains(edge.element)) draw(edge);
   }
 }
 

@@ -42,8 +42,10 @@ class DigraphScene final : public QGraphicsScene {
   };
 
   void redraw(const ElementId& element, DisplayList drawing, double depth);
-  void drawNode(const NodePlace& node);
-  void drawEdge(const EdgePlace& edge);
+  void drawAll();
+  void drawWhatDiffers(const DigraphGeometry& former);
+  std::vector<Outline> draw(const NodePlace& node);
+  std::vector<Outline> draw(const EdgePlace& edge);
   [[nodiscard]] Emphasis emphasisOf(const ElementId& element) const;
 
   NodePositions m_positions;

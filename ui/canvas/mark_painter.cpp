@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
+#include <optional>
 
 namespace geargraph {
 namespace {
@@ -39,6 +40,38 @@ QPen penOf(const Stroke& stroke, Theme theme, double scale) {
   return pen;
 }
 
+constexpr double kLong = 1500;  ///< px on screen, of a line that is worth cutting
+
+/// The part of a long line that can be seen, and how much of it is hidden before. Qt breaks a line into
+/// dashes as a whole, thousands of them beyond the edges of the window.
+struct VisiblePart {
+  Curve curve;
+  double hidden = 0;
+};
+std::optional<VisiblePart> visiblePart(const QPainter& painter, const Curve& curve, double width) {
+  constexpr int kPieces = 32;
+  const QRectF window = painter.worldTransform().inverted().mapRect(QRectF(painter.viewport()));
+  const Extent seen =
+      Extent{toSheetPoint(window.center()), window.width() / 2, window.height() / 2}.grown(width);
+  int first = kPieces;
+  int last = -1;
+  double hidden = 0;
+  double travelled = 0;
+  for (int i = 0; i < kPieces; ++i) {
+    const SheetPoint from = curve.at(static_cast<double>(i) / kPieces);
+    const SheetPoint to = curve.at(static_cast<double>(i + 1) / kPieces);
+    if (seen.meetsSegment(from, to)) {
+      if (last < 0) hidden = travelled;
+      first = std::min(first, i);
+      last = i;
+    }
+    travelled += distance(from, to);
+  }
+  if (last < 0) return std::nullopt;
+  return VisiblePart{
+      curve.part(static_cast<double>(first) / kPieces, static_cast<double>(last + 1) / kPieces), hidden};
+}
+
 /// Draws a shape with the painter's pen and brush.
 struct ShapePainter {
   QPainter& painter;
@@ -72,9 +105,19 @@ struct MarkPainter {
   MarkRole role;
 
   void operator()(const Stroke& stroke) const {
-    painter.setPen(penOf(stroke, theme, scale));
+    QPen pen = penOf(stroke, theme, scale);
     painter.setBrush(Qt::NoBrush);
-    std::visit(ShapePainter{painter}, stroke.shape);
+    const auto* curve = std::get_if<Curve>(&stroke.shape);
+    if (curve == nullptr || distance(curve->from, curve->to) * scale < kLong) {
+      painter.setPen(pen);
+      std::visit(ShapePainter{painter}, stroke.shape);
+      return;
+    }
+    const std::optional<VisiblePart> part = visiblePart(painter, *curve, pen.widthF());
+    if (!part) return;
+    pen.setDashOffset(part->hidden / pen.widthF());
+    painter.setPen(pen);
+    ShapePainter{painter}(part->curve);
   }
   void operator()(const Fill& fill) const {
     if (role == MarkRole::arrowhead && scale < kSmallestArrow) return;

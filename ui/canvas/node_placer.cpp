@@ -8,6 +8,7 @@ constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few m
 }  // namespace
 
 NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
+  if (mechanism->view.nodes.size() >= mechanism->links.size()) return mechanism->view.nodes;
   Mechanism placed = adopted(*mechanism);
   if (placed.view.nodes.size() >= mechanism->links.size()) return std::move(placed.view.nodes);
   if (mechanism->links.size() <= kSmall) {

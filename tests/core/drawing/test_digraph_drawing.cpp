@@ -1,5 +1,6 @@
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <random>
 
 #include "core/drawing/digraph_drawing.h"
 #include "core/drawing/hit_test.h"
@@ -245,6 +246,32 @@ class TestDigraphDrawing : public QObject {
     QCOMPARE(count({.selected = true}, MarkRole::halo, "halo"), 1);
     QCOMPARE(count({.selected = true}, MarkRole::line, "accent"), 1);
     QCOMPARE(count({.walk = -1}, MarkRole::walk, "accent"), 1);
+  }
+
+  void geometryAfterADragIsThatOfAFreshDrawing() {
+    const Mechanism mechanism = test::randomTree(9, 60, 40);
+    NodePositions positions = layoutOf(mechanism);
+    DigraphGeometry followed = digraphGeometry(mechanism, positions);
+    std::mt19937 random(4);
+    const auto step = [&] { return static_cast<double>(random() % 121) - 60; };
+    for (int move = 0; move < 60; ++move) {
+      const int nodes = move % 10 == 9 ? 20 : 1 + move % 3;  // few and many at once
+      for (int i = 0; i < nodes; ++i) {
+        SheetPoint& place = positions[mechanism.links[random() % mechanism.links.size()].id];
+        place = place + SheetPoint{step(), step()};
+      }
+      followed = digraphGeometry(mechanism, positions, followed);
+      const DigraphGeometry fresh = digraphGeometry(mechanism, positions);
+      QVERIFY(followed.nodes == fresh.nodes);
+      QVERIFY(followed.edges == fresh.edges);
+    }
+  }
+
+  void geometryOfAnotherDigraphIsNoStart() {
+    const DigraphGeometry robot = digraphGeometry(drivenRobot(), robotPositions());
+    Mechanism flipped = withFlipped(drivenRobot(), JointId("11")).value();
+    QVERIFY(digraphGeometry(flipped, robotPositions(), robot).edges ==
+            digraphGeometry(flipped, robotPositions()).edges);
   }
 
   // --- picking ---
