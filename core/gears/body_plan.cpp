@@ -60,7 +60,7 @@ class Planner {
 void Planner::placeCups() {
   for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
     const TrainGear& gear = m_train.gears[g];
-    if (gear.spec.kind != GearKind::internal || gear.link == 0) continue;
+    if (gear.spec.kind != GearKind::internal) continue;
     AxisLayout& layout = axis(gear.axisClass);
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
@@ -262,11 +262,12 @@ void Planner::addShaft(int axisClass, int link) {
   }
 }
 
-/// Wheels that stand on an axis without turning about it are held by the bearings that their link has there.
+/// Wheels that stand on an axis without turning about it are held by the bearings that their link has there,
+/// rings by the tube between their cup and these.
 void Planner::addFixedHubs() {
   for (const TrainGear& gear : m_train.gears) {
     const bool turns = m_placement.classes->classOfLink(m_tree, gear.link) == gear.axisClass;
-    if (turns || gear.spec.kind == GearKind::internal) continue;
+    if (turns) continue;
     if (m_plan.shaftOf(gear.axisClass, gear.link) == nullptr) addShaft(gear.axisClass, gear.link);
   }
 }

@@ -33,6 +33,15 @@ class Groups {
   std::vector<std::size_t> m_parent;
 };
 
+/// Coordinates come in decimals. What differs by less than they say is taken for equal, so that the planets
+/// of a set are one solid and pairs at their standard distance have no shift.
+double rounded(double value, double step) {
+  return std::round(value / step) * step + 0.0;  // no -0
+}
+constexpr double kModuleStep = 1e-6;  // of the first digit
+constexpr double kShiftStep = 1e-4;   // modules; a backlash of 0.00007 modules
+constexpr double kAngleStep = 1e-7;
+
 int teethSum(const TrainPair& pair, const TrainWheels& train) {
   const int tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec.teeth;
   const int head = train.wheels[static_cast<std::size_t>(pair.head)].spec.teeth;
@@ -51,6 +60,8 @@ void setModules(TrainWheels& train) {
   for (std::size_t w = 0; w < train.wheels.size(); ++w) {
     GearSpec& spec = train.wheels[w].spec;
     if (spec.kind != GearKind::bevel) spec.module = module[groups.root(static_cast<int>(w))];
+    spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
+    spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
   }
 }
 
@@ -73,7 +84,8 @@ void setShifts(TrainWheels& train, const std::vector<bool>& fixed) {
     wanted.push_back(
         pair.kind == MeshKind::bevel
             ? 0
-            : shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle));
+            : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
+                      kShiftStep));
   }
   for (int sweep = 0; sweep < 500; ++sweep) {
     double worst = 0;
@@ -97,6 +109,7 @@ void setShifts(TrainWheels& train, const std::vector<bool>& fixed) {
     }
     if (worst < 1e-13) break;
   }
+  for (TrainWheel& wheel : train.wheels) wheel.spec.profileShift = rounded(wheel.spec.profileShift, 1e-9);
 }
 
 /// A bevel pair's shifts cancel out, so that the pitch cones stay the working cones.
