@@ -16,6 +16,7 @@
 #include "ui/models/joint_preview.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/term_tips.h"
@@ -24,6 +25,19 @@
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
+namespace {
+
+QString whyNoGears(const AnalysisSnapshot& snapshot) {
+  if (snapshot.mechanism->n() == 0)
+    return MainWindow::tr("The gears appear here. Draw the first link: L, then click.");
+  if (!snapshot.tree) {
+    return MainWindow::tr(
+        "The gears appear when the turning joints tie every link to the ground and close no loop.");
+  }
+  return MainWindow::tr("The gears appear when a mesh joins two of the links: G, then drag.");
+}
+
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -148,6 +162,7 @@ void MainWindow::wireDigraph() {
     dock->show();
     dock->raise();
   });
+  connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
   m_status->setHint(m_digraph->hint());
 }
 
@@ -177,6 +192,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_digraph->setSnapshot(snapshot);
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
+  m_view3d->setEmptyText(whyNoGears(*snapshot));
   WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
                               tr("This matrix needs the turning joints to be a spanning tree."));
   tellWhenSettled();

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "ui/panels/matrix_header.h"
 #include "ui/theme/application_theme.h"
@@ -34,7 +35,7 @@ class EntryDelegate : public QStyledItemDelegate {
   void paintEntry(QPainter& painter, const QRectF& cell, const QStyleOptionViewItem& option,
                   const QModelIndex& index, Theme theme) const {
     const int value = index.data(MatrixModel::ValueRole).toInt();
-    QRectF pill(0, 0, 30, 21);
+    QRectF pill(0, 0, std::min(30.0, cell.width() - 3), std::min(21.0, cell.height() - 3));
     pill.moveCenter(cell.center());
     if (index.data(MatrixModel::ChangedRole).toBool()) {
       painter.setPen(Qt::NoPen);
@@ -103,6 +104,7 @@ void MatrixView::setUpHeaders() {
     m_selection->hover(m_model->columnElement(column));
   });
   connect(down, &MatrixHeader::sectionHovered, this, [this](int row) {
+    tellCycle(row);
     if (row < 0) return m_selection->unhover();
     m_selection->hover(m_model->elementsOfRow(row));
   });
@@ -112,15 +114,29 @@ void MatrixView::setUpHeaders() {
           [this](int row) { m_selection->select({m_model->rowElement(row)}); });
 }
 
-/// The last column is wider by its bracket; all others have the size of print.
+/// Cells have the size of print, or are somewhat smaller where all of the matrix then fits. The last column
+/// is wider by its bracket.
 void MatrixView::fitSections() {
-  for (int column = 0; column < m_model->columnCount(); ++column) {
-    const bool last = column == m_model->columnCount() - 1;
-    const int width = kColumnWidth + (last ? kBracket : 0);
-    if (horizontalHeader()->sectionSize(column) != width) horizontalHeader()->resizeSection(column, width);
+  const int rows = m_model->rowCount();
+  const int columns = m_model->columnCount();
+  if (rows == 0 || columns == 0) return;
+  const int wide = width() - verticalHeader()->sizeHint().width() - kBracket - 2;
+  const int high = height() - horizontalHeader()->sizeHint().height() - 2;
+  const int cellWidth = wide / columns >= kNarrowest ? std::min(wide / columns, kColumnWidth) : kColumnWidth;
+  const int cellHeight = high / rows >= kLowest ? std::min(high / rows, kRowHeight) : kRowHeight;
+  verticalHeader()->setDefaultSectionSize(cellHeight);
+  horizontalHeader()->setDefaultSectionSize(cellWidth);
+  for (int column = 0; column < columns; ++column) {
+    const int size = cellWidth + (column == columns - 1 ? kBracket : 0);
+    if (horizontalHeader()->sectionSize(column) != size) horizontalHeader()->resizeSection(column, size);
   }
   updateGeometries();
   viewport()->update();
+}
+
+void MatrixView::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  fitSections();
 }
 
 void MatrixView::setZerosAsDots(bool dots) {
@@ -180,11 +196,19 @@ void MatrixView::hoverCell(const QModelIndex& index) {
   emit restedOn({});
   if (!index.isValid()) {
     m_rest.stop();
+    tellCycle(-1);
     m_selection->unhover();
     return;
   }
   m_rest.start();
+  tellCycle(index.row());
   m_selection->hover(m_model->elementsOfCell(index.row(), index.column()));
+}
+
+void MatrixView::tellCycle(int row) {
+  const bool cycles =
+      m_model->kind() == MatrixKind::spanningTree || m_model->kind() == MatrixKind::cycleBasis;
+  emit cycleHovered(cycles && row >= 0 ? MeshId(m_model->rowElement(row).id) : MeshId());
 }
 
 void MatrixView::mouseMoveEvent(QMouseEvent* event) {

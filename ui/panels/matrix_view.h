@@ -16,8 +16,10 @@ class MatrixView : public QTableView {
   Q_OBJECT
 
  public:
-  static constexpr int kColumnWidth = 44;
+  static constexpr int kColumnWidth = 44;  ///< and down to kNarrowest, where the matrix so fits as a whole
+  static constexpr int kNarrowest = 31;
   static constexpr int kRowHeight = 32;
+  static constexpr int kLowest = 20;
   static constexpr int kBracket = 12;  ///< room for a bracket, beside the first and the last column
   static constexpr int kRestMilliseconds = 500;
 
@@ -35,6 +37,8 @@ class MatrixView : public QTableView {
  signals:
   /// The mouse rests on a cell for half a second, or (-1, -1) has left it.
   void restedOn(const QModelIndex& index);
+  /// The mouse is over the row of this mesh's cycle; empty: over none.
+  void cycleHovered(geargraph::MeshId mesh);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -42,11 +46,13 @@ class MatrixView : public QTableView {
   void mousePressEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void setUpHeaders();
   void fitSections();
   void hoverCell(const QModelIndex& index);
+  void tellCycle(int row);
   void repaintLit();
 
   MatrixModel* m_model;

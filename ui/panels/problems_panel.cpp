@@ -149,9 +149,10 @@ void ProblemsPanel::renew() {
   const bool ofFile = !m_fileName.isEmpty();
   m_model->setDiagnostics(ofFile ? m_fileProblems : m_diagnostics);
   m_banner->setVisible(ofFile);
-  m_bannerText->setText(tr("%1 could not be opened (%n problem(s)). The document that was open stays open.",
-                           nullptr, static_cast<int>(m_fileProblems.size()))
-                            .arg(m_fileName));
+  const auto count = m_fileProblems.size();
+  const QString problems = count == 1 ? tr("1 problem") : tr("%1 problems").arg(count);
+  m_bannerText->setText(
+      tr("%1 could not be opened: %2. The document that was open stays open.").arg(m_fileName, problems));
   m_pages->setCurrentIndex(m_model->rowCount() == 0 ? 1 : 0);
   emit countChanged(m_model->rowCount());
 }

@@ -68,6 +68,17 @@ QLineEdit { background: @sheet@; border: 1px solid @hairline@; border-radius: 4p
 QLineEdit:focus { border-color: @accent@; }
 QLineEdit:disabled { background: @panel@; color: @secondary@; }
 QLineEdit[wrong="true"] { border-color: @error@; color: @error@; }
+QPushButton { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 4px 16px; }
+QPushButton:hover { border-color: @accent@; }
+QPushButton:pressed, QPushButton:default { background: @chosen@; }
+QPushButton:disabled { background: @panel@; color: @secondary@; }
+QComboBox { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px; }
+QComboBox:focus { border-color: @accent@; }
+QComboBox:disabled { background: @panel@; color: @secondary@; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 10px; height: 10px; }
+QComboBox QAbstractItemView { background: @sheet@; border: 1px solid @hairline@; selection-background-color: @halo@;
+                              selection-color: @ink@; }
 QScrollArea, QScrollArea > QWidget > QWidget#page { background: @sheet@; border: none; }
 QTableView, QListView { background: @sheet@; border: none; outline: none; }
 QHeaderView { background: @sheet@; border: none; }
