@@ -1,6 +1,7 @@
 #include "ui/mainwindow/main_window.h"
 
 #include <QApplication>
+#include <QBoxLayout>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -19,6 +20,7 @@
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
+#include "ui/panels/results_panel.h"
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
@@ -99,16 +101,30 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget
   return dock;
 }
 
+QWidget* MainWindow::makeInputsAndResults() {
+  auto* both = new QWidget(this);
+  auto* layout = new QVBoxLayout(both);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(new InputsPanel(m_document, m_selection, both));
+  auto* rule = new QFrame(both);
+  rule->setProperty("look", "rule");
+  rule->setFixedHeight(1);
+  layout->addWidget(rule);
+  layout->addWidget(m_results, 1);
+  return both;
+}
+
 void MainWindow::makeDocks() {
   m_matrices = new MatricesPanel(m_selection, this);
   m_problems = new ProblemsPanel(m_selection, this);
   m_properties = new PropertiesPanel(m_document, m_selection, this);
-  m_inputs = new InputsPanel(m_document, m_selection, this);
+  m_results = new ResultsPanel(m_selection, this);
   addDock("dock.matrices", tr("Matrices"), m_matrices, Qt::BottomDockWidgetArea);
   QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
   m_view3d = new View3D(m_selection, this);
   addDock("dock.view3d", tr("3D"), m_view3d, Qt::RightDockWidgetArea);
-  addDock("dock.inputs", tr("Inputs and results"), m_inputs, Qt::RightDockWidgetArea);
+  addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults(), Qt::RightDockWidgetArea);
   addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
@@ -190,6 +206,7 @@ void MainWindow::onDocumentChanged() {
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_matrices->setSnapshot(snapshot);
   m_digraph->setSnapshot(snapshot);
+  m_results->setSnapshot(snapshot);
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));

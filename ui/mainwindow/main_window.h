@@ -19,6 +19,7 @@ class MatricesPanel;
 class ProblemsPanel;
 class PropertiesPanel;
 class RecentFiles;
+class ResultsPanel;
 class StatusLine;
 class View3D;
 
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
+  [[nodiscard]] ResultsPanel& results() { return *m_results; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
@@ -65,6 +67,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeDocks();
+  QWidget* makeInputsAndResults();
   QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
   void applyDefaultLayout();
   void makeMenus();
@@ -101,7 +104,7 @@ class MainWindow : public QMainWindow {
   MatricesPanel* m_matrices = nullptr;
   ProblemsPanel* m_problems = nullptr;
   PropertiesPanel* m_properties = nullptr;
-  InputsPanel* m_inputs = nullptr;
+  ResultsPanel* m_results = nullptr;
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   RecentFiles* m_recent = nullptr;

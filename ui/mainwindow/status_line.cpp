@@ -23,6 +23,9 @@ StatusLine::StatusLine(Selection* selection, QWidget* parent)
   m_links = addChip("chip.n", tipOf(Term::movingLinks));
   m_joints = addChip("chip.t", tipOf(Term::turningJoints));
   m_meshes = addChip("chip.c", tipOf(Term::gearMeshes));
+  m_rank = addChip("chip.rank", tipOf(Term::rank));
+  m_freedom = addChip("chip.dof", tipOf(Term::degreesOfFreedom));
+  m_freedom->setProperty("look", "strongCount");
   renewMessage();
 }
 
@@ -83,6 +86,10 @@ void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
   m_links->setText(tr("n %1").arg(snapshot->mechanism->n()));
   m_joints->setText(tr("t %1").arg(snapshot->mechanism->t()));
   m_meshes->setText(tr("c %1").arg(snapshot->mechanism->c()));
+  // Without a tree, or with a mesh that has no geometry, there is no coefficient matrix to take a rank of.
+  const MatroidAnalysis* matroid = snapshot->matroid();
+  m_rank->setText(matroid != nullptr ? tr("rank %1").arg(matroid->rank) : tr("rank –"));
+  m_freedom->setText(matroid != nullptr ? tr("DOF %1").arg(matroid->dof) : tr("DOF –"));
 }
 
 std::set<ElementId> StatusLine::counted(const QObject* chip) const {
@@ -95,6 +102,13 @@ std::set<ElementId> StatusLine::counted(const QObject* chip) const {
     for (const TurningJoint& joint : mechanism.turningJoints) elements.insert(joint.id);
   } else if (chip == m_meshes) {
     for (const GearMesh& mesh : mechanism.gearMeshes) elements.insert(mesh.id);
+  } else if (const MatroidAnalysis* matroid = m_snapshot->matroid()) {
+    const Digraph& graph = *m_snapshot->graph;
+    if (chip == m_rank) {
+      for (const int mesh : matroid->independentMeshes) elements.insert(graph.edgeId(graph.t() + mesh));
+    } else {
+      for (const int joint : matroid->choice.joints) elements.insert(graph.edgeId(joint));
+    }
   }
   return elements;
 }

@@ -46,6 +46,8 @@ class StatusLine : public QStatusBar {
   QToolButton* m_links;
   QToolButton* m_joints;
   QToolButton* m_meshes;
+  QToolButton* m_rank;
+  QToolButton* m_freedom;
 };
 
 }  // namespace geargraph

@@ -63,6 +63,7 @@ void MatrixModel::show(bool glow) {
   const AnalysisSnapshot* source = shown();
   const IntegerMatrixPtr next = source != nullptr ? source->matrix(m_kind) : nullptr;
   const IntegerMatrixPtr before = m_matrix;
+  if (next == before && next) return;  // the exact part of an analysis whose matrices are shown already
   m_rowsBefore.clear();
   m_columnsBefore.clear();
   m_before = glow && before && next && before->kind() == next->kind() ? before : nullptr;

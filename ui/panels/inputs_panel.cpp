@@ -10,6 +10,7 @@
 #include "core/mechanism/edits.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"
+#include "ui/panels/results_delegate.h"
 #include "ui/panels/speed_slider.h"
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
@@ -17,16 +18,12 @@
 namespace geargraph {
 namespace {
 
-/// A disc in the colour that the link has in every view.
 QPixmap linkDot(int label, qreal ratio) {
   QPixmap pixmap(qRound(12 * ratio), qRound(12 * ratio));
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(qColor(linkColor(label)));
-  painter.drawEllipse(QRectF(1, 1, 10, 10));
+  paintLinkDot(painter, {6, 6}, label);
   return pixmap;
 }
 
@@ -53,7 +50,6 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(m_grid);
   layout->addWidget(m_empty);
-  layout->addStretch(1);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   connect(document, &Document::changed, this, &InputsPanel::renew);

@@ -47,16 +47,17 @@ QLabel[look="problem"] { color: @error@; }
 QLabel[look="empty"] { color: @secondary@; padding: 24px; }
 QFrame[look="card"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 6px; }
 QFrame[look="card"] QLabel { border: none; background: transparent; }
+QFrame[look="rule"] { background: @hairline@; border: none; }
 QFrame[look="banner"] { background: @chosen@; border: 1px solid @hairline@; border-radius: 6px; }
 
 QToolButton[look="chip"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 11px;
                            padding: 2px 11px; min-height: 17px; }
 QToolButton[look="chip"]:hover { border-color: @accent@; }
 QToolButton[look="chip"]:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
-QToolButton[look="count"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 10px;
+QToolButton[look="count"], QToolButton[look="strongCount"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 10px;
                             padding: 1px 12px; font-weight: bold; font-size: 12px; }
 QToolButton[look="count"]:hover { border-color: @accent@; }
-QToolButton[look="count"][strong="true"] { background: @chosen@; color: @accent@; border-color: @halo@; }
+QToolButton[look="strongCount"] { background: @chosen@; color: @accent@; border-color: @halo@; }
 QToolButton[look="flat"] { border: none; background: transparent; color: @secondary@; padding: 3px 7px;
                            border-radius: 4px; }
 QToolButton[look="flat"]:hover { background: @panel@; color: @ink@; }

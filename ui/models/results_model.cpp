@@ -1,0 +1,141 @@
+#include "ui/models/results_model.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kLongestFraction = 9;  // characters; longer ones are told in digits
+
+QString withPrintedMinus(QString text) {
+  return text.replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+}  // namespace
+
+QString printedNumber(double value) {
+  return withPrintedMinus(QString::number(value, 'g', 6));
+}
+
+QString printedFraction(const Rational& value) {
+  const std::string text = value.toString();
+  if (static_cast<int>(text.size()) > kLongestFraction) return printedNumber(value.toDouble());
+  return withPrintedMinus(QString::fromStdString(text));
+}
+
+void ResultsModel::setSnapshot(const SnapshotPtr& snapshot) {
+  beginResetModel();
+  m_snapshot = snapshot;
+  endResetModel();
+}
+
+void ResultsModel::setSymbolic(bool symbolic) {
+  if (symbolic == m_symbolic) return;
+  m_symbolic = symbolic;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+const LiveSolution* ResultsModel::solution() const {
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  return matroid != nullptr && matroid->solution ? &*matroid->solution : nullptr;
+}
+
+bool ResultsModel::hasSymbols() const {
+  return m_snapshot && m_snapshot->solved && m_snapshot->solved->symbolic &&
+         !m_snapshot->solved->symbolic->matrix.empty();
+}
+
+int ResultsModel::inputCount() const {
+  return solution() != nullptr ? static_cast<int>(solution()->inputs.size()) : 0;
+}
+
+ElementId ResultsModel::outputAt(int row) const {
+  return m_snapshot->graph->edgeId(solution()->outputs[static_cast<std::size_t>(row)]);
+}
+
+ElementId ResultsModel::inputAt(int input) const {
+  return m_snapshot->graph->edgeId(solution()->inputs[static_cast<std::size_t>(input)]);
+}
+
+ElementId ResultsModel::linkOf(const ElementId& joint) const {
+  return m_snapshot->mechanism->find(JointId(joint.id))->head;
+}
+
+int ResultsModel::rowCount(const QModelIndex& parent) const {
+  return solution() == nullptr || parent.isValid() ? 0 : static_cast<int>(solution()->outputs.size());
+}
+
+int ResultsModel::columnCount(const QModelIndex& parent) const {
+  return solution() == nullptr || parent.isValid() ? 0 : inputCount() + 2;
+}
+
+std::size_t ResultsModel::at(int row, int input) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(inputCount()) +
+         static_cast<std::size_t>(input);
+}
+
+const RationalFunction* ResultsModel::symbolAt(int row, int input) const {
+  if (!m_symbolic || !hasSymbols()) return nullptr;
+  const auto& entry = m_snapshot->solved->symbolic->matrix[at(row, input)];
+  return entry ? &*entry : nullptr;
+}
+
+bool ResultsModel::isZero(int row, int input) const {
+  if (solution()->matrix.empty()) return false;
+  return solution()->matrix[at(row, input)] == 0;  // zeros of the live solution are exact
+}
+
+QString ResultsModel::coefficient(int row, int input) const {
+  if (isZero(row, input)) return QStringLiteral("0");
+  if (const RationalFunction* symbol = symbolAt(row, input)) return QString::fromStdString(symbol->toText());
+  const bool exact = m_snapshot->solved && m_snapshot->solved->exact;
+  if (exact && !m_snapshot->solved->exact->matrix.empty()) {
+    return printedFraction(m_snapshot->solved->exact->matrix[at(row, input)]);
+  }
+  if (solution()->matrix.empty()) return QStringLiteral("…");
+  return printedNumber(solution()->matrix[at(row, input)]);
+}
+
+QString ResultsModel::rateNow(int row, bool asDecimal) const {
+  const auto joint = static_cast<std::size_t>(solution()->outputs[static_cast<std::size_t>(row)]);
+  const bool exact = m_snapshot->solved && m_snapshot->solved->exact;
+  if (exact && !asDecimal) return printedFraction(m_snapshot->solved->exact->rates[joint]);
+  return printedNumber(solution()->rates[joint]);
+}
+
+QVariant ResultsModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const int row = index.row();
+  const int input = index.column() - 1;
+  const bool ofInput = input >= 0 && input < inputCount();
+  const ElementId joint = outputAt(row);
+  const std::string link = labelOf(*m_snapshot->mechanism, linkOf(joint)).value();
+  switch (role) {
+    case Qt::DisplayRole:
+      if (ofInput) return coefficient(row, input);
+      if (input < 0) return tr("link %1").arg(QString::fromStdString(link));
+      return rateNow(row, false);
+    case Qt::ToolTipRole:
+      if (input == inputCount()) return tr("%1 rad/s").arg(rateNow(row, true));
+      return {};
+    case ZeroRole:
+      return ofInput && isZero(row, input);
+    case SymbolRole:
+      return ofInput && !isZero(row, input) && symbolAt(row, input) != nullptr;
+    case JointLabelRole:
+      return QString::fromStdString(labelOf(*m_snapshot->mechanism, joint).value());
+    case LinkLabelRole:
+      return QString::fromStdString(link).toInt();
+    default:
+      return {};
+  }
+}
+
+QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const int input = section - 1;
+  if (section < 0 || section >= columnCount()) return {};
+  if (input < 0) return tr("joint");
+  if (input == inputCount()) return tr("now");
+  return QString::fromStdString(labelOf(*m_snapshot->mechanism, inputAt(input)).value());
+}
+
+}  // namespace geargraph

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "core/analysis/analysis.h"
+
+namespace geargraph {
+
+/// The solution of the newest snapshot as a table [AU, Eqs. (23), (25)]: a row for each joint that is not an
+/// input; its name, its rate for one unit of each input, and its rate now.
+///
+/// Entries are numbers at once, exact fractions when they are there, and symbols in the gear ratios where
+/// they are wanted and not over their budget.
+class ResultsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    ZeroRole = Qt::UserRole,  ///< bool: the coefficient is exactly 0
+    JointLabelRole,           ///< QString: of the row's joint
+    LinkLabelRole,            ///< int: of the link that the joint carries
+    SymbolRole,               ///< bool: the text is a formula in the gear ratios
+  };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  void setSymbolic(bool symbolic);
+  [[nodiscard]] bool isSymbolic() const { return m_symbolic; }
+  /// Are there symbols to be shown?
+  [[nodiscard]] bool hasSymbols() const;
+
+  [[nodiscard]] int inputCount() const;
+  /// By their ordinals. @pre the row or input is there
+  [[nodiscard]] ElementId outputAt(int row) const;
+  [[nodiscard]] ElementId inputAt(int input) const;
+  /// The link that a joint carries: its head.
+  [[nodiscard]] ElementId linkOf(const ElementId& joint) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  /// Of an input's column: the joint's label.
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role = Qt::DisplayRole) const override;
+
+ private:
+  [[nodiscard]] const LiveSolution* solution() const;
+  [[nodiscard]] std::size_t at(int row, int input) const;
+  [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
+  [[nodiscard]] QString coefficient(int row, int input) const;
+  [[nodiscard]] QString rateNow(int row, bool asDecimal) const;
+  [[nodiscard]] bool isZero(int row, int input) const;
+
+  SnapshotPtr m_snapshot;
+  bool m_symbolic = true;
+};
+
+/// A fraction with the minus sign of print, or about six digits of it where it is long.
+[[nodiscard]] QString printedFraction(const Rational& value);
+[[nodiscard]] QString printedNumber(double value);
+
+}  // namespace geargraph

@@ -1,0 +1,119 @@
+#include "ui/panels/results_delegate.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QtMath>
+
+#include "ui/models/results_model.h"
+#include "ui/panels/rate_label.h"
+#include "ui/panels/ratio_text.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kMargin = 16;   // at the left and right edge of the table
+constexpr int kDotRoom = 22;  // of the link's disc
+constexpr int kGap = 18;      // between columns
+
+double baseLine(const QRectF& rect, const QFont& font) {
+  const QFontMetricsF metrics(font);
+  return rect.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+}
+
+}  // namespace
+
+void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(qColor(linkColor(linkLabel)));
+  painter.drawEllipse(centre, 5, 5);
+  painter.restore();
+}
+
+ResultsDelegate::ResultsDelegate(Selection* selection, QObject* parent)
+    : QStyledItemDelegate(parent), m_selection(selection) {}
+
+void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
+  const auto* model = static_cast<const ResultsModel*>(index.model());
+  const Theme theme = themeOf(option.palette);
+  const ElementId joint = model->outputAt(index.row());
+  painter->save();
+  if (m_selection->hovered().contains(joint) || m_selection->isSelected(joint)) {
+    QColor band = qColor(ColorRole::halo, theme);
+    band.setAlphaF(0.35F);
+    painter->fillRect(option.rect, band);
+  }
+  painter->setPen(qColor(ColorRole::ink, theme));
+  const QRectF cell(option.rect);
+  const double base = baseLine(cell, option.font);
+  const QString text = index.data().toString();
+  if (index.column() == 0) {
+    paintLinkDot(*painter, {cell.left() + kMargin + 5, cell.center().y()},
+                 index.data(ResultsModel::LinkLabelRole).toInt());
+    const double left = cell.left() + kMargin + kDotRoom;
+    const QString label = index.data(ResultsModel::JointLabelRole).toString();
+    const double advance = paintRate(painter, option.font, {left, base}, label);
+    painter->setFont(option.font);
+    painter->drawText(QPointF(left + advance, base), QLatin1Char(' ') + text);
+  } else if (index.column() == model->columnCount() - 1) {
+    QFont bold = option.font;
+    bold.setBold(true);
+    painter->setFont(bold);
+    painter->drawText(cell.adjusted(0, 0, -kMargin, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+  } else if (index.data(ResultsModel::ZeroRole).toBool()) {
+    painter->setPen(qColor(ColorRole::secondary, theme));
+    painter->drawText(cell, Qt::AlignCenter, QStringLiteral("·"));
+  } else if (index.data(ResultsModel::SymbolRole).toBool()) {
+    const double advance = paintRatios(nullptr, option.font, {}, text);
+    const double left = qMax(cell.left() + 2, cell.center().x() - advance / 2);
+    painter->setClipRect(option.rect);
+    paintRatios(painter, option.font, {left, base}, text);
+  } else {
+    painter->drawText(cell, Qt::AlignCenter, text);
+  }
+  painter->restore();
+}
+
+int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const {
+  const QString text = index.data().toString();
+  const QFontMetricsF metrics(font);
+  if (index.column() == 0) {
+    const QString label = index.data(ResultsModel::JointLabelRole).toString();
+    return kMargin + kDotRoom + kGap +
+           qCeil(paintRate(nullptr, font, {}, label) + metrics.horizontalAdvance(QLatin1Char(' ') + text));
+  }
+  if (index.data(ResultsModel::SymbolRole).toBool()) {
+    return kGap + qCeil(paintRatios(nullptr, font, {}, text));
+  }
+  return kGap + qCeil(metrics.horizontalAdvance(text));
+}
+
+ResultsHeader::ResultsHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+  setSectionResizeMode(QHeaderView::Fixed);
+  setHighlightSections(false);
+  setFixedHeight(26);
+}
+
+void ResultsHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+  const Theme theme = themeOf(palette());
+  painter->save();
+  painter->setPen(qColor(ColorRole::secondary, theme));
+  const QString text = model()->headerData(section, Qt::Horizontal).toString();
+  const int last = model()->columnCount() - 1;
+  if (section == 0) {
+    painter->drawText(rect.adjusted(kMargin + kDotRoom, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+  } else if (section == last) {
+    painter->drawText(rect.adjusted(0, 0, -kMargin, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+  } else {
+    const double advance = paintRate(nullptr, font(), {}, text);
+    painter->setPen(qColor(ColorRole::ink, theme));
+    const QRectF cell(rect);
+    paintRate(painter, font(), {cell.center().x() - advance / 2, baseLine(cell, font())}, text);
+  }
+  painter->restore();
+}
+
+}  // namespace geargraph
