@@ -1,4 +1,5 @@
-// `analyze FILE [--json] [--dense]`: everything that is computed, for people or as JSON.
+// `analyze FILE [--inputs 8,9,11] [--speed 8=1 ...] [--json]`: everything that is computed, for people or as
+// JSON.
 
 #include <unistd.h>
 
@@ -9,19 +10,36 @@
 #include "app/cli/analyze_text.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/input_options.h"
 #include "app/cli/load.h"
 
 namespace geargraph::cli {
 namespace {
 
+/// The document analysed with the inputs of the command line.
+std::variant<SnapshotPtr, UsageError> analysed(const Mechanism& document, const Arguments& arguments) {
+  auto mechanism = withInputOptions(document, arguments);
+  if (const auto* error = std::get_if<UsageError>(&mechanism)) return *error;
+  const SolveOptions options{!arguments.has("--no-symbolic")};
+  return analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, {},
+                 options);
+}
+
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kAnalyze, "One file is needed.");
+  if (arguments.has("--symbolic") && arguments.has("--no-symbolic")) {
+    return wrongUsage(kAnalyze, "Give --symbolic or --no-symbolic.");
+  }
   const std::string& file = arguments.files.front();
-  auto loaded = load(file);
+  const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  auto& document = std::get<Expected<Mechanism>>(loaded);
-  const SnapshotPtr snapshot =
-      document ? analyze(std::make_shared<const Mechanism>(std::move(document).value())) : nullptr;
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  SnapshotPtr snapshot;
+  if (document) {
+    const auto result = analysed(*document, arguments);
+    if (const auto* error = std::get_if<UsageError>(&result)) return wrongUsage(kAnalyze, error->message);
+    snapshot = std::get<SnapshotPtr>(result);
+  }
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (!arguments.has("--json")) {
@@ -35,13 +53,18 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
+    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be said again"},
+    Option{"--symbolic", "", "with the solution in gear ratios (the default)"},
+    Option{"--no-symbolic", "", "without it"},
     Option{"--json", "", "as JSON"},
     Option{"--dense", "", "with --json: all entries of matrices, also above 250,000 (else triplets)"},
 };
 
 }  // namespace
 
-const Command kAnalyze = {"analyze", "FILE [--json] [--dense]",
+const Command kAnalyze = {"analyze",
+                          "FILE [--inputs 8,9,11] [--speed 8=1 ...] [--no-symbolic] [--json] [--dense]",
                           "Analyses a mechanism, for people or as JSON.", kOptions, run};
 
 }  // namespace geargraph::cli

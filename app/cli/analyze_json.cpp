@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/kinematics_json.h"
 #include "core/io/json_writer.h"
 
 namespace geargraph::cli {
@@ -24,11 +25,12 @@ class AnalysisJson {
     part("labels", m_snapshot != nullptr, &AnalysisJson::labels);
     part("matrices", m_snapshot != nullptr, &AnalysisJson::matrices);
     part("cycles", m_snapshot != nullptr && m_snapshot->tree, &AnalysisJson::cycles);
-    for (const char* later :
-         {"transferVertices", "solution", "ttSolution", "agreement", "jointSpeeds", "linkVelocities"}) {
-      m_json.key(later);
-      m_json.null();
-    }
+    motion("transferVertices", writeTransferVertices);
+    motion("solution", writeMatroidSolution);
+    motion("ttSolution", writeTtSolution);
+    motion("agreement", writeAgreement);
+    motion("jointSpeeds", writeJointSpeeds);
+    motion("linkVelocities", writeLinkVelocities);
     m_json.key("diagnostics");
     writeDiagnostics(m_json, diagnostics);
     m_json.endObject();
@@ -45,18 +47,36 @@ class AnalysisJson {
     }
   }
 
+  /// A member that says itself whether it is defined.
+  void motion(std::string_view name, void (*writePart)(JsonWriter&, const AnalysisSnapshot&)) {
+    m_json.key(name);
+    if (m_snapshot != nullptr) {
+      writePart(m_json, *m_snapshot);
+    } else {
+      m_json.null();
+    }
+  }
+
   void counts() {
     const Mechanism& m = *m_snapshot->mechanism;
     m_json.beginObject(Layout::row);
     m_json.member("links", m.n());
     m_json.member("turningJoints", m.t());
     m_json.member("gearMeshes", m.c());
-    m_json.key("rank");
-    m_json.null();
-    m_json.key("dof");
-    m_json.null();
+    const MatroidAnalysis* matroid = m_snapshot->matroid();
+    count("rank", matroid != nullptr ? std::optional(matroid->rank) : std::nullopt);
+    count("dof", matroid != nullptr ? std::optional(matroid->dof) : std::nullopt);
     m_json.member("kutzbachDof", 6 * m.n() - 5 * m.t() - m.c());
     m_json.endObject();
+  }
+
+  void count(std::string_view name, std::optional<int> value) {
+    m_json.key(name);
+    if (value) {
+      number(*value);
+    } else {
+      m_json.null();
+    }
   }
 
   void labels() {
@@ -88,8 +108,13 @@ class AnalysisJson {
       }
     }
     m_json.key("p");
-    m_json.null();
+    writeCoefficientMatrix(m_json, *m_snapshot, isTooLarge(m_snapshot->graph->c(), m_snapshot->graph->t()));
     m_json.endObject();
+  }
+
+  /// Too large to be written with all its zeros.
+  [[nodiscard]] bool isTooLarge(int rows, int columns) const {
+    return !m_dense && static_cast<long long>(rows) * columns > kMostEntries;
   }
 
   void integerMatrix(const IntegerMatrix& matrix) {
@@ -102,11 +127,10 @@ class AnalysisJson {
     m_json.beginArray(Layout::row);
     for (int column = 0; column < matrix.columns(); ++column) number(matrix.columnHeading(column).label);
     m_json.endArray();
-    const long long size = static_cast<long long>(matrix.rows()) * matrix.columns();
-    if (m_dense || size <= kMostEntries) {
-      entries(matrix);
-    } else {
+    if (isTooLarge(matrix.rows(), matrix.columns())) {
       triplets(matrix);
+    } else {
+      entries(matrix);
     }
     m_json.endObject();
   }
@@ -129,6 +153,7 @@ class AnalysisJson {
 
   void triplets(const IntegerMatrix& matrix) {
     std::vector<int> labelOfColumn;
+    labelOfColumn.reserve(static_cast<std::size_t>(matrix.columns()));
     for (int column = 0; column < matrix.columns(); ++column)
       labelOfColumn.push_back(matrix.columnHeading(column).label);
     m_json.key("triplets");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "app/cli/solution_text.h"
+
 namespace geargraph::cli {
 namespace {
 
@@ -112,7 +114,7 @@ std::string analysisText(const AnalysisSnapshot& snapshot) {
   for (const IntegerMatrixPtr& matrix : snapshot.matrices) {
     if (matrix) text += matrixText(*matrix);
   }
-  return text;
+  return text + motionText(snapshot);
 }
 
 }  // namespace geargraph::cli

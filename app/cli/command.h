@@ -27,6 +27,7 @@ struct Command {
 
 extern const Command kAnalyze;
 extern const Command kValidate;
+extern const Command kInputs;
 extern const Command kExport;
 
 /// Every command, in the order of the help.

@@ -1,5 +1,6 @@
 #include "app/cli/diagnostics_output.h"
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -10,7 +11,10 @@ using Layout = JsonWriter::Layout;
 
 void writeElements(JsonWriter& json, const std::vector<ElementId>& elements) {
   std::map<ElementKind, std::vector<std::string>> lists;
-  for (const ElementId& element : elements) lists[element.kind].push_back(element.id.text());
+  for (const ElementId& element : elements) {
+    std::vector<std::string>& ids = lists[element.kind];  // an element may play two parts in a finding
+    if (std::find(ids.begin(), ids.end(), element.id.text()) == ids.end()) ids.push_back(element.id.text());
+  }
   json.beginObject(Layout::row);
   for (const auto& [kind, ids] : lists) {
     json.key(listName(kind));

@@ -28,11 +28,11 @@ std::string asJson(const Diagnostics& diagnostics) {
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kValidate, "One file is needed.");
   const std::string& file = arguments.files.front();
-  auto loaded = load(file);
+  const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
   const Diagnostics diagnostics =
-      document ? analyze(std::make_shared<const Mechanism>(*document))->diagnostics : document.error();
+      document ? analyzeLive(std::make_shared<const Mechanism>(*document))->diagnostics : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(diagnostics), status);
   return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);

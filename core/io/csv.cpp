@@ -50,7 +50,6 @@ CsvWriter::CsvWriter(ByteSink& sink, std::span<const std::string> columnLabels, 
       m_zeros(repeated(std::string("0") + options.separator, m_templateFields)),
       m_ones(repeated(std::string("1") + options.separator, m_templateFields)),
       m_minusOnes(repeated(std::string("-1") + options.separator, m_templateFields)),
-      m_signFields(),
       m_buffer(kChunk) {
   if (options.byteOrderMark) append("\xEF\xBB\xBF");
   if (!options.labels) return;

@@ -64,8 +64,8 @@ class CsvWriter {
   /// What eight columns look like, by the bits of those that are not zero.
   struct SignFields {
     int sign = 0;
-    std::array<std::array<char, kSlack>, 256> text;
-    std::array<std::uint8_t, 256> length;
+    std::array<std::array<char, kSlack>, 256> text{};
+    std::array<std::uint8_t, 256> length{};
   };
   const SignFields& signFields(int sign);
 

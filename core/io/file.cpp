@@ -131,9 +131,11 @@ void AtomicFile::openTemporary() {
   }
   struct stat before {};
   if (::stat(m_target.c_str(), &before) != 0) return;
-  // The owner can only be kept by one who may give files away; then the permissions must come after it.
-  if (::fchown(m_descriptor, before.st_uid, before.st_gid) != 0) errno = 0;
-  if (::fchmod(m_descriptor, before.st_mode & 07777U) != 0) fail(reason(errno));
+  // The owner can only be kept by one who may give files away; then the permissions must come after it. Who
+  // may not shall not make a program that runs as its owner either.
+  const bool isSameOwner = ::fchown(m_descriptor, before.st_uid, before.st_gid) == 0;
+  const mode_t mode = before.st_mode & (isSameOwner ? 07777U : 0777U);
+  if (::fchmod(m_descriptor, mode) != 0) fail(reason(errno));
 }
 
 void AtomicFile::fail(const std::string& what) {

@@ -163,7 +163,8 @@ std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
 
 int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
   const std::string expected =
-      "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+      lowest == highest ? "the whole number " + std::to_string(lowest)
+                        : "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   const auto value = required(name, expected);
   if (!value) return lowest;
   if (value->is(JsonKind::number)) {

@@ -65,7 +65,8 @@ class TestCli : public QObject {
     const Mechanism mechanism = test::randomTree(5, 40, 30);
     save(mechanism);
     const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(mechanism));
-    QCOMPARE(run({"export", path("m"), "--to", "csv", "--all", "-o", path("out")}).status, 0);
+    // Its meshes are no gears, so status 1; its matrices are there all the same.
+    QCOMPARE(run({"export", path("m"), "--to", "csv", "--all", "-o", path("out")}).status, 1);
     for (const IntegerMatrixPtr& matrix : snapshot->matrices) {
       const QString name = QString::fromUtf8(matrixCommandName(matrix->kind()).data());
       const auto csv = table(contents("out/" + name + ".csv"));
@@ -115,6 +116,35 @@ class TestCli : public QObject {
     QVERIFY(dense["path"].contains("entries") && !dense["path"].contains("triplets"));
     QVERIFY(sparse["spanningTree"].contains("entries"));
     QVERIFY(matrixOfJson(sparse["path"]) == matrixOfJson(dense["path"]));
+  }
+
+  /// The numbers of the page: the solution of Eq. (25) times the inputs' speeds, by both methods.
+  void theRobotsSolution_isEq25() {
+    const json analysis = json::parse(run({"analyze", kRobot, "--json"}).output);
+    QCOMPARE(analysis["counts"]["rank"].get<int>(), 4);
+    QCOMPARE(analysis["counts"]["dof"].get<int>(), 3);
+    for (const char* method : {"solution", "ttSolution"}) {
+      const json& solution = analysis[method];
+      QVERIFY(solution["inputs"] == json({8, 9, 11}) && solution["outputs"] == json({10, 12, 13, 14}));
+      QVERIFY(solution["exact"][3] == json({"-8/27", "-16/27", "-8/9"}));
+      QVERIFY(solution["symbolic"][3] == json({"-i18*i17*i16*i15", "-i18*i17*i16", "-i18*i17"}));
+    }
+    QVERIFY(analysis["agreement"]["equal"].get<bool>());
+    QCOMPARE(analysis["jointSpeeds"]["14"].get<std::string>(), std::string("-16/27"));
+    QVERIFY(analysis["matrices"]["p"]["entries"][1] == json({0, 20, -20, 0, 30, 0, 0}));
+    QVERIFY(analysis["transferVertices"][1]["path"] == json({5, 0, 1, 2}));
+  }
+
+  void inputsOfTheCommandLine_replaceThoseOfTheFile() {
+    const json analysis = json::parse(
+        run({"analyze", kRobot, "--json", "--inputs=14,9,13", "--speed", "14=2", "--no-symbolic"}).output);
+    QVERIFY(analysis["solution"].is_null());  // q14 = i18 q13: they are dependent
+    const json valid = json::parse(
+        run({"analyze", kRobot, "--json", "--inputs=14,9,8", "--speed=14=-16/27", "--no-symbolic"}).output);
+    QVERIFY(valid["solution"]["inputs"] == json({14, 9, 8}));
+    QVERIFY(valid["solution"]["symbolic"].is_null() && valid["ttSolution"]["symbolic"].is_null());
+    QCOMPARE(valid["jointSpeeds"]["11"].get<std::string>(), std::string("0"));
+    QCOMPARE(valid["jointSpeeds"]["9"].get<std::string>(), std::string("1/2"));  // kept from the file
   }
 
   void folders_areNotOverwrittenUnlessForced() {

@@ -1,10 +1,10 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Runs geargraph-cli from the top of the checkout and compares all that it says with a stored text.
-# -D PROGRAM=… -D SOURCE=checkout -D EXPECTED=file -D WORDS=the,words,behind,it [-D INPUT=file for standard input]
+# -D PROGRAM=… -D SOURCE=checkout -D EXPECTED=file -D WORDS=the|words|behind|it [-D INPUT=file for standard input]
 # With GEARGRAPH_UPDATE_GOLDEN=1 in the environment the stored text is written instead: look at its diff.
 
-string(REPLACE "," ";" words "${WORDS}")
+string(REPLACE "|" ";" words "${WORDS}")
 set(input "")
 if(INPUT)
   set(input INPUT_FILE "${SOURCE}/${INPUT}")

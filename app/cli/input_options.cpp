@@ -1,0 +1,99 @@
+#include "app/cli/input_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "core/analysis/analysis.h"
+
+namespace geargraph::cli {
+namespace {
+
+/// The position of the joint that a word labels.
+std::variant<int, UsageError> jointOf(const Mechanism& mechanism, std::string_view word) {
+  int label = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
+  const int position = label - mechanism.jointLabel(0);
+  if (error == std::errc{} && end == word.data() + word.size() && position >= 0 && position < mechanism.t()) {
+    return position;
+  }
+  std::string message = "There is no turning joint \"" + std::string(word) + "\"";
+  if (mechanism.t() > 0) {
+    message += "; they are labelled " + std::to_string(mechanism.jointLabel(0)) + " to " +
+               std::to_string(mechanism.jointLabel(mechanism.t() - 1));
+  }
+  return UsageError{message + "."};
+}
+
+std::optional<Number> speedOf(const Mechanism& mechanism, JointId joint) {
+  if (!mechanism.inputs) return std::nullopt;
+  for (const Input& input : *mechanism.inputs) {
+    if (input.joint == joint) return input.speed;
+  }
+  return std::nullopt;
+}
+
+std::variant<std::vector<Input>, UsageError> inputsNamed(const Mechanism& mechanism, std::string_view list) {
+  std::vector<Input> inputs;
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const auto position = jointOf(mechanism, list.substr(0, comma));
+    if (const auto* error = std::get_if<UsageError>(&position)) return *error;
+    const JointId joint = mechanism.turningJoints[static_cast<std::size_t>(std::get<int>(position))].id;
+    if (std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) { return input.joint == joint; })) {
+      return UsageError{"--inputs names joint " + std::string(list.substr(0, comma)) + " twice."};
+    }
+    inputs.push_back({joint, speedOf(mechanism, joint).value_or(Number(1)), {}});
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return inputs;
+}
+
+/// The inputs that are chosen where nobody names any.
+std::vector<Input> chosenInputs(const Mechanism& mechanism) {
+  std::vector<Input> inputs;
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(mechanism));
+  const MatroidAnalysis* matroid = snapshot->matroid();
+  if (matroid == nullptr) return inputs;
+  for (std::size_t i = 0; i < matroid->choice.joints.size(); ++i) {
+    const auto joint = static_cast<std::size_t>(matroid->choice.joints[i]);
+    inputs.push_back({mechanism.turningJoints[joint].id, Number(matroid->speeds[i]), {}});
+  }
+  return inputs;
+}
+
+std::optional<UsageError> setSpeed(Mechanism& mechanism, std::string_view word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string_view::npos)
+    return UsageError{"--speed is like 8=1/2: a joint's label and rad/s."};
+  const auto position = jointOf(mechanism, word.substr(0, equals));
+  if (const auto* error = std::get_if<UsageError>(&position)) return *error;
+  const auto speed = Number::fromText(word.substr(equals + 1));
+  if (!speed)
+    return UsageError{"\"" + std::string(word.substr(equals + 1)) + "\" is no speed; 1/2 or 0.5 is."};
+  const JointId joint = mechanism.turningJoints[static_cast<std::size_t>(std::get<int>(position))].id;
+  for (Input& input : *mechanism.inputs) {
+    if (input.joint != joint) continue;
+    input.speed = *speed;
+    return std::nullopt;
+  }
+  return UsageError{"Joint " + std::string(word.substr(0, equals)) + " is not an input; see --inputs."};
+}
+
+}  // namespace
+
+std::variant<Mechanism, UsageError> withInputOptions(Mechanism mechanism, const Arguments& arguments) {
+  if (const auto list = arguments.value("--inputs")) {
+    auto inputs = inputsNamed(mechanism, *list);
+    if (const auto* error = std::get_if<UsageError>(&inputs)) return *error;
+    mechanism.inputs = std::get<std::vector<Input>>(std::move(inputs));
+  }
+  const std::vector<std::string> speeds = arguments.values("--speed");
+  if (!speeds.empty() && !mechanism.inputs) mechanism.inputs = chosenInputs(mechanism);
+  for (const std::string& speed : speeds) {
+    if (const auto error = setSpeed(mechanism, speed)) return *error;
+  }
+  return mechanism;
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,113 @@
+// `inputs FILE [--json] [--limit N]`: how many valid sets of inputs there are, and the first of them.
+
+#include <array>
+#include <charconv>
+#include <iostream>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/load.h"
+#include "core/analysis/analysis.h"
+#include "core/matroid/input_sets.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr std::size_t kUsualLimit = 1'000;
+
+struct Sets {
+  std::optional<Rational> count;
+  std::vector<std::vector<int>> labels;
+};
+
+/// Nothing where the mechanism has no kinematics, or is too large.
+std::optional<Sets> setsOf(const AnalysisSnapshot& snapshot, std::size_t limit) {
+  const MatroidAnalysis* matroid = snapshot.matroid();
+  if (matroid == nullptr) return std::nullopt;
+  const auto found = InputSets::of(*snapshot.kinematics->model, FusedField(), matroid->choice.joints);
+  if (!found) return std::nullopt;
+  Sets sets{found->count(), found->list(limit)};
+  for (std::vector<int>& set : sets.labels) {
+    for (int& joint : set) joint = snapshot.graph->edgeLabel(joint);
+  }
+  return sets;
+}
+
+std::string asJson(const Sets& sets) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.key("count");
+    if (sets.count) {
+      json.string(sets.count->toString());
+    } else {
+      json.null();
+    }
+    json.key("sets");
+    json.beginArray();
+    for (const std::vector<int>& set : sets.labels) {
+      json.beginArray(JsonWriter::Layout::row);
+      for (const int label : set) json.number(static_cast<std::int64_t>(label));
+      json.endArray();
+    }
+    json.endArray();
+    json.endObject();
+  }
+  return sink.take();
+}
+
+std::string asText(const Sets& sets) {
+  std::string text = sets.count ? sets.count->toString() : "Too many to count";
+  text += sets.count && *sets.count == 1 ? " valid set of inputs" : " valid sets of inputs";
+  const bool isAll = sets.count && *sets.count == static_cast<std::int64_t>(sets.labels.size());
+  text += isAll ? "\n" : "; the first " + std::to_string(sets.labels.size()) + ":\n";
+  for (const std::vector<int>& set : sets.labels) {
+    std::string line;
+    for (const int label : set) line += (line.empty() ? "" : ", ") + std::to_string(label);
+    text += "  " + (line.empty() ? std::string("(none: nothing can move)") : line) + '\n';
+  }
+  return text;
+}
+
+int tooMany() {
+  std::cerr << "geargraph-cli: There are over 20 million rates of joints over inputs; no sets are listed.\n";
+  return kResourceLimit;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kInputs, "One file is needed.");
+  std::size_t limit = kUsualLimit;
+  if (const auto word = arguments.value("--limit")) {
+    const auto [end, error] = std::from_chars(word->data(), word->data() + word->size(), limit);
+    if (error != std::errc{} || end != word->data() + word->size()) {
+      return wrongUsage(kInputs, "--limit is a whole number.");
+    }
+  }
+  const std::string& file = arguments.files.front();
+  const auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  const SnapshotPtr snapshot = document ? analyzeLive(std::make_shared<const Mechanism>(*document)) : nullptr;
+  const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
+  std::cerr << diagnosticLines(file, diagnostics);
+  const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
+  const auto sets = snapshot ? setsOf(*snapshot, limit) : std::nullopt;
+  if (arguments.has("--json"))
+    return print(asJson(sets.value_or(Sets{})), sets || status != kFine ? status : tooMany());
+  if (sets) return print(asText(*sets), status);
+  return status != kFine ? status : tooMany();
+}
+
+constexpr std::array kOptions = {
+    Option{"--limit", "N", "how many sets are listed (1,000)"},
+    Option{"--json", "", "as JSON"},
+};
+
+}  // namespace
+
+const Command kInputs = {"inputs", "FILE [--limit N] [--json]", "Counts and lists the valid sets of inputs.",
+                         kOptions, run};
+
+}  // namespace geargraph::cli

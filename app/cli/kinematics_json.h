@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "core/io/json_writer.h"
+
+namespace geargraph::cli {
+
+// The values of the members of `analyze --json` that speak of motion, a function each; null where the
+// mechanism leaves them undefined. Joints, meshes and links are given by label.
+
+/// [{"mesh", "carrier", "path", "axes", "sign"}]; carrier and sign null where a mesh has none.
+void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot);
+/// P of Eqs. (18), (19) in the document's unit of length; triplets where `asTriplets`.
+void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, bool asTriplets);
+void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot);
+void writeTtSolution(JsonWriter& json, const AnalysisSnapshot& snapshot);
+void writeAgreement(JsonWriter& json, const AnalysisSnapshot& snapshot);
+void writeJointSpeeds(JsonWriter& json, const AnalysisSnapshot& snapshot);
+void writeLinkVelocities(JsonWriter& json, const AnalysisSnapshot& snapshot);
+
+}  // namespace geargraph::cli
