@@ -5,11 +5,12 @@
 namespace geargraph {
 namespace {
 
-std::string wordText(const AxisLevels& levels, const std::vector<int>& word, const char* between = "|") {
+std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& walk,
+                     const char* between = "|") {
   std::string text;
-  for (const int level : word) {
+  for (const WalkStretch& stretch : walk) {
     if (!text.empty()) text += between;
-    text += levels.names[static_cast<std::size_t>(level)];
+    text += levels.names[static_cast<std::size_t>(stretch.level)];
   }
   return text;
 }
@@ -30,10 +31,11 @@ std::string label(int node) {
   return std::to_string(node);
 }
 
-Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh, const MeshWalk& walk) {
+Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh,
+                   const std::vector<WalkStretch>& walk) {
   Diagnostic finding = culprit(Code::coaxialMesh, graph, mesh);
-  finding.message = meshName(graph, mesh) + " holds gears " + label(walk.nodes.front()) + " and " +
-                    label(walk.nodes.back()) + " on one axis (" + wordText(levels, walk.word) +
+  finding.message = meshName(graph, mesh) + " holds gears " + label(walk.front().from) + " and " +
+                    label(walk.back().to) + " on one axis (" + wordText(levels, walk) +
                     "). Gears that mesh turn about two axes of one carrier: let one of them turn about "
                     "another axis.";
   return finding;
@@ -41,54 +43,82 @@ Diagnostic coaxial(const Digraph& graph, const AxisLevels& levels, int mesh, con
 
 /// The tail gear is well attached to any link that carries the head gear's axis: the last stretch of the
 /// walk.
-Diagnostic manyAxes(const Digraph& graph, const AxisLevels& levels, int mesh, const MeshWalk& walk) {
+Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels, int mesh,
+                    const std::vector<WalkStretch>& walk) {
   Diagnostic finding = culprit(Code::noTransferVertex, graph, mesh);
   std::vector<std::string> carriers;
-  for (std::size_t i = static_cast<std::size_t>(walk.turns.back()); i + 1 < walk.nodes.size(); ++i) {
-    carriers.push_back(label(walk.nodes[i]));
+  int node = walk.back().from;
+  for (const PathStep& step : treePath(tree, walk.back().from, walk.back().to)) {
+    carriers.push_back(label(node));
+    const DigraphEdge& branch = graph.turningEdge(step.joint);
+    node = branch.tail == node ? branch.head : branch.tail;
   }
-  finding.message = meshName(graph, mesh) + " holds gears on " +
-                    countInWords(static_cast<int>(walk.word.size())) + " axes (" +
-                    wordText(levels, walk.word, ", ") + "): its path reads " + wordText(levels, walk.word) +
-                    ". A carrier must hold both axes: attach gear " + label(walk.nodes.front()) +
-                    " to link " + listed(carriers, "or") + ".";
+  finding.message = meshName(graph, mesh) + " holds gears on " + countInWords(static_cast<int>(walk.size())) +
+                    " axes (" + wordText(levels, walk, ", ") + "): its path reads " + wordText(levels, walk) +
+                    ". A carrier must hold both axes: attach gear " + label(walk.front().from) + " to link " +
+                    listed(carriers, "or") + ".";
   return finding;
 }
 
 }  // namespace
 
-MeshWalk meshWalk(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels, int mesh) {
-  MeshWalk walk;
-  const DigraphEdge& edge = graph.meshEdge(mesh);
-  walk.steps = treePath(tree, edge.tail, edge.head);
-  int node = edge.tail;
-  walk.nodes.push_back(node);
-  for (const PathStep& step : walk.steps) {
-    const int level = levels.ofJoint[static_cast<std::size_t>(step.joint)];
-    if (walk.word.empty() || walk.word.back() != level) {
-      if (!walk.word.empty()) walk.turns.push_back(static_cast<int>(walk.nodes.size()) - 1);
-      walk.word.push_back(level);
-    }
-    const DigraphEdge& branch = graph.turningEdge(step.joint);
-    node = branch.tail == node ? branch.head : branch.tail;
-    walk.nodes.push_back(node);
+LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels)
+    : m_graph(graph), m_tree(tree), m_levels(levels), m_top(static_cast<std::size_t>(graph.nodeCount()), -1) {
+  for (const int node : tree.preorder()) {
+    if (node == 0) continue;
+    const int parent = tree.parent(node);
+    m_top[static_cast<std::size_t>(node)] =
+        levelAbove(parent) == levelAbove(node) ? m_top[static_cast<std::size_t>(parent)] : parent;
   }
-  return walk;
+}
+
+int LevelWalks::levelAbove(int node) const {
+  return node == 0 ? -1 : m_levels.ofJoint[static_cast<std::size_t>(m_tree.jointToParent(node))];
+}
+
+int LevelWalks::topDepth(int node) const {
+  return node == 0 ? -1 : m_tree.depth(m_top[static_cast<std::size_t>(node)]);
+}
+
+// Climb from both gears, stretch by stretch, the one first whose stretch ends lower: so neither passes the
+// node where the walks meet. Where both stand on one level they are joined along it, for a level is one
+// piece.
+std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
+  auto [tail, head] = m_graph.meshEdge(mesh);
+  std::vector<WalkStretch> up;
+  std::vector<WalkStretch> down;
+  while (tail != head) {
+    if (levelAbove(tail) == levelAbove(head)) {
+      up.push_back({levelAbove(tail), tail, head});
+      break;
+    }
+    const bool climbTail = topDepth(tail) >= topDepth(head);
+    int& node = climbTail ? tail : head;
+    const int top = m_top[static_cast<std::size_t>(node)];
+    if (climbTail) {
+      up.push_back({levelAbove(node), node, top});
+    } else {
+      down.push_back({levelAbove(node), top, node});
+    }
+    node = top;
+  }
+  up.insert(up.end(), down.rbegin(), down.rend());
+  return up;
 }
 
 TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels) {
   TransferVertices result;
   result.ofMesh.resize(static_cast<std::size_t>(graph.c()));
+  const LevelWalks walks(graph, tree, levels);
   for (int mesh = 0; mesh < graph.c(); ++mesh) {
-    const MeshWalk walk = meshWalk(graph, tree, levels, mesh);
-    result.walkLength += static_cast<long long>(walk.steps.size());
-    if (walk.word.size() == 2) {
-      const int carrier = walk.nodes[static_cast<std::size_t>(walk.turns.front())];
-      result.ofMesh[static_cast<std::size_t>(mesh)] = TransferVertex{carrier, walk.word[0], walk.word[1]};
-    } else if (walk.word.size() == 1) {
+    const std::vector<WalkStretch> walk = walks.walk(mesh);
+    if (walk.size() == 2) {
+      result.ofMesh[static_cast<std::size_t>(mesh)] =
+          TransferVertex{walk[0].to, walk[0].level, walk[1].level};
+    } else if (walk.size() == 1) {
       result.diagnostics.push_back(coaxial(graph, levels, mesh, walk));
     } else {
-      result.diagnostics.push_back(manyAxes(graph, levels, mesh, walk));
+      result.diagnostics.push_back(manyAxes(graph, tree, levels, mesh, walk));
     }
   }
   return result;

@@ -10,20 +10,33 @@
 
 namespace geargraph {
 
-/// The walk of a mesh through the tree branches, from its tail gear to its head gear, with the levels that it
-/// meets [AU, the paths below Fig. 5]:
-///
-///     5 --b-- 0 --b-- 1 --c-- 2      nodes 5 0 1 2, word b|c, transfer vertex 1
-struct MeshWalk {
-  std::vector<PathStep> steps;
-  std::vector<int> nodes;  ///< one more than steps
-  std::vector<int> word;   ///< the levels met, repetitions dropped
-  std::vector<int> turns;  ///< the positions in `nodes` where the level changes, one less than `word`
+/// A stretch of a mesh's walk through the tree branches, all on one level.
+struct WalkStretch {
+  int level = 0;
+  int from = 0;  ///< node
+  int to = 0;    ///< node: where the level changes, or the head gear
 };
 
-/// Cost: O(its length).
-[[nodiscard]] MeshWalk meshWalk(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
-                                int mesh);
+/// The walk of a mesh from its tail gear to its head gear, stretch by stretch [AU, the paths below Fig. 5]:
+///
+///     5 --b-- 0 --b-- 1 --c-- 2      stretches b from 5 to 1, c from 1 to 2; word b|c, transfer vertex 1
+class LevelWalks {
+ public:
+  /// Cost: O(n). Refers to its arguments.
+  LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels);
+
+  /// Cost: O(stretches), however long they are.
+  [[nodiscard]] std::vector<WalkStretch> walk(int mesh) const;
+
+ private:
+  [[nodiscard]] int levelAbove(int node) const;  ///< of the branch towards the ground; -1 for the ground
+  [[nodiscard]] int topDepth(int node) const;
+
+  const Digraph& m_graph;
+  const SpanningTree& m_tree;
+  const AxisLevels& m_levels;
+  std::vector<int> m_top;  ///< by node: the ancestor that its level's branches lead to; -1 for the ground
+};
 
 /// The carrier arm of a mesh, where its walk changes level, and the axes on either side.
 struct TransferVertex {
@@ -35,13 +48,12 @@ struct TransferVertex {
 struct TransferVertices {
   std::vector<std::optional<TransferVertex>> ofMesh;  ///< none where the mesh has no carrier
   Diagnostics diagnostics;                            ///< coaxial-mesh, no-transfer-vertex
-  long long walkLength = 0;                           ///< steps of all walks together
 };
 
 /// The transfer vertex of every mesh. It is unique: the links on one level form a subtree, and two subtrees
 /// of a tree that share no branch meet in one node at most.
 ///
-/// Cost: the sum of the lengths of the walks.
+/// Cost: O(n) and the stretches of the walks.
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,
                                                 const AxisLevels& levels);
 

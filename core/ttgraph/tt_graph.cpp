@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/base/contract.h"
 #include "core/ttgraph/mesh_sign.h"
 
 namespace geargraph {
@@ -14,9 +15,7 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
       m_levels(axisLevels(mechanism, *m_graph, lines)),
       m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
   addTerminals(mechanism, lines);
-  m_complete = m_vertices.walkLength <= kMostCircuitTerms &&
-               std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
-  if (m_complete) addCircuits();
+  m_complete = std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
 }
 
 Diagnostics TtGraph::diagnostics() const {
@@ -50,17 +49,19 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
   }
 }
 
-void TtGraph::addCircuits() {
-  m_starts.reserve(2 * m_terminals.size() + 1);
-  m_terms.reserve(static_cast<std::size_t>(m_vertices.walkLength));
-  m_starts.push_back(0);
+void TtGraph::writeCircuits() const {
+  GEARGRAPH_REQUIRE(m_complete);
+  std::vector<CircuitTerm>& terms = m_circuits->terms;
+  std::vector<std::size_t>& starts = m_circuits->starts;
+  starts.reserve(2 * m_terminals.size() + 1);
+  starts.push_back(0);
   // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from
   // the carrier to the gear, and counts.
-  const auto addChord = [this](int gear, int carrier) {
+  const auto addChord = [&](int gear, int carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
-      m_terms.push_back({step.joint, -step.direction * m_levels.sense[static_cast<std::size_t>(step.joint)]});
+      terms.push_back({step.joint, -step.direction * m_levels.sense[static_cast<std::size_t>(step.joint)]});
     }
-    m_starts.push_back(m_terms.size());
+    starts.push_back(terms.size());
   };
   for (const std::optional<TerminalPair>& pair : m_terminals) {
     addChord(pair->tail, pair->carrier);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,10 +38,7 @@ struct CircuitTerm {
 /// fundamental circuits. An immutable value.
 class TtGraph {
  public:
-  /// More circuit terms than this are not stored; the solution is then left out, and says so.
-  static constexpr long long kMostCircuitTerms = 5'000'000;
-
-  /// Cost: the sum of the lengths of the meshes' walks.
+  /// Cost: O(n log n + c) for walks over few levels; the circuits are written down when first asked for.
   /// @pre graph and tree are the mechanism's, `lines` has a place for each axis and mesh
   TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree, const ReferenceLines& lines);
 
@@ -58,19 +57,29 @@ class TtGraph {
   [[nodiscard]] bool isComplete() const { return m_complete; }
 
   /// The fundamental circuit of the chord of the tail gear (head gear): the chord's velocity as a sum over
-  /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. @pre isComplete()
+  /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. Cost: once the sum of the lengths of
+  /// the meshes' walks, from any thread. @pre isComplete()
   [[nodiscard]] std::span<const CircuitTerm> tailCircuit(int mesh) const { return circuit(2 * mesh); }
   [[nodiscard]] std::span<const CircuitTerm> headCircuit(int mesh) const { return circuit(2 * mesh + 1); }
 
   [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
+  /// All chords' circuits; two chords a mesh, tail and head.
+  struct Circuits {
+    std::once_flag written;
+    std::vector<std::size_t> starts;  ///< by chord: its first term
+    std::vector<CircuitTerm> terms;
+  };
+
   [[nodiscard]] std::span<const CircuitTerm> circuit(int chord) const {
-    const auto first = m_starts[static_cast<std::size_t>(chord)];
-    return std::span(m_terms).subspan(first, m_starts[static_cast<std::size_t>(chord) + 1] - first);
+    std::call_once(m_circuits->written, [this] { writeCircuits(); });
+    const auto first = m_circuits->starts[static_cast<std::size_t>(chord)];
+    return std::span(m_circuits->terms)
+        .subspan(first, m_circuits->starts[static_cast<std::size_t>(chord) + 1] - first);
   }
   void addTerminals(const Mechanism& mechanism, const ReferenceLines& lines);
-  void addCircuits();
+  void writeCircuits() const;
 
   DigraphPtr m_graph;
   SpanningTreePtr m_tree;
@@ -79,8 +88,7 @@ class TtGraph {
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
   bool m_complete = false;
-  std::vector<std::size_t> m_starts;  ///< by chord: its first term; two chords a mesh, tail and head
-  std::vector<CircuitTerm> m_terms;
+  std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
 };
 
 }  // namespace geargraph
