@@ -24,8 +24,9 @@ std::optional<Rational> CoefficientMatrix::exactRadius(int mesh, bool tail) cons
   const MeshGeometry& geometry = *m_placement.meshes[mesh];
   const auto point = exactPitchPoint(m_mechanism, m_placement, mesh);
   if (!point) return std::nullopt;
-  const AxisLine& line = m_placement.lineOfClass(tail ? geometry.tailClass : geometry.headClass);
-  const Screw<Rational> screw = screwAbout(*point, line.exactPoint, line.exactDirection);
+  const ExactLine line =
+      exactLineOfClass(m_mechanism, m_placement, tail ? geometry.tailClass : geometry.headClass);
+  const Screw<Rational> screw = screwAbout(*point, line.point, line.direction);
   return (dot(screw.moment, screw.moment) / dot(screw.direction, screw.direction)).squareRoot();
 }
 

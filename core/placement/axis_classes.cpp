@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/base/triple.h"
@@ -97,18 +98,17 @@ class Merger {
         m_firstAt(mechanism.axes.size(), -1) {}
 
   JointSets run(Diagnostics& diagnostics) {
-    std::vector<std::vector<int>> at(m_mechanism.links.size());
-    for (std::size_t j = 0; j < m_tree.joints.size(); ++j) {
-      at[m_tree.joints[j].tail].push_back(static_cast<int>(j));
-      at[m_tree.joints[j].head].push_back(static_cast<int>(j));
+    for (std::size_t link = 0; link + 1 < m_tree.aroundStart.size(); ++link) {
+      const auto first = static_cast<std::size_t>(m_tree.aroundStart[link]);
+      joinAt(std::span(m_tree.around)
+                 .subspan(first, static_cast<std::size_t>(m_tree.aroundStart[link + 1]) - first));
     }
-    for (const std::vector<int>& joints : at) joinAt(joints);
     report(diagnostics);
     return m_sets;
   }
 
  private:
-  void joinAt(const std::vector<int>& joints) {
+  void joinAt(std::span<const int> joints) {
     m_firstOfAxis.clear();
     for (const int joint : joints) {
       int& first = m_firstAt[m_tree.axisOf[joint]];

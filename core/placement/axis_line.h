@@ -1,16 +1,27 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/triple.h"
+#include "core/mechanism/mechanism.h"
 
 namespace geargraph {
+
+/// A line in fractions; the direction is of any length.
+struct ExactLine {
+  ExactVector3 point;
+  ExactVector3 direction;
+};
 
 /// Where an axis lies in the reference pose, base frame.
 struct AxisLine {
   Vector3 point{};
-  Vector3 direction{0, 0, 1};  ///< of length 1
-  ExactVector3 exactPoint;
-  ExactVector3 exactDirection;  ///< as written, of any length
-  bool automatic = false;       ///< point or direction chosen by the program
+  Vector3 direction{0, 0, 1};       ///< of length 1
+  bool automatic = false;           ///< point or direction chosen by the program
+  std::optional<ExactLine> chosen;  ///< where it was; a given line stands in the document
 };
+
+/// The line in fractions: as chosen, or as written in the document.
+[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis);
 
 }  // namespace geargraph

@@ -15,6 +15,10 @@ ExactVector3 exactOf(const NumberTriple& triple) {
   return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
 }
 
+Vector3 valuesOf(const NumberTriple& triple) {
+  return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
+
 bool isInternal(const GearMesh& mesh) {
   return mesh.kind == MeshKind::internal;
 }
@@ -38,15 +42,16 @@ class AxisPlacer {
 
   std::vector<AxisLine> run(Rational& module) {
     takeGivenLines();
-    if (m_open > 0) {
-      collectMeshes();
-      module = m_module = moduleOfGiven();
-      placeOutward();
-    }
-    for (std::size_t i = 0; i < m_lines.size(); ++i) finish(*m_lines[i]);
+    collectMeshes();
+    module = m_module = moduleOfGiven();
+    placeOutward();
     std::vector<AxisLine> lines;
     lines.reserve(m_lines.size());
-    for (auto& line : m_lines) lines.push_back(std::move(*line));
+    for (auto& placed : m_lines) {
+      AxisLine line{placed->point, placed->direction, placed->automatic, {}};
+      if (placed->automatic) line.chosen = std::move(placed->exact);
+      lines.push_back(std::move(line));
+    }
     return lines;
   }
 
@@ -56,29 +61,27 @@ class AxisPlacer {
     int axis = 0;
   };
 
+  struct PlacedLine {
+    ExactLine exact;
+    Vector3 point{};
+    Vector3 direction{};
+    bool automatic = false;
+  };
+
   void takeGivenLines() {
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       const Axis& axis = m_mechanism.axes[i];
       if (axis.point && axis.direction) {
         m_lines[i] = lineOf(exactOf(*axis.point), exactOf(*axis.direction), false);
-      } else {
-        ++m_open;
       }
     }
   }
 
-  static AxisLine lineOf(ExactVector3 point, ExactVector3 direction, bool automatic) {
-    AxisLine line;
-    line.exactPoint = std::move(point);
-    line.exactDirection = std::move(direction);
-    line.automatic = automatic;
-    finish(line);
+  static PlacedLine lineOf(ExactVector3 point, ExactVector3 direction, bool automatic) {
+    PlacedLine line{{std::move(point), std::move(direction)}, {}, {}, automatic};
+    line.point = toDoubles(line.exact.point);
+    line.direction = unit(toDoubles(line.exact.direction));
     return line;
-  }
-
-  static void finish(AxisLine& line) {
-    line.point = toDoubles(line.exactPoint);
-    line.direction = unit(toDoubles(line.exactDirection));
   }
 
   void collectMeshes() {
@@ -109,8 +112,8 @@ class AxisPlacer {
       if (!a || !b || teeth == 0) continue;
       if (positionOf({a->point, a->direction, b->point, b->direction, 1, 1}) != LinePosition::parallel)
         continue;
-      const ExactVector3 off = cross(a->exactDirection, b->exactPoint - a->exactPoint);
-      const Rational square = dot(off, off) / dot(a->exactDirection, a->exactDirection);
+      const ExactVector3 off = cross(a->exact.direction, b->exact.point - a->exact.point);
+      const Rational square = dot(off, off) / dot(a->exact.direction, a->exact.direction);
       if (square.isZero()) continue;
       const auto root = square.squareRoot();
       return (root ? *root : Rational::fromDouble(std::sqrt(square.toDouble()))) * Rational(2, teeth);
@@ -171,22 +174,22 @@ class AxisPlacer {
 
   /// Axis `partner` beside the placed one, as number `index` of `count` round it.
   void place(int axis, const Partner& partner, int index, int count, int apexes) {
-    const AxisLine& from = *m_lines[axis];
+    const PlacedLine& from = *m_lines[axis];
     const Axis& element = m_mechanism.axes[partner.axis];
-    const ExactVector3 outward = spoke(from.exactDirection, index, count);
-    const bool bevel = element.direction ? !isParallel(from.exactDirection, exactOf(*element.direction))
+    const ExactVector3 outward = spoke(from.exact.direction, index, count);
+    const bool bevel = element.direction ? !isParallel(from.exact.direction, exactOf(*element.direction))
                                          : mesh(partner.mesh).kind == MeshKind::bevel;
     ExactVector3 point;
     ExactVector3 direction;
     if (bevel) {
       const GearMesh& of = mesh(partner.mesh);
       const Rational step = Rational(apexes) * m_module * Rational(2 * (of.tailTeeth + of.headTeeth));
-      point = from.exactPoint + scaledTo(from.exactDirection, step);
+      point = from.exact.point + scaledTo(from.exact.direction, step);
       direction = outward;
     } else {
       const Rational distance = m_module * Rational(distanceTeeth(partner.mesh), 2);
-      point = from.exactPoint + scaledTo(outward, distance);
-      direction = from.exactDirection;
+      point = from.exact.point + scaledTo(outward, distance);
+      direction = from.exact.direction;
       if (const auto held = heldByTwo(axis, partner)) point = *held;
     }
     if (element.point) point = exactOf(*element.point);
@@ -228,11 +231,11 @@ class AxisPlacer {
   /// Where the circles of two placed parallel neighbours on one carrier cross; nothing where there is no
   /// second neighbour or they miss each other.
   [[nodiscard]] std::optional<ExactVector3> heldByTwo(int axis, const Partner& partner) const {
-    const AxisLine& a = *m_lines[axis];
+    const PlacedLine& a = *m_lines[axis];
     for (const Partner& other : m_meshesAt[partner.axis]) {
       if (other.axis == axis || !m_lines[other.axis] || mesh(other.mesh).kind == MeshKind::bevel) continue;
-      const AxisLine& b = *m_lines[other.axis];
-      if (!isParallel(a.exactDirection, b.exactDirection)) continue;
+      const PlacedLine& b = *m_lines[other.axis];
+      if (!isParallel(a.exact.direction, b.exact.direction)) continue;
       const double half = m_module.toDouble() / 2;
       const double radiusA = half * distanceTeeth(partner.mesh);
       const double radiusB = half * distanceTeeth(other.mesh);
@@ -253,17 +256,34 @@ class AxisPlacer {
   const Mechanism& m_mechanism;
   const AxisClasses& m_classes;
   const std::vector<std::optional<MeshWord>>& m_words;
-  std::vector<std::optional<AxisLine>> m_lines;
+  std::vector<std::optional<PlacedLine>> m_lines;
   std::vector<std::vector<Partner>> m_meshesAt;  ///< by axis
   Rational m_module = kDefaultModule;
-  int m_open = 0;
 };
+
+/// The lines where the document gives them all: the usual case, without fractions.
+std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
+  std::vector<AxisLine> lines;
+  lines.reserve(mechanism.axes.size());
+  for (const Axis& axis : mechanism.axes) {
+    lines.push_back({valuesOf(*axis.point), unit(valuesOf(*axis.direction)), false, {}});
+  }
+  return lines;
+}
 
 }  // namespace
 
+ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis) {
+  if (line.chosen) return *line.chosen;
+  const Axis& given = mechanism.axes[axis];
+  return {exactOf(*given.point), exactOf(*given.direction)};
+}
+
 std::vector<AxisLine> placedAxes(const Mechanism& mechanism, const AxisClasses& classes,
                                  const std::vector<std::optional<MeshWord>>& words, Rational& module) {
-  return AxisPlacer(mechanism, classes, words).run(module);
+  const bool open = std::any_of(mechanism.axes.begin(), mechanism.axes.end(),
+                                [](const Axis& axis) { return !axis.point || !axis.direction; });
+  return open ? AxisPlacer(mechanism, classes, words).run(module) : givenLines(mechanism);
 }
 
 }  // namespace geargraph

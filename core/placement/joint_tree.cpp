@@ -3,25 +3,21 @@
 namespace geargraph {
 namespace {
 
-/// The joints at every link, in one array.
-struct Neighbours {
-  std::vector<int> start;
-  std::vector<int> joints;
-
-  Neighbours(const std::vector<JointTree::Ends>& ends, std::size_t links) : start(links + 1, 0) {
-    for (const auto& [tail, head] : ends) {
-      ++start[tail + 1];
-      ++start[head + 1];
-    }
-    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    joints.resize(ends.size() * 2);
-    std::vector<int> next = start;
-    for (std::size_t j = 0; j < ends.size(); ++j) {
-      joints[next[ends[j].tail]++] = static_cast<int>(j);
-      joints[next[ends[j].head]++] = static_cast<int>(j);
-    }
+/// Collects the joints at every link (counting sort).
+void collectAround(JointTree& tree, std::size_t links) {
+  tree.aroundStart.assign(links + 1, 0);
+  for (const auto& [tail, head] : tree.joints) {
+    ++tree.aroundStart[tail + 1];
+    ++tree.aroundStart[head + 1];
   }
-};
+  for (std::size_t i = 1; i < tree.aroundStart.size(); ++i) tree.aroundStart[i] += tree.aroundStart[i - 1];
+  tree.around.resize(tree.joints.size() * 2);
+  std::vector<int> next = tree.aroundStart;
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    tree.around[next[tree.joints[j].tail]++] = static_cast<int>(j);
+    tree.around[next[tree.joints[j].head]++] = static_cast<int>(j);
+  }
+}
 
 }  // namespace
 
@@ -46,7 +42,7 @@ std::optional<JointTree> JointTree::of(const Mechanism& mechanism) {
     tree.meshes.push_back({linkAt.at(mesh.tail), linkAt.at(mesh.head)});
   }
 
-  const Neighbours neighbours(tree.joints, links);
+  collectAround(tree, links);
   tree.parent.assign(links, -1);
   tree.joint.assign(links, -1);
   tree.child.assign(tree.joints.size(), -1);
@@ -54,8 +50,8 @@ std::optional<JointTree> JointTree::of(const Mechanism& mechanism) {
   tree.order.push_back(0);
   for (std::size_t at = 0; at < tree.order.size(); ++at) {
     const int link = tree.order[at];
-    for (int i = neighbours.start[link]; i < neighbours.start[link + 1]; ++i) {
-      const int joint = neighbours.joints[i];
+    for (int i = tree.aroundStart[link]; i < tree.aroundStart[link + 1]; ++i) {
+      const int joint = tree.around[i];
       if (joint == tree.joint[link]) continue;
       const Ends& ends = tree.joints[joint];
       const int other = ends.tail == link ? ends.head : ends.tail;

@@ -20,50 +20,54 @@ std::string name(const Mechanism& mechanism, int mesh) {
 
 }  // namespace
 
-ClassPath::ClassPath(const AxisClasses& of, const JointTree& tree, int tail, int head) {
+void ClassPath::climb(const AxisClasses& classes, const JointTree& tree, int& link, std::vector<int>& word,
+                      std::vector<int>& links) {
+  const int at = classes.classOfLink(tree, link);
+  word.push_back(at);
+  link = classes.classes[at].top;
+  links.push_back(link);
+}
+
+void ClassPath::walk(const AxisClasses& classes, const JointTree& tree, int tail, int head) {
   const auto depthOf = [&](int link) {
-    const int at = of.classOfLink(tree, link);
-    return at < 0 ? -1 : of.classes[at].depth;
+    const int at = classes.classOfLink(tree, link);
+    return at < 0 ? -1 : classes.classes[at].depth;
   };
-  std::vector<int> headClasses;  // climbed from the head, to be reversed
-  std::vector<int> headChanges;
-  const auto climb = [&](int& link, std::vector<int>& word, std::vector<int>& links) {
-    const int at = of.classOfLink(tree, link);
-    word.push_back(at);
-    link = of.classes[at].top;
-    links.push_back(link);
-  };
+  m_classes.clear();
+  m_changes.clear();
+  m_headClasses.clear();
+  m_headChanges.clear();
   int a = tail;
   int b = head;
   while (a != b) {
-    if (of.classOfLink(tree, a) == of.classOfLink(tree, b)) {  // they meet along one axis
-      classes.push_back(of.classOfLink(tree, a));
-      changes.push_back(b);
+    if (classes.classOfLink(tree, a) == classes.classOfLink(tree, b)) {  // they meet along one axis
+      m_classes.push_back(classes.classOfLink(tree, a));
+      m_changes.push_back(b);
       break;
     }
     const int depthA = depthOf(a);
     const int depthB = depthOf(b);
-    if (depthA >= depthB) climb(a, classes, changes);
-    if (depthB >= depthA) climb(b, headClasses, headChanges);
+    if (depthA >= depthB) climb(classes, tree, a, m_classes, m_changes);
+    if (depthB >= depthA) climb(classes, tree, b, m_headClasses, m_headChanges);
   }
-  // changes[i] is the link behind classes[i] so far; the head's climb gives the link before each class.
-  for (std::size_t i = headClasses.size(); i-- > 0;) classes.push_back(headClasses[i]);
-  if (headChanges.size() > 1) changes.insert(changes.end(), headChanges.rbegin() + 1, headChanges.rend());
-  changes.resize(classes.empty() ? 0 : classes.size() - 1);
+  // So far m_changes[i] is the link behind class i; the head's climb has the link before each of its classes.
+  m_classes.insert(m_classes.end(), m_headClasses.rbegin(), m_headClasses.rend());
+  if (m_headChanges.size() > 1)
+    m_changes.insert(m_changes.end(), m_headChanges.rbegin() + 1, m_headChanges.rend());
 }
 
 std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
-                                 const JointTree& tree, int mesh, Diagnostics& diagnostics) {
+                                 const JointTree& tree, int mesh, ClassPath& path, Diagnostics& diagnostics) {
   const auto [tail, head] = tree.meshes[mesh];
-  const ClassPath path(classes, tree, tail, head);
-  if (path.classes.size() == 2) return MeshWord{path.classes[0], path.classes[1], path.changes[0]};
+  path.walk(classes, tree, tail, head);
+  if (path.classes().size() == 2) return MeshWord{path.classes()[0], path.classes()[1], path.change(0)};
   Diagnostic finding;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   finding.elements = {element.id, element.tail, element.head};
   const std::string pair =
       name(mechanism, mesh) + " (" + std::to_string(tail) + ", " + std::to_string(head) + ")";
-  const std::string word = wordText(mechanism, classes, path.classes);
-  if (path.classes.size() < 2) {
+  const std::string word = wordText(mechanism, classes, path.classes());
+  if (path.classes().size() < 2) {
     finding.code = Code::coaxialMesh;
     finding.message = pair + " joins two gears on the same axis " + word +
                       ": coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.";

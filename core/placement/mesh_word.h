@@ -15,16 +15,29 @@ struct MeshWord {
   int carrier = 0;    ///< the link where A changes to B: the transfer vertex
 };
 
-/// The classes along the path from link `tail` to link `head`, each once a stretch, and the link behind each.
-/// Cost: O(axis classes on the path), whatever its length in joints.
-struct ClassPath {
-  std::vector<int> classes;
-  std::vector<int> changes;  ///< changes[i]: the link between classes[i] and classes[i+1]
-  ClassPath(const AxisClasses& classes, const JointTree& tree, int tail, int head);
+/// The path from one link to another as classes. Kept from mesh to mesh, so that walking allocates nothing.
+class ClassPath {
+ public:
+  /// Cost: O(axis classes on the path), whatever its length in joints.
+  void walk(const AxisClasses& classes, const JointTree& tree, int tail, int head);
+
+  [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< each once a stretch
+  /// The link between classes i and i + 1.
+  [[nodiscard]] int change(std::size_t i) const { return m_changes[i]; }
+
+ private:
+  void climb(const AxisClasses& classes, const JointTree& tree, int& link, std::vector<int>& word,
+             std::vector<int>& links);
+
+  std::vector<int> m_classes;
+  std::vector<int> m_changes;
+  std::vector<int> m_headClasses;  ///< climbed from the head, to be reversed
+  std::vector<int> m_headChanges;
 };
 
 /// Nothing, and coaxial-mesh or no-transfer-vertex among the diagnostics, where the word is not proper.
 [[nodiscard]] std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
-                                               const JointTree& tree, int mesh, Diagnostics& diagnostics);
+                                               const JointTree& tree, int mesh, ClassPath& path,
+                                               Diagnostics& diagnostics);
 
 }  // namespace geargraph

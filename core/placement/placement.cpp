@@ -8,35 +8,12 @@
 namespace geargraph {
 namespace {
 
-template <class Scalar>
-Triple<Scalar> pointOf(const AxisLine& line);
-template <>
-Vector3 pointOf<double>(const AxisLine& line) {
-  return line.point;
-}
-template <>
-ExactVector3 pointOf<Rational>(const AxisLine& line) {
-  return line.exactPoint;
-}
-template <class Scalar>
-Triple<Scalar> directionOf(const AxisLine& line);
-template <>
-Vector3 directionOf<double>(const AxisLine& line) {
-  return line.direction;
-}
-template <>
-ExactVector3 directionOf<Rational>(const AxisLine& line) {
-  return line.exactDirection;
-}
-
-template <class Scalar>
-GearPair<Scalar> pairOf(const Mechanism& mechanism, const Placement& placement, int mesh, int tailClass,
+GearPair<double> pairOf(const Mechanism& mechanism, const Placement& placement, int mesh, int tailClass,
                         int headClass) {
   const AxisLine& tail = placement.lineOfClass(tailClass);
   const AxisLine& head = placement.lineOfClass(headClass);
   const GearMesh& element = mechanism.gearMeshes[mesh];
-  return {pointOf<Scalar>(tail),     directionOf<Scalar>(tail), pointOf<Scalar>(head),
-          directionOf<Scalar>(head), element.tailTeeth,         element.headTeeth};
+  return {tail.point, tail.direction, head.point, head.direction, element.tailTeeth, element.headTeeth};
 }
 
 /// Is the tail's axis the inner one, nearer the ground?
@@ -89,17 +66,10 @@ Vector3 valuesOf(const NumberTriple& triple) {
   return {triple[0].value(), triple[1].value(), triple[2].value()};
 }
 
-/// The class whose axis point gives the plane of a derived parallel pitch point.
-template <class Scalar>
-Triple<Scalar> levelOf(const Placement& placement, int tailClass, int headClass) {
-  return pointOf<Scalar>(
-      placement.lineOfClass(tailIsInner(placement, tailClass, headClass) ? tailClass : headClass));
-}
-
 void locate(const Mechanism& mechanism, Placement& placement, int mesh, const MeshWord& word,
             SideChooser& sides) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
-  const auto pair = pairOf<double>(mechanism, placement, mesh, word.tailClass, word.headClass);
+  const auto pair = pairOf(mechanism, placement, mesh, word.tailClass, word.headClass);
   MeshGeometry geometry;
   geometry.tail = placement.tree->meshes[mesh].tail;
   geometry.head = placement.tree->meshes[mesh].head;
@@ -123,8 +93,9 @@ void locate(const Mechanism& mechanism, Placement& placement, int mesh, const Me
           placement.diagnostics.push_back(equalInternalTeeth(mechanism, mesh));
           return;
         }
-        geometry.pitchPoint = parallelPitchPoint(pair, element.kind == MeshKind::internal,
-                                                 levelOf<double>(placement, word.tailClass, word.headClass));
+        geometry.pitchPoint = parallelPitchPoint(
+            pair, element.kind == MeshKind::internal,
+            tailIsInner(placement, word.tailClass, word.headClass) ? pair.tailPoint : pair.headPoint);
     }
   }
   placement.meshes[mesh] = checkedGeometry(mechanism, mesh, pair, geometry, placement.diagnostics);
@@ -139,8 +110,10 @@ Placement placementOf(const Mechanism& mechanism) {
   std::vector<std::optional<MeshWord>> words(mechanism.gearMeshes.size());
   if (placement.tree) {
     placement.classes.emplace(mechanism, *placement.tree, placement.diagnostics);
+    ClassPath path;
     for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-      words[mesh] = meshWord(mechanism, *placement.classes, *placement.tree, mesh, placement.diagnostics);
+      words[mesh] =
+          meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics);
     }
     placement.axes = placedAxes(mechanism, *placement.classes, words, placement.module);
   } else {
@@ -157,6 +130,10 @@ Placement placementOf(const Mechanism& mechanism) {
   return placement;
 }
 
+ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+  return exactLine(mechanism, placement.lineOfClass(axisClass), placement.classes->classes[axisClass].axis);
+}
+
 std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
                                             int mesh) {
   const MeshGeometry& geometry = *placement.meshes[mesh];
@@ -164,10 +141,15 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
     const NumberTriple& point = *mechanism.gearMeshes[mesh].pitchPoint;
     return ExactVector3{point[0].exact(), point[1].exact(), point[2].exact()};
   }
-  const auto pair = pairOf<Rational>(mechanism, placement, mesh, geometry.tailClass, geometry.headClass);
+  const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
+  const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
+                                head.direction, element.tailTeeth, element.headTeeth};
   if (geometry.kind == MeshKind::bevel) return bevelPitchPoint(pair, geometry.sides, placement.module);
+  const bool inner = tailIsInner(placement, geometry.tailClass, geometry.headClass);
   return parallelPitchPoint(pair, geometry.kind == MeshKind::internal,
-                            levelOf<Rational>(placement, geometry.tailClass, geometry.headClass));
+                            inner ? pair.tailPoint : pair.headPoint);
 }
 
 }  // namespace geargraph

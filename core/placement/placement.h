@@ -40,6 +40,10 @@ struct Placement {
 /// @pre the mechanism is well formed
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism);
 
+/// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
+[[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
+                                         int axisClass);
+
 /// The pitch point of a mesh in fractions, where it is one: written in the file, or derived without a root.
 /// @pre the mesh has a geometry in this placement of the mechanism
 [[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
