@@ -26,6 +26,10 @@ bool exists(const Mechanism& mechanism, const ElementId& element) {
   }
 }
 
+bool isMesh(const ElementId& element) {
+  return element.kind == ElementKind::gearMesh;
+}
+
 Theme themeOf(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128 ? Theme::dark : Theme::light;
 }
@@ -95,16 +99,29 @@ void DigraphView::showAnotherDocument() {
   fit();
 }
 
-void DigraphView::updateEmphases() {
-  Emphases emphases;
-  std::optional<CycleWalk> walk;
-  MeshId cycle = m_wantedCycle;
-  const std::set<ElementId>& selected = m_selection->selected();
-  if (cycle.empty() && selected.size() == 1 && selected.begin()->kind == ElementKind::gearMesh) {
-    cycle = MeshId(selected.begin()->id);
+std::optional<CycleWalk> DigraphView::shownCycle() const {
+  if (!m_snapshot) return std::nullopt;
+  if (!m_wantedCycle.empty()) return cycleWalk(*m_snapshot, m_wantedCycle);
+  // Another view that shows a row of C under the mouse hovers all that is on the cycle.
+  const std::set<ElementId>& hovered = m_selection->hovered();
+  const auto mesh = std::find_if(hovered.begin(), hovered.end(), isMesh);
+  if (hovered.size() > 1 && mesh != hovered.end()) {
+    std::optional<CycleWalk> walk = cycleWalk(*m_snapshot, MeshId(mesh->id));
+    const auto isOn = [&](const ElementId& element) { return walk->emphases.contains(element); };
+    if (walk && walk->emphases.size() == hovered.size() &&
+        std::all_of(hovered.begin(), hovered.end(), isOn)) {
+      return walk;
+    }
   }
-  if (m_snapshot && !cycle.empty()) walk = cycleWalk(*m_snapshot, cycle);
-  if (walk) emphases = std::move(walk->emphases);
+  const std::set<ElementId>& selected = m_selection->selected();
+  if (selected.size() != 1 || !isMesh(*selected.begin())) return std::nullopt;
+  return cycleWalk(*m_snapshot, MeshId(selected.begin()->id));
+}
+
+void DigraphView::updateEmphases() {
+  const std::optional<CycleWalk> walk = shownCycle();
+  Emphases emphases = walk ? walk->emphases : Emphases{};
+  const std::set<ElementId>& selected = m_selection->selected();
   for (const ElementId& element : selected) emphases[element].selected = true;
   for (const ElementId& element : m_selection->hovered()) emphases[element].hovered = true;
   m_scene->setEmphases(std::move(emphases));

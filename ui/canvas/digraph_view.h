@@ -5,6 +5,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/drawing/palette.h"
+#include "ui/canvas/cycle_walk.h"
 #include "ui/canvas/digraph_scene.h"
 #include "ui/canvas/tool_controller.h"
 #include "ui/document/document.h"
@@ -33,8 +34,8 @@ class DigraphView : public QGraphicsView {
 
   /// The newest analysis, for the cycles; the drawing itself needs none.
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// Shows the fundamental cycle of this mesh as a walk; an empty id shows none. Without it, the cycle of a
-  /// mesh that is selected alone is shown.
+  /// Shows the fundamental cycle of this mesh as a walk. With an empty id the view decides: the cycle all of
+  /// which is hovered (a row of C in the matrices), else that of the mesh that is selected alone.
   void showCycle(MeshId mesh);
 
   void setDark(bool dark);
@@ -90,6 +91,7 @@ class DigraphView : public QGraphicsView {
   void rebuild();
   void showAnotherDocument();
   void updateEmphases();
+  [[nodiscard]] std::optional<CycleWalk> shownCycle() const;
   void applyTheme(Theme theme);
   void updateCursor();
   void openRenameEditor(LinkId link);

@@ -301,6 +301,13 @@ class TestDigraphCommands : public QObject {
     QCOMPARE(walked(), QString("13 14 18"));
     d.view.showCycle({});
     QCOMPARE(walked(), QString());
+    // What the matrices hover for the row C16.
+    d.selection.hover({MeshId("16"), JointId("9"), JointId("10"), JointId("12")});
+    QCOMPARE(walked(), QString("9 10 12 16"));
+    d.selection.hover({MeshId("16"), JointId("9"), JointId("10"), JointId("11")});
+    QCOMPARE(walked(), QString());
+    d.selection.hover({MeshId("16"), JointId("9")});
+    QCOMPARE(walked(), QString());
   }
 
   // --- colours ---
