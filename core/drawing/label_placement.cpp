@@ -20,8 +20,8 @@ Extent beside(const Curve& curve, double t, int side, double gap, double halfWid
 
 constexpr std::array<double, 3> kRoominess{5, 10, 18};  ///< gaps that are tried around a free place
 constexpr std::array<double, 3> kDistances{kNearLine, kNearLine + 7, kNearLine + 16};
-constexpr std::array<double, 13> kPlaces{0.5,  0.44, 0.56, 0.38, 0.62, 0.32, 0.68,
-                                         0.26, 0.74, 0.2,  0.8,  0.14, 0.86};
+constexpr std::array<double, 21> kPlaces{0.5,  0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7,
+                                         0.26, 0.74, 0.22, 0.78, 0.18, 0.82, 0.14, 0.86, 0.1,  0.9};
 
 /// How many steps a free box can grow until it touches something.
 int roominess(const Extent& box, const ObstacleGrid& taken) {

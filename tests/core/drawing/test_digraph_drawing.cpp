@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <random>
@@ -7,6 +8,7 @@
 #include "core/drawing/layout.h"
 #include "core/drawing/svg_writer.h"
 #include "core/drawing/text_metrics.h"
+#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -156,6 +158,25 @@ class TestDigraphDrawing : public QObject {
       // Where forty links crowd, a curve with one bow does not always find a way through.
       if (links < 30) found += arrowsOverNodes(geometry);
       QVERIFY2(found.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(found)));
+    }
+  }
+
+  void nothingTouchesAnythingInTheExamples_data() {
+    QTest::addColumn<QString>("file");
+    const QDir examples(GEARGRAPH_SOURCE_DIR "/resources/examples");
+    for (const QFileInfo& file : examples.entryInfoList({"*.geargraph"})) {
+      QTest::newRow(qPrintable(file.completeBaseName())) << file.filePath();
+    }
+  }
+  void nothingTouchesAnythingInTheExamples() {
+    QFETCH(QString, file);
+    QFile stored(file);
+    QVERIFY(stored.open(QIODevice::ReadOnly));
+    const Expected<Mechanism> mechanism = readMechanism(stored.readAll().toStdString());
+    QVERIFY(mechanism.has_value());
+    for (const NodePositions& positions : {completedPositions(*mechanism), layoutOf(*mechanism)}) {
+      const DigraphGeometry geometry = digraphGeometry(*mechanism, positions);
+      QCOMPARE(collisions(geometry) + arrowsOverNodes(geometry), QString());
     }
   }
 
