@@ -20,10 +20,15 @@ class Planner {
     for (int joint = 0; joint < graph.graph().t(); ++joint) {
       if (m_known[static_cast<std::size_t>(joint)] == 0) m_plan.outputs.push_back(joint);
     }
-    index();
+  }
+
+  SubstitutionPlan byLevels() {
+    m_plan.byLevels = true;
+    return std::move(m_plan);
   }
 
   SubstitutionPlan run() {
+    index();
     while (!m_ready.empty()) {
       const int mesh = m_ready.top();
       m_ready.pop();
@@ -101,9 +106,10 @@ class Planner {
 
 }  // namespace
 
-SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs) {
+SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs, long long mostTerms) {
   GEARGRAPH_REQUIRE(graph.isComplete());
-  return Planner(graph, inputs).run();
+  Planner planner(graph, inputs);
+  return graph.longestCircuitTerms() > mostTerms ? planner.byLevels() : planner.run();
 }
 
 }  // namespace geargraph

@@ -20,6 +20,9 @@ struct SubstitutionPlan {
     int joint = 0;
   };
 
+  /// The circuits are too long to write down: no steps, and no columns; the solution goes by levels
+  /// (level_system.h).
+  bool byLevels = false;
   std::vector<int> inputs;         ///< joints, in the order asked for
   std::vector<int> outputs;        ///< the other joints, ascending: the unknowns
   std::vector<Step> steps;         ///< in order; of several ready meshes the first in the document is taken
@@ -32,8 +35,11 @@ struct SubstitutionPlan {
   [[nodiscard]] int firstInputColumn() const { return static_cast<int>(outputs.size()); }
 };
 
-/// Cost: the circuit terms, and O(c log c).
+constexpr long long kMostCircuitTerms = 200'000;
+
+/// Cost: the circuit terms, and O(c log c). `mostTerms`: with more, the plan is by levels.
 /// @pre graph.isComplete(); the inputs are joints of the graph, each once
-[[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs);
+[[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
+                                                long long mostTerms = kMostCircuitTerms);
 
 }  // namespace geargraph

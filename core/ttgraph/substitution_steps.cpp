@@ -111,6 +111,7 @@ class Chain {
 std::optional<std::vector<SubstitutionStep>> substitutionSteps(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,
     const RateMatrix<std::optional<RationalFunction>>& solution, const std::stop_token& stop) {
+  if (plan.byLevels) return std::vector<SubstitutionStep>();
   const auto symbolic = symbolicSystem(ring, graph, plan, stop);
   if (!symbolic) return std::nullopt;
   return Chain(*symbolic->field, graph, plan, solution).run(*symbolic);

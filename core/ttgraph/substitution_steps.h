@@ -30,7 +30,7 @@ struct SubstitutionStep {
 };
 
 /// The whole chain, in order: a step for each unknown, but for coupled ones whose elimination grows beyond
-/// reading. `solution` is ttSymbolicSolution() over the same ring.
+/// reading, and none where the plan is by levels. `solution` is ttSymbolicSolution() over the same ring.
 /// None where `stop` was requested.
 [[nodiscard]] std::optional<std::vector<SubstitutionStep>> substitutionSteps(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,

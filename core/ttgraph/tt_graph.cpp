@@ -13,7 +13,14 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
     : m_graph(std::move(graph)),
       m_tree(std::move(tree)),
       m_levels(axisLevels(mechanism, *m_graph, lines)),
-      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
+      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)),
+      m_topDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount()) {
+  for (const int node : m_tree->preorder()) {
+    if (node == 0) continue;
+    const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
+    int& top = m_topDepth[static_cast<std::size_t>(level)];
+    top = std::min(top, m_tree->depth(node) - 1);
+  }
   addTerminals(mechanism, lines);
   m_complete = std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
 }
@@ -22,6 +29,21 @@ Diagnostics TtGraph::diagnostics() const {
   Diagnostics all = m_levels.diagnostics;
   all.insert(all.end(), m_vertices.diagnostics.begin(), m_vertices.diagnostics.end());
   return all;
+}
+
+long long TtGraph::longestCircuitTerms() const {
+  long long terms = 0;
+  for (const std::optional<TerminalPair>& pair : m_terminals) {
+    if (!pair) continue;
+    // A chord's circuit stays on one level, so it never climbs above the level's top.
+    const TransferVertex& vertex = *m_vertices.ofMesh[static_cast<std::size_t>(pair->mesh)];
+    for (const auto& [gear, level] :
+         {std::pair(pair->tail, vertex.tailLevel), std::pair(pair->head, vertex.headLevel)}) {
+      const int top = m_topDepth[static_cast<std::size_t>(level)];
+      terms += (m_tree->depth(gear) - top) + (m_tree->depth(pair->carrier) - top);
+    }
+  }
+  return terms;
 }
 
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {

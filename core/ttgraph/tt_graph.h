@@ -51,6 +51,8 @@ class TtGraph {
   [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
     return m_terminals[static_cast<std::size_t>(mesh)];
   }
+  /// No more circuit terms than this: the depths of gears and carriers, without walking. Cost: O(c).
+  [[nodiscard]] long long longestCircuitTerms() const;
   /// Meshes that have a carrier but no sign: their axes are skew, or a bevel pair's place is not known.
   [[nodiscard]] const std::vector<int>& unsignedMeshes() const { return m_unsigned; }
   /// Every mesh has its equations.
@@ -85,6 +87,7 @@ class TtGraph {
   SpanningTreePtr m_tree;
   AxisLevels m_levels;
   TransferVertices m_vertices;
+  std::vector<int> m_topDepth;  ///< by level: the depth of its link nearest the ground
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
   bool m_complete = false;

@@ -1,5 +1,6 @@
 #include "core/ttgraph/tt_solution.h"
 
+#include "core/ttgraph/level_system.h"
 #include "core/ttgraph/notation.h"
 #include "core/ttgraph/symbolic_system.h"
 #include "core/ttgraph/tt_system.h"
@@ -7,11 +8,31 @@
 namespace geargraph {
 namespace {
 
-using FusedSystem = TtSystem<FusedField>;
+/// Solves the equations in this arithmetic, by circuits or where they are too long by levels, and gives the
+/// system to `use`. False where `stop` was requested.
+template <class Field, class Use>
+bool withSystem(const Field& field, const TtGraph& graph, const SubstitutionPlan& plan,
+                const std::stop_token& stop, const Use& use) {
+  const TeethWeights<Field> weights{&field};
+  if (plan.byLevels) {
+    const auto system = LevelSystem<Field>::of(field, graph, plan, weights, stop);
+    return system && use(*system);
+  }
+  const auto system = TtSystem<Field>::of(field, graph, plan, weights, {}, stop);
+  return system && use(*system);
+}
 
-std::optional<FusedSystem> fusedSystem(const FusedField& field, const TtGraph& graph,
-                                       const SubstitutionPlan& plan, const std::stop_token& stop) {
-  return FusedSystem::of(field, graph, plan, TeethWeights<FusedField>{&field}, {}, stop);
+template <class Field>
+std::optional<std::vector<typename Field::Value>> ratesIn(const Field& field, const TtGraph& graph,
+                                                          const SubstitutionPlan& plan,
+                                                          std::span<const typename Field::Value> inputRates,
+                                                          const std::stop_token& stop) {
+  std::optional<std::vector<typename Field::Value>> rates;
+  withSystem(field, graph, plan, stop, [&](const auto& system) {
+    rates = system.solve(inputRates).first;
+    return true;
+  });
+  return rates;
 }
 
 /// An empty matrix of the plan's shape.
@@ -27,55 +48,49 @@ RateMatrix<Value> shapeOf(const SubstitutionPlan& plan) {
 std::optional<TtDetermination> ttDetermination(const TtGraph& graph, const SubstitutionPlan& plan,
                                                const std::stop_token& stop) {
   const FusedField field;
-  const auto system = fusedSystem(field, graph, plan, stop);
-  if (!system) return std::nullopt;
-  TtDetermination result{system->openJoints(), false, system->surplusMeshes()};
   // One draw of random input rates stands for all: a relation among them holds there by chance only.
   ResidueStream residues(field.prime(), 26);
   std::vector<Fused> inputs(plan.inputs.size());
   for (Fused& input : inputs) input = {1, residues.next()};
-  result.contradictory = !system->holds(system->rates(inputs));
-  return result;
+  TtDetermination result;
+  const bool done = withSystem(field, graph, plan, stop, [&](const auto& system) {
+    result = {system.openJoints(), !system.solve(inputs).second, system.surplusMeshes()};
+    return true;
+  });
+  return done ? std::optional(std::move(result)) : std::nullopt;
 }
 
 std::optional<std::vector<Rational>> ttRates(const TtGraph& graph, const SubstitutionPlan& plan,
                                              std::span<const Rational> inputRates,
                                              const std::stop_token& stop) {
-  const RationalField field;
-  const auto system =
-      TtSystem<RationalField>::of(field, graph, plan, TeethWeights<RationalField>{&field}, {}, stop);
-  if (!system) return std::nullopt;
-  return system->rates(inputRates);
+  return ratesIn(RationalField(), graph, plan, inputRates, stop);
 }
 
 std::optional<std::vector<Fused>> ttRates(const FusedField& field, const TtGraph& graph,
                                           const SubstitutionPlan& plan, std::span<const Fused> inputRates,
                                           const std::stop_token& stop) {
-  const auto system = fusedSystem(field, graph, plan, stop);
-  if (!system) return std::nullopt;
-  return system->rates(inputRates);
+  return ratesIn(field, graph, plan, inputRates, stop);
 }
 
 std::optional<RateMatrix<Rational>> ttSolution(const TtGraph& graph, const SubstitutionPlan& plan,
                                                const std::stop_token& stop) {
-  const RationalField field;
-  const auto system =
-      TtSystem<RationalField>::of(field, graph, plan, TeethWeights<RationalField>{&field}, {}, stop);
-  if (!system) return std::nullopt;
   auto matrix = shapeOf<Rational>(plan);
-  matrix.determined = system->openJoints().empty();
   std::vector<Rational> unit(plan.inputs.size());
-  for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
-    if (stop.stop_requested()) return std::nullopt;
-    unit[input] = 1;
-    std::vector<Rational> rates = system->rates(unit);
-    unit[input] = 0;
-    matrix.determined = matrix.determined && system->holds(rates);
-    for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
-      matrix.entries[output][input] = std::move(rates[static_cast<std::size_t>(plan.outputs[output])]);
+  const bool done = withSystem(RationalField(), graph, plan, stop, [&](const auto& system) {
+    matrix.determined = system.openJoints().empty();
+    for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
+      if (stop.stop_requested()) return false;
+      unit[input] = 1;
+      auto [rates, holds] = system.solve(unit);
+      unit[input] = 0;
+      matrix.determined = matrix.determined && holds;
+      for (std::size_t output = 0; output < plan.outputs.size(); ++output) {
+        matrix.entries[output][input] = std::move(rates[static_cast<std::size_t>(plan.outputs[output])]);
+      }
     }
-  }
-  return matrix;
+    return true;
+  });
+  return done ? std::optional(std::move(matrix)) : std::nullopt;
 }
 
 std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(const RatioRingPtr& ring,
@@ -83,6 +98,7 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
                                                                               const SubstitutionPlan& plan,
                                                                               const std::stop_token& stop,
                                                                               int budget) {
+  if (plan.byLevels) return shapeOf<std::optional<RationalFunction>>(plan);
   const auto symbolic = symbolicSystem(ring, graph, plan, stop);
   if (!symbolic) return std::nullopt;
   const RationalFunctionField& field = *symbolic->field;

@@ -56,7 +56,7 @@ struct TtDetermination {
                                                              const std::stop_token& stop = {});
 
 /// The whole matrix as functions of the gear ratios; an entry is none where it, or the coupled equations that
-/// it comes from, went over the budget.
+/// it comes from, went over the budget; all are none where the plan is by levels.
 ///
 /// `ring` has a variable for each mesh, N_tail / N_head, in the order of the meshes: ttRatioRing() makes one.
 /// Redundant meshes (surplus ones) are left out: their ratios are bound to the others.

@@ -90,6 +90,13 @@ class TtSystem {
     return byJoint(std::move(x));
   }
 
+  /// The rates, and whether every equation that gave no unknown holds.
+  [[nodiscard]] std::pair<std::vector<Value>, bool> solve(std::span<const Value> inputRates) const {
+    std::vector<Value> found = rates(inputRates);
+    const bool all = holds(found);
+    return {std::move(found), all};
+  }
+
   /// Do the surplus meshes hold at these rates?
   [[nodiscard]] bool holds(const std::vector<Value>& rates) const {
     std::vector<Value> x;

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/ttgraph/tt_solution.h"
+#include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "tests/core/support/tt_case.h"
@@ -51,6 +52,56 @@ class TtRandomTest : public QObject {
     for (std::size_t i = 0; i < plan.inputs.size(); ++i) speeds.emplace_back(static_cast<int>(i) % 7 + 1, 3);
     const std::vector<Rational> rates = ttRates(found.graph, plan, speeds).value();
     QVERIFY(found.rollsWithoutSliding(rates));
+  }
+
+  void longCircuitsAreSolvedByLevelsToTheSameEnd() {
+    std::vector<Mechanism> mechanisms;
+    for (const test::TextbookTrain& train : test::textbookTrains()) mechanisms.push_back(train.mechanism);
+    for (int seed = 1; seed <= 40; ++seed) {
+      mechanisms.push_back(randomCase(static_cast<std::uint64_t>(seed) + 400, 8 + 2 * seed).mechanism);
+    }
+    for (const Mechanism& mechanism : mechanisms) {
+      const test::TtCase found(mechanism);
+      std::vector<int> inputs = found.someInputs();
+      const SubstitutionPlan circuits = substitutionPlan(found.graph, inputs);
+      const SubstitutionPlan levels = substitutionPlan(found.graph, inputs, 0);
+      QVERIFY(!circuits.byLevels);
+      QVERIFY(levels.byLevels);
+      QCOMPARE(levels.outputs, circuits.outputs);
+      const auto byCircuits = ttSolution(found.graph, circuits).value();
+      const auto byLevels = ttSolution(found.graph, levels).value();
+      QVERIFY(byCircuits.determined);
+      QVERIFY(byLevels.determined);
+      QVERIFY(byLevels.entries == byCircuits.entries);
+      const TtDetermination one = ttDetermination(found.graph, circuits).value();
+      const TtDetermination other = ttDetermination(found.graph, levels).value();
+      QVERIFY(one.valid());
+      QVERIFY(other.valid());
+      QCOMPARE(one.surplusMeshes.size(), other.surplusMeshes.size());
+
+      if (!circuits.outputs.empty()) {  // one input too many, one too few
+        std::vector<int> more = inputs;
+        more.push_back(circuits.outputs.front());
+        QVERIFY(ttDetermination(found.graph, substitutionPlan(found.graph, more, 0))->contradictory);
+        QVERIFY(!ttSolution(found.graph, substitutionPlan(found.graph, more, 0))->determined);
+      }
+      if (!inputs.empty()) {
+        inputs.pop_back();
+        QVERIFY(!ttDetermination(found.graph, substitutionPlan(found.graph, inputs, 0))->openJoints.empty());
+      }
+    }
+  }
+
+  void theBoundOfCircuitTermsHolds() {
+    for (int seed = 1; seed <= 20; ++seed) {
+      const test::TtCase found = randomCase(static_cast<std::uint64_t>(seed) + 500, 50);
+      long long terms = 0;
+      for (int mesh = 0; mesh < found.mechanism.c(); ++mesh) {
+        terms += static_cast<long long>(found.graph.tailCircuit(mesh).size() +
+                                        found.graph.headCircuit(mesh).size());
+      }
+      QVERIFY(terms <= found.graph.longestCircuitTerms());
+    }
   }
 
   void doublesAndResiduesFollowTheFractions() {
