@@ -17,9 +17,7 @@ struct Pivot {
 ///
 /// 1. A row with one unsolved unknown solves it (`first`, in order of solution). Repeat.
 /// 2. A column that stands in one remaining row only is solved by it at the end (`last`, in order of
-/// removal).
-///    Repeat.
-/// Real trains peel nearly whole: the rest (`coreRows`) is small.
+///    removal). Repeat. Real trains peel nearly whole: the rest (`coreRows`) is small.
 ///
 /// Cost: linear in the non-zeros.
 struct Peeling {

@@ -16,13 +16,21 @@ std::uint64_t mixed(std::uint64_t& state) {
   return z ^ (z >> 31U);
 }
 
+/// The smallest prime above a number of 61 bits that the seed gives.
+std::uint64_t primeOf(std::uint64_t seed) {
+  constexpr std::uint64_t kTop = std::uint64_t{1} << 60U;
+  const std::uint64_t prime = n_nextprime(kTop + (mixed(seed) & (kTop - 1)), 0);
+  return prime >> 61U == 0 ? prime : n_nextprime(kTop, 0);  // over the top of 61 bits: from their bottom
+}
+
 }  // namespace
 
 PrimeField::PrimeField(std::uint64_t seed) {
-  constexpr std::uint64_t kTop = std::uint64_t{1} << 60U;
-  m_prime = n_nextprime(kTop + (mixed(seed) & (kTop - 1)), 0);
-  if (m_prime >> 61U != 0) m_prime = n_nextprime(kTop, 0);  // the step over the top of 61 bits
-  std::uint64_t inverse = 1;                                // Newton's doubling of the correct low bits
+  static const std::uint64_t first =
+      primeOf(kFirstSeed);  // the two that every analysis uses are looked for once
+  static const std::uint64_t second = primeOf(kSecondSeed);
+  m_prime = seed == kFirstSeed ? first : seed == kSecondSeed ? second : primeOf(seed);
+  std::uint64_t inverse = 1;  // Newton's doubling of the correct low bits
   for (int i = 0; i < 6; ++i) inverse *= 2 - m_prime * inverse;
   m_minusInverse = 0 - inverse;
   m_one = static_cast<std::uint64_t>((static_cast<Wide>(1) << 64U) % m_prime);

@@ -21,7 +21,7 @@ class PrimeField {
   static constexpr std::uint64_t kFirstSeed = 0x6765617267726170U;  ///< where nothing asks for another prime
   static constexpr std::uint64_t kSecondSeed = 0x6d6174726f6964U;  ///< confirms what vanished under the first
 
-  /// The smallest prime above a number of 61 bits that `seed` gives. Cost: about 0.1 ms.
+  /// The smallest prime above a number of 61 bits that `seed` gives.
   explicit PrimeField(std::uint64_t seed = kFirstSeed);
 
   [[nodiscard]] std::uint64_t prime() const { return m_prime; }

@@ -14,8 +14,7 @@ namespace geargraph {
 /// Shape    c x t. Rows are answered when asked for; nothing is stored.
 /// Units    lengths of the document; normalised rows are numbers.
 /// Identity P theta = 0 for every motion; a normalised row is the row of lengths divided by |P_c,e| of the
-/// head's
-///          gear, and the row of tooth counts divided by N_head.
+///          head's gear, and the row of tooth counts divided by N_head.
 /// Cost     a row O(length of its cycle).
 class CoefficientMatrix {
  public:

@@ -14,15 +14,13 @@ constexpr int kDefaultModule = 2;
 /// Places the axes that the file leaves open.
 ///
 /// 1. Axes with point and direction stay. Where a mesh between two parallel ones of them has a centre
-/// distance,
-///    that gives the module; else kDefaultModule.
+///    distance, that gives the module; else kDefaultModule.
 /// 2. From placed axes outward, along meshes: an axis of an external or internal mesh lies parallel to its
 ///    neighbour at the distance that the teeth ask for; several of one neighbour on one carrier are spread
 ///    evenly round it; an axis that two placed ones hold lies where both distances meet, if they do.
 /// 3. An axis of a bevel mesh lies at right angles to its neighbour and meets it (z's partner is y, y's is z,
-/// x's is
-///    y); several on one carrier are spread round the same apex, other carriers have their apex further
-///    along.
+///    x's is y); several on one carrier are spread round the same apex, other carriers have their apex
+///    further along.
 /// 4. Axes that no mesh ties to these start a new group beside them, along z.
 ///
 /// `words`, by mesh: none where a mesh has no carrier.

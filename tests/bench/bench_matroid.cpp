@@ -5,6 +5,7 @@
 #include "core/matroid/symbolic_solution.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/matroid_fixture.h"
+#include "tests/core/support/trains.h"
 
 // The matroid method alone, stage by stage; the whole analysis has its own benchmark. The argument is the
 // number of links; a family a function.
@@ -74,6 +75,12 @@ void countSets(benchmark::State& state, Family family) {
 }
 
 BENCHMARK_CAPTURE(placement, tree, epicyclicTree)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
+Mechanism paper(int) {
+  return test::robot();
+}
+
+BENCHMARK_CAPTURE(placement, robot, paper)->Arg(7)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(live, robot, paper)->Arg(7)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(live, tree, epicyclicTree)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(live, nested, nestedCarriers)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(live, stacks, coaxialStacks)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
