@@ -27,8 +27,7 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
     const double origin = layout.coordinate(gear.pose.translation());
     const double a = origin + sense * span.low;
     const double b = origin + sense * span.high;
-    layout.wheels.push_back(
-        {std::min(a, b), std::max(a, b), gear.link, gear.spec.kind == GearKind::internal});
+    layout.wheels.push_back({std::min(a, b), std::max(a, b), gear.link});
     layout.taken.push_back(layout.wheels.back());
   }
 }
@@ -50,7 +49,7 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts) 
       const Vector3d apart = layouts[d].point - layout.point;
       if (std::abs(apart.dot(across)) > layout.module * across.norm()) continue;
       const double at = apart.cross(layouts[d].direction).dot(across) / across.squaredNorm();
-      layout.taken.push_back({at - 3 * layout.module, at + 3 * layout.module, -1, false});
+      layout.taken.push_back({at - 3 * layout.module, at + 3 * layout.module, -1});
       double middle = 0;
       for (const Stretch& s : layout.wheels) {
         middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());

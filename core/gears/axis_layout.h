@@ -11,8 +11,7 @@ namespace geargraph {
 struct Stretch {
   double low = 0;
   double high = 0;
-  int link = -1;      ///< whose it is; -1: nobody's, kept free
-  bool ring = false;  ///< a ring's teeth: no shaft reaches them
+  int link = -1;  ///< whose it is; -1: nobody's, kept free
 };
 
 /// A bearing: the parent's eye about the child's shaft.
@@ -41,9 +40,7 @@ struct AxisLayout {
   [[nodiscard]] bool slotIsFree(double middle) const {
     return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);
   }
-  void take(double middle, int link) {
-    taken.push_back({middle - width() / 2, middle + width() / 2, link, false});
-  }
+  void take(double middle, int link) { taken.push_back({middle - width() / 2, middle + width() / 2, link}); }
   /// Middles of slots that touch something, and those outside of everything.
   [[nodiscard]] std::vector<double> slotCandidates() const;
   /// The free slot nearest to `wanted`; outside of everything on the bearing side where there is none.

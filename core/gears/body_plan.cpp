@@ -34,6 +34,7 @@ class Planner {
   void placeLink(int link);
   void placeParallel(int link, int home, const std::vector<Bearing*>& round);
   void placeCrossing(int link, int home, Bearing& bearing);
+  [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
   [[nodiscard]] bool armIsClear(int from, int to, double level) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
@@ -165,7 +166,7 @@ double Planner::commonLevel(int link, int home, const std::vector<Bearing*>& rou
     }
     // The ground stands at the bearings' end, behind everything; carriers keep to the other.
     double cost = std::abs(x - wanted);
-    if (link == 0) {
+    if (link == 0 && x != wanted) {
       for (const int c : involved) {
         for (const Stretch& s : axis(c).taken) {
           const double edge = carried(c, side < 0 ? s.low : s.high, home);
@@ -195,44 +196,84 @@ void Planner::placeParallel(int link, int home, const std::vector<Bearing*>& rou
   }
 }
 
-/// The bearing beside the wheels of its axis where the drawn place is not free; the arm starts at the slot of
-/// the link's own axis that is nearest to it, beside the link's own wheel if it has one.
+/// Is the point in a gear, or nearer than an arm is wide? Bevels count as what their tips sweep.
+bool nearGear(const TrainGear& gear, const Vector3d& p, double margin) {
+  const Vector3d local = gear.pose.inverse() * p;
+  const AxialSpan span = axialSpan(gear.spec);
+  if (local.z() < span.low - margin || local.z() > span.high + margin) return false;
+  const double radius = std::hypot(local.x(), local.y());
+  if (gear.spec.kind == GearKind::internal) return radius > nominalTipRadius(gear.spec) - margin;
+  double reach = nominalTipRadius(gear.spec);
+  if (gear.spec.kind == GearKind::bevel && gear.spec.coneAngle < 1.3) {
+    const double tip =
+        gear.spec.coneAngle + (gear.spec.addendum + 0.5) * gear.spec.module / coneDistance(gear.spec);
+    reach = std::min(reach, std::max(local.z(), 0.0) * std::tan(tip));
+  }
+  return radius < reach + margin;
+}
+
+/// How many places of an arm with its post and bearing lie in gears of other links.
+int Planner::armHits(const ArmPlan& arm) const {
+  const AxisLayout& from = axis(arm.from);
+  const Vector3d start = from.at(arm.level);
+  const Vector3d end = axis(arm.to).at(arm.at);
+  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  const double margin = 0.5 * from.width() + 0.3 * from.module;
+  constexpr int kPlaces = 12;
+  int hits = 0;
+  for (const TrainGear& gear : m_train.gears) {
+    if (gear.link == arm.link) continue;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double part = static_cast<double>(i) / kPlaces;
+      hits += nearGear(gear, start + part * (foot - start), margin) && i > 0 ? 1 : 0;
+      hits += nearGear(gear, foot + part * (end - foot), margin) && i < kPlaces ? 1 : 0;
+    }
+  }
+  return hits;
+}
+
+/// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
+/// arms beside the link's own wheel or where it has one already; but first of all where they pass the gears.
 void Planner::placeCrossing(int link, int home, Bearing& bearing) {
   const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
   AxisLayout& target = axis(c);
-  if (!target.slotIsFree(bearing.at)) bearing.at = target.outerSlot();
-  target.take(bearing.at, link);
   AxisLayout& own = axis(home);
-  const double wanted = own.coordinate(target.at(bearing.at));
-  std::vector<double> candidates;
+  std::vector<double> places{bearing.at, target.outerSlot()};
+  for (const double x : target.slotCandidates()) places.push_back(x);
+  std::vector<double> levels{own.outerSlot()};
   const double reach = own.gap() + own.width() / 2;
   for (const Stretch& s : own.taken) {
     if (s.link != link) continue;
-    candidates.push_back(s.high + reach);
-    candidates.push_back(s.low - reach);
+    levels.push_back(s.high + reach);
+    levels.push_back(s.low - reach);
   }
-  for (const Bearing& b : own.bearings) {
-    if (candidates.empty() && b.child == link) candidates = own.slotCandidates();
-  }
-  double level = own.outerSlot();
-  double best = 1e300;
-  // An arm that stands already is used again.
+  if (levels.size() == 1) levels = own.slotCandidates();
+  std::vector<double> standing;
   for (const ArmPlan& arm : m_plan.arms) {
-    if (arm.link == link && arm.from == home && std::abs(arm.level - wanted) < best) {
-      best = std::abs(arm.level - wanted);
-      level = arm.level;
+    if (arm.link == link && arm.from == home) standing.push_back(arm.level);
+  }
+  ArmPlan best;
+  double bestCost = 1e300;
+  const auto consider = [&](double at, double level, double extra) {
+    const ArmPlan arm{link, home, level, c, at, bearing.child};
+    const double cost = 100 * own.module * armHits(arm) + std::abs(at - bearing.at) +
+                        std::abs(level - own.coordinate(target.at(at))) + extra;
+    if (cost < bestCost - 1e-9) {
+      best = arm;
+      bestCost = cost;
+    }
+  };
+  for (const double at : places) {
+    if (!target.slotIsFree(at)) continue;
+    for (const double level : standing) consider(at, level, 0);
+    for (const double level : levels) {
+      if (own.slotIsFree(level)) consider(at, level, 6 * own.module);
     }
   }
-  if (best == 1e300) {
-    for (const double x : candidates) {
-      if (own.slotIsFree(x) && std::abs(x - wanted) < best) {
-        best = std::abs(x - wanted);
-        level = x;
-      }
-    }
-    own.take(level, link);
-  }
-  m_plan.arms.push_back({link, home, level, c, bearing.at, bearing.child});
+  bearing.at = best.at;
+  target.take(best.at, link);
+  if (std::find(standing.begin(), standing.end(), best.level) == standing.end()) own.take(best.level, link);
+  m_plan.arms.push_back(best);
 }
 
 /// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
@@ -242,11 +283,13 @@ void Planner::addShaft(int axisClass, int link) {
   shaft.axisClass = axisClass;
   shaft.link = link;
   const double half = layout.width() / 2;
-  for (const Stretch& s : layout.wheels) {
-    if (s.link == link && !s.ring) shaft.include(s.low, s.high);
-  }
-  for (const Bearing& b : layout.bearings) {
-    if (b.child == link || b.parent == link) shaft.include(b.at - half, b.at + half);
+  const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
+  for (const TrainGear& gear : m_train.gears) {
+    if (gear.link != link || gear.axisClass != axisClass || gear.spec.kind == GearKind::internal) continue;
+    const AxialSpan hub = hubSpan(gear.spec);
+    const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
+    const double origin = layout.coordinate(gear.pose.translation());
+    for (const double z : {hub.low, hub.high}) shaft.include(origin + sense * z, origin + sense * z);
   }
   for (const ArmPlan& arm : m_plan.arms) {
     if (arm.link == link && arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
@@ -255,6 +298,13 @@ void Planner::addShaft(int axisClass, int link) {
     const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
     if (gear.link == link && gear.axisClass == axisClass) shaft.include(cup.plate - half, cup.plate + half);
   }
+  const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
+  const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
+  for (const Bearing& b : layout.bearings) {
+    if (b.parent == link && (nearest == nullptr || away(b) < away(*nearest))) nearest = &b;
+    if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
+  }
+  if (!turns && nearest != nullptr) shaft.include(nearest->at - half, nearest->at + half);
   if (shaft.low < shaft.high) {
     shaft.low -= 0.5 * layout.gap();
     shaft.high += 0.5 * layout.gap();

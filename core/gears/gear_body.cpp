@@ -79,19 +79,27 @@ double largestBore(const GearSpec& spec) {
   return 2 * (belowCone(small, root, spec.coneAngle).radius - 0.1 * spec.module);
 }
 
+AxialSpan hubSpan(const GearSpec& spec) {
+  AxialSpan span{1e300, -1e300};
+  for (const Circle& c : bodyMeridian(spec)) {
+    span.low = std::min(span.low, c.height);
+    span.high = std::max(span.high, c.height);
+  }
+  return span;
+}
+
 AxialSpan axialSpan(const GearSpec& spec) {
-  if (spec.kind != GearKind::bevel) return {-spec.faceWidth / 2, spec.faceWidth / 2};
+  AxialSpan span = hubSpan(spec);
+  if (spec.kind != GearKind::bevel) return span;
   const double large = coneDistance(spec);
   const double small = large - spec.faceWidth;
   const double tip = -(spec.addendum + spec.profileShift) * spec.module;
-  AxialSpan span{1e300, -1e300};
   const auto include = [&](double height) {
     span.low = std::min(span.low, height);
     span.high = std::max(span.high, height);
   };
   include(belowCone(large, tip, spec.coneAngle).height);
   include(belowCone(small, tip * small / large, spec.coneAngle).height);
-  for (const Circle& c : bevelMeridian(spec)) include(c.height);
   return span;
 }
 

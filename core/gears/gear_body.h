@@ -24,5 +24,7 @@ struct AxialSpan {
   double high = 0;
 };
 [[nodiscard]] AxialSpan axialSpan(const GearSpec& spec);
+/// The same of the body alone, which a shaft has to fill: without what a bevel's teeth reach out.
+[[nodiscard]] AxialSpan hubSpan(const GearSpec& spec);
 
 }  // namespace geargraph

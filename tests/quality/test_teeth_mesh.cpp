@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <QFile>
 #include <QtTest>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/pose/forward_kinematics.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/quality/rolling_rates.h"
 #include "tests/quality/section_checker.h"
 
 using namespace geargraph;
@@ -123,37 +123,6 @@ Solid bevelOfPlainTeeth(const GearSpec& spec) {
   }
   blank.body = {{0, 2 * coneDistance(spec)}, {0, 0}};
   return meshed(blank);
-}
-
-/// Joint rates with which the surfaces of all meshes roll, from velocities at the pitch points alone: the
-/// given rates at the first joints that can have them.
-Eigen::VectorXd rollingRates(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                             const std::vector<double>& wanted) {
-  const JointTree& tree = *placement.tree;
-  const int t = mechanism.t();
-  Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(train.meshes.size()), t);
-  for (std::size_t m = 0; m < train.meshes.size(); ++m) {
-    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(train.meshes[m].mesh)];
-    for (const auto& [link, sign] : {std::pair{geometry.tail, 1.0}, std::pair{geometry.head, -1.0}}) {
-      for (int at = link; at != 0; at = tree.parent[static_cast<std::size_t>(at)]) {
-        const int j = tree.joint[static_cast<std::size_t>(at)];
-        const AxisLine& line =
-            placement.axes[static_cast<std::size_t>(tree.axisOf[static_cast<std::size_t>(j)])];
-        const Vector3d u(line.direction[0], line.direction[1], line.direction[2]);
-        const Vector3d p(line.point[0], line.point[1], line.point[2]);
-        const double sense = tree.joints[static_cast<std::size_t>(j)].head == at ? 1 : -1;
-        slip.block<3, 1>(3 * static_cast<Eigen::Index>(m), j) +=
-            sign * sense * u.cross(train.meshes[m].pitchPoint - p);
-      }
-    }
-  }
-  // Rates nearest to the wanted ones among those without slip.
-  Eigen::FullPivLU<Eigen::MatrixXd> solver(slip);
-  solver.setThreshold(1e-6);
-  const Eigen::MatrixXd kernel = solver.kernel();
-  Eigen::VectorXd goal = Eigen::VectorXd::Zero(t);
-  for (std::size_t j = 0; j < wanted.size(); ++j) goal[static_cast<Eigen::Index>(j)] = wanted[j];
-  return kernel * (kernel.transpose() * kernel).ldlt().solve(kernel.transpose() * goal);
 }
 
 QString words(const test::MeshReport& r) {
@@ -317,7 +286,7 @@ class TestTeethMesh : public QObject {
     const Placement placement = placementOf(mechanism);
     GearTrain train = geargraph::trainOf(mechanism, placement);
     for (TrainGear& gear : train.gears) gear.spec.thinning = 0;
-    const Eigen::VectorXd rates = rollingRates(mechanism, placement, train, {1, 0.3, -0.4, 0.7, 0.2});
+    const Eigen::VectorXd rates = test::rollingRates(mechanism, placement, train, {1, 0.3, -0.4, 0.7, 0.2});
     QVERIFY(rates.cwiseAbs().minCoeff() > 0.01);
     const Measured measured(train);
     const Digraph graph(mechanism);

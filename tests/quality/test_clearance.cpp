@@ -1,0 +1,164 @@
+#include <QFile>
+#include <QtTest>
+#include <cmath>
+#include <memory>
+
+#include "core/gears/gear_solid.h"
+#include "core/gears/train.h"
+#include "core/graph/digraph.h"
+#include "core/io/mechanism_file.h"
+#include "core/pose/forward_kinematics.h"
+#include "tests/quality/rolling_rates.h"
+
+using namespace geargraph;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kPlay = 0.15;  // modules: chords of coarse solids may cut in a little
+
+Mechanism example(const QString& name) {
+  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name + ".geargraph");
+  if (!file.open(QIODevice::ReadOnly)) return emptyMechanism();
+  const QByteArray bytes = file.readAll();
+  return readMechanism(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))).value();
+}
+
+/// A part in its own frame, with the triangles under each cell of a grid across z.
+class Part {
+ public:
+  Part(int link, Solid solid, Eigen::Isometry3d pose)
+      : m_link(link), m_solid(std::move(solid)), m_pose(pose) {
+    m_box = boundsOf(m_solid);
+    for (std::size_t t = 0; t < m_solid.triangles.size(); ++t) {
+      Eigen::AlignedBox2d flat;
+      for (const std::uint32_t v : m_solid.triangles[t]) flat.extend(point(v).head<2>());
+      for (int x = cell(flat.min().x(), 0); x <= cell(flat.max().x(), 0); ++x) {
+        for (int y = cell(flat.min().y(), 1); y <= cell(flat.max().y(), 1); ++y) m_cells[x][y].push_back(t);
+      }
+    }
+  }
+
+  /// Turns of the surface about the point, from the crossings of the ray along z: above 0 is inside.
+  [[nodiscard]] bool contains(const Vector3d& p) const {
+    if (!m_box.contains(p)) return false;
+    int turns = 0;
+    for (const std::size_t t : m_cells[cell(p.x(), 0)][cell(p.y(), 1)]) {
+      const Triangle& tri = m_solid.triangles[t];
+      const Vector3d a = point(tri[0]) - p, b = point(tri[1]) - p, c = point(tri[2]) - p;
+      const auto side = [](const Vector3d& u, const Vector3d& v) { return u.x() * v.y() - u.y() * v.x(); };
+      const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+      if (!((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) || ab + bc + ca == 0)
+        continue;
+      const double height = (a.z() * bc + b.z() * ca + c.z() * ab) / (ab + bc + ca);
+      if (height > 0) turns += ab + bc + ca > 0 ? 1 : -1;
+    }
+    return turns > 0;
+  }
+
+  [[nodiscard]] Vector3d point(std::size_t v) const {
+    return Eigen::Map<const Eigen::Vector3f>(m_solid.positions[v].data()).cast<double>();
+  }
+  [[nodiscard]] std::size_t size() const { return m_solid.positions.size(); }
+  [[nodiscard]] const Eigen::AlignedBox3d& box() const { return m_box; }
+  [[nodiscard]] int link() const { return m_link; }
+  [[nodiscard]] const Eigen::Isometry3d& pose() const { return m_pose; }
+
+ private:
+  static constexpr int kCells = 64;
+  [[nodiscard]] int cell(double x, int axis) const {
+    const double part = (x - m_box.min()[axis]) / std::max(m_box.sizes()[axis], 1e-12);
+    return std::clamp(static_cast<int>(part * kCells), 0, kCells - 1);
+  }
+  int m_link;
+  Solid m_solid;
+  Eigen::Isometry3d m_pose;
+  Eigen::AlignedBox3d m_box;
+  std::vector<std::size_t> m_cells[kCells][kCells];
+};
+
+/// Is some vertex of `a` inside `b`, deeper than the play? All six directions around it must be inside, too.
+bool cuts(const Part& a, const Part& b, const Eigen::Isometry3d& step, double play) {
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    const Vector3d p = step * a.point(v);
+    if (!b.contains(p)) continue;
+    bool deep = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-play, play}) {
+        Vector3d q = p;
+        q[axis] += side;
+        deep = deep && b.contains(q);
+      }
+    }
+    if (deep) return true;
+  }
+  return false;
+}
+
+std::vector<std::unique_ptr<Part>> partsOf(const GearTrain& train) {
+  std::vector<std::unique_ptr<Part>> parts;
+  for (const TrainGear& gear : train.gears) {
+    parts.push_back(std::make_unique<Part>(gear.link, *gearSolid(gear.spec, kFarTolerance), gear.pose));
+  }
+  for (const LinkBody& body : train.bodies) {
+    parts.push_back(std::make_unique<Part>(body.link, *body.solid, Eigen::Isometry3d::Identity()));
+  }
+  return parts;
+}
+
+}  // namespace
+
+class TestClearance : public QObject {
+  Q_OBJECT
+ private slots:
+  /// Nothing of one link cuts into another, carriers moving.
+  void linksPassEachOther_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name :
+         {"robot", "spur-pair", "three-planets", "planetary-ring-held", "redundant-planetary",
+          "bevel-differential", "bevel-wrist", "ravigneaux", "simpson", "ferguson-paradox"}) {
+      QTest::newRow(name) << QString(name);
+    }
+  }
+  void linksPassEachOther() {
+    QFETCH(QString, name);
+    const Mechanism mechanism = example(name);
+    const Placement placement = placementOf(mechanism);
+    const GearTrain train = trainOf(mechanism, placement);
+    const Eigen::VectorXd rates = test::rollingRates(mechanism, placement, train, {1, 0.3, -0.4, 0.7, 0.2});
+    const Digraph graph(mechanism);
+    std::vector<TurningLine> lines;
+    for (const int a : placement.tree->axisOf) {
+      const AxisLine& line = placement.axes[static_cast<std::size_t>(a)];
+      lines.push_back({Vector3d(line.point.data()), Vector3d(line.direction.data())});
+    }
+    const ForwardKinematics kinematics(*SpanningTree::of(graph), lines);
+    const auto parts = partsOf(train);
+    QStringList found;
+    for (int frame = 0; frame < 6; ++frame) {
+      const Eigen::VectorXd angles = rates * (1.37 * frame);
+      const auto poses = kinematics.poses({angles.data(), static_cast<std::size_t>(angles.size())});
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+          const Part& a = *parts[i];
+          const Part& b = *parts[k];
+          if (a.link() == b.link()) continue;
+          const Eigen::Isometry3d step = (poses[static_cast<std::size_t>(b.link())] * b.pose()).inverse() *
+                                         poses[static_cast<std::size_t>(a.link())] * a.pose();
+          if (cuts(a, b, step, kPlay * train.gears.front().spec.module)) {
+            const auto what = [&](std::size_t p) {
+              return p < train.gears.size() ? QString::fromStdString("gear " + train.gears[p].name)
+                                            : QString("body of %1").arg(parts[p]->link());
+            };
+            const QString line = QString("%1 in %2").arg(what(i), what(k));
+            if (!found.contains(line)) found << line;
+          }
+        }
+      }
+    }
+    QVERIFY2(found.empty(), qPrintable(found.join("; ")));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestClearance)
+#include "test_clearance.moc"
