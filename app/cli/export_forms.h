@@ -5,6 +5,10 @@
 
 namespace geargraph::cli {
 
+/// `export FILE --to csv (--matrix NAME -o OUT | --all [--force] -o FOLDER) [--no-labels] [--separator NAME]
+/// [--decimal NAME] [--bom]`.
+int exportCsv(const Arguments& arguments);
+
 /// `export FILE --to stl/obj/ply/glb/3mf [--gear MESH:tail/head | --link LABEL] [--animate SECONDS]
 /// [--tolerance MODULES] -o OUT`.
 int exportSolids(const Arguments& arguments, MeshFormat format);

@@ -1,0 +1,135 @@
+// `export FILE --to csv --matrix NAME -o OUT` and `export FILE --to csv --all -o FOLDER`.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/csv_tables.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/export_forms.h"
+#include "app/cli/load.h"
+
+namespace geargraph::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads an option that has one of a few names.
+std::variant<char, UsageError> choice(const Arguments& arguments, std::string_view option, char otherwise,
+                                      std::span<const std::pair<std::string_view, char>> values) {
+  const auto given = arguments.value(option);
+  if (!given) return otherwise;
+  std::string names;
+  for (const auto& [name, value] : values) {
+    if (*given == name) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return UsageError{std::string(option) + " is one of " + names + "."};
+}
+
+std::variant<CsvOptions, UsageError> csvOptions(const Arguments& arguments) {
+  using Pair = std::pair<std::string_view, char>;
+  constexpr std::array kSeparators = {Pair{"comma", ','}, Pair{"semicolon", ';'}, Pair{"tab", '\t'}};
+  constexpr std::array kDecimals = {Pair{"point", '.'}, Pair{"comma", ','}};
+  const auto separator = choice(arguments, "--separator", ',', kSeparators);
+  const auto decimal = choice(arguments, "--decimal", '.', kDecimals);
+  for (const auto* read : {&separator, &decimal}) {
+    if (const auto* error = std::get_if<UsageError>(read)) return *error;
+  }
+  return CsvOptions{std::get<char>(separator), std::get<char>(decimal), !arguments.has("--no-labels"),
+                    arguments.has("--bom")};
+}
+
+/// Writes one table to a file, or to standard output for "-".
+std::optional<FileError> writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& options) {
+  if (path == "-") {
+    DescriptorSink out(STDOUT_FILENO);
+    table.write(out, options);
+    if (out.failed()) return FileError{"Standard output could not be written."};
+    return std::nullopt;
+  }
+  AtomicFile file(path);
+  table.write(file, options);
+  return file.commit();
+}
+
+std::string tableNames(const std::vector<CsvTable>& tables) {
+  std::string text;
+  for (const CsvTable& table : tables) text += (text.empty() ? "" : ", ") + std::string(table.name);
+  return text;
+}
+
+int exportOne(const std::vector<CsvTable>& tables, const Arguments& arguments, const CsvOptions& options,
+              int status) {
+  const std::string name = *arguments.value("--matrix");
+  const auto table =
+      std::find_if(tables.begin(), tables.end(), [&](const CsvTable& t) { return t.name == name; });
+  if (table == tables.end()) {
+    return wrongUsage(kExport, "There is no matrix \"" + name + "\"; there are " + tableNames(tables) + ".");
+  }
+  if (!table->write) {
+    std::cerr << "geargraph-cli: The matrix \"" << name << "\" needs " << table->needs
+              << "; nothing was written.\n";
+    return status == kFine ? kResourceLimit : status;
+  }
+  const auto error = writeTable(*arguments.value("-o"), *table, options);
+  return error ? fileFailure(error->message) : status;
+}
+
+int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, const CsvOptions& options,
+              int status) {
+  const fs::path folder = *arguments.value("-o");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    return fileFailure("The folder \"" + folder.string() + "\" could not be made.");
+  std::vector<std::pair<fs::path, const CsvTable*>> files;
+  for (const CsvTable& table : tables) {
+    if (!table.write) {
+      std::cerr << "geargraph-cli: Left out: " << table.name << ", which needs " << table.needs << ".\n";
+      continue;
+    }
+    files.emplace_back(folder / (std::string(table.name) + ".csv"), &table);
+    if (fs::exists(files.back().first) && !arguments.has("--force")) {
+      return fileFailure("\"" + files.back().first.string() +
+                         "\" is there already; nothing was written (--force overwrites).");
+    }
+  }
+  for (const auto& [path, table] : files) {
+    if (const auto failure = writeTable(path, *table, options)) return fileFailure(failure->message);
+  }
+  return status;
+}
+
+}  // namespace
+
+int exportCsv(const Arguments& arguments) {
+  if (arguments.has("--matrix") == arguments.has("--all"))
+    return wrongUsage(kExport, "Give --matrix NAME or --all.");
+  const auto options = csvOptions(arguments);
+  if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
+
+  const std::string& file = arguments.files.front();
+  const auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  if (!document) {
+    std::cerr << diagnosticLines(file, document.error());
+    return kMechanismErrors;
+  }
+  SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(*document));
+  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  const int status = hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
+  if (arguments.has("--all") || arguments.value("--matrix") == "solution") {
+    snapshot = analyzeFully(snapshot, SolveOptions{false});
+  }
+  const auto write = arguments.has("--all") ? exportAll : exportOne;
+  return write(csvTables(snapshot), arguments, std::get<CsvOptions>(options), status);
+}
+
+}  // namespace geargraph::cli
