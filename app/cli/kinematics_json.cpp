@@ -50,9 +50,27 @@ void writeSymbol(JsonWriter& json, const std::optional<RationalFunction>& entry)
   }
 }
 
+/// The links of a mesh's path through the tree, and the levels it meets, each once a stretch.
+struct Path {
+  std::vector<int> nodes;
+  std::vector<int> word;
+};
+
+Path pathOf(const TtGraph& graph, int mesh) {
+  const DigraphEdge& edge = graph.graph().meshEdge(mesh);
+  Path path{{edge.tail}, {}};
+  for (const PathStep& step : treePath(graph.tree(), edge.tail, edge.head)) {
+    const DigraphEdge& joint = graph.graph().turningEdge(step.joint);
+    path.nodes.push_back(joint.tail == path.nodes.back() ? joint.head : joint.tail);
+    const int level = graph.levels().ofJoint[static_cast<std::size_t>(step.joint)];
+    if (path.word.empty() || path.word.back() != level) path.word.push_back(level);
+  }
+  return path;
+}
+
 void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int mesh) {
   const TtGraph& graph = *snapshot.kinematics->ttGraph;
-  const MeshWalk walk = meshWalk(graph.graph(), graph.tree(), graph.levels(), mesh);
+  const Path path = pathOf(graph, mesh);
   const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
   const auto& terminal = graph.terminal(mesh);
   json.beginObject(Layout::row);
@@ -65,11 +83,11 @@ void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int
   }
   json.key("path");
   json.beginArray();
-  for (const int node : walk.nodes) writeNumber(json, graph.graph().nodeLabel(node));
+  for (const int node : path.nodes) writeNumber(json, graph.graph().nodeLabel(node));
   json.endArray();
   json.key("axes");
   json.beginArray();
-  for (const int level : walk.word) json.string(graph.levels().names[static_cast<std::size_t>(level)]);
+  for (const int level : path.word) json.string(graph.levels().names[static_cast<std::size_t>(level)]);
   json.endArray();
   json.key("sign");
   if (terminal) {
