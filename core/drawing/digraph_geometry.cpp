@@ -214,6 +214,10 @@ Courses coursesFrom(const DigraphGeometry& former, const Digraph& graph, const C
 
 }  // namespace
 
+SheetPoint onSheet(SheetPoint place) {
+  return {std::clamp(place.x, -kSheetEnd, kSheetEnd), std::clamp(place.y, -kSheetEnd, kSheetEnd)};
+}
+
 const NodePlace* DigraphGeometry::node(LinkId link) const {
   const auto found =
       std::find_if(nodes.begin(), nodes.end(), [link](const NodePlace& node) { return node.link == link; });
@@ -244,7 +248,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
   Centers centers(static_cast<std::size_t>(graph.nodeCount()));
   for (int v = 0; v < graph.nodeCount(); ++v) {
     const auto found = positions.find(graph.nodeId(v));
-    if (found != positions.end()) centers[static_cast<std::size_t>(v)] = found->second;
+    if (found != positions.end()) centers[static_cast<std::size_t>(v)] = onSheet(found->second);
   }
 
   ObstacleGrid taken(areaOf(centers));

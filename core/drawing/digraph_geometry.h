@@ -12,6 +12,10 @@ namespace geargraph {
 
 using NodePositions = std::map<LinkId, SheetPoint>;
 
+/// Sheets end here, on all sides: a file may hold any number as a place.
+constexpr double kSheetEnd = 1e6;
+[[nodiscard]] SheetPoint onSheet(SheetPoint place);
+
 constexpr double kNodeRadius = 20;     ///< to the middle of the ring
 constexpr double kRingWidth = 3;       //
 constexpr double kTurningWidth = 2.2;  ///< the line of a turning joint

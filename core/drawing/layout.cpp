@@ -246,7 +246,7 @@ NodePositions completedPositions(const Mechanism& mechanism) {
     const auto found = positions.find(graph.nodeId(v));
     if (found == positions.end()) continue;
     placed.push_back(v);
-    crowd.add(found->second);
+    crowd.add(onSheet(found->second));
   }
   if (placed.empty()) return layoutOf(mechanism);
   if (placed.size() == static_cast<std::size_t>(graph.nodeCount())) return positions;
@@ -258,7 +258,7 @@ NodePositions completedPositions(const Mechanism& mechanism) {
     // A link that nothing ties to the placed ones goes where it lies seen from the first of those.
     const int anchor = from < 0 ? placed.front() : from;
     const SheetPoint offset = ideal[static_cast<std::size_t>(node)] - ideal[static_cast<std::size_t>(anchor)];
-    const SheetPoint place = crowd.roomNear(positions.at(graph.nodeId(anchor)) + offset);
+    const SheetPoint place = crowd.roomNear(onSheet(positions.at(graph.nodeId(anchor))) + offset);
     positions[link] = place;
     crowd.add(place);
   }

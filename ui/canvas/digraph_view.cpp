@@ -217,7 +217,7 @@ void DigraphView::panBy(QPointF sheetUnits) {
 void DigraphView::zoomAt(QPointF viewportPlace, double factor) {
   constexpr double kSmallest = 0.02;
   constexpr double kLargest = 8;
-  const double wanted = std::clamp(scaleNow() * factor, kSmallest, kLargest);
+  const double wanted = std::clamp(scaleNow() * factor, std::min(kSmallest, scaleNow()), kLargest);
   const QPointF anchor = mapToScene(viewportPlace.toPoint());
   setTransform(QTransform::fromScale(wanted, wanted));
   moveView(viewportPlace - QPointF(mapFromScene(anchor)));

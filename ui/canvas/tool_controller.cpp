@@ -1,6 +1,7 @@
 #include "ui/canvas/tool_controller.h"
 
 #include <QCoreApplication>
+#include <cmath>
 
 #include "core/drawing/hit_test.h"
 #include "core/mechanism/edits.h"
@@ -252,6 +253,21 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
   return next ? hint : QString::fromStdString(next.error().front().message);
 }
 
+Curve ToolController::guide(const std::function<bool(SheetPoint)>& isOnLine) const {
+  constexpr double kBeyond = 40;
+  std::optional<Extent> span;
+  for (const auto& [link, place] : m_scene.positions()) {
+    if (!isOnLine(place)) continue;
+    const Extent point{place, 0, 0};
+    span = span ? span->united(point) : point;
+  }
+  const Extent line = span.value_or(Extent{});
+  const double beyondX = line.halfWidth > 0 ? kBeyond : 0;
+  const double beyondY = line.halfHeight > 0 ? kBeyond : 0;
+  return Curve::straight({line.left() - beyondX, line.top() - beyondY},
+                         {line.right() + beyondX, line.bottom() + beyondY});
+}
+
 DisplayList ToolController::overlay() const {
   DisplayList list;
   const double hair = 1 / m_scale;
@@ -271,13 +287,10 @@ DisplayList ToolController::overlay() const {
       list.append(arrowGhost(draft->kind, course, m_preview && m_preview->valid));
     }
   }
-  if (m_drag) {
-    constexpr double kFar = 4000;
-    const SheetPoint at = m_drag->moving.empty() ? SheetPoint{} : m_drag->moving.front().second;
-    if (m_snap.column)
-      put(Curve::straight({*m_snap.column, at.y - kFar}, {*m_snap.column, at.y + kFar}), Dash::solid);
-    if (m_snap.row) put(Curve::straight({at.x - kFar, *m_snap.row}, {at.x + kFar, *m_snap.row}), Dash::solid);
-  }
+  if (m_drag && m_snap.column)
+    put(guide([&](SheetPoint p) { return std::abs(p.x - *m_snap.column) < 1e-6; }), Dash::solid);
+  if (m_drag && m_snap.row)
+    put(guide([&](SheetPoint p) { return std::abs(p.y - *m_snap.row) < 1e-6; }), Dash::solid);
   return list;
 }
 

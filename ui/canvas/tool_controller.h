@@ -65,6 +65,8 @@ class ToolController final : public QObject {
              quint64 gesture = 0);
   void showState();
   [[nodiscard]] QString previewAndHint(std::optional<JointPreview>& preview) const;
+  /// A line through all nodes of a row or column.
+  [[nodiscard]] Curve guide(const std::function<bool(SheetPoint)>& isOnLine) const;
   [[nodiscard]] DisplayList overlay() const;
 
   Document& m_document;

@@ -234,6 +234,15 @@ class TestDigraphDrawing : public QObject {
     }
   }
 
+  void placesBeyondTheSheetAreDrawnAtItsEnd() {
+    NodePositions positions = robotPositions();
+    positions[LinkId("3")] = {1e300, -1e300};
+    const DigraphGeometry geometry = digraphGeometry(drivenRobot(), positions);
+    QCOMPARE(geometry.node(LinkId("3"))->center, (SheetPoint{kSheetEnd, -kSheetEnd}));
+    const std::string text = textOf(digraphDrawing(geometry, {}));
+    QVERIFY(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos);
+  }
+
   void motorStandsAtTheLinkThatTheInputMoves() {
     Mechanism mechanism = drivenRobot();
     const auto driven = [](const Mechanism& m) {

@@ -99,6 +99,14 @@ class TestLayout : public QObject {
     QVERIFY(completedPositions(mechanism) == mechanism.view.nodes);
   }
 
+  void placesBeyondTheSheetDoNoHarm() {
+    Mechanism mechanism = test::robotTopology();
+    mechanism.view.nodes = {{LinkId("0"), {1e300, 1e300}}, {LinkId("1"), {-1e300, 0}}};
+    const NodePositions positions = completedPositions(mechanism);
+    QCOMPARE(positions.size(), std::size_t{8});
+    for (const auto& [link, place] : positions) QVERIFY(std::isfinite(place.x) && std::isfinite(place.y));
+  }
+
   void documentsWithoutPositionsAreLaidOut() {
     Mechanism mechanism = test::robotTopology();
     mechanism.view.nodes.clear();
