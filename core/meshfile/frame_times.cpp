@@ -31,7 +31,8 @@ std::vector<double> frameTimes(std::span<const double> pitches, std::size_t coun
   double end = 1;
   if (!moving.empty()) {
     constexpr int kCandidates = 64;
-    const double shortest = 1 / *std::min_element(moving.begin(), moving.end());
+    constexpr double kMoreThanAPitch = 1.02;
+    const double shortest = kMoreThanAPitch / *std::min_element(moving.begin(), moving.end());
     double leastWorst = 2;
     for (int i = 0; i < kCandidates; ++i) {
       const double candidate = shortest * (1 + 0.5 * i / kCandidates);

@@ -181,20 +181,58 @@ double depth(const Vector3d& p, const std::vector<Facet>& facets) {
   return squarely < 0 ? nearest : 0;
 }
 
+/// Facets by the tooth they belong to, with those of the neighbours: what a point inside can be nearest to.
+class FacetsByTooth {
+ public:
+  explicit FacetsByTooth(int teeth) : m_teeth(teeth), m_facets(static_cast<std::size_t>(teeth)) {}
+
+  void add(const Facet& facet) {
+    const double first = azimuth(facet.corners[0]);
+    double low = first;
+    double high = first;
+    for (std::size_t k = 1; k < 3; ++k) {
+      const double other = first + std::remainder(azimuth(facet.corners[k]) - first, m_teeth);
+      low = std::min(low, other);
+      high = std::max(high, other);
+    }
+    for (int tooth = int(std::floor(low)) - 1; tooth <= int(std::floor(high)) + 1; ++tooth) {
+      m_facets[place(tooth)].push_back(facet);
+    }
+  }
+  [[nodiscard]] const std::vector<Facet>& near(const Vector3d& p) const {
+    return m_facets[place(int(std::floor(azimuth(p))))];
+  }
+
+ private:
+  [[nodiscard]] double azimuth(const Vector3d& p) const {
+    return std::atan2(p.y(), p.x()) / (2 * kPi) * m_teeth;
+  }
+  [[nodiscard]] std::size_t place(int tooth) const {
+    return static_cast<std::size_t>(((tooth % m_teeth) + m_teeth) % m_teeth);
+  }
+
+  int m_teeth;
+  std::vector<std::vector<Facet>> m_facets;
+};
+
 double penetration(const Gear& a, const Eigen::Isometry3d& A, const Gear& b, const Eigen::Isometry3d& B) {
   const Eigen::Isometry3d toB = B.inverse() * A;
+  // Teeth of a ring and a pinion of nearly its size pass each other closely far beyond the mesh.
+  const bool isInternal = a.type != b.type;
+  const double reach = (!isInternal ? 2.5 : std::abs(a.teeth - b.teeth) < 12 ? 200 : 5) * a.module;
   const PitchLine world = pitchLine(a, A, b, B);
   const PitchLine line{B.inverse() * world.point, B.linear().transpose() * world.direction};
-  std::vector<Facet> facets;
+  FacetsByTooth facets(b.teeth);
   for (const Corners& corners : b.facets) {
     const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
     bool isNear = false;
-    for (const Vector3d& corner : corners) isNear = isNear || distanceToLine(corner, line) < 4.5 * b.module;
-    if (isNear) facets.push_back({corners, normal});
+    for (const Vector3d& corner : corners)
+      isNear = isNear || distanceToLine(corner, line) < reach + 2 * b.module;
+    if (isNear) facets.add({corners, normal});
   }
   double deepest = 0;
-  for (const Vector3d& p : samples(a, toB, line, toB.linear().col(2), 2.5 * a.module)) {
-    deepest = std::max(deepest, depth(p, facets));
+  for (const Vector3d& p : samples(a, toB, line, toB.linear().col(2), reach)) {
+    deepest = std::max(deepest, depth(p, facets.near(p)));
   }
   return deepest / a.module;
 }

@@ -167,7 +167,7 @@ class TestAssembly : public QObject {
     QCOMPARE(times.size(), std::size_t(24));
     QCOMPARE(times.front(), 0.0);
     QVERIFY(std::is_sorted(times.begin(), times.end()));
-    QVERIFY(times.back() * 0.25 >= 1 && times.back() * 0.25 <= 1.5);
+    QVERIFY(times.back() * 0.25 > 1.01 && times.back() * 0.25 < 1.6);
   }
 
   void noMeshIsSeenInOnePositionOnly() {
