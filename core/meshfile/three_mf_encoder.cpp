@@ -92,7 +92,7 @@ std::string headOf(const MeshScene& scene) {
 }
 
 std::string objectOf(const MeshScene& scene, const MeshNode& node, int id) {
-  const WeldedMesh mesh = welded(*node.solid);
+  const WeldedMesh mesh = weldedToManifold(*node.solid);
   std::string text =
       "  <object id=\"" + std::to_string(id) + "\" type=\"model\" name=\"" + escaped(node.name);
   if (!scene.materials.empty()) {

@@ -6,6 +6,22 @@
 using namespace geargraph;
 using namespace geargraph::test;
 
+namespace {
+
+/// The unit cube with its least corner at a place.
+Solid cube(float x, float y, float z) {
+  Solid solid;
+  for (int i = 0; i < 8; ++i) {
+    solid.positions.push_back({x + float(i & 1), y + float(i >> 1 & 1), z + float(i >> 2 & 1)});
+  }
+  solid.normals.assign(8, {0, 0, 1});
+  solid.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return solid;
+}
+
+}  // namespace
+
 class TestMeshScene : public QObject {
   Q_OBJECT
  private slots:
@@ -25,6 +41,33 @@ class TestMeshScene : public QObject {
     const WeldedMesh mesh = welded(solid);
     QCOMPARE(mesh.positions.size(), std::size_t(4));
     QCOMPARE(mesh.triangles.size(), std::size_t(2));  // the third lost a corner
+  }
+
+  void shellsThatTouchStayApartWhereEdgesNeedIt() {
+    // Two cubes that share an edge, and a third that touches one of them in a corner.
+    Solid three = cube(0, 0, 0);
+    append(three, cube(1, 1, 0));
+    append(three, cube(-1, -1, -1));
+    QVERIFY(!isClosed(welded(three)));
+    const WeldedMesh mesh = weldedToManifold(three);
+    QVERIFY(isClosed(mesh));
+    QCOMPARE(mesh.positions.size(), std::size_t(24));
+    QCOMPARE(mesh.triangles.size(), std::size_t(36));
+  }
+
+  void aSolidThatDoesNotTouchItselfWeldsTheSameBothWays() {
+    const Solid wheel = cog(9, 4, 2);
+    const WeldedMesh mesh = weldedToManifold(wheel);
+    QVERIFY(isClosed(mesh));
+    QCOMPARE(mesh.positions.size(), welded(wheel).positions.size());
+  }
+
+  void anOpenSolidWeldsAsFarAsItGoes() {
+    Solid wheel = cog(9, 4, 2);
+    wheel.triangles.pop_back();
+    const WeldedMesh mesh = weldedToManifold(wheel);
+    QCOMPARE(mesh.triangles.size(), wheel.triangles.size());
+    QCOMPARE(mesh.positions.size(), welded(wheel).positions.size());
   }
 
   void aMissingTriangleIsSeen() {
