@@ -1,4 +1,5 @@
 #include <QtTest>
+#include <bit>
 
 #include "core/meshfile/mesh_reader.h"
 #include "core/meshfile/mesh_writer.h"
@@ -135,6 +136,74 @@ class TestMeshFiles : public QObject {
         QVERIFY((poses[place].translation() - 1e-3 * expected[k].translation()).norm() < 1e-7);
       }
     }
+  }
+
+  void glbIsBuiltAsTheSpecificationSays() {
+    const QByteArray bytes = QByteArray::fromStdString(encoded(movingScene(), MeshFormat::glb)[0].bytes);
+    const auto word = [&](qsizetype at) {
+      std::uint32_t value = 0;
+      std::memcpy(&value, bytes.constData() + at, 4);
+      return qsizetype(value);
+    };
+    QCOMPARE(bytes.left(4), QByteArray("glTF"));
+    QCOMPARE(word(4), qsizetype(2));
+    QCOMPARE(word(8), bytes.size());
+    const qsizetype text = word(12);
+    QVERIFY(text % 4 == 0 && bytes.mid(16, 4) == "JSON");
+    const QByteArray binary = bytes.mid(20 + text + 8);
+    QVERIFY(word(20 + text) == binary.size() && bytes.mid(20 + text + 4, 4) == QByteArray("BIN\0", 4));
+    const QJsonObject gltf = QJsonDocument::fromJson(bytes.mid(20, text)).object();
+    QCOMPARE(gltf["buffers"].toArray()[0].toObject()["byteLength"].toInteger(), qint64(binary.size()));
+
+    const QJsonArray views = gltf["bufferViews"].toArray();
+    const QJsonArray accessors = gltf["accessors"].toArray();
+    const auto numbers = [&](int place) {  // of floats, flat
+      const QJsonObject view = views[accessors[place].toObject()["bufferView"].toInt()].toObject();
+      std::vector<float> values(std::size_t(view["byteLength"].toInt()) / 4);
+      std::memcpy(values.data(), binary.constData() + view["byteOffset"].toInt(), 4 * values.size());
+      return values;
+    };
+    qint64 end = 0;
+    for (const QJsonValue& value : views) {
+      const QJsonObject view = value.toObject();
+      QVERIFY(view["byteOffset"].toInteger() == end && end % 4 == 0);
+      end += view["byteLength"].toInteger();
+    }
+    QCOMPARE(end, qint64(binary.size()));
+    for (const QJsonValue& value : gltf["meshes"].toArray()) {
+      const QJsonObject primitive = value.toObject()["primitives"].toArray()[0].toObject();
+      const int position = primitive["attributes"].toObject()["POSITION"].toInt();
+      const QJsonObject accessor = accessors[position].toObject();
+      const std::vector<float> points = numbers(position);
+      QCOMPARE(points.size(), std::size_t(3 * accessor["count"].toInt()));
+      for (std::size_t k = 0; k < 3; ++k) {
+        float least = points[k];
+        float most = points[k];
+        for (std::size_t i = k; i < points.size(); i += 3) {
+          least = std::min(least, points[i]);
+          most = std::max(most, points[i]);
+        }
+        QCOMPARE(float(accessor["min"].toArray()[qsizetype(k)].toDouble()), least);
+        QCOMPARE(float(accessor["max"].toArray()[qsizetype(k)].toDouble()), most);
+      }
+      for (const float raw : numbers(primitive["indices"].toInt())) {
+        QVERIFY(std::bit_cast<std::uint32_t>(raw) < std::uint32_t(accessor["count"].toInt()));
+      }
+    }
+    const QJsonObject animation = gltf["animations"].toArray()[0].toObject();
+    QCOMPARE(gltf["animations"].toArray().size(), 1);  // players show one
+    for (const QJsonValue& value : animation["samplers"].toArray()) {
+      const std::vector<float> times = numbers(value.toObject()["input"].toInt());
+      const std::vector<float> rotations = numbers(value.toObject()["output"].toInt());
+      QVERIFY(rotations.size() == 4 * times.size() && times.front() == 0 && times.back() == 4);
+      QVERIFY(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end());
+      for (std::size_t i = 0; i < rotations.size(); i += 4) {
+        QVERIFY(std::abs(std::hypot(std::hypot(rotations[i], rotations[i + 1]),
+                                    std::hypot(rotations[i + 2], rotations[i + 3])) -
+                         1) < 1e-6F);
+      }
+    }
+    for (const QJsonValue& value : gltf["nodes"].toArray()) QVERIFY(!value.toObject().contains("matrix"));
   }
 
   void glbOfAStandingSceneHasNoAnimation() {
