@@ -16,4 +16,8 @@ int exportSolids(const Arguments& arguments, MeshFormat format);
 /// `export FILE --to assembly [--frames N] [--tolerance MODULES] [--force] -o FOLDER`.
 int exportAssembly(const Arguments& arguments);
 
+/// `export FILE --to png --view 3d [--size WxH] [--from VIEW] [--time SECONDS] [--dark] [--transparent] -o
+/// OUT`.
+int exportPicture(const Arguments& arguments);
+
 }  // namespace geargraph::cli

@@ -38,6 +38,8 @@ class Camera {
  public:
   Camera() = default;
   [[nodiscard]] static Camera looking(StandardView view);
+  /// How a train opens: a little from the right and above, where most of it can be seen.
+  [[nodiscard]] static Camera home() { return from(-0.45, 0.35); }
   /// Eye at this azimuth and elevation.
   [[nodiscard]] static Camera from(double yaw, double pitch);
 

@@ -78,7 +78,7 @@ class Viewer : public QObject {
   StagePtr m_stage;
   std::vector<Pose> m_poses;
   std::vector<Emphasis> m_emphasis;
-  Camera m_camera = Camera::from(-0.45, 0.35);
+  Camera m_camera = Camera::home();
   Look m_look = Look::light();
   Viewport m_viewport;
   double m_pixelRatio = 1;

@@ -11,6 +11,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/render/egl_host.h"
+#include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/trains.h"
@@ -225,6 +226,37 @@ class TestTrainStage : public QObject {
       const bool wheel = !also.empty() && also.front().kind == ElementKind::gearMesh;
       if (wheel) QVERIFY2(seen[i] > 2, qPrintable(QString::number(i)));
     }
+  }
+
+  void aPictureShowsTheTrainAtItsTime() {
+    GearCache cache;
+    const StagePtr stage = trainStage(paperRobot(), cache);
+    PictureOptions options;
+    options.size = {300, 200};
+    const auto light = stagePicture(*stage, options);
+    QVERIFY(light.has_value());
+    QCOMPARE(light->width, 300);
+    const auto differing = [&](const Image& image) {
+      int count = 0;
+      for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        count +=
+            std::abs(image.rgba[i] - light->rgba[i]) + std::abs(image.rgba[i + 1] - light->rgba[i + 1]) > 30;
+      }
+      return count;
+    };
+    QCOMPARE(differing(*stagePicture(*stage, options)), 0);
+    options.time = 1;
+    QVERIFY(differing(*stagePicture(*stage, options)) > 1000);
+    options.time = stage->period;
+    QVERIFY(differing(*stagePicture(*stage, options)) < 20);
+    options = {};
+    options.size = {300, 200};
+    options.transparent = true;
+    QCOMPARE(int(stagePicture(*stage, options)->at(2, 2)[3]), 0);
+    options.size = {1'000'000, 10};
+    const auto tooLarge = stagePicture(*stage, options);
+    QVERIFY(!tooLarge.has_value());
+    QCOMPARE(tooLarge.error().front().code, Code::graphics);
   }
 
   void whatIsNoTrainYetIsStillShownOrEmpty() {

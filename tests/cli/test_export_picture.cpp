@@ -1,0 +1,97 @@
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+const QString kRobot = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
+
+struct Run {
+  int status = -1;
+  QByteArray output;
+  QString errors;
+};
+
+Run run(const QStringList& words) {
+  QProcess process;
+  QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+  bare.remove("DISPLAY");
+  process.setProcessEnvironment(bare);
+  process.start(QStringLiteral(GEARGRAPH_CLI), words);
+  process.waitForFinished(120'000);
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          process.readAllStandardOutput(), QString::fromUtf8(process.readAllStandardError())};
+}
+
+/// Width and height as a PNG's head tells them.
+std::pair<int, int> sizeOf(const QByteArray& png) {
+  const auto number = [&](int at) {
+    int value = 0;
+    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  if (!png.startsWith("\x89PNG") || png.size() < 24) return {0, 0};
+  return {number(16), number(20)};
+}
+
+}  // namespace
+
+class TestExportPicture : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aPictureIsWrittenWithoutADisplay() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("robot.png");
+    const Run made = run({"export", kRobot, "--to", "png", "--view", "3d", "--size", "320x200", "-o", file});
+    QCOMPARE(made.status, 0);
+    QFile picture(file);
+    QVERIFY(picture.open(QIODevice::ReadOnly));
+    QCOMPARE(sizeOf(picture.readAll()), std::pair(320, 200));
+  }
+
+  void theDashIsStandardOutputAndOptionsChangeThePicture() {
+    const QStringList words = {"export", kRobot,   "--to",    "png", "--view",
+                               "3d",     "--size", "160x100", "-o",  "-"};
+    const Run plain = run(words);
+    QCOMPARE(sizeOf(plain.output), std::pair(160, 100));
+    QCOMPARE(run(words).output, plain.output);
+    for (const QStringList& more :
+         {QStringList{"--dark"}, {"--transparent"}, {"--from", "top"}, {"--time", "2.5"}}) {
+      const Run other = run(words + more);
+      QCOMPARE(other.status, 0);
+      QVERIFY(other.output != plain.output);
+    }
+  }
+
+  void wrongUsageIsSaid() {
+    const QStringList words = {"export", kRobot, "--to", "png", "-o", "-"};
+    QCOMPARE(run(words).status, 2);
+    for (const QStringList& more : {QStringList{"--size", "10x10"},
+                                    {"--size", "99999x100"},
+                                    {"--size", "wide"},
+                                    {"--from", "nowhere"},
+                                    {"--time", "soon"},
+                                    {"--time", "inf"}}) {
+      const Run made = run(words + QStringList{"--view", "3d"} + more);
+      QCOMPARE(made.status, 2);
+      QVERIFY2(made.errors.contains(more.front()), qPrintable(made.errors));
+      QVERIFY(made.output.isEmpty());
+    }
+  }
+
+  void whatHasNoTreeHasNoPicture() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("loose.geargraph"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}, {"id": "1"}], "axes": [],
+                   "turningJoints": [], "gearMeshes": []})");
+    file.close();
+    const Run made = run({"export", file.fileName(), "--to", "png", "--view", "3d", "-o", "-"});
+    QCOMPARE(made.status, 1);
+    QVERIFY(made.output.isEmpty());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestExportPicture)
+#include "test_export_picture.moc"
