@@ -1,8 +1,11 @@
 #include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -47,7 +50,7 @@ class Classifier {
   };
 
   [[nodiscard]] std::size_t joints() const { return m_mechanism.turningJoints.size(); }
-  [[nodiscard]] const std::optional<AxisLine>& lineOf(int joint) const {
+  [[nodiscard]] const std::optional<ReferenceLine>& lineOf(int joint) const {
     return m_lines.axes[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
   }
 
@@ -66,14 +69,25 @@ class Classifier {
   }
 
   void uniteAtLinks() {
-    std::vector<std::vector<int>> atLink(static_cast<std::size_t>(m_graph.nodeCount()));
+    // The joints at each link, in one array.
+    std::vector<std::size_t> starts(static_cast<std::size_t>(m_graph.nodeCount()) + 1, 0);
+    for (const DigraphEdge& edge : m_graph.turningEdges()) {
+      ++starts[static_cast<std::size_t>(edge.tail) + 1];
+      ++starts[static_cast<std::size_t>(edge.head) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<int> jointsAt(starts.back());
+    std::vector<std::size_t> next = starts;
     for (int j = 0; j < m_graph.t(); ++j) {
-      atLink[static_cast<std::size_t>(m_graph.turningEdge(j).tail)].push_back(j);
-      atLink[static_cast<std::size_t>(m_graph.turningEdge(j).head)].push_back(j);
+      jointsAt[next[static_cast<std::size_t>(m_graph.turningEdge(j).tail)]++] = j;
+      jointsAt[next[static_cast<std::size_t>(m_graph.turningEdge(j).head)]++] = j;
     }
     std::vector<int> seenAs(m_mechanism.axes.size(), -1);
-    for (const std::vector<int>& here : atLink) {
-      std::vector<Candidate> different;
+    std::vector<Candidate> different;
+    for (std::size_t link = 0; link + 1 < starts.size(); ++link) {
+      const std::span<const int> here =
+          std::span<const int>(jointsAt).subspan(starts[link], starts[link + 1] - starts[link]);
+      different.clear();
       for (const int joint : here) {
         int& first = seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
         if (first >= 0) {
@@ -92,7 +106,7 @@ class Classifier {
 
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
   /// view of its foot below the origin, relative to the mechanism, and of the products of its direction.
-  [[nodiscard]] double keyOf(const AxisLine& line) const {
+  [[nodiscard]] double keyOf(const ReferenceLine& line) const {
     const Vector3& u = line.direction;
     const Vector3 foot = line.point - dot(line.point, u) * u;
     return dot(foot, Vector3{0.51, 0.67, 0.54}) / m_size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
@@ -120,6 +134,7 @@ class Classifier {
       if (root == j) {
         m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.count();
         m_levels.firstJoint.push_back(j);
+        m_levels.axis.push_back(m_axisOf[static_cast<std::size_t>(j)]);
       } else {
         m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.ofJoint[static_cast<std::size_t>(root)];
       }
@@ -137,13 +152,15 @@ class Classifier {
   }
 
   void giveNames() {
-    std::unordered_set<std::string> taken;
-    for (const Axis& axis : m_mechanism.axes) taken.insert(axis.id.text());
+    std::unordered_set<std::string> taken;  // needed where an axis splits only
     std::vector<char> used(m_mechanism.axes.size(), 0);
-    for (const int first : m_levels.firstJoint) {
-      const int axis = m_axisOf[static_cast<std::size_t>(first)];
+    for (const int axis : m_levels.axis) {
       std::string name = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
       if (used[static_cast<std::size_t>(axis)] != 0) {
+        if (taken.empty()) {
+          for (const Axis& other : m_mechanism.axes) taken.insert(other.id.text());
+        }
+        m_split.insert(axis);
         while (!taken.insert(name).second) name += "'";
       }
       used[static_cast<std::size_t>(axis)] = 1;
@@ -156,64 +173,72 @@ class Classifier {
   }
 
   void reportSplits() {
-    std::map<int, std::vector<int>> levelsOfAxis;  // by axis: the levels it falls into, ascending
+    // An axis splits where it gives two levels their lines, or one and joins another's.
     for (std::size_t j = 0; j < joints(); ++j) {
-      std::vector<int>& levels = levelsOfAxis[m_axisOf[j]];
+      const int line = m_levels.axis[static_cast<std::size_t>(m_levels.ofJoint[j])];
+      if (line != m_axisOf[j]) m_joined.emplace(m_axisOf[j], m_levels.ofJoint[j]);
+    }
+    if (m_joined.empty() && m_split.empty()) return;
+    const std::unordered_set<int> own(m_levels.axis.begin(), m_levels.axis.end());
+    for (auto joined = m_joined.begin(); joined != m_joined.end(); ++joined) {
+      const auto next = std::next(joined);
+      const int axis = joined->first;
+      if (own.contains(axis) || (next != m_joined.end() && next->first == axis)) m_split.insert(axis);
+    }
+    for (const int axis : m_split) reportSplit(axis);
+  }
+
+  void reportSplit(int axis) {
+    std::vector<int> levels;
+    for (std::size_t j = 0; j < joints(); ++j) {
       const int found = m_levels.ofJoint[j];
-      if (std::find(levels.begin(), levels.end(), found) == levels.end()) levels.push_back(found);
+      if (m_axisOf[j] == axis && std::find(levels.begin(), levels.end(), found) == levels.end())
+        levels.push_back(found);
     }
-    for (const auto& [axis, levels] : levelsOfAxis) {
-      if (levels.size() < 2) continue;
-      Diagnostic finding;
-      finding.code = Code::splitAxis;
-      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
-      finding.elements.emplace_back(id);
-      std::vector<std::string> labels;
-      std::vector<std::string> names;
-      for (std::size_t j = 0; j < joints(); ++j) {
-        if (m_axisOf[j] != axis) continue;
-        labels.push_back(labelOfJoint(j));
-        finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
-      }
-      for (const int found : levels) names.push_back(m_levels.names[static_cast<std::size_t>(found)]);
-      finding.message =
-          "Turning joints " + listed(labels) + " name one axis (" + id.text() +
-          ") but do not all hang together on it by common links: they coincide only in the drawn "
-          "pose and are treated as different axes (" +
-          listed(names) + "). Give each axis of the mechanism its own entry in axes.";
-      m_levels.diagnostics.push_back(std::move(finding));
+    Diagnostic finding;
+    finding.code = Code::splitAxis;
+    const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
+    finding.elements.emplace_back(id);
+    std::vector<std::string> labels;
+    std::vector<std::string> names;
+    for (std::size_t j = 0; j < joints(); ++j) {
+      if (m_axisOf[j] != axis) continue;
+      labels.push_back(labelOfJoint(j));
+      finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }
+    for (const int found : levels) names.push_back(m_levels.names[static_cast<std::size_t>(found)]);
+    finding.message = "Turning joints " + listed(labels) + " name one axis (" + id.text() +
+                      ") but do not all hang together on it by common links: they coincide only in the drawn "
+                      "pose and are treated as different axes (" +
+                      listed(names) + "). Give each axis of the mechanism its own entry in axes.";
+    m_levels.diagnostics.push_back(std::move(finding));
   }
 
   void reportMerges() {
-    std::vector<std::vector<int>> axesOfLevel(m_levels.firstJoint.size());
-    std::vector<std::vector<std::size_t>> jointsOfLevel(m_levels.firstJoint.size());
-    for (std::size_t j = 0; j < joints(); ++j) {
-      const auto found = static_cast<std::size_t>(m_levels.ofJoint[j]);
-      std::vector<int>& axes = axesOfLevel[found];
-      if (std::find(axes.begin(), axes.end(), m_axisOf[j]) != axes.end()) continue;
-      axes.push_back(m_axisOf[j]);
-      jointsOfLevel[found].push_back(j);
-    }
-    for (std::size_t found = 0; found < axesOfLevel.size(); ++found) {
-      if (axesOfLevel[found].size() > 1) reportMerge(found, axesOfLevel[found], jointsOfLevel[found]);
+    std::map<int, std::vector<int>> others;  // by level: the other axes on it
+    for (const auto& [axis, level] : m_joined) others[level].push_back(axis);
+    for (auto& [level, axes] : others) {
+      axes.insert(axes.begin(), m_levels.axis[static_cast<std::size_t>(level)]);
+      reportMerge(level, axes);
     }
   }
 
-  void reportMerge(std::size_t found, const std::vector<int>& axes, const std::vector<std::size_t>& samples) {
+  void reportMerge(int level, const std::vector<int>& axes) {
     Diagnostic finding;
     finding.code = Code::mergedAxes;
     std::vector<std::string> names;
     std::vector<std::string> opposite;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axes[i])].id;
+    const Vector3& along = m_lines.axes[static_cast<std::size_t>(axes.front())]->direction;
+    for (const int axis : axes) {
+      const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
       names.push_back(id.text());
       finding.elements.emplace_back(id);
-      if (m_levels.sense[samples[i]] < 0) opposite.push_back(id.text());
+      if (dot(m_lines.axes[static_cast<std::size_t>(axis)]->direction, along) < 0)
+        opposite.push_back(id.text());
     }
     finding.message = "Axes " + listed(names) +
                       " are one line held by common links: they are treated as one axis (" +
-                      m_levels.names[found] + ").";
+                      m_levels.names[static_cast<std::size_t>(level)] + ").";
     if (!opposite.empty()) {
       finding.message += " The opposite direction of " + listed(opposite) + " is minded.";
     }
@@ -227,6 +252,8 @@ class Classifier {
   std::vector<int> m_axisOf;  ///< by joint: its axis, by position
   double m_size = 1;          ///< how far from the origin the mechanism reaches
   AxisLevels m_levels;
+  std::set<int> m_split;                   ///< axes that fall into several levels
+  std::set<std::pair<int, int>> m_joined;  ///< (axis, level of another axis that it lies on)
 };
 
 }  // namespace

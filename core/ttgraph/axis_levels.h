@@ -19,6 +19,7 @@ struct AxisLevels {
   std::vector<int> ofJoint;        ///< by turning joint: its level
   std::vector<int> sense;          ///< by turning joint: +1 if its axis points as the level does, else -1
   std::vector<int> firstJoint;     ///< by level: its first joint, whose axis gives the level its direction
+  std::vector<int> axis;           ///< by level: the position of that axis in the document
   std::vector<std::string> names;  ///< by level: the id of that axis; primes tell apart what it splits into
   Diagnostics diagnostics;         ///< split-axis, merged-axes
 

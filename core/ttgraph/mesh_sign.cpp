@@ -7,12 +7,13 @@ namespace geargraph {
 namespace {
 
 /// From the line's foot to the point.
-Vector3 armTo(const AxisLine& line, const Vector3& point) {
+Vector3 armTo(const ReferenceLine& line, const Vector3& point) {
   const Vector3 from = point - line.point;
   return from - dot(from, line.direction) * line.direction;
 }
 
-std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+std::optional<int> signOfParallel(const MeshPose& pose, const ReferenceLine& tail,
+                                  const ReferenceLine& head) {
   const int sense = dot(tail.direction, head.direction) > 0 ? 1 : -1;
   if (pose.kind == MeshKind::external) return -sense;
   if (pose.kind == MeshKind::internal) return sense;
@@ -24,7 +25,7 @@ std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, co
 
 /// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
 /// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
-std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+std::optional<int> signOfMeeting(const MeshPose& pose, const ReferenceLine& tail, const ReferenceLine& head) {
   constexpr double kMeets = 1e-6;
   if (!pose.pitchPoint) return std::nullopt;
   const double cosine = dot(tail.direction, head.direction);

@@ -9,8 +9,8 @@ namespace geargraph {
 /// What the drawn pose says about one mesh: the axes of its two gears in their carrier, pointing as their
 /// levels do, and where the pitch surfaces touch. Each may be missing.
 struct MeshPose {
-  std::optional<AxisLine> tailAxis;
-  std::optional<AxisLine> headAxis;
+  std::optional<ReferenceLine> tailAxis;
+  std::optional<ReferenceLine> headAxis;
   std::optional<Vector3> pitchPoint;
   std::optional<MeshKind> kind;
 };

@@ -1,7 +1,6 @@
 #include "core/ttgraph/tt_graph.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "core/base/contract.h"
 #include "core/ttgraph/mesh_sign.h"
@@ -47,11 +46,8 @@ long long TtGraph::longestCircuitTerms() const {
 }
 
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
-  std::unordered_map<AxisId, std::size_t> position;
-  for (std::size_t i = 0; i < mechanism.axes.size(); ++i) position.emplace(mechanism.axes[i].id, i);
   const auto lineOf = [&](int level) {
-    const int first = m_levels.firstJoint[static_cast<std::size_t>(level)];
-    return lines.axes[position.at(mechanism.turningJoints[static_cast<std::size_t>(first)].axis)];
+    return lines.axes[static_cast<std::size_t>(m_levels.axis[static_cast<std::size_t>(level)])];
   };
   m_terminals.resize(static_cast<std::size_t>(m_graph->c()));
   for (int mesh = 0; mesh < m_graph->c(); ++mesh) {

@@ -29,8 +29,8 @@ std::vector<int> signsOf(const TtGraph& graph) {
   return signs;
 }
 
-AxisLine line(const Vector3& point, const Vector3& direction) {
-  AxisLine line;
+ReferenceLine line(const Vector3& point, const Vector3& direction) {
+  ReferenceLine line;
   line.point = point;
   line.direction = direction;
   return line;
@@ -48,9 +48,9 @@ class TtGraphTest : public QObject {
   }
 
   void kindDecidesForParallelAxesAndThePitchPointWhereThereIsNone() {
-    const AxisLine here = line({0, 0, 0}, {0, 0, 1});
-    const AxisLine there = line({10, 0, 7}, {0, 0, 1});
-    const AxisLine turned = line({10, 0, 7}, {0, 0, -1});
+    const ReferenceLine here = line({0, 0, 0}, {0, 0, 1});
+    const ReferenceLine there = line({10, 0, 7}, {0, 0, 1});
+    const ReferenceLine turned = line({10, 0, 7}, {0, 0, -1});
     QCOMPARE(meshSign({here, there, {}, MeshKind::external}), std::optional(-1));
     QCOMPARE(meshSign({here, there, {}, MeshKind::internal}), std::optional(1));
     QCOMPARE(meshSign({here, turned, {}, MeshKind::external}), std::optional(1));
@@ -62,8 +62,8 @@ class TtGraphTest : public QObject {
   }
 
   void bevelGearsTurnAgainstEachOtherIfTheyTouchBetweenTheirAxes() {
-    const AxisLine tail = line({0, 0, 3}, {0, 0, 1});
-    const AxisLine head = line({0, 5, 0}, {0, 0.6, 0.8});
+    const ReferenceLine tail = line({0, 0, 3}, {0, 0, 1});
+    const ReferenceLine head = line({0, 5, 0}, {0, 0.6, 0.8});
     const auto sign = [&](const Vector3& point) { return meshSign({tail, head, point, MeshKind::bevel}); };
     const Vector3 apex{0, 0, 5.0 - 5.0 - 5.0 * 0.8 / 0.6};
     const auto at = [&](double tailShare, double headShare) {
