@@ -23,7 +23,7 @@ class Monkey {
       case 2:
       case 3:
       case 4:
-        m_driver.drag(somewhere(), somewhere(), modifiers());
+        m_driver.drag(somewhere(), somewhere(), below(2) == 0 ? modifiers() : Qt::KeyboardModifiers());
         break;
       case 5:
       case 6:
@@ -36,7 +36,7 @@ class Monkey {
         interruptedDrag();
         break;
       default:
-        below(3) == 0 ? m_driver.document.undoStack().redo() : m_driver.document.undoStack().undo();
+        below(4) == 0 ? m_driver.document.undoStack().undo() : m_driver.document.undoStack().redo();
     }
     for (QLineEdit* editor : m_driver.view.viewport()->findChildren<QLineEdit*>()) {
       if (!editor->isVisible()) continue;
@@ -64,9 +64,9 @@ class Monkey {
   }
 
   void pressAKey() {
-    constexpr std::array<Qt::Key, 12> kKeys{Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_X,    Qt::Key_F2,
-                                            Qt::Key_Left,   Qt::Key_Down,      Qt::Key_F,    Qt::Key_Escape,
-                                            Qt::Key_Space,  Qt::Key_L,         Qt::Key_Plus, Qt::Key_A};
+    constexpr std::array<Qt::Key, 12> kKeys{Qt::Key_Delete, Qt::Key_Up,   Qt::Key_X,    Qt::Key_F2,
+                                            Qt::Key_Left,   Qt::Key_Down, Qt::Key_F,    Qt::Key_Escape,
+                                            Qt::Key_Space,  Qt::Key_L,    Qt::Key_Plus, Qt::Key_A};
     m_driver.key(kKeys[below(kKeys.size())], modifiers());
   }
 
@@ -113,7 +113,7 @@ class TestRandomGestures : public QObject {
       ViewDriver d(robot ? std::optional(placedRobot()) : std::nullopt);
       const MechanismPtr first = d.document.mechanism();
       Monkey monkey(d, seed);
-      for (int i = 0; i < 250; ++i) {
+      for (int i = 0; i < 800; ++i) {
         monkey.act();
         checkDrawing(d);
         steps = std::max(steps, d.steps());
@@ -128,7 +128,7 @@ class TestRandomGestures : public QObject {
       const Expected<Mechanism> reread = readMechanism(writeMechanism(*last));
       QVERIFY(reread.has_value() && *reread == *last);
     }
-    QVERIFY2(steps > 50, qPrintable(QString::number(steps)));  // the monkey did draw
+    QVERIFY2(steps > 30, qPrintable(QString::number(steps)));  // the monkey did draw
   }
 
  private:
