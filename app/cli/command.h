@@ -29,6 +29,7 @@ extern const Command kAnalyze;
 extern const Command kValidate;
 extern const Command kInputs;
 extern const Command kExport;
+extern const Command kPose;
 
 /// Every command, in the order of the help.
 [[nodiscard]] std::span<const Command* const> commands();

@@ -2,6 +2,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/analysis/analysis.h"
@@ -145,6 +146,23 @@ class TestCli : public QObject {
     QVERIFY(valid["solution"]["symbolic"].is_null() && valid["ttSolution"]["symbolic"].is_null());
     QCOMPARE(valid["jointSpeeds"]["11"].get<std::string>(), std::string("0"));
     QCOMPARE(valid["jointSpeeds"]["9"].get<std::string>(), std::string("1/2"));  // kept from the file
+  }
+
+  /// Link 1 turns by -i15 times the motor's angle about axis b, and carries axis c along.
+  void pose_followsTheInputs() {
+    const json pose = json::parse(run({"pose", kRobot, "--json", "--angle", "8=180deg"}).output);
+    const auto isNear = [](const json& value, double wanted) {
+      return std::abs(value.get<double>() - wanted) < 1e-12;
+    };
+    QVERIFY(isNear(pose["jointAngles"]["8"], M_PI) && isNear(pose["jointAngles"]["10"], -M_PI / 2));
+    const json& turned = pose["links"]["1"]["rotation"];  // by -90 degrees about z
+    QVERIFY(isNear(turned[0][1], 1) && isNear(turned[1][0], -1) && isNear(turned[2][2], 1));
+    QVERIFY(isNear(pose["links"]["4"]["point"][1], -108));  // half a turn about axis a, 54 from the origin
+    // A million turns of the input and back to the start: exact angles know it, doubles would not.
+    const json far = json::parse(run({"pose", kRobot, "--json", "--angle=8=9720000000deg"}).output);
+    for (const auto& [link, where] : far["links"].items())
+      QVERIFY2(isNear(where["rotation"][0][0], 1), link.c_str());
+    QCOMPARE(run({"pose", kRobot, "--json", "--angle=8=0.5rad", "--inputs=8,9"}).status, 1);
   }
 
   void folders_areNotOverwrittenUnlessForced() {

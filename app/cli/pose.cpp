@@ -1,0 +1,180 @@
+// `pose FILE --angle 8=30deg ... [--inputs 8,9,11] [--json]`: where every link is for given angles of the
+// inputs.
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <sstream>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/input_options.h"
+#include "app/cli/load.h"
+#include "core/analysis/analysis.h"
+#include "core/pose/forward_kinematics.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Angles of the inputs, in column order, as they were written: so whole turns of any number stay exact.
+struct InputAngles {
+  std::vector<Rational> degrees;
+  std::vector<Rational> radians;
+};
+
+std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string_view word,
+                                   InputAngles& angles) {
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const std::string label(word.substr(0, equals));
+  std::string_view value = word.substr(std::min(equals + 1, word.size()));
+  const bool isDegrees = value.ends_with("deg");
+  if (isDegrees || value.ends_with("rad")) value.remove_suffix(3);
+  const auto angle = Rational::fromText(value);
+  if (!angle) return UsageError{"--angle is like 8=30deg or 8=1/2rad: an input's label and its angle."};
+  const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (std::to_string(snapshot.graph->edgeLabel(inputs[i])) != label) continue;
+    (isDegrees ? angles.degrees : angles.radians)[i] = *angle;
+    return std::nullopt;
+  }
+  return UsageError{"Joint \"" + label + "\" is not an input; see --inputs."};
+}
+
+/// The angles of all joints in rad, by joint: the rates' own relation, theta = K theta_E. Turns are taken off
+/// while the numbers are exact.
+std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAngles& inputs) {
+  const KinematicModel& model = *snapshot.kinematics->model;
+  const std::vector<int>& joints = snapshot.matroid()->choice.joints;
+  const auto inDegrees = solveExact(model, joints, inputs.degrees);
+  const auto inRadians = solveExact(model, joints, inputs.radians);
+  std::vector<double> angles(static_cast<std::size_t>(model.t()));
+  for (std::size_t joint = 0; joint < angles.size(); ++joint) {
+    Rational turns = inDegrees->rates[joint] / 360;
+    turns -= Rational::fromDouble(std::nearbyint(turns.toDouble()));
+    angles[joint] = turns.toDouble() * 360 * kDegree + inRadians->rates[joint].toDouble();
+  }
+  return angles;
+}
+
+std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std::vector<double>& angles) {
+  const Placement& placement = snapshot.kinematics->placement;
+  std::vector<TurningLine> lines;
+  for (int joint = 0; joint < snapshot.graph->t(); ++joint) {
+    const int axis = placement.tree->axisOf[static_cast<std::size_t>(joint)];
+    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
+    lines.push_back({Eigen::Vector3d::Map(line.point.data()), Eigen::Vector3d::Map(line.direction.data())});
+  }
+  return ForwardKinematics(*snapshot.tree, std::move(lines)).poses(angles);
+}
+
+void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
+  json.beginArray(JsonWriter::Layout::row);
+  for (const double component : triple) json.number(component + 0.0);  // no -0
+  json.endArray();
+}
+
+std::string asJson(const AnalysisSnapshot& snapshot, const std::vector<double>& angles,
+                   const std::vector<Eigen::Isometry3d>& links) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.member("format", "geargraph-pose");
+    json.member("version", 1);
+    json.key("jointAngles");
+    json.beginObject(JsonWriter::Layout::row);
+    for (std::size_t joint = 0; joint < angles.size(); ++joint) {
+      json.member(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))), angles[joint] + 0.0);
+    }
+    json.endObject();
+    json.key("links");
+    json.beginObject();
+    for (std::size_t node = 0; node < links.size(); ++node) {
+      json.key(std::to_string(snapshot.graph->nodeLabel(static_cast<int>(node))));
+      json.beginObject(JsonWriter::Layout::row);
+      json.key("rotation");
+      json.beginArray();
+      for (int row = 0; row < 3; ++row) writeTriple(json, links[node].linear().row(row));
+      json.endArray();
+      json.key("point");
+      writeTriple(json, links[node].translation());
+      json.endObject();
+    }
+    json.endObject();
+    json.endObject();
+  }
+  return sink.take();
+}
+
+/// With four decimals and no -0.
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(4) << std::round(value * 1e4) / 1e4 + 0.0;
+  return text.str();
+}
+
+std::string asText(const AnalysisSnapshot& snapshot, const std::vector<double>& angles,
+                   const std::vector<Eigen::Isometry3d>& links) {
+  const auto triple = [](const Eigen::Vector3d& v) {
+    return "(" + rounded(v.x()) + ", " + rounded(v.y()) + ", " + rounded(v.z()) + ")";
+  };
+  std::string text = "Joints\n";
+  for (std::size_t joint = 0; joint < angles.size(); ++joint) {
+    text += "  " + std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))) + " turned by " +
+            rounded(angles[joint] / kDegree) + " deg\n";
+  }
+  text += "\nLinks, against the reference pose: turned, and where the point went that was at the origin\n";
+  for (std::size_t node = 1; node < links.size(); ++node) {
+    const Eigen::AngleAxisd turn(links[node].linear());
+    text += "  " + std::to_string(snapshot.graph->nodeLabel(static_cast<int>(node))) + " by " +
+            rounded(turn.angle() / kDegree) + " deg about " + triple(turn.axis()) + " to " +
+            triple(links[node].translation()) + '\n';
+  }
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kPose, "One file is needed.");
+  const std::string& file = arguments.files.front();
+  const auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  if (!document) {
+    std::cerr << diagnosticLines(file, document.error());
+    return kMechanismErrors;
+  }
+  auto mechanism = withInputOptions(*document, arguments);
+  if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
+  const SnapshotPtr snapshot =
+      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
+  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  if (hasErrors(snapshot->diagnostics) || snapshot->matroid() == nullptr) return kMechanismErrors;
+
+  const std::vector<Rational> zeros(snapshot->matroid()->choice.joints.size());
+  InputAngles inputs{zeros, zeros};
+  for (const std::string& word : arguments.values("--angle")) {
+    if (const auto error = setAngle(*snapshot, word, inputs)) return wrongUsage(kPose, error->message);
+  }
+  const std::vector<double> angles = jointAngles(*snapshot, inputs);
+  const auto links = poses(*snapshot, angles);
+  return print(arguments.has("--json") ? asJson(*snapshot, angles, links) : asText(*snapshot, angles, links));
+}
+
+constexpr std::array kOptions = {
+    Option{"--angle", "8=30deg", "the angle of an input (deg or rad; without it 0); may be said again"},
+    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    Option{"--json", "", "as JSON"},
+};
+
+}  // namespace
+
+const Command kPose = {"pose", "FILE --angle 8=30deg ... [--inputs 8,9,11] [--json]",
+                       "Says where every link is for given angles of the inputs.", kOptions, run};
+
+}  // namespace geargraph::cli
