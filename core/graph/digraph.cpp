@@ -2,13 +2,9 @@
 
 namespace geargraph {
 
-Digraph::Digraph(const Mechanism& mechanism) : m_turningCount(mechanism.t()) {
+Digraph::Digraph(const Mechanism& mechanism) : m_turningCount(mechanism.t()), m_nodeOf(mechanism.links) {
   m_nodes.reserve(mechanism.links.size());
-  m_nodeOf.reserve(mechanism.links.size());
-  for (const Link& link : mechanism.links) {
-    m_nodeOf.emplace(link.id, static_cast<int>(m_nodes.size()));
-    m_nodes.push_back(link.id);
-  }
+  for (const Link& link : mechanism.links) m_nodes.push_back(link.id);
   const std::size_t edges = mechanism.turningJoints.size() + mechanism.gearMeshes.size();
   m_edges.reserve(edges);
   m_edgeIds.reserve(edges);

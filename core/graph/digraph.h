@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "core/base/position_index.h"
 #include "core/mechanism/mechanism.h"
 
 namespace geargraph {
@@ -59,7 +59,7 @@ class Digraph {
   std::vector<DigraphEdge> m_edges;  ///< turning edges first
   std::vector<ElementId> m_edgeIds;
   int m_turningCount = 0;
-  std::unordered_map<LinkId, int> m_nodeOf;
+  PositionIndex<LinkTag> m_nodeOf;
 };
 
 using DigraphPtr = std::shared_ptr<const Digraph>;

@@ -1,8 +1,8 @@
 #include "core/matroid/matroid_analysis.h"
 
 #include <algorithm>
-#include <unordered_map>
 
+#include "core/base/position_index.h"
 #include "core/matroid/findings.h"
 
 namespace geargraph {
@@ -31,9 +31,7 @@ class Analyzer {
   void takeInputs() {
     if (!m_mechanism.inputs) return;
     m_result.inputsGiven = true;
-    std::unordered_map<JointId, int> position;
-    for (int joint = 0; joint < m_model.t(); ++joint)
-      position.emplace(m_mechanism.turningJoints[joint].id, joint);
+    const PositionIndex<JointTag> position(m_mechanism.turningJoints);
     for (const Input& input : *m_mechanism.inputs) {
       m_wanted.push_back(position.at(input.joint));
       m_speeds.push_back(input.speed.exact());

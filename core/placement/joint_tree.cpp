@@ -1,5 +1,7 @@
 #include "core/placement/joint_tree.h"
 
+#include "core/base/position_index.h"
+
 namespace geargraph {
 namespace {
 
@@ -25,11 +27,8 @@ std::optional<JointTree> JointTree::of(const Mechanism& mechanism) {
   const std::size_t links = mechanism.links.size();
   if (mechanism.turningJoints.size() + 1 != links) return std::nullopt;
 
-  std::unordered_map<LinkId, int> linkAt(links);
-  for (std::size_t i = 0; i < links; ++i) linkAt.emplace(mechanism.links[i].id, static_cast<int>(i));
-  std::unordered_map<AxisId, int> axisAt(mechanism.axes.size());
-  for (std::size_t i = 0; i < mechanism.axes.size(); ++i)
-    axisAt.emplace(mechanism.axes[i].id, static_cast<int>(i));
+  const PositionIndex<LinkTag> linkAt(mechanism.links);
+  const PositionIndex<AxisTag> axisAt(mechanism.axes);
 
   JointTree tree;
   tree.joints.reserve(mechanism.turningJoints.size());
