@@ -35,7 +35,7 @@ const std::vector<Promise>& promises() {
       {"spur-pair", 1, 0, {{4, Rational(-2, 3)}}},
       {"planetary-ring-held", 1, 0, {{5, Rational(2, 7)}, {6, Rational(-20, 21)}}},
       {"three-planets", 1, 2, {{7, Rational(2, 7)}, {9, Rational(-20, 21)}}},
-      {"redundant-planetary", 2, 4, {{11, 0}, {12, -2}, {16, -2}}},
+      {"redundant-planetary", 2, 4, {{11, 0}, {12, Rational(-16, 9)}, {16, Rational(-16, 9)}}},
       {"ferguson-paradox", 1, 0, {{8, Rational(-1, 99)}, {9, 0}, {10, Rational(1, 101)}}},
       {"bevel-differential", 2, 1, {{8, Rational(1, 2)}}},
       {"humpage-reduction", 1, 0, {{6, Rational(5, 24)}, {8, Rational(17, 1176)}}},
