@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/gears/gear_body.h"
+#include "core/gears/gear_obstacles.h"
 #include "core/gears/train_wheels.h"
 
 namespace geargraph {
@@ -14,8 +15,21 @@ using Eigen::Vector3d;
 class Planner {
  public:
   Planner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train)
-      : m_placement(placement), m_tree(*placement.tree), m_train(train) {
+      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_obstacles(train) {
     m_plan.axes = axisLayouts(mechanism, placement, train);
+    m_plan.shaftsOn.resize(m_plan.axes.size());
+    m_gearsOn.resize(m_plan.axes.size());
+    m_heldBy.resize(mechanism.links.size());
+    m_armsOf.resize(mechanism.links.size());
+    for (std::size_t g = 0; g < train.gears.size(); ++g) {
+      m_gearsOn[static_cast<std::size_t>(train.gears[g].axisClass)].push_back(g);
+    }
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+      for (std::size_t b = 0; b < m_plan.axes[c].bearings.size(); ++b) {
+        m_heldBy[static_cast<std::size_t>(m_plan.axes[c].bearings[b].parent)].push_back(
+            {static_cast<int>(c), b});
+      }
+    }
   }
 
   BodyPlan plan() {
@@ -36,9 +50,13 @@ class Planner {
   void placeCrossing(int link, int home, Bearing& bearing);
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
-  [[nodiscard]] bool armIsClear(int from, int to, double level) const;
+  [[nodiscard]] bool fits(int home, const std::vector<int>& involved, double level) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
   void addShaft(int axisClass, int link);
+  void addArm(const ArmPlan& arm) {
+    m_armsOf[static_cast<std::size_t>(arm.link)].push_back(m_plan.arms.size());
+    m_plan.arms.push_back(arm);
+  }
   void addFixedHubs();
   void nestShafts(int axisClass);
   [[nodiscard]] double boreRoom(int axisClass, int link) const;
@@ -54,6 +72,11 @@ class Planner {
   const Placement& m_placement;
   const JointTree& m_tree;
   const GearTrain& m_train;
+  GearObstacles m_obstacles;
+  std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
+  std::vector<std::vector<std::pair<int, std::size_t>>>
+      m_heldBy;                                    ///< bearings (class, place) by the link that holds
+  std::vector<std::vector<std::size_t>> m_armsOf;  ///< arms by link
   BodyPlan m_plan;
 };
 
@@ -76,13 +99,15 @@ void Planner::placeCups() {
 /// included), those whose wheels are nearest the bearings' end first.
 std::vector<std::vector<Bearing*>> Planner::roundsOf(int link, int home) {
   std::vector<std::vector<Bearing*>> rounds;
-  for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
-    AxisLayout& layout = m_plan.axes[c];
-    if (!parallel(home, static_cast<int>(c))) continue;
-    std::vector<Bearing*> held;
-    for (Bearing& b : layout.bearings) {
-      if (b.parent == link) held.push_back(&b);
+  const auto& held = m_heldBy[static_cast<std::size_t>(link)];
+  for (std::size_t first = 0; first < held.size();) {
+    const int c = held[first].first;
+    AxisLayout& layout = axis(c);
+    std::vector<Bearing*> here;
+    for (; first < held.size() && held[first].first == c; ++first) {
+      here.push_back(&layout.bearings[held[first].second]);
     }
+    if (!parallel(home, c)) continue;
     const auto depth = [&](const Bearing* b) {
       double nearest = -1e300;                 // a link without wheels has the inmost shaft
       for (const Stretch& s : layout.taken) {  // wheels and cups
@@ -90,98 +115,81 @@ std::vector<std::vector<Bearing*>> Planner::roundsOf(int link, int home) {
       }
       return nearest;
     };
-    std::stable_sort(held.begin(), held.end(),
-                     [&](const Bearing* a, const Bearing* b) { return depth(a) > depth(b); });
-    for (std::size_t i = 0; i < held.size(); ++i) {
+    std::stable_sort(here.begin(), here.end(),
+                     [&](const Bearing* x, const Bearing* y) { return depth(x) > depth(y); });
+    for (std::size_t i = 0; i < here.size(); ++i) {
       if (rounds.size() <= i) rounds.emplace_back();
-      rounds[i].push_back(held[i]);
+      rounds[i].push_back(here[i]);
     }
   }
   return rounds;
 }
 
 void Planner::placeLink(int link) {
-  const AxisClasses& classes = *m_placement.classes;
-  int home = classes.classOfLink(m_tree, link);
-  for (std::size_t c = 0; home < 0 && c < m_plan.axes.size(); ++c) {
-    for (const Bearing& b : m_plan.axes[c].bearings) {
-      if (b.parent == link) home = static_cast<int>(c);
-    }
-  }
-  if (home < 0) return;
+  const auto& held = m_heldBy[static_cast<std::size_t>(link)];
+  if (held.empty()) return;
+  int home = m_placement.classes->classOfLink(m_tree, link);
+  if (home < 0) home = held.back().first;  // the ground: the last of its axes
   for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
-  for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
-    if (parallel(home, static_cast<int>(c))) continue;
-    for (Bearing& b : m_plan.axes[c].bearings) {
-      if (b.parent == link) placeCrossing(link, home, b);
-    }
+  for (const auto& [c, b] : held) {
+    if (!parallel(home, c)) placeCrossing(link, home, axis(c).bearings[b]);
   }
 }
 
-/// No wheel stands where a straight arm would pass between two parallel axes.
-bool Planner::armIsClear(int from, int to, double level) const {
-  const AxisLayout& home = axis(from);
-  const Vector3d a = home.at(level);
-  const Vector3d b = axis(to).at(carried(from, level, to));
-  const double half = home.width() / 2 + home.gap() / 2;
-  for (const TrainGear& gear : m_train.gears) {
-    const Vector3d k = gear.pose.linear().col(2);
-    if (k.cross(home.direction).norm() > 1e-6) continue;
-    const AxialSpan span = axialSpan(gear.spec);
-    const double along = (a - gear.pose.translation()).dot(k);
-    if (along + half < span.low || along - half > span.high) continue;
-    const Vector3d centre = gear.pose.translation() + along * k;
-    const double part =
-        std::clamp((centre - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-12), 0.0, 1.0);
-    const double distance = (centre - a - part * (b - a)).norm();
-    if (distance < nominalTipRadius(gear.spec) + 2.5 * home.module) return false;
+/// Is a level free on all these parallel axes, and can straight arms reach them from the link's own?
+bool Planner::fits(int home, const std::vector<int>& involved, double level) const {
+  for (const int c : involved) {
+    if (!axis(c).slotIsFree(carried(home, level, c))) return false;
   }
-  return true;
+  const AxisLayout& own = axis(home);
+  const Vector3d start = own.at(level);
+  const auto gears = m_obstacles.inPlane(start, own.direction, own.width() / 2 + own.gap() / 2);
+  if (gears.empty()) return true;
+  return std::all_of(involved.begin(), involved.end(), [&](int c) {
+    const Vector3d end = axis(c).at(carried(home, level, c));
+    return c == home || m_obstacles.isClear(gears, start, end, 2.5 * own.module);
+  });
 }
 
-/// A level at which the link's arms lie in one plane, beside the wheels.
+/// A level at which the link's arms lie in one plane, beside the wheels: the free one nearest to what is
+/// drawn. The ground stands at the bearings' end, behind everything; carriers keep to the other.
 double Planner::commonLevel(int link, int home, const std::vector<Bearing*>& round) {
-  const auto classOf = [&](const Bearing* b) {
-    return m_placement.classes->classOf[static_cast<std::size_t>(b->joint)];
-  };
-  std::vector<double> candidates;
+  const int side = axis(home).bearingSide;
   std::vector<int> involved{home};
+  std::vector<double> candidates;
+  std::vector<double> edges;  // of what stands on the axes, towards the bearings' end
   for (const Bearing* b : round) {
-    if (classOf(b) != home) involved.push_back(classOf(b));
-    candidates.push_back(carried(classOf(b), b->at, home));
+    const int c = m_placement.classes->classOf[static_cast<std::size_t>(b->joint)];
+    if (c != home) involved.push_back(c);
+    candidates.push_back(carried(c, b->at, home));
   }
   const double wanted = candidates.front();
   for (const int c : involved) {
     for (const double x : axis(c).slotCandidates()) candidates.push_back(carried(c, x, home));
+    for (const Stretch& s : axis(c).taken)
+      edges.push_back(side * carried(c, side < 0 ? s.low : s.high, home));
   }
-  const int side = axis(home).bearingSide;
-  double best = 0;
-  double bestCost = 1e300;
-  double outmost = side * 1e300 * -1;
-  for (const double x : candidates) {
-    if (side * x > side * outmost || std::abs(outmost) > 1e299) outmost = x;
-    bool fits = true;
-    for (const int c : involved) {
-      fits = fits && axis(c).slotIsFree(carried(home, x, c)) && (c == home || armIsClear(home, c, x));
-    }
-    // The ground stands at the bearings' end, behind everything; carriers keep to the other.
-    double cost = std::abs(x - wanted);
+  std::sort(edges.begin(), edges.end());
+  const auto cost = [&](double x) {
+    double sum = std::abs(x - wanted);
     if (link == 0 && x != wanted) {
-      for (const int c : involved) {
-        for (const Stretch& s : axis(c).taken) {
-          const double edge = carried(c, side < 0 ? s.low : s.high, home);
-          if (side * x < side * edge) cost += 1000 * axis(home).module;
-        }
-      }
+      const auto beyond = edges.end() - std::upper_bound(edges.begin(), edges.end(), side * x);
+      sum += 1000 * axis(home).module * static_cast<double>(beyond);
     } else if (side * (x - wanted) > 0) {
-      cost += 2 * axis(home).module;
+      sum += 2 * axis(home).module;
     }
-    if (fits && cost < bestCost - 1e-9) {
-      best = x;
-      bestCost = cost;
-    }
+    return sum;
+  };
+  std::sort(candidates.begin(), candidates.end(), [&](double a, double b) { return cost(a) < cost(b); });
+  const auto same = [&](double a, double b) { return std::abs(a - b) < 1e-6 * axis(home).module; };
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
+  constexpr std::size_t kTries = 40;
+  for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
+    if (fits(home, involved, candidates[i])) return candidates[i];
   }
-  return bestCost < 1e299 ? best : outmost;
+  const auto outmost = std::max_element(candidates.begin(), candidates.end(),
+                                        [&](double a, double b) { return side * a < side * b; });
+  return *outmost;
 }
 
 void Planner::placeParallel(int link, int home, const std::vector<Bearing*>& round) {
@@ -192,44 +200,18 @@ void Planner::placeParallel(int link, int home, const std::vector<Bearing*>& rou
     b->at = carried(home, level, c);
     if (c == home) continue;
     axis(c).take(b->at, link);
-    m_plan.arms.push_back({link, home, level, c, b->at, b->child});
+    addArm({link, home, level, c, b->at, b->child});
   }
 }
 
-/// Is the point in a gear, or nearer than an arm is wide? Bevels count as what their tips sweep.
-bool nearGear(const TrainGear& gear, const Vector3d& p, double margin) {
-  const Vector3d local = gear.pose.inverse() * p;
-  const AxialSpan span = axialSpan(gear.spec);
-  if (local.z() < span.low - margin || local.z() > span.high + margin) return false;
-  const double radius = std::hypot(local.x(), local.y());
-  if (gear.spec.kind == GearKind::internal) return radius > nominalTipRadius(gear.spec) - margin;
-  double reach = nominalTipRadius(gear.spec);
-  if (gear.spec.kind == GearKind::bevel && gear.spec.coneAngle < 1.3) {
-    const double tip =
-        gear.spec.coneAngle + (gear.spec.addendum + 0.5) * gear.spec.module / coneDistance(gear.spec);
-    reach = std::min(reach, std::max(local.z(), 0.0) * std::tan(tip));
-  }
-  return radius < reach + margin;
-}
-
-/// How many places of an arm with its post and bearing lie in gears of other links.
+/// How many places of an arm with its post lie in gears of other links.
 int Planner::armHits(const ArmPlan& arm) const {
   const AxisLayout& from = axis(arm.from);
   const Vector3d start = from.at(arm.level);
   const Vector3d end = axis(arm.to).at(arm.at);
   const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
   const double margin = 0.5 * from.width() + 0.3 * from.module;
-  constexpr int kPlaces = 12;
-  int hits = 0;
-  for (const TrainGear& gear : m_train.gears) {
-    if (gear.link == arm.link) continue;
-    for (int i = 0; i <= kPlaces; ++i) {
-      const double part = static_cast<double>(i) / kPlaces;
-      hits += nearGear(gear, start + part * (foot - start), margin) && i > 0 ? 1 : 0;
-      hits += nearGear(gear, foot + part * (end - foot), margin) && i < kPlaces ? 1 : 0;
-    }
-  }
-  return hits;
+  return m_obstacles.hits(arm.link, start, foot, margin) + m_obstacles.hits(arm.link, end, foot, margin);
 }
 
 /// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
@@ -249,9 +231,8 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
   }
   if (levels.size() == 1) levels = own.slotCandidates();
   std::vector<double> standing;
-  for (const ArmPlan& arm : m_plan.arms) {
-    if (arm.link == link && arm.from == home) standing.push_back(arm.level);
-  }
+  for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)])
+    standing.push_back(m_plan.arms[a].level);
   ArmPlan best;
   double bestCost = 1e300;
   const auto consider = [&](double at, double level, double extra) {
@@ -273,7 +254,7 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
   bearing.at = best.at;
   target.take(best.at, link);
   if (std::find(standing.begin(), standing.end(), best.level) == standing.end()) own.take(best.level, link);
-  m_plan.arms.push_back(best);
+  addArm(best);
 }
 
 /// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
@@ -284,15 +265,17 @@ void Planner::addShaft(int axisClass, int link) {
   shaft.link = link;
   const double half = layout.width() / 2;
   const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
-  for (const TrainGear& gear : m_train.gears) {
-    if (gear.link != link || gear.axisClass != axisClass || gear.spec.kind == GearKind::internal) continue;
+  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = m_train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     const AxialSpan hub = hubSpan(gear.spec);
     const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
     const double origin = layout.coordinate(gear.pose.translation());
     for (const double z : {hub.low, hub.high}) shaft.include(origin + sense * z, origin + sense * z);
   }
-  for (const ArmPlan& arm : m_plan.arms) {
-    if (arm.link == link && arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
+  for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)]) {
+    const ArmPlan& arm = m_plan.arms[a];
+    if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
   }
   for (const CupPlan& cup : m_plan.cups) {
     const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
@@ -308,6 +291,7 @@ void Planner::addShaft(int axisClass, int link) {
   if (shaft.low < shaft.high) {
     shaft.low -= 0.5 * layout.gap();
     shaft.high += 0.5 * layout.gap();
+    m_plan.shaftsOn[static_cast<std::size_t>(axisClass)].push_back(m_plan.shafts.size());
     m_plan.shafts.push_back(shaft);
   }
 }
@@ -325,8 +309,9 @@ void Planner::addFixedHubs() {
 /// Largest radius that the bores of the link's wheels on this axis allow.
 double Planner::boreRoom(int axisClass, int link) const {
   double room = 1e300;
-  for (const TrainGear& gear : m_train.gears) {
-    if (gear.link != link || gear.axisClass != axisClass || gear.spec.kind == GearKind::internal) continue;
+  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = m_train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     room = std::min(room, gear.spec.bore > 0 ? gear.spec.bore / 2 : 0.45 * largestBore(gear.spec));
   }
   return room;
@@ -336,8 +321,8 @@ double Planner::boreRoom(int axisClass, int link) const {
 /// bores of their wheels hold them.
 void Planner::nestShafts(int axisClass) {
   std::vector<ShaftPlan*> shafts;
-  for (ShaftPlan& s : m_plan.shafts) {
-    if (s.axisClass == axisClass) shafts.push_back(&s);
+  for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    shafts.push_back(&m_plan.shafts[s]);
   }
   std::stable_sort(shafts.begin(), shafts.end(), [](const ShaftPlan* a, const ShaftPlan* b) {
     return a->high - a->low > b->high - b->low;
@@ -364,17 +349,17 @@ void Planner::nestShafts(int axisClass) {
 }  // namespace
 
 const ShaftPlan* BodyPlan::shaftOf(int axisClass, int link) const {
-  for (const ShaftPlan& s : shafts) {
-    if (s.axisClass == axisClass && s.link == link) return &s;
+  for (const std::size_t s : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    if (shafts[s].link == link) return &shafts[s];
   }
   return nullptr;
 }
 
 double BodyPlan::shaftAt(int axisClass, double coordinate, int link) const {
   double radius = 0;
-  for (const ShaftPlan& s : shafts) {
-    const bool there = s.axisClass == axisClass && s.low <= coordinate && coordinate <= s.high;
-    if (there && s.link != link) radius = std::max(radius, s.outer);
+  for (const std::size_t i : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    const ShaftPlan& s = shafts[i];
+    if (s.low <= coordinate && coordinate <= s.high && s.link != link) radius = std::max(radius, s.outer);
   }
   return radius;
 }

@@ -44,6 +44,7 @@ struct BodyPlan {
   std::vector<ArmPlan> arms;
   std::vector<ShaftPlan> shafts;
   std::vector<CupPlan> cups;
+  std::vector<std::vector<std::size_t>> shaftsOn;  ///< shafts by axis class
 
   [[nodiscard]] const ShaftPlan* shaftOf(int axisClass, int link) const;
   /// Outer radius of the widest shaft at a place of an axis, of links other than `link`; 0: none.

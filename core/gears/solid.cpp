@@ -30,9 +30,6 @@ Eigen::AlignedBox3d boundsOf(const Solid& solid) {
 
 void append(Solid& whole, const Solid& part, const Eigen::Isometry3d& placed) {
   const auto first = static_cast<std::uint32_t>(whole.positions.size());
-  whole.positions.reserve(whole.positions.size() + part.positions.size());
-  whole.normals.reserve(whole.normals.size() + part.normals.size());
-  whole.triangles.reserve(whole.triangles.size() + part.triangles.size());
   for (const Float3& p : part.positions) whole.positions.push_back(narrow(placed * wide(p)));
   for (const Float3& n : part.normals) whole.normals.push_back(narrow(placed.linear() * wide(n)));
   for (const Triangle& t : part.triangles)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include "core/gears/bodies.h"
@@ -21,6 +23,10 @@ class BodyBuilder {
   std::vector<Solid> build() {
     for (const ShaftPlan& shaft : m_plan.shafts) addShaft(shaft);
     for (const ArmPlan& arm : m_plan.arms) addArm(arm);
+    for (const ArmPlan& a : m_plan.arms) {
+      const bool parallel = axis(a.from).direction.cross(axis(a.to).direction).norm() < 1e-6;
+      if (parallel) m_eyes.insert({a.to, a.link, a.child});
+    }
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
@@ -54,10 +60,7 @@ class BodyBuilder {
 
   /// An arm in the plane of the bearing has its eye there already.
   [[nodiscard]] bool isEyeOfArm(int c, const Bearing& bearing) const {
-    return std::any_of(m_plan.arms.begin(), m_plan.arms.end(), [&](const ArmPlan& a) {
-      const bool parallel = axis(a.from).direction.cross(axis(a.to).direction).norm() < 1e-6;
-      return a.link == bearing.parent && a.to == c && a.child == bearing.child && parallel;
-    });
+    return m_eyes.count({c, bearing.parent, bearing.child}) > 0;
   }
 
   void addBearing(int c, const Bearing& bearing) {
@@ -75,6 +78,8 @@ class BodyBuilder {
   const BodyPlan& m_plan;
   const GearTrain& m_train;
   std::vector<Solid> m_solids;
+  std::set<std::tuple<int, int, int>>
+      m_eyes;  ///< (axis class, parent, child) of bearings that arms bring along
 };
 
 void BodyBuilder::addArm(const ArmPlan& plan) {

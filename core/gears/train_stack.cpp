@@ -13,30 +13,33 @@ using Eigen::Vector3d;
 /// Room between stacked planes, for a carrier's arm, in modules.
 constexpr double kPlaneGap = 5;
 
-struct Annulus {
-  double inner;
-  double outer;
+/// The room of a wheel: a disc or an annulus of some width.
+struct Room {
+  Vector3d origin, axis;
+  AxialSpan span;
+  double inner = 0;
+  double outer = 0;
+
+  explicit Room(const TrainWheel& wheel)
+      : origin(wheel.origin), axis(wheel.axis), span(axialSpan(wheel.spec)) {
+    const bool ring = wheel.spec.kind == GearKind::internal;
+    if (ring) inner = nominalTipRadius(wheel.spec);
+    outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+  }
 };
 
-Annulus annulusOf(const GearSpec& spec) {
-  if (spec.kind == GearKind::internal) return {nominalTipRadius(spec), rimDiameter(spec) / 2};
-  return {0, nominalTipRadius(spec)};
-}
-
 /// Do two wheels on parallel axes take up the same room?
-bool collide(const TrainWheel& a, const TrainWheel& b) {
-  if (a.axis.cross(b.axis).norm() > 1e-6) return false;
-  const double along = (b.origin - a.origin).dot(a.axis);
-  const AxialSpan sa = axialSpan(a.spec);
-  AxialSpan sb = axialSpan(b.spec);
-  if (a.axis.dot(b.axis) < 0) sb = {-sb.high, -sb.low};
-  if (sa.high <= sb.low + along || sb.high + along <= sa.low) return false;
-  const Vector3d apart = b.origin - a.origin - along * a.axis;
-  const double distance = apart.norm();
-  const Annulus ra = annulusOf(a.spec);
-  const Annulus rb = annulusOf(b.spec);
-  const bool inside = distance + rb.outer <= ra.inner || distance + ra.outer <= rb.inner;
-  return !inside && distance < ra.outer + rb.outer;
+bool collide(const Room& a, const Room& b) {
+  const Vector3d apart = b.origin - a.origin;
+  const double along = apart.dot(a.axis);
+  const double sense = a.axis.dot(b.axis);
+  if (std::abs(std::abs(sense) - 1) > 1e-12) return false;
+  const double low = sense < 0 ? -b.span.high : b.span.low;
+  const double high = sense < 0 ? -b.span.low : b.span.high;
+  if (a.span.high <= low + along || high + along <= a.span.low) return false;
+  const double distance = (apart - along * a.axis).norm();
+  const bool inside = distance + b.outer <= a.inner || distance + a.outer <= b.inner;
+  return !inside && distance < a.outer + b.outer;
 }
 
 /// Wheels that lie in one plane because they mesh.
@@ -79,18 +82,19 @@ std::vector<Plane> planesOf(const TrainWheels& train) {
 void stackWheels(TrainWheels& train) {
   std::vector<Plane> planes = planesOf(train);
   std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) { return !plane.movable; });
+  std::vector<Room> rooms;
+  for (const TrainWheel& wheel : train.wheels) rooms.emplace_back(wheel);
   std::vector<int> standing;
+  const auto room = [&](int w) -> Room& { return rooms[static_cast<std::size_t>(w)]; };
   const auto blocked = [&](const Plane& plane) {
     return std::any_of(plane.wheels.begin(), plane.wheels.end(), [&](int w) {
-      return std::any_of(standing.begin(), standing.end(), [&](int other) {
-        return collide(train.wheels[static_cast<std::size_t>(w)],
-                       train.wheels[static_cast<std::size_t>(other)]);
-      });
+      return std::any_of(standing.begin(), standing.end(),
+                         [&](int other) { return collide(room(w), room(other)); });
     });
   };
+  std::vector<Vector3d> moved(train.wheels.size(), Vector3d::Zero());
   for (const Plane& plane : planes) {
-    const TrainWheel& first = train.wheels[static_cast<std::size_t>(plane.wheels.front())];
-    const Vector3d direction = first.axis;
+    const Vector3d direction = room(plane.wheels.front()).axis;
     double step = 0;
     for (const int w : plane.wheels) {
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
@@ -99,17 +103,16 @@ void stackWheels(TrainWheels& train) {
     double at = 0;
     for (int attempt = 1; plane.movable && blocked(plane) && attempt < 60; ++attempt) {
       const double goal = (attempt % 2 == 1 ? 1 : -1) * ((attempt + 1) / 2) * step;  // +1, -1, +2, -2, ...
-      for (const int w : plane.wheels)
-        train.wheels[static_cast<std::size_t>(w)].origin += (goal - at) * direction;
+      for (const int w : plane.wheels) room(w).origin += (goal - at) * direction;
       at = goal;
     }
-    for (TrainPair& pair : train.pairs) {
-      if (at != 0 && std::count(plane.wheels.begin(), plane.wheels.end(), pair.tail) > 0) {
-        pair.pitchPoint += at * direction;
-      }
+    for (const int w : plane.wheels) {
+      moved[static_cast<std::size_t>(w)] = at * direction;
+      train.wheels[static_cast<std::size_t>(w)].origin += at * direction;
     }
     standing.insert(standing.end(), plane.wheels.begin(), plane.wheels.end());
   }
+  for (TrainPair& pair : train.pairs) pair.pitchPoint += moved[static_cast<std::size_t>(pair.tail)];
 }
 
 }  // namespace geargraph
