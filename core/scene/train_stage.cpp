@@ -136,6 +136,24 @@ std::vector<TurningLine> turningLines(const Mechanism& mechanism, const Placemen
   return lines;
 }
 
+/// What every instance's link turns about, and how much for each input.
+std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree) {
+  std::vector<StageHandle> handles;
+  const std::size_t columns = mover.motion.inputs.size();
+  for (const int link : mover.linkOfInstance) {
+    StageHandle& handle = handles.emplace_back();
+    if (link == 0) continue;
+    const int joint = tree.jointToParent(link);
+    const double sense = -tree.directionToGround(joint);
+    handle.point = mover.kinematics.line(joint).point;
+    handle.direction = mover.kinematics.line(joint).direction;
+    for (std::size_t k = 0; k < columns; ++k) {
+      handle.gains.push_back(sense * mover.motion.gains[static_cast<std::size_t>(joint) * columns + k]);
+    }
+  }
+  return handles;
+}
+
 }  // namespace
 
 StagePtr trainStage(const Mechanism& mechanism, GearCache& cache) {
@@ -152,10 +170,11 @@ StagePtr trainStage(const Mechanism& mechanism, GearCache& cache) {
   for (const Instance& instance : stage->scene.instances) reference.push_back(instance.pose);
   stage->inputSpeeds = motion->speeds;
   stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
-  stage->place = [mover = std::make_shared<const Mover>(
-                      Mover{ForwardKinematics(*tree, turningLines(mechanism, placement)), *motion,
-                            builder.linkOfInstance(), std::move(reference)})](
-                     std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
+  const auto mover =
+      std::make_shared<const Mover>(Mover{ForwardKinematics(*tree, turningLines(mechanism, placement)),
+                                          *motion, builder.linkOfInstance(), std::move(reference)});
+  stage->handles = handlesOf(*mover, *tree);
+  stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
   return stage;
 }
 

@@ -182,8 +182,11 @@ Playback& View3D::playback() {
   return d->playback;
 }
 
-void View3D::setAngles(const std::vector<double>& angles) {
-  d->viewer.setAngles(angles);
+void View3D::setTurnedByHand(const std::vector<double>& angles) {
+  d->viewer.setTurnedByHand(angles);
+}
+const std::vector<double>& View3D::turnedByHand() const {
+  return d->viewer.turnedByHand();
 }
 
 const Camera& View3D::camera() const {
@@ -242,6 +245,8 @@ void View3D::keyPressEvent(QKeyEvent* event) {
       return showFrom(StandardView::right);
     case Qt::Key_3:
       return showFrom(StandardView::top);
+    case Qt::Key_Backspace:
+      return d->viewer.setTurnedByHand({});
     case Qt::Key_Comma:
       return d->playback.setTime(d->playback.time() - kTimeStep);
     case Qt::Key_Period:

@@ -12,7 +12,8 @@ namespace geargraph {
 /// The 3D view: a stage that can be turned, zoomed and played.
 ///
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
-/// arrows orbit, + and - zoom; , and . step the time back and on. Mouse: viewer.h.
+/// arrows orbit, + and - zoom; , and . step the time back and on; Backspace undoes what hands have turned.
+/// Mouse: viewer.h.
 class View3D : public QWidget {
   Q_OBJECT
 
@@ -31,8 +32,10 @@ class View3D : public QWidget {
   void setEmptyText(const QString& text);
 
   [[nodiscard]] Playback& playback();
-  /// Poses for angles set by hand (rad, one an input), until the time next changes.
-  void setAngles(const std::vector<double>& angles);
+  /// Angles that are added to what the time makes of the inputs (rad, one an input): dragging a part with
+  /// Ctrl does the same.
+  void setTurnedByHand(const std::vector<double>& angles);
+  [[nodiscard]] const std::vector<double>& turnedByHand() const;
 
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);

@@ -30,6 +30,8 @@ void Viewer::setStage(StagePtr stage) {
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) m_poses.push_back(instance.pose);
   }
+  if (m_gesture == Gesture::turn) m_gesture = Gesture::none;  // what was held is gone
+  if (m_stage == nullptr || m_turned.size() != m_stage->inputSpeeds.size()) m_turned.clear();
   if (first) m_fitted = false;
   emit sceneChanged();
   lightUp();
@@ -37,17 +39,51 @@ void Viewer::setStage(StagePtr stage) {
 }
 
 void Viewer::setTime(double seconds) {
-  if (m_stage == nullptr) return;
-  std::vector<double> angles;
-  for (const double speed : m_stage->inputSpeeds) angles.push_back(speed * seconds);
-  setAngles(angles);
+  m_time = seconds;
+  place();
 }
 
-void Viewer::setAngles(std::span<const double> angles) {
+void Viewer::setTurnedByHand(std::vector<double> angles) {
+  m_turned = std::move(angles);
+  place();
+}
+
+void Viewer::place() {
   if (m_stage == nullptr || !m_stage->place) return;
-  GEARGRAPH_REQUIRE(angles.size() == m_stage->inputSpeeds.size());
+  m_turned.resize(m_stage->inputSpeeds.size(), 0);
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < m_turned.size(); ++k)
+    angles.push_back(m_stage->inputSpeeds[k] * m_time + m_turned[k]);
   m_stage->place(angles, m_poses);
   emit viewChanged();
+}
+
+// The pointer's way along the circle of the held point, as the picture shows it, is the angle; where the
+// circle is seen from its edge, a small part of its radius stands for it, so that the part does not spin
+// away.
+void Viewer::turn(const QPointF& step) {
+  const StageHandle& handle = m_stage->handles[m_held->instance];
+  double strength = 0;
+  for (const double gain : handle.gains) strength += gain * gain;
+  if (strength == 0) return;
+  const auto displacement = [this] {
+    return m_poses[m_held->instance] * m_stage->scene.instances[m_held->instance].pose.inverse();
+  };
+  const Pose before = displacement();
+  const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
+  const Eigen::Vector3d along = axis.cross(m_held->point - origin);  // of the held point, a rad
+  const double pixels = 1 / m_camera.millimetresPerPixel(m_viewport);
+  const Eigen::Vector2d seen =
+      pixels * Eigen::Vector2d(along.dot(m_camera.right()), -along.dot(m_camera.up()));
+  const double least = 0.2 * pixels * along.norm();
+  const Eigen::Vector2d moved(step.x() * m_pixelRatio, step.y() * m_pixelRatio);
+  const double size = std::max(seen.squaredNorm(), least * least);
+  if (size == 0) return;
+  const double angle = moved.dot(seen) / size;
+  std::vector<double> turned = m_turned;
+  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * angle / strength;
+  setTurnedByHand(std::move(turned));
+  m_held->point = displacement() * before.inverse() * m_held->point;
 }
 
 void Viewer::setCamera(const Camera& camera) {
@@ -117,7 +153,14 @@ std::optional<Hit> Viewer::hitAt(const QPointF& place) const {
 bool Viewer::mousePress(const QMouseEvent& event) {
   if (m_gesture != Gesture::none) return true;
   const bool shifted = event.modifiers().testFlag(Qt::ShiftModifier);
-  if (event.button() == Qt::RightButton || (event.button() == Qt::LeftButton && shifted)) {
+  m_held.reset();
+  if (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier))
+    m_held = hitAt(event.position());
+  const bool turns = m_held && m_held->instance < m_stage->handles.size() &&
+                     !m_stage->handles[m_held->instance].gains.empty();
+  if (turns) {
+    m_gesture = Gesture::turn;
+  } else if (event.button() == Qt::RightButton || (event.button() == Qt::LeftButton && shifted)) {
     m_gesture = Gesture::pan;
   } else if (event.button() == Qt::LeftButton || event.button() == Qt::MiddleButton) {
     m_gesture = Gesture::orbit;
@@ -143,6 +186,10 @@ bool Viewer::mouseMove(const QMouseEvent& event) {
   const QPointF step = event.position() - m_last;
   m_last = event.position();
   emit moving();
+  if (m_gesture == Gesture::turn) {
+    turn(step);
+    return true;
+  }
   setCamera(m_gesture == Gesture::orbit
                 ? m_camera.orbited(step.x(), step.y())
                 : m_camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));

@@ -20,7 +20,11 @@ namespace geargraph {
 ///
 ///     left or middle drag        orbit          wheel      zoom at the pointer
 ///     right or Shift+left drag   pan            click      select (Ctrl: add or take away)
-///     arrows                     orbit          + -        zoom
+///     Ctrl+left drag on a part   turn it        arrows     orbit
+///                                               + -        zoom
+///
+/// A part that is turned by hand takes the inputs with it, as little as will do (least squares), and they all
+/// the rest.
 class Viewer : public QObject {
   Q_OBJECT
 
@@ -32,10 +36,11 @@ class Viewer : public QObject {
 
   void setStage(StagePtr stage);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
-  /// Poses for this time, all inputs running at their speeds from 0.
+  /// Poses for this time: all inputs run at their speeds from where hands have put them.
   void setTime(double seconds);
-  /// Poses for these angles of the inputs, rad.
-  void setAngles(std::span<const double> angles);
+  /// Angles that hands have added to the inputs, rad.
+  [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_turned; }
+  void setTurnedByHand(std::vector<double> angles);
   [[nodiscard]] std::span<const Pose> poses() const { return m_poses; }
 
   [[nodiscard]] const Camera& camera() const { return m_camera; }
@@ -68,15 +73,19 @@ class Viewer : public QObject {
   void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:
-  enum class Gesture { none, orbit, pan };
+  enum class Gesture { none, orbit, pan, turn };
 
   void lightUp();
+  void place();
+  void turn(const QPointF& step);
   [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
   void zoomAt(const QPointF& place, double factor);
 
   Selection* m_selection;
   StagePtr m_stage;
   std::vector<Pose> m_poses;
+  double m_time = 0;
+  std::vector<double> m_turned;
   std::vector<Emphasis> m_emphasis;
   Camera m_camera = Camera::home();
   Look m_look = Look::light();
@@ -88,6 +97,7 @@ class Viewer : public QObject {
   QPointF m_pressedAt;
   QPointF m_last;
   bool m_dragged = false;
+  std::optional<Hit> m_held;  ///< what Ctrl was pressed on, and where, in the world
 };
 
 }  // namespace geargraph

@@ -127,6 +127,36 @@ class TestTrainStage : public QObject {
     }
   }
 
+  void handlesTellHowPartsTurnAgainstWhatCarriesThem() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = trainStage(mechanism, cache);
+      const Placement placement = placementOf(mechanism);
+      QCOMPARE(stage->handles.size(), stage->scene.instances.size());
+      std::vector<double> angles;
+      for (std::size_t k = 0; k < stage->inputSpeeds.size(); ++k)
+        angles.push_back(0.3 + 0.2 * static_cast<double>(k));
+      const auto poses = posesAt(*stage, angles);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        const StageHandle& handle = stage->handles[i];
+        const Instance& instance = stage->scene.instances[i];
+        QCOMPARE(handle.gains.empty(), instance.element == ElementId(mechanism.links.front().id));
+        if (handle.gains.empty()) continue;
+        double angle = 0;
+        for (std::size_t k = 0; k < angles.size(); ++k) angle += handle.gains[k] * angles[k];
+        const auto links = mechanism.links;
+        const auto link = std::find_if(links.begin(), links.end(),
+                                       [&](const Link& l) { return instance.element == ElementId(l.id); });
+        const int parent = placement.tree->parent[static_cast<std::size_t>(link - links.begin())];
+        const Pose carrier = displacement(*stage, poses, links[static_cast<std::size_t>(parent)].id);
+        const Pose turned = Eigen::Translation3d(handle.point) * Eigen::AngleAxisd(angle, handle.direction) *
+                            Eigen::Translation3d(-handle.point);
+        const Pose own = poses[i] * instance.pose.inverse();
+        QVERIFY((own.matrix() - (carrier * turned).matrix()).norm() < 1e-6);
+      }
+    }
+  }
+
   void afterOnePeriodEverythingIsWhereItWas() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {

@@ -221,6 +221,41 @@ class TestView3D : public QObject {
     QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("3")});
   }
 
+  void aPartDraggedWithControlTurnsAndTakesTheTrainWithIt() {
+    Shown shown;
+    shown.view.showFrom(StandardView::top);
+    shown.view.grab();
+    // from the right side of the first wheel up, a quarter of its circle: counter-clockwise from above
+    const Eigen::Vector3d middle(0, -22, 4), from(15, -22, 4), to(0, -7, 4);
+    const Camera before = shown.view.camera();
+    const QPoint start = shown.at(from), end = shown.at(to), centre = shown.at(middle);
+    QTest::mousePress(shown.canvas(), Qt::LeftButton, Qt::ControlModifier, start);
+    const QPointF arm = start - centre;
+    for (int step = 1; step <= 45; ++step) {
+      const double angle = 1.5707963 * step / 45;
+      const QPointF at = centre + QPointF(arm.x() * std::cos(angle), -arm.x() * std::sin(angle));
+      QMouseEvent event(QEvent::MouseMove, at, shown.canvas()->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                        Qt::ControlModifier);
+      QApplication::sendEvent(shown.canvas(), &event);
+    }
+    QTest::mouseRelease(shown.canvas(), Qt::LeftButton, Qt::ControlModifier, end);
+    QCOMPARE(shown.view.camera(), before);
+    QVERIFY(shown.selection.selected().empty());
+    QCOMPARE(shown.view.turnedByHand().size(), std::size_t{1});
+    QVERIFY2(std::abs(shown.view.turnedByHand().front() - 1.57) < 0.12,
+             qPrintable(QString::number(shown.view.turnedByHand().front())));
+    QTest::keyClick(&shown.view, Qt::Key_Backspace);
+    QCOMPARE(shown.view.turnedByHand(), std::vector<double>{0});
+  }
+
+  void controlOnAFixedPartOrbits() {
+    Shown shown;
+    const Camera before = shown.view.camera();
+    shown.drag(Qt::LeftButton, Qt::ControlModifier, shown.at(kOnBox), {40, 0});
+    QVERIFY(shown.view.camera().yaw() != before.yaw());
+    QCOMPARE(shown.view.turnedByHand(), std::vector<double>{0});
+  }
+
   void labelsAreDiscsBesideTheirPartsAndCanBeHidden() {
     Shown shown;
     const QImage with = shown.view.grab().toImage();

@@ -31,6 +31,11 @@ inline StagePtr toyStage(double period = 4) {
   add(boxSolid({-8, -8, -8}, {8, 8, 8}), {0, 0, 30}, 0x009E73, "3");
   stage->inputSpeeds = {1.5};
   stage->period = period;
+  stage->handles.resize(3);
+  for (const std::size_t wheel : {0, 1}) {
+    stage->handles[wheel].point = stage->scene.instances[wheel].pose.translation();
+    stage->handles[wheel].gains = {wheel == 0 ? 1.0 : -1.0};
+  }
   stage->place = [reference = stage->scene.instances](std::span<const double> angles, std::span<Pose> poses) {
     const auto turned = [](double angle) { return Pose(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ())); };
     poses[0] = reference[0].pose * turned(angles[0]);
