@@ -208,7 +208,7 @@ Courses coursesFrom(const DigraphGeometry& former, const Digraph& graph, const C
   Centers formerCenters;
   for (const NodePlace& node : former.nodes) formerCenters.emplace_back(node.center);
   Courses courses;
-  for (const EdgePlace& edge : former.edges) courses.emplace_back(edge.curve);
+  for (const EdgePlace& edge : former.edges) courses.emplace_back(Course{edge.curve, edge.detoursLooked});
   return reroutedEdges(graph, centers, nodes, formerCenters, courses);
 }
 
@@ -260,7 +260,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
   const Courses courses =
       again ? coursesFrom(former, graph, centers, taken) : routedEdges(graph, centers, taken);
   for (const auto& course : courses) {
-    if (course) taken.addCurve(*course);
+    if (course) taken.addCurve(course->curve);
   }
 
   DigraphGeometry geometry;
@@ -269,7 +269,14 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     const auto& course = courses[static_cast<std::size_t>(e)];
     if (!course) continue;
     const DigraphEdge& edge = graph.edge(e);
-    geometry.edges.push_back({graph.edgeId(e), graph.edgeLabel(e), edge.tail, edge.head, *course, {}, false});
+    geometry.edges.push_back({graph.edgeId(e),
+                              graph.edgeLabel(e),
+                              edge.tail,
+                              edge.head,
+                              course->curve,
+                              course->looked,
+                              {},
+                              false});
   }
   const bool comparable = again && geometry.nodes.size() == former.nodes.size();
   if (comparable) {

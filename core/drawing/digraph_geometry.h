@@ -45,6 +45,7 @@ struct EdgePlace {
   int tail = 0;  ///< ordinals of the links
   int head = 0;
   Curve curve;
+  int detoursLooked = 0;  ///< how far round its course was sought
   SheetPoint labelCenter;
   bool labelCrowded = false;  ///< no place was free for it
   [[nodiscard]] bool isMesh() const { return element.kind == ElementKind::gearMesh; }

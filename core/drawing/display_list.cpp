@@ -43,7 +43,8 @@ struct ShapeText {
   }
   std::string operator()(const Curve& curve) const {
     if (curve.isStraight()) return "straight " + pair(curve.from) + " " + pair(curve.to);
-    return "curve " + pair(curve.from) + " " + pair(curve.control) + " " + pair(curve.to);
+    return "curve " + pair(curve.from) + " " + pair(curve.leaving) + " " + pair(curve.arriving) + " " +
+           pair(curve.to);
   }
 };
 

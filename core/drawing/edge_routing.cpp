@@ -1,5 +1,6 @@
 #include "core/drawing/edge_routing.h"
 
+#include <array>
 #include <map>
 
 #include "core/drawing/digraph_geometry.h"
@@ -12,6 +13,7 @@ constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that i
 constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
 constexpr double kDetourStep = 16;
 constexpr int kDetours = 12;           ///< tried on each side
+constexpr double kMostAside = 1.25;    ///< times its size: how far a detour is off the straight line
 constexpr int kMostHits = 4;           ///< more count as many
 constexpr std::size_t kFewMoved = 16;  ///< places, for which looking at what they concern pays
 constexpr double kTrimRadius = kNodeRadius + kRingWidth / 2 + kGapToRim;
@@ -43,24 +45,37 @@ std::vector<double> parallelHeights(const Digraph& graph) {
   return heights;
 }
 
+/// Long arrows may go farther round.
+double detourStep(SheetPoint from, SheetPoint to) {
+  return std::max(kDetourStep, 0.02 * distance(from, to));
+}
+
+/// What a detour of size 1 adds to the pull at both thirds: bows, bumps near one end, and the two S.
+struct Pull {
+  double first;
+  double second;
+};
+constexpr std::array<Pull, 8> kPulls{
+    {{1, 1}, {-1, -1}, {1.8, 0}, {0, 1.8}, {-1.8, 0}, {0, -1.8}, {2.6, -2.6}, {-2.6, 2.6}}};
+
 /// The least bent course that passes all other nodes; where there is none, the one that meets the fewest.
-Curve detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
-             const DigraphEdge& edge) {
-  Curve best = Curve::bent(from, to, height);
+Course detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
+              const DigraphEdge& edge) {
+  Curve best = Curve::pulled(from, to, height, height);
   int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMostHits);
-  for (int step = 1; step <= kDetours && fewest > 0; ++step) {
-    for (const double skew : {0.0, 0.35, -0.35}) {
-      for (const int side : {1, -1}) {
-        Curve tried = Curve::bent(from, to, height + side * step * kDetourStep);
-        tried.control = tried.control + skew * (to - from);
-        const int hits = nodes.circlesHit(tried, kGapToOtherNode, edge.tail, edge.head, fewest);
-        if (hits >= fewest) continue;
-        best = tried;
-        fewest = hits;
-      }
+  int step = 0;
+  while (fewest > 0 && step < kDetours) {
+    const double size = ++step * detourStep(from, to);
+    for (const Pull pull : kPulls) {
+      const Curve tried = Curve::pulled(from, to, height + size * pull.first, height + size * pull.second);
+      const int hits = nodes.circlesHit(tried, kGapToOtherNode, edge.tail, edge.head, fewest);
+      if (hits >= fewest) continue;
+      best = tried;
+      fewest = hits;
+      if (fewest == 0) break;
     }
   }
-  return best;
+  return {trimmedAtRims(best), step};
 }
 
 /// Where nodes have come from and gone to.
@@ -108,13 +123,16 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
     const auto& from = centers[static_cast<std::size_t>(edge.tail)];
     const auto& to = centers[static_cast<std::size_t>(edge.head)];
     if (!from || !to) continue;
-    // No course that is tried lies farther from the straight line than this.
-    const double reach = std::abs(heights[e]) + kDetours * kDetourStep + kGapToOtherNode + 2 * kNodeRadius;
-    const auto near = [&](SheetPoint place) { return distanceToSegment(place, *from, *to) <= reach; };
-    if (fewMoved && former[e] && std::none_of(moved.begin(), moved.end(), near)) {
+    // No course that was looked at lies farther from the straight line than this.
+    const auto concerns = [&](SheetPoint place) {
+      const double aside = kMostAside * former[e]->looked * detourStep(*from, *to);
+      const double reach = std::abs(heights[e]) + aside + kGapToOtherNode + 2 * kNodeRadius;
+      return distanceToSegment(place, *from, *to) <= reach;
+    };
+    if (fewMoved && former[e] && std::none_of(moved.begin(), moved.end(), concerns)) {
       courses[e] = former[e];
     } else {
-      courses[e] = trimmedAtRims(detour(*from, *to, heights[e], nodes, edge));
+      courses[e] = detour(*from, *to, heights[e], nodes, edge);
     }
   }
   return courses;

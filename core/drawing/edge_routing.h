@@ -9,10 +9,16 @@
 namespace geargraph {
 
 using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
-using Courses = std::vector<std::optional<Curve>>;       ///< of edges, by ordinal
 
-/// The arrow's course for every edge of the digraph, from rim to rim; none where an end has no place.
-/// `nodes` holds the circles of the nodes, owned by their ordinals.
+/// An arrow's course, from rim to rim, and how far round detours were looked for until it was found.
+struct Course {
+  Curve curve;
+  int looked = 0;
+};
+using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none where an end has no place
+
+/// The arrow's course for every edge of the digraph. `nodes` holds the circles of the nodes, owned by their
+/// ordinals.
 [[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
 
 /// The same, faster: what was found for the same digraph with its nodes at `formerCenters` is taken over

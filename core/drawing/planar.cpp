@@ -20,14 +20,6 @@ bool Extent::meetsSegment(SheetPoint from, SheetPoint to) const {
   return clip(from.x, to.x - from.x, left(), right()) && clip(from.y, to.y - from.y, top(), bottom());
 }
 
-Curve Curve::part(double t0, double t1) const {
-  const SheetPoint start = at(t0);
-  const SheetPoint end = at(t1);
-  // The tangents at both ends meet in the control point of the part.
-  const SheetPoint middle = between(between(from, control, t0), between(control, to, t0), t1);
-  return {start, middle, end};
-}
-
 Extent Curve::extent() const {
   Extent box = Extent::spanning(from, to);
   if (isStraight()) return box;

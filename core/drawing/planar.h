@@ -86,36 +86,54 @@ struct Extent {
   friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-/// A quadratic Bézier curve; a straight line if its control point is the middle.
+/// A cubic Bézier curve; a straight line if its control points are at the thirds of it.
 struct Curve {
   SheetPoint from;
-  SheetPoint control;
+  SheetPoint leaving;   ///< the control point of the start
+  SheetPoint arriving;  ///< that of the end
   SheetPoint to;
 
   [[nodiscard]] static Curve straight(SheetPoint from, SheetPoint to) {
-    return {from, between(from, to, 0.5), to};
+    return {from, between(from, to, 1.0 / 3), between(from, to, 2.0 / 3), to};
   }
-  /// From one point to another, its middle `height` to the left of the straight line, seen along it on the
-  /// sheet.
-  [[nodiscard]] static Curve bent(SheetPoint from, SheetPoint to, double height) {
-    return {from, between(from, to, 0.5) - (2 * height) * turned(unit(to - from)), to};
+  /// From one point to another, pulled to the left of the straight line (seen along it on the sheet) by so
+  /// much at either third. The same pull on both makes a bow whose middle lies that far off; opposite pulls
+  /// make an S.
+  [[nodiscard]] static Curve pulled(SheetPoint from, SheetPoint to, double first, double second) {
+    constexpr double kToControl = 4.0 / 3;  // a bow's control points lie farther out than its middle
+    const SheetPoint left = (-kToControl) * turned(unit(to - from));
+    return {from, between(from, to, 1.0 / 3) + first * left, between(from, to, 2.0 / 3) + second * left, to};
   }
-  [[nodiscard]] bool isStraight() const { return distance(control, between(from, to, 0.5)) < 1e-6; }
-  [[nodiscard]] SheetPoint at(double t) const {
-    return between(between(from, control, t), between(control, to, t), t);
+  [[nodiscard]] bool isStraight() const {
+    return distance(leaving, between(from, to, 1.0 / 3)) < 1e-6 &&
+           distance(arriving, between(from, to, 2.0 / 3)) < 1e-6;
   }
+  [[nodiscard]] SheetPoint at(double t) const { return blossom(t, t, t); }
   /// The direction of travel at t, a unit vector.
   [[nodiscard]] SheetPoint direction(double t) const {
-    return unit(between(control - from, to - control, t));
+    const SheetPoint start = between(leaving - from, arriving - leaving, t);
+    const SheetPoint end = between(arriving - leaving, to - arriving, t);
+    return unit(between(start, end, t));
   }
   /// The part from parameter t0 to t1.
-  [[nodiscard]] Curve part(double t0, double t1) const;
+  [[nodiscard]] Curve part(double t0, double t1) const {
+    return {at(t0), blossom(t0, t0, t1), blossom(t0, t1, t1), at(t1)};
+  }
   [[nodiscard]] Extent extent() const;
   friend bool operator==(const Curve&, const Curve&) = default;
+
+ private:
+  /// de Casteljau's scheme with a parameter of its own in every round.
+  [[nodiscard]] SheetPoint blossom(double u, double v, double w) const {
+    const SheetPoint a = between(from, leaving, u);
+    const SheetPoint b = between(leaving, arriving, u);
+    const SheetPoint c = between(arriving, to, u);
+    return between(between(a, b, v), between(b, c, v), w);
+  }
 };
 
 /// How many chords stand for a curve where it is compared with other things.
-constexpr int kCurveChords = 12;
+constexpr int kCurveChords = 14;
 
 /// Calls visit(from, to) for the chords of a curve in order: one for a straight one.
 template <class Visit>

@@ -71,9 +71,9 @@ struct ShapeTag {
     return (line.closed ? "<polygon" : "<polyline") + attribute("points", points);
   }
   std::string operator()(const Curve& curve) const {
-    const std::string path = curve.isStraight()
-                                 ? "M" + pair(curve.from) + " L" + pair(curve.to)
-                                 : "M" + pair(curve.from) + " Q" + pair(curve.control) + " " + pair(curve.to);
+    const std::string path = curve.isStraight() ? "M" + pair(curve.from) + " L" + pair(curve.to)
+                                                : "M" + pair(curve.from) + " C" + pair(curve.leaving) + " " +
+                                                      pair(curve.arriving) + " " + pair(curve.to);
     return "<path" + attribute("d", path);
   }
 };

@@ -93,7 +93,7 @@ struct ShapePainter {
       return;
     }
     QPainterPath path(toQPoint(curve.from));
-    path.quadTo(toQPoint(curve.control), toQPoint(curve.to));
+    path.cubicTo(toQPoint(curve.leaving), toQPoint(curve.arriving), toQPoint(curve.to));
     painter.drawPath(path);
   }
 };

@@ -122,9 +122,9 @@ class TestRandomGestures : public QObject {
       QUndoStack& history = d.document.undoStack();
       const int place = history.index();
       while (history.canUndo()) history.undo();
-      QCOMPARE(d.document.mechanism(), first);
+      QVERIFY(*d.document.mechanism() == *first);
       while (history.index() < place) history.redo();
-      QCOMPARE(d.document.mechanism(), last);
+      QVERIFY(*d.document.mechanism() == *last);
       const Expected<Mechanism> reread = readMechanism(writeMechanism(*last));
       QVERIFY(reread.has_value() && *reread == *last);
     }
