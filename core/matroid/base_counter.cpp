@@ -1,6 +1,7 @@
 #include "core/matroid/base_counter.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -10,12 +11,13 @@ namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
+using SparseRow = std::vector<std::pair<int, Residue>>;  // by ascending column
 
 /// [I; A] with a weight for each element: the sum over all bases of the product of their elements' weights is
-/// sought.
+/// sought. A is sparse; merging elements only takes rows and columns away.
 struct Weighted {
-  int columns = 0;                         ///< elements of the basis that I stands for
-  std::vector<std::vector<Residue>> rows;  ///< A, dense
+  int columns = 0;  ///< elements of the basis that I stands for
+  std::vector<SparseRow> rows;
   std::vector<Rational> rowWeights;
   std::vector<Rational> columnWeights;
   std::vector<int> rowOrder;
@@ -26,12 +28,14 @@ struct Weighted {
 Weighted dual(const Weighted& of, Rational& factor) {
   Weighted result;
   result.columns = static_cast<int>(of.rows.size());
-  result.rows.assign(static_cast<std::size_t>(of.columns), std::vector<Residue>(of.rows.size()));
+  result.rows.resize(static_cast<std::size_t>(of.columns));
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
-    for (int j = 0; j < of.columns; ++j) result.rows[j][i] = of.rows[i][j];
+    for (const auto& [column, value] : of.rows[i])
+      result.rows[column].emplace_back(static_cast<int>(i), value);
   }
   const auto invert = [&](const std::vector<Rational>& weights) {
     std::vector<Rational> inverted;
+    inverted.reserve(weights.size());
     for (const Rational& weight : weights) {
       factor *= weight;
       inverted.push_back(weight.inverse());
@@ -50,13 +54,13 @@ class Counter {
   Counter(const PrimeField& field, const std::stop_token& stop) : m_field(field), m_stop(stop) {}
 
   /// Nothing once the work is over the budget.
-  std::optional<Rational> count(Weighted matroid) {
+  std::optional<Rational> count(const Weighted& matroid) {
     Rational product = 1;
-    if (!reduce(matroid, product)) return std::nullopt;
-    if (matroid.columns == 0) return product;
     for (Weighted& part : componentsOf(matroid)) {
+      if (!reduce(part, product)) return std::nullopt;
+      if (part.columns == 0) continue;
       if (static_cast<int>(part.rows.size()) < part.columns) part = dual(part, product);
-      const auto value = BaseSweep(m_field, representationOf(part)).count(m_steps, m_stop);
+      const auto value = sweep(part);
       if (!value) return std::nullopt;
       product *= *value;
     }
@@ -64,16 +68,20 @@ class Counter {
   }
 
  private:
+  static constexpr std::size_t kMostCells = 4'000'000;  ///< of a part that is swept
+
   /// True while there is budget.
-  bool spend(const Weighted& matroid) {
-    m_steps -= static_cast<long>(matroid.rows.size() + 1) * (matroid.columns + 1);
+  bool spend(std::size_t steps) {
+    m_steps -= static_cast<long>(steps);
     return m_steps > 0 && !m_stop.stop_requested();
   }
 
   /// Merges parallel and series elements until there are none; loops and coloops go with them.
   bool reduce(Weighted& matroid, Rational& factor) {
     for (;;) {
-      if (!spend(matroid)) return false;
+      std::size_t entries = matroid.rows.size() + static_cast<std::size_t>(matroid.columns);
+      for (const SparseRow& row : matroid.rows) entries += row.size();
+      if (!spend(8 * entries)) return false;
       bool changed = mergeParallel(matroid);
       Rational dualFactor = 1;
       Weighted turned = dual(matroid, dualFactor);
@@ -87,19 +95,20 @@ class Counter {
   }
 
   /// Drops zero rows, adds proportional rows and rows with one non-zero to their partners. True if any was.
-  bool mergeParallel(Weighted& matroid) {
-    std::map<std::vector<Residue>, std::size_t> known;
+  bool mergeParallel(Weighted& matroid) const {
+    std::map<SparseRow, std::size_t> known;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < matroid.rows.size(); ++i) {
-      std::vector<Residue> row = std::move(matroid.rows[i]);
-      const auto first = std::find_if(row.begin(), row.end(), [](Residue value) { return value != 0; });
-      if (first == row.end()) continue;
-      if (std::all_of(first + 1, row.end(), [](Residue value) { return value == 0; })) {
-        matroid.columnWeights[static_cast<std::size_t>(first - row.begin())] += matroid.rowWeights[i];
+      SparseRow row = std::move(matroid.rows[i]);
+      if (row.empty()) continue;
+      if (row.size() == 1) {
+        matroid.columnWeights[row.front().first] += matroid.rowWeights[i];
         continue;
       }
-      const Residue inverse = m_field.inverse(*first);
-      for (Residue& value : row) value = m_field.multiply(value, inverse);
+      if (row.front().second != m_field.one()) {
+        const Residue inverse = m_field.inverse(row.front().second);
+        for (auto& [column, value] : row) value = m_field.multiply(value, inverse);
+      }
       const auto [place, isNew] = known.try_emplace(row, kept);
       if (!isNew) {
         matroid.rowWeights[place->second] += matroid.rowWeights[i];
@@ -116,6 +125,7 @@ class Counter {
     return changed;
   }
 
+  /// Parts that share no non-zero. Columns without any are coloops of weight 1 at the start: they drop out.
   static std::vector<Weighted> componentsOf(const Weighted& matroid) {
     std::vector<int> up(static_cast<std::size_t>(matroid.columns));
     std::iota(up.begin(), up.end(), 0);
@@ -123,121 +133,150 @@ class Counter {
       while (up[column] != column) column = up[column] = up[up[column]];
       return column;
     };
-    const auto firstOf = [](const std::vector<Residue>& row) {
-      return static_cast<int>(std::find_if(row.begin(), row.end(), [](Residue v) { return v != 0; }) -
-                              row.begin());
-    };
-    for (const auto& row : matroid.rows) {
-      const int first = firstOf(row);
-      for (int j = first + 1; j < matroid.columns; ++j) {
-        if (row[j] != 0) up[root(j)] = root(first);
-      }
+    for (const SparseRow& row : matroid.rows) {
+      for (const auto& [column, value] : row) up[root(column)] = root(row.front().first);
     }
-    std::map<int, std::size_t> partOf;
+    std::vector<int> partOf(up.size(), -1);
+    std::vector<int> place(up.size());
     std::vector<Weighted> parts;
-    std::vector<int> place(static_cast<std::size_t>(matroid.columns));
-    for (int j = 0; j < matroid.columns; ++j) {
-      const auto [part, isNew] = partOf.try_emplace(root(j), parts.size());
-      if (isNew) parts.emplace_back();
-      Weighted& of = parts[part->second];
-      place[j] = of.columns++;
-      of.columnWeights.push_back(matroid.columnWeights[j]);
-      of.columnOrder.push_back(matroid.columnOrder[j]);
-    }
     for (std::size_t i = 0; i < matroid.rows.size(); ++i) {
-      Weighted& of = parts[partOf.at(root(firstOf(matroid.rows[i])))];
-      std::vector<Residue> row(static_cast<std::size_t>(of.columns), 0);
-      for (int j = 0; j < matroid.columns; ++j) {
-        if (matroid.rows[i][j] != 0) row[place[j]] = matroid.rows[i][j];
+      if (matroid.rows[i].empty()) continue;
+      int& part = partOf[root(matroid.rows[i].front().first)];
+      if (part < 0) {
+        part = static_cast<int>(parts.size());
+        parts.emplace_back();
       }
-      of.rows.push_back(std::move(row));
-      of.rowWeights.push_back(matroid.rowWeights[i]);
-      of.rowOrder.push_back(matroid.rowOrder[i]);
+      parts[part].rows.push_back(matroid.rows[i]);
+      parts[part].rowWeights.push_back(matroid.rowWeights[i]);
+      parts[part].rowOrder.push_back(matroid.rowOrder[i]);
+    }
+    for (int j = 0; j < matroid.columns; ++j) {
+      const int part = partOf[root(j)];
+      if (part < 0) continue;
+      place[j] = parts[part].columns++;
+      parts[part].columnWeights.push_back(matroid.columnWeights[j]);
+      parts[part].columnOrder.push_back(matroid.columnOrder[j]);
+    }
+    for (Weighted& part : parts) {
+      for (SparseRow& row : part.rows) {
+        for (auto& [column, value] : row) column = place[column];
+      }
     }
     return parts;
   }
 
-  /// A vector per element, in the common order.
-  Representation representationOf(const Weighted& part) const {
-    std::vector<std::pair<int, int>> elements;  // order, and row i or column ~j
-    for (std::size_t i = 0; i < part.rows.size(); ++i)
-      elements.emplace_back(part.rowOrder[i], static_cast<int>(i));
-    for (int j = 0; j < part.columns; ++j) elements.emplace_back(part.columnOrder[j], ~j);
-    std::sort(elements.begin(), elements.end());
-    Representation result;
-    result.rank = part.columns;
-    for (const auto& [order, element] : elements) {
-      if (element >= 0) {
-        result.vectors.push_back(part.rows[element]);
-        result.weights.push_back(part.rowWeights[element]);
-      } else {
-        std::vector<Residue> unit(static_cast<std::size_t>(part.columns), 0);
-        unit[static_cast<std::size_t>(~element)] = m_field.one();
-        result.vectors.push_back(std::move(unit));
-        result.weights.push_back(part.columnWeights[static_cast<std::size_t>(~element)]);
+  /// What is left once nothing merges may fall apart again; each piece is swept.
+  std::optional<Rational> sweep(const Weighted& part) {
+    Rational product = 1;
+    for (const Weighted& piece : componentsOf(part)) {
+      const std::size_t elements = piece.rows.size() + static_cast<std::size_t>(piece.columns);
+      if (elements * static_cast<std::size_t>(piece.columns) > kMostCells) return std::nullopt;
+      const auto value = sweepInSomeOrder(piece);
+      if (!value) return std::nullopt;
+      product *= *value;
+    }
+    return product;
+  }
+
+  /// Nobody knows beforehand which order keeps the states few, so both are tried with growing patience.
+  std::optional<Rational> sweepInSomeOrder(const Weighted& piece) {
+    constexpr long kFirstPatience = 1'000'000;
+    const std::array orders{neighbourly(piece), labelled(piece)};
+    for (long patience = kFirstPatience; patience < m_steps; patience *= 4) {
+      for (const std::vector<int>& order : orders) {
+        long steps = patience;
+        auto value = BaseSweep(m_field, representationOf(piece, order)).count(steps, m_stop);
+        m_steps -= patience - steps;
+        if (value) return value;
+        if (m_stop.stop_requested()) return std::nullopt;
       }
+    }
+    return std::nullopt;
+  }
+
+  /// The elements of a piece, row i or column ~j, from neighbour to neighbour: breadth first over the
+  /// non-zeros from an element with few, so that what is undecided at a time hangs together with few of the
+  /// rest.
+  static std::vector<int> neighbourly(const Weighted& piece) {
+    const int rows = static_cast<int>(piece.rows.size());
+    std::vector<std::vector<int>> around(
+        static_cast<std::size_t>(rows + piece.columns));  // columns behind the rows
+    for (int i = 0; i < rows; ++i) {
+      for (const auto& [column, value] : piece.rows[i]) {
+        around[i].push_back(rows + column);
+        around[rows + column].push_back(i);
+      }
+    }
+    const auto fewer = [&](int a, int b) { return around[a].size() < around[b].size(); };
+    for (std::vector<int>& list : around) std::stable_sort(list.begin(), list.end(), fewer);
+    std::vector<int> order;
+    for (int round = 0; round < 2; ++round) {  // once to find an end, once from there
+      const int start = order.empty() ? 0 : order.back();
+      std::vector<char> seen(around.size(), 0);
+      order.assign(1, start);
+      seen[start] = 1;
+      for (std::size_t at = 0; at < order.size(); ++at) {
+        for (const int next : around[order[at]]) {
+          if (seen[next] != 0) continue;
+          seen[next] = 1;
+          order.push_back(next);
+        }
+      }
+    }
+    for (int& element : order) {
+      if (element >= rows) element = ~(element - rows);
+    }
+    return order;
+  }
+
+  /// The elements by their places in the common order.
+  static std::vector<int> labelled(const Weighted& piece) {
+    std::vector<std::pair<int, int>> elements;
+    for (std::size_t i = 0; i < piece.rows.size(); ++i)
+      elements.emplace_back(piece.rowOrder[i], static_cast<int>(i));
+    for (int j = 0; j < piece.columns; ++j) elements.emplace_back(piece.columnOrder[j], ~j);
+    std::sort(elements.begin(), elements.end());
+    std::vector<int> order;
+    for (const auto& [place, element] : elements) order.push_back(element);
+    return order;
+  }
+
+  /// A vector per element, in this order.
+  [[nodiscard]] Representation representationOf(const Weighted& piece, const std::vector<int>& order) const {
+    Representation result;
+    result.rank = piece.columns;
+    for (const int element : order) {
+      std::vector<Residue> vector(static_cast<std::size_t>(piece.columns), 0);
+      if (element >= 0) {
+        for (const auto& [column, value] : piece.rows[element]) vector[column] = value;
+        result.weights.push_back(piece.rowWeights[element]);
+      } else {
+        vector[static_cast<std::size_t>(~element)] = m_field.one();
+        result.weights.push_back(piece.columnWeights[static_cast<std::size_t>(~element)]);
+      }
+      result.vectors.push_back(std::move(vector));
     }
     return result;
   }
 
   const PrimeField& m_field;
   std::stop_token m_stop;
-  long m_steps = 40'000'000;  ///< that are left
+  long m_steps = 500'000'000;  ///< that are left
 };
-
-/// Splits sparse rows into dense matroids of connected columns.
-std::vector<Weighted> denseParts(const std::vector<int>& unitOrder,
-                                 const std::vector<std::vector<std::pair<int, Residue>>>& rows,
-                                 const std::vector<int>& rowOrder) {
-  const int rank = static_cast<int>(unitOrder.size());
-  std::vector<int> up(static_cast<std::size_t>(rank));
-  std::iota(up.begin(), up.end(), 0);
-  const auto root = [&](int column) {
-    while (up[column] != column) column = up[column] = up[up[column]];
-    return column;
-  };
-  for (const auto& row : rows) {
-    for (const auto& entry : row) up[root(entry.first)] = root(row.front().first);
-  }
-  std::vector<int> partOf(static_cast<std::size_t>(rank), -1);
-  std::vector<int> place(static_cast<std::size_t>(rank));
-  std::vector<Weighted> parts;
-  for (int j = 0; j < rank; ++j) {
-    int& part = partOf[root(j)];
-    if (part < 0) {
-      part = static_cast<int>(parts.size());
-      parts.emplace_back();
-    }
-    place[j] = parts[part].columns++;
-    parts[part].columnWeights.emplace_back(1);
-    parts[part].columnOrder.push_back(unitOrder[j]);
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto& row = rows[i];
-    Weighted& of = parts[partOf[root(row.front().first)]];
-    std::vector<Residue> dense(static_cast<std::size_t>(of.columns), 0);
-    for (const auto& [column, value] : row) dense[place[column]] = value;
-    of.rows.push_back(std::move(dense));
-    of.rowWeights.emplace_back(1);
-    of.rowOrder.push_back(rowOrder[i]);
-  }
-  return parts;
-}
 
 }  // namespace
 
 std::optional<Rational> countBases(const PrimeField& field, const std::vector<int>& unitOrder,
-                                   const std::vector<std::vector<std::pair<int, Residue>>>& rows,
-                                   const std::vector<int>& rowOrder, const std::stop_token& stop) {
-  Counter counter(field, stop);
-  Rational total = 1;
-  for (Weighted& part : denseParts(unitOrder, rows, rowOrder)) {
-    if (part.rows.empty()) continue;  // an idle joint: in every set
-    const auto count = counter.count(std::move(part));
-    if (!count) return std::nullopt;
-    total *= *count;
-  }
-  return total;
+                                   const std::vector<SparseRow>& rows, const std::vector<int>& rowOrder,
+                                   const std::stop_token& stop) {
+  Weighted matroid;
+  matroid.columns = static_cast<int>(unitOrder.size());
+  matroid.rows = rows;
+  matroid.rowWeights.assign(rows.size(), 1);
+  matroid.columnWeights.assign(unitOrder.size(), 1);
+  matroid.rowOrder = rowOrder;
+  matroid.columnOrder = unitOrder;
+  return Counter(field, stop).count(matroid);
 }
 
 }  // namespace geargraph
