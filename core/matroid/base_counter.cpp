@@ -68,7 +68,7 @@ class Counter {
   }
 
  private:
-  static constexpr std::size_t kMostCells = 4'000'000;  ///< of a part that is swept
+  static constexpr std::size_t kMostCells = 400'000;  ///< of a part that is swept
 
   /// True while there is budget.
   bool spend(std::size_t steps) {

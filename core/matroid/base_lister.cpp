@@ -30,7 +30,7 @@ class Lister {
       return;
     }
     const int last = lastStart(rest);
-    for (int i = 0; i <= last && m_sets.size() < m_limit && !m_stop.stop_requested(); ++i) {
+    for (int i = 0; i <= last && m_sets.size() < m_limit && hasBudget(); ++i) {
       const Residue* row = rest.row(i);
       const Residue* pivot = std::find_if(row, row + rest.columns, [](Residue value) { return value != 0; });
       if (pivot == row + rest.columns) continue;
@@ -40,14 +40,19 @@ class Lister {
     }
   }
 
-  std::vector<std::vector<int>> take() { return std::move(m_sets); }
+  std::optional<std::vector<std::vector<int>>> take() {
+    if (!hasBudget()) return std::nullopt;
+    return std::move(m_sets);
+  }
 
  private:
+  [[nodiscard]] bool hasBudget() const { return m_steps > 0 && !m_stop.stop_requested(); }
+
   /// The last row from which on the rows still have full rank.
-  [[nodiscard]] int lastStart(const Rest& rest) const {
+  [[nodiscard]] int lastStart(const Rest& rest) {
     std::vector<std::vector<Residue>> echelon(static_cast<std::size_t>(rest.columns));  // by leading column
     int missing = rest.columns;
-    for (int i = rest.rows() - 1; i >= 0; --i) {
+    for (int i = rest.rows() - 1; i >= 0 && hasBudget(); --i) {
       std::vector<Residue> row(rest.row(i), rest.row(i) + rest.columns);
       for (int column = 0; column < rest.columns; ++column) {
         if (row[column] == 0) continue;
@@ -59,6 +64,7 @@ class Lister {
           break;
         }
         const Residue factor = row[column];
+        m_steps -= rest.columns - column;
         for (int k = column; k < rest.columns; ++k) {
           row[k] = m_field.subtract(row[k], m_field.multiply(factor, echelon[column][k]));
         }
@@ -68,9 +74,10 @@ class Lister {
   }
 
   /// The rows behind row i, modulo row i, without the column that it leads.
-  [[nodiscard]] Rest contracted(const Rest& rest, int i, int pivot) const {
+  [[nodiscard]] Rest contracted(const Rest& rest, int i, int pivot) {
     Rest result{rest.first + i + 1, rest.columns - 1, {}};
     if (result.columns == 0) return result;
+    m_steps -= static_cast<long>(rest.rows() - i) * rest.columns;
     const Residue* by = rest.row(i);
     const Residue inverse = m_field.inverse(by[pivot]);
     result.values.reserve(static_cast<std::size_t>(rest.rows() - i - 1) *
@@ -92,13 +99,14 @@ class Lister {
   std::stop_token m_stop;
   std::vector<int> m_chosen;
   std::vector<std::vector<int>> m_sets;
+  long m_steps = 100'000'000;  ///< that are left
 };
 
 }  // namespace
 
-std::vector<std::vector<int>> listBases(const PrimeField& field, int rank,
-                                        const std::vector<std::vector<std::pair<int, Residue>>>& rows,
-                                        std::size_t limit, const std::stop_token& stop) {
+std::optional<std::vector<std::vector<int>>> listBases(
+    const PrimeField& field, int rank, const std::vector<std::vector<std::pair<int, Residue>>>& rows,
+    std::size_t limit, const std::stop_token& stop) {
   Rest all{0, rank, {}};
   all.values.assign(rows.size() * static_cast<std::size_t>(rank), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {

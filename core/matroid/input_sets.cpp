@@ -71,7 +71,8 @@ std::optional<Rational> InputSets::count(const std::stop_token& stop) const {
 std::vector<std::vector<int>> InputSets::list(std::size_t limit, const std::stop_token& stop) const {
   if (limit == 0) return {};
   if (m_rates.size() * m_inputs.size() > kMostListed) return neighbours(limit);
-  return listBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
+  auto sets = listBases(m_field, static_cast<int>(m_inputs.size()), m_rates, limit, stop);
+  return sets ? std::move(*sets) : neighbours(limit);
 }
 
 std::vector<std::vector<int>> InputSets::neighbours(std::size_t limit) const {

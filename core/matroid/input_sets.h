@@ -33,8 +33,9 @@ class InputSets {
   /// always driven (series elements) are merged like resistors; what is left is swept joint by joint.
   [[nodiscard]] std::optional<Rational> count(const std::stop_token& stop = {}) const;
 
-  /// The first sets in the order of their sorted labels, `limit` at most, joints ascending. Above 2 million
-  /// entries of K: the set it was made with and those that differ from it by one joint.
+  /// The first sets in the order of their sorted labels, `limit` at most, joints ascending. Where that takes
+  /// too long (hundreds of inputs that are all coupled): the set it was made with and those that differ from
+  /// it by one joint.
   [[nodiscard]] std::vector<std::vector<int>> list(std::size_t limit, const std::stop_token& stop = {}) const;
 
  private:

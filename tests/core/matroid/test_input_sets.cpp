@@ -141,6 +141,20 @@ class TestInputSets : public QObject {
     QVERIFY(count.has_value() && count->isInteger() && *count > Rational(std::int64_t{1} << 60));
   }
 
+  void whereThereAreTooManyInputsNeighboursAreListed() {
+    TrainSketch train(2000);
+    for (int v = 1; v <= 2000; ++v) train.joint(0, v, "a" + std::to_string(v));
+    train.mesh(1, 2, 20, 30).mesh(3, 4, 20, 30);
+    const Worked worked(train.build());
+    const Sets sets = setsOf(worked).list(1000);
+    QCOMPARE(sets.size(), std::size_t{3});  // itself, 2 for 1, 4 for 3
+    for (const auto& set : sets) {
+      const std::vector<Rational> speeds(set.size(), Rational(1));
+      QVERIFY(solveLive(worked.model, FusedField(), set, speeds).has_value());
+    }
+    QCOMPARE(*setsOf(worked).count(), Rational(4));
+  }
+
   void aStopEndsTheCount() {
     const Worked worked(robot());
     std::stop_source stop;
