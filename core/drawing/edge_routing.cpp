@@ -12,6 +12,7 @@ constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
 constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that it passes
 constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
 constexpr double kDetourStep = 16;
+constexpr double kLongestDetourStep = 60;
 constexpr int kDetours = 12;           ///< tried on each side
 constexpr double kMostAside = 1.25;    ///< times its size: how far a detour is off the straight line
 constexpr int kMostHits = 4;           ///< more count as many
@@ -45,9 +46,9 @@ std::vector<double> parallelHeights(const Digraph& graph) {
   return heights;
 }
 
-/// Long arrows may go farther round.
+/// Long arrows may go farther round, but not without end.
 double detourStep(SheetPoint from, SheetPoint to) {
-  return std::max(kDetourStep, 0.02 * distance(from, to));
+  return std::clamp(0.02 * distance(from, to), kDetourStep, kLongestDetourStep);
 }
 
 /// What a detour of size 1 adds to the pull at both thirds: bows, bumps near one end, and the two S.
