@@ -11,11 +11,6 @@ void writeNumber(JsonWriter& json, int value) {
   json.number(static_cast<std::int64_t>(value));
 }
 
-/// Without the sign of a zero.
-void writeDouble(JsonWriter& json, double value) {
-  json.number(value + 0.0);
-}
-
 void writeLabels(JsonWriter& json, std::string_view name, const Digraph& graph, std::span<const int> joints) {
   json.key(name);
   json.beginArray(Layout::row);
@@ -131,7 +126,7 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
         json.beginArray(Layout::row);
         writeNumber(json, meshLabel(mesh));
         writeNumber(json, graph.edgeLabel(entry.joint));
-        writeDouble(json, entry.length);
+        json.number(entry.length);
         json.endArray();
       }
       continue;
@@ -140,7 +135,7 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
     auto next = entries.begin();
     for (int joint = 0; joint < matrix.columns(); ++joint) {
       const bool isHere = next != entries.end() && next->joint == joint;
-      writeDouble(json, isHere ? (next++)->length : 0);
+      json.number(isHere ? (next++)->length : 0);
     }
     json.endArray();
   }
@@ -163,13 +158,13 @@ void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
     writeRows(json, "exact", rows, columns,
               [&](auto row, auto column) { json.string(at(row, column).toString()); });
     writeRows(json, "numeric", rows, columns,
-              [&](auto row, auto column) { writeDouble(json, at(row, column).toDouble()); });
+              [&](auto row, auto column) { json.number(at(row, column).toDouble()); });
   } else {
     writeNull(json, "exact");
     const std::vector<double>& live = snapshot.matroid()->solution->matrix;
     if (live.size() == rows * columns) {
       writeRows(json, "numeric", rows, columns,
-                [&](auto row, auto column) { writeDouble(json, live[row * columns + column]); });
+                [&](auto row, auto column) { json.number(live[row * columns + column]); });
     } else {
       writeNull(json, "numeric");
     }
@@ -230,7 +225,7 @@ void writeLinkVelocities(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   for (int node = 1; node < snapshot.graph->nodeCount(); ++node) {
     json.key(std::to_string(snapshot.graph->nodeLabel(node)));
     json.beginArray(Layout::row);
-    for (const double component : velocities[static_cast<std::size_t>(node)]) writeDouble(json, component);
+    for (const double component : velocities[static_cast<std::size_t>(node)]) json.number(component);
     json.endArray();
   }
   json.endObject();

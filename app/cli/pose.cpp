@@ -75,7 +75,7 @@ std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std
 
 void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
   json.beginArray(JsonWriter::Layout::row);
-  for (const double component : triple) json.number(component + 0.0);  // no -0
+  for (const double component : triple) json.number(component);
   json.endArray();
 }
 
@@ -90,7 +90,7 @@ std::string asJson(const AnalysisSnapshot& snapshot, const std::vector<double>& 
     json.key("jointAngles");
     json.beginObject(JsonWriter::Layout::row);
     for (std::size_t joint = 0; joint < angles.size(); ++joint) {
-      json.member(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))), angles[joint] + 0.0);
+      json.member(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))), angles[joint]);
     }
     json.endObject();
     json.key("links");

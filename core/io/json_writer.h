@@ -25,7 +25,8 @@ class JsonWriter {
 
   void string(std::string_view text);
   void number(std::int64_t value);
-  /// The shortest decimal that reads back as the same double; null where it is not finite.
+  /// The shortest decimal that reads back as the same double; 0 for -0; null where it is not
+  /// finite.
   void number(double value);
   void boolean(bool value) { json(value ? "true" : "false"); }
   void null() { json("null"); }

@@ -1,0 +1,80 @@
+// The analysis against whatever the reader accepts: seeded changes of the example trains, mostly of their
+// numbers, so that many stay readable and become wrong in every way a drawing can be wrong. It always
+// returns; a mechanism without errors has numbers, and both methods agree.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "core/analysis/analysis.h"
+#include "tests/core/io/support.h"
+#include "tests/fuzz/mutations.h"
+
+using namespace geargraph;
+
+namespace {
+
+[[noreturn]] void fail(const char* what, const std::string& text) {
+  std::fprintf(stderr, "%s, for this document:\n%s\n", what, text.c_str());
+  std::exit(1);
+}
+
+void change(std::string& text, test::Random& random) {
+  const std::size_t digit = text.find_first_of("0123456789", test::below(random, text.size()));
+  if (test::below(random, 8) == 0 || digit == std::string::npos) {
+    test::mutate(text, random);
+  } else {
+    text[digit] = static_cast<char>('0' + test::below(random, 10));
+  }
+}
+
+struct Tally {
+  long accepted = 0;
+  long withNumbers = 0;
+};
+
+void check(const std::string& text, Tally& tally) {
+  const auto document = readMechanism(text);
+  if (!document) return;
+  ++tally.accepted;
+  const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(*document));
+  if (!snapshot || !snapshot->isComplete) fail("The analysis stopped on its own", text);
+  if (hasErrors(snapshot->diagnostics)) {
+    if (snapshot->solved) fail("Numbers in spite of errors", text);
+    return;
+  }
+  ++tally.withNumbers;
+  if (!snapshot->solved || !snapshot->solved->exact) fail("No errors, and yet no numbers", text);
+  if (!snapshot->solved->agreement || !snapshot->solved->agreement->equal)
+    fail("The two methods differ", text);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const long rounds = count > 1 ? std::atol(arguments[1]) : 1000;
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(GEARGRAPH_SOURCE_DIR "/resources/examples")) {
+    if (entry.path().extension() == ".geargraph") paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());  // the folder's own order differs from disk to disk
+  std::vector<std::string> seeds = {test::kEverything};
+  for (const std::string& path : paths) seeds.push_back(test::contentsOf(path));
+
+  test::Random random(20240608);
+  Tally tally;
+  for (long round = 0; round < rounds; ++round) {
+    std::string text = seeds[test::below(random, seeds.size())];
+    for (std::size_t i = test::below(random, 5) + 1; i > 0; --i) change(text, random);
+    check(text, tally);
+  }
+  std::printf("%ld rounds, %ld documents accepted, %ld of them with numbers\n", rounds, tally.accepted,
+              tally.withNumbers);
+  if (tally.accepted * 10 < rounds || tally.withNumbers * 100 < rounds) {
+    std::fprintf(stderr, "Too few changes stay readable for this to test anything.\n");
+    return 1;
+  }
+  return 0;
+}
