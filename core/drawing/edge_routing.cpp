@@ -13,7 +13,9 @@ constexpr double kGapToOtherNode = 8;    ///< between an arrow and a node that i
 constexpr double kParallelSpacing = 34;  ///< between arrows of the same two links
 constexpr double kDetourStep = 16;
 constexpr double kLongestDetourStep = 60;
-constexpr int kDetours = 12;           ///< tried on each side
+constexpr int kDetours = 12;           ///< sizes that are tried
+constexpr int kDetoursInACrowd = 3;    ///< where there are many arrows, few of them can be helped
+constexpr int kCrowd = 400;            ///< arrows
 constexpr double kMostAside = 1.25;    ///< times its size: how far a detour is off the straight line
 constexpr int kMostHits = 4;           ///< more count as many
 constexpr std::size_t kFewMoved = 16;  ///< places, for which looking at what they concern pays
@@ -61,11 +63,11 @@ constexpr std::array<Pull, 8> kPulls{
 
 /// The least bent course that passes all other nodes; where there is none, the one that meets the fewest.
 Course detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid& nodes,
-              const DigraphEdge& edge) {
+              const DigraphEdge& edge, int mostSteps) {
   Curve best = Curve::pulled(from, to, height, height);
   int fewest = nodes.circlesHit(best, kGapToOtherNode, edge.tail, edge.head, kMostHits);
   int step = 0;
-  while (fewest > 0 && step < kDetours) {
+  while (fewest > 0 && step < mostSteps) {
     const double size = ++step * detourStep(from, to);
     for (const Pull pull : kPulls) {
       const Curve tried = Curve::pulled(from, to, height + size * pull.first, height + size * pull.second);
@@ -117,6 +119,7 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
   const std::vector<SheetPoint> moved =
       comparable ? movedPlaces(formerCenters, centers) : std::vector<SheetPoint>{};
   const bool fewMoved = comparable && moved.size() <= kFewMoved;
+  const int mostSteps = graph.edgeCount() > kCrowd ? kDetoursInACrowd : kDetours;
   const std::vector<double> heights = parallelHeights(graph);
   Courses courses(static_cast<std::size_t>(graph.edgeCount()));
   for (std::size_t e = 0; e < courses.size(); ++e) {
@@ -133,7 +136,7 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
     if (fewMoved && former[e] && std::none_of(moved.begin(), moved.end(), concerns)) {
       courses[e] = former[e];
     } else {
-      courses[e] = detour(*from, *to, heights[e], nodes, edge);
+      courses[e] = detour(*from, *to, heights[e], nodes, edge, mostSteps);
     }
   }
   return courses;
