@@ -15,7 +15,7 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "core/analysis/analysis.h"
-#include "core/pose/forward_kinematics.h"
+#include "core/pose/turning_lines.h"
 
 namespace geargraph::cli {
 namespace {
@@ -63,14 +63,7 @@ std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAng
 }
 
 std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std::vector<double>& angles) {
-  const Placement& placement = snapshot.kinematics->placement;
-  std::vector<TurningLine> lines;
-  for (int joint = 0; joint < snapshot.graph->t(); ++joint) {
-    const int axis = placement.tree->axisOf[static_cast<std::size_t>(joint)];
-    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
-    lines.push_back({Eigen::Vector3d::Map(line.point.data()), Eigen::Vector3d::Map(line.direction.data())});
-  }
-  return ForwardKinematics(*snapshot.tree, std::move(lines)).poses(angles);
+  return ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement)).poses(angles);
 }
 
 void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {

@@ -5,20 +5,10 @@
 
 #include "core/base/contract.h"
 #include "core/gears/half_tooth.h"
+#include "core/pose/turning_lines.h"
 
 namespace geargraph {
 namespace {
-
-std::vector<TurningLine> linesOf(const Mechanism& mechanism, const Placement& placement) {
-  GEARGRAPH_REQUIRE(placement.tree.has_value());
-  std::vector<TurningLine> lines;
-  for (int joint = 0; joint < mechanism.t(); ++joint) {
-    const int axis = placement.tree->axisOf[static_cast<std::size_t>(joint)];
-    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
-    lines.push_back({Eigen::Vector3d(line.point.data()), Eigen::Vector3d(line.direction.data())});
-  }
-  return lines;
-}
 
 /// Rate of a gear against its carrier about the line of their axis class.
 Rational relativeRate(const PlacedTrain& placed, std::span<const Rational> rates, int carrier, int gear) {
@@ -107,7 +97,7 @@ PlacedTrain::PlacedTrain(const Mechanism& aMechanism, const SpanningTree& aTree,
       tree(aTree),
       placement(aPlacement),
       train(aTrain),
-      kinematics(aTree, linesOf(aMechanism, aPlacement)) {}
+      kinematics(aTree, turningLines(aPlacement)) {}
 
 TrainParts trainParts(const PlacedTrain& placed, GearCache& cache, double tolerance) {
   TrainParts result;

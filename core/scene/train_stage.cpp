@@ -5,7 +5,7 @@
 
 #include "core/drawing/palette.h"
 #include "core/gears/train.h"
-#include "core/pose/forward_kinematics.h"
+#include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
 
 namespace geargraph {
@@ -126,16 +126,6 @@ struct Mover {
   }
 };
 
-std::vector<TurningLine> turningLines(const Mechanism& mechanism, const Placement& placement) {
-  std::vector<TurningLine> lines;
-  for (int joint = 0; joint < mechanism.t(); ++joint) {
-    const int axis = placement.tree->axisOf[static_cast<std::size_t>(joint)];
-    const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
-    lines.push_back({Eigen::Vector3d::Map(line.point.data()), Eigen::Vector3d::Map(line.direction.data())});
-  }
-  return lines;
-}
-
 /// What every instance's link turns about, and how much for each input.
 std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree) {
   std::vector<StageHandle> handles;
@@ -171,8 +161,8 @@ StagePtr trainStage(const Mechanism& mechanism, GearCache& cache) {
   stage->inputSpeeds = motion->speeds;
   stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
   const auto mover =
-      std::make_shared<const Mover>(Mover{ForwardKinematics(*tree, turningLines(mechanism, placement)),
-                                          *motion, builder.linkOfInstance(), std::move(reference)});
+      std::make_shared<const Mover>(Mover{ForwardKinematics(*tree, turningLines(placement)), *motion,
+                                          builder.linkOfInstance(), std::move(reference)});
   stage->handles = handlesOf(*mover, *tree);
   stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
   return stage;

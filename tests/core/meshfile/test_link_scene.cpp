@@ -5,7 +5,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/meshfile/link_scene.h"
 #include "core/meshfile/mesh_reader.h"
-#include "core/placement/placement.h"
+#include "core/pose/turning_lines.h"
 #include "tests/core/meshfile/cogs.h"
 
 using namespace geargraph;
@@ -26,7 +26,7 @@ struct Robot {
       : mechanism(std::move(robot)),
         graph(mechanism),
         tree(SpanningTree::of(graph).value()),
-        kinematics(tree, linesOf(mechanism)) {
+        kinematics(tree, turningLines(placementOf(mechanism))) {
     const auto solid = std::make_shared<const Solid>(cog(9, 5, 3));
     for (int link = 1; link <= mechanism.n(); ++link) {
       Eigen::Isometry3d pose(Eigen::Translation3d(kinematics.line(tree.jointToParent(link)).point));
@@ -34,16 +34,6 @@ struct Robot {
       parts.push_back({link, "cog " + std::to_string(link), pose, solid});
     }
     for (int joint = 0; joint < mechanism.t(); ++joint) rates.emplace_back(joint - 2, 1 + joint % 3);
-  }
-
-  static std::vector<TurningLine> linesOf(const Mechanism& mechanism) {
-    const Placement placement = placementOf(mechanism);
-    std::vector<TurningLine> lines;
-    for (const int axis : placement.tree->axisOf) {
-      const AxisLine& line = placement.axes[static_cast<std::size_t>(axis)];
-      lines.push_back({Eigen::Vector3d(line.point.data()), Eigen::Vector3d(line.direction.data())});
-    }
-    return lines;
   }
 
   [[nodiscard]] LinkSceneSource source() const {

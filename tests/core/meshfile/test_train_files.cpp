@@ -6,6 +6,7 @@
 #include "core/matroid/exact_solution.h"
 #include "core/matroid/matroid_analysis.h"
 #include "core/meshfile/train_files.h"
+#include "core/scene/train_stage.h"
 #include "tests/core/meshfile/assembly_check.h"
 #include "tests/core/meshfile/cogs.h"
 
@@ -196,6 +197,24 @@ class TestTrainFiles : public QObject {
       QVERIFY(signedVolume(*part.solid) > 0);
       const bool isGear = &part - made.parts.data() < std::ptrdiff_t(robot.train.gears.size());
       QVERIFY(isGear ? isClosed(welded(*part.solid)) : isBalanced(welded(*part.solid)));
+    }
+  }
+
+  void framesAreThoseOfTheWindow() {
+    const Example robot("robot");
+    GearCache cache;
+    const StagePtr stage = trainStage(robot.mechanism, cache);
+    const Assembly assembly = robot.assembly(robot.rates);
+    const auto times = frameTimes(pitchRates(robot.placed(), robot.rates), kFewestFrames);
+    for (std::size_t frame = 0; frame < times.size(); ++frame) {
+      std::vector<double> angles;
+      for (const double speed : stage->inputSpeeds) angles.push_back(speed * times[frame]);
+      std::vector<Pose> poses(stage->scene.instances.size());
+      stage->place(angles, poses);
+      for (std::size_t gear = 0; gear < assembly.gears.size(); ++gear) {
+        QVERIFY(stage->scene.instances[gear].pose.isApprox(assembly.gears[gear].pose, 1e-12));
+        QVERIFY(poses[gear].isApprox(assembly.frames[frame][gear], 1e-12));
+      }
     }
   }
 
