@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/triple.h"
 #include "core/graph/spanning_tree.h"
+#include "core/placement/axis_line.h"
 #include "core/pose/forward_kinematics.h"
 
 namespace geargraph {
@@ -26,12 +26,6 @@ using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 [[nodiscard]] Jacobian pointJacobian(const SpanningTree& tree, const ForwardKinematics& kinematics,
                                      std::span<const Eigen::Isometry3d> poses, const Eigen::MatrixXd& gains,
                                      int link, const Eigen::Vector3d& point);
-
-/// A turning joint's line in fractions; the direction of any length but 0.
-struct ExactLine {
-  ExactVector3 point;
-  ExactVector3 direction;
-};
 
 /// The freedom that a link and a point of it have: ranks of the Jacobian's upper half and of the whole.
 struct JacobianRank {

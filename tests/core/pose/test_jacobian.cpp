@@ -24,7 +24,7 @@ struct Solved {
       for (std::size_t axis = 0; axis < m.axes.size(); ++axis) {
         if (m.axes[axis].id != joint.axis) continue;
         const AxisLine& line = snapshot->kinematics->placement.axes[axis];
-        exactLines.push_back({line.exactPoint, line.exactDirection});
+        exactLines.push_back(exactLine(m, line, static_cast<int>(axis)));
         lines.push_back({{line.point[0], line.point[1], line.point[2]},
                          {line.direction[0], line.direction[1], line.direction[2]}});
       }
