@@ -40,7 +40,11 @@ QString obstacle() {
 class View3D::Private {
  public:
   Private(View3D* view, Selection* selection)
-      : q(view), viewer(selection), bar(new PlaybackBar(&playback, view)), emptyText(new QLabel(view)) {}
+      : q(view),
+        viewer(selection),
+        bar(new PlaybackBar(&playback, view)),
+        emptyText(new QLabel(view)),
+        painter(new QLabel(view)) {}
 
   void useGl();
   void useStill(const QString& why);
@@ -57,6 +61,7 @@ class View3D::Private {
   PlaybackBar* bar;
   QWidget* buttons = nullptr;
   QLabel* emptyText;
+  QLabel* painter;  ///< says so where the processor paints
   bool dark = false;
 };
 
@@ -72,10 +77,11 @@ void View3D::Private::useGl() {
   gl->setDark(dark);
   place(gl);
   connect(gl, &GlCanvas::started, q, [this] {
-    if (gl->isSoftware()) {
-      emit q->notice(
-          tr("3D is painted by the processor (%1): finer when it stands still.").arg(gl->rendererName()));
-    }
+    painter->setVisible(gl->isSoftware());
+    painter->setText(tr("Software 3D"));
+    painter->setToolTip(
+        tr("Painted by the processor (%1): finer when it stands still.").arg(gl->rendererName()));
+    painter->adjustSize();
   });
   // Not at once: the canvas is in the middle of its own event.
   connect(
@@ -140,6 +146,9 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->emptyText->setAlignment(Qt::AlignCenter);
   d->emptyText->setWordWrap(true);
   d->emptyText->setAttribute(Qt::WA_TransparentForMouseEvents);
+  d->painter->setObjectName("view3dPainter");
+  d->painter->move(12, 10);
+  d->painter->hide();
   d->makeButtons();
   const QString why = obstacle();
   why.isEmpty() ? d->useGl() : d->useStill(why);
@@ -201,6 +210,9 @@ void View3D::setDark(bool dark) {
   if (d->gl != nullptr) d->gl->setDark(dark);
   if (d->still != nullptr) d->still->setDark(dark);
   d->bar->setDark(dark);
+  QPalette quiet = d->painter->palette();
+  quiet.setColor(QPalette::WindowText, dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
+  d->painter->setPalette(quiet);
   d->viewer.setLook(dark ? Look::dark() : Look::light());
 }
 

@@ -53,8 +53,6 @@ class View3D : public QWidget {
 
  signals:
   void cameraChanged();
-  /// "Painted by llvmpipe ...": said once, where frames are dear.
-  void notice(const QString& sentence);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -71,6 +71,8 @@ class TestView3D : public QObject {
     Shown shown;
     QCOMPARE(shown.view.isStill(), QGuiApplication::platformName() == "offscreen");
     QVERIFY(!shown.view.rendererName().isEmpty());
+    const bool software = !shown.view.isStill() && shown.view.rendererName().contains("pipe");
+    QCOMPARE(shown.view.findChild<QLabel*>("view3dPainter")->isVisible(), software);
   }
 
   void theGrabbedWindowShowsTheTrain() {
