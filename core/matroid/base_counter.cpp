@@ -261,7 +261,7 @@ class Counter {
 
   const PrimeField& m_field;
   std::stop_token m_stop;
-  long m_steps = 500'000'000;  ///< that are left
+  long m_steps = 150'000'000;  ///< that are left
 };
 
 }  // namespace
