@@ -33,6 +33,10 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     m_whenStill.start();
   });
   connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+    if (m_picture.isValid()) m_viewer->setPictureCost(static_cast<double>(m_picture.nsecsElapsed()) / 1e6);
+    m_picture.invalidate();
+  });
   viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
 }
 
@@ -75,6 +79,7 @@ void GlCanvas::resizeEvent(QResizeEvent* event) {
 
 void GlCanvas::paintGL() {
   if (m_renderer == nullptr) return;
+  if (isSoftware()) m_picture.start();  // a graphics card keeps up
   if (m_sceneIsNew) m_renderer->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
   m_sceneIsNew = false;
   m_renderer->draw(m_viewer->frame(isSoftware() && !m_still), defaultFramebufferObject());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
@@ -49,6 +50,7 @@ class GlCanvas : public QOpenGLWidget {
   bool m_dark = false;
   bool m_still = true;  ///< nothing has changed for a while: the picture may cost more
   QTimer m_whenStill;
+  QElapsedTimer m_picture;  ///< since its painting began
 };
 
 }  // namespace geargraph

@@ -1,5 +1,6 @@
 #include "ui/view3d/still_canvas.h"
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -43,7 +44,10 @@ void StillCanvas::resizeEvent(QResizeEvent* event) {
 void StillCanvas::paintPicture(QPainter& painter) {
   if (m_sceneIsNew) m_host->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
   if (m_sceneIsNew || m_imageIsOld) {
+    QElapsedTimer cost;
+    cost.start();
     const Image image = m_host->picture(m_viewer->frame());
+    m_viewer->setPictureCost(static_cast<double>(cost.nsecsElapsed()) / 1e6);
     m_image = QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
   }
   m_sceneIsNew = m_imageIsOld = false;

@@ -15,12 +15,17 @@ namespace {
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kMostZoomPerEvent = 4;
 constexpr double kKeyPixels = 32;  // an arrow key turns as far as a drag by so many pixels
+constexpr double kHalfFrame = 8;   // ms
+constexpr int kHandRests = 150;    // ms
 
 }  // namespace
 
 Viewer::Viewer(Selection* selection, QObject* parent) : QObject(parent), m_selection(selection) {
+  m_whenHandRests.setSingleShot(true);
+  m_whenHandRests.setInterval(kHandRests);
+  connect(&m_whenHandRests, &QTimer::timeout, this, &Viewer::lightUp);
   connect(selection, &Selection::selectionChanged, this, &Viewer::lightUp);
-  connect(selection, &Selection::hoverChanged, this, &Viewer::lightUp);
+  connect(selection, &Selection::hoverChanged, this, &Viewer::lightUpHovered);
 }
 
 void Viewer::setStage(StagePtr stage) {
@@ -35,6 +40,7 @@ void Viewer::setStage(StagePtr stage) {
   if (first) m_fitted = false;
   emit sceneChanged();
   lightUp();
+  emit viewChanged();
   if (!m_fitted) fit();
 }
 
@@ -128,6 +134,11 @@ Frame Viewer::frame(bool quick) const {
   return frame;
 }
 
+void Viewer::lightUpHovered() {
+  if (m_pictureCost > kHalfFrame) return m_whenHandRests.start();
+  lightUp();
+}
+
 void Viewer::lightUp() {
   std::vector<Emphasis> emphasis;
   if (m_stage != nullptr) {
@@ -141,6 +152,7 @@ void Viewer::lightUp() {
       emphasis.push_back(selected ? Emphasis::selected : hovered ? Emphasis::hovered : Emphasis::none);
     }
   }
+  if (emphasis == m_emphasis) return;
   m_emphasis = std::move(emphasis);
   emit viewChanged();
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QTimer>
 #include <functional>
 #include <vector>
 
@@ -55,6 +56,11 @@ class Viewer : public QObject {
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
   [[nodiscard]] double pixelRatio() const { return m_pixelRatio; }
 
+  /// How long the last picture took. While one costs more than half a frame, what is pointed at in other
+  /// views lights up here only when the hand rests, so that a large train painted by the processor holds
+  /// nobody up.
+  void setPictureCost(double milliseconds) { m_pictureCost = milliseconds; }
+
   /// The picture of the moment. `quick`: while it moves on slow hardware. Valid until the next change.
   [[nodiscard]] Frame frame(bool quick = false) const;
 
@@ -78,6 +84,7 @@ class Viewer : public QObject {
   void lightUp();
   void place();
   void turn(const QPointF& step);
+  void lightUpHovered();
   [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
   void zoomAt(const QPointF& place, double factor);
 
@@ -98,6 +105,8 @@ class Viewer : public QObject {
   QPointF m_last;
   bool m_dragged = false;
   std::optional<Hit> m_held;  ///< what Ctrl was pressed on, and where, in the world
+  double m_pictureCost = 0;  ///< ms
+  QTimer m_whenHandRests;
 };
 
 }  // namespace geargraph
