@@ -24,15 +24,14 @@ StatusLine::StatusLine(Selection* selection, QWidget* parent)
   m_joints = addChip("chip.t", tipOf(Term::turningJoints));
   m_meshes = addChip("chip.c", tipOf(Term::gearMeshes));
   m_rank = addChip("chip.rank", tipOf(Term::rank));
-  m_freedom = addChip("chip.dof", tipOf(Term::degreesOfFreedom));
-  m_freedom->setProperty("look", "strongCount");
+  m_freedom = addChip("chip.dof", tipOf(Term::degreesOfFreedom), "strongCount");
   renewMessage();
 }
 
-QToolButton* StatusLine::addChip(const char* name, const QString& tip) {
+QToolButton* StatusLine::addChip(const char* name, const QString& tip, const char* look) {
   auto* chip = new QToolButton(this);
   chip->setObjectName(QLatin1String(name));
-  chip->setProperty("look", "count");
+  chip->setProperty("look", look);
   chip->setToolTip(tip);
   chip->setFocusPolicy(Qt::NoFocus);
   chip->installEventFilter(this);

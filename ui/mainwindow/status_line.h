@@ -32,7 +32,7 @@ class StatusLine : public QStatusBar {
   void changeEvent(QEvent* event) override;
 
  private:
-  QToolButton* addChip(const char* name, const QString& tip);
+  QToolButton* addChip(const char* name, const QString& tip, const char* look = "count");
   void renewMessage();
   [[nodiscard]] std::set<ElementId> counted(const QObject* chip) const;
 
