@@ -17,17 +17,28 @@ std::vector<Circle> discMeridian(double bore, double width) {
   return {{bore / 2, width / 2}, {bore / 2, -width / 2}};
 }
 
-std::vector<Circle> webbedMeridian(const GearSpec& s) {
+/// Radii of a dressed wheel's web; none where hub and rim leave no room for one.
+struct Web {
+  double hub = 0;
+  double rim = 0;
+  double half = 0;  ///< of its thickness
+};
+
+std::optional<Web> webOf(const GearSpec& s) {
+  if (s.kind != GearKind::external || s.body != GearBody::dressed) return std::nullopt;
   const double rim = nominalRootRadius(s) - 2 * s.module;
   const double bore = s.bore / 2;
-  const double hub = s.hub > 0  ? s.hub / 2
-                     : bore > 0 ? std::max(1.6 * bore, bore + 1.2 * s.module)
-                                : 0.25 * rim;
-  if (rim - hub < 2.5 * s.module) return discMeridian(s.bore, s.faceWidth);
+  const double hub =
+      s.hub > 0 ? s.hub / 2 : (bore > 0 ? std::max(1.6 * bore, bore + 1.2 * s.module) : 0.25 * rim);
+  if (rim - hub < 2.5 * s.module) return std::nullopt;
+  return Web{hub, rim, 0.2 * s.faceWidth};
+}
+
+std::vector<Circle> webbedMeridian(const GearSpec& s, const Web& web) {
   const double face = s.faceWidth / 2;
-  const double web = 0.4 * face;
-  return {{rim, face},   {rim, web},   {hub, web},  {hub, face}, {bore, face},
-          {bore, -face}, {hub, -face}, {hub, -web}, {rim, -web}, {rim, -face}};
+  const double bore = s.bore / 2;
+  return {{web.rim, face}, {web.rim, web.half}, {web.hub, web.half},  {web.hub, face},      {bore, face},
+          {bore, -face},   {web.hub, -face},    {web.hub, -web.half}, {web.rim, -web.half}, {web.rim, -face}};
 }
 
 /// A point of the meridian plane at cone distance R, `depth` below the pitch cone measured on back or front
@@ -112,7 +123,13 @@ std::vector<Circle> bodyMeridian(const GearSpec& spec) {
     case GearKind::external:
       break;
   }
-  return spec.body == GearBody::dressed ? webbedMeridian(spec) : discMeridian(spec.bore, spec.faceWidth);
+  const std::optional<Web> web = webOf(spec);
+  return web ? webbedMeridian(spec, *web) : discMeridian(spec.bore, spec.faceWidth);
+}
+
+std::optional<WebWindows> bodyWindows(const GearSpec& spec) {
+  const std::optional<Web> web = webOf(spec);
+  return web ? windowsFor(web->hub, web->rim, web->half, spec.module) : std::nullopt;
 }
 
 }  // namespace geargraph

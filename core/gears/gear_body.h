@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/gears/gear_spec.h"
 #include "core/gears/shell_builder.h"
+#include "core/gears/web_windows.h"
 
 namespace geargraph {
 
@@ -11,6 +13,9 @@ namespace geargraph {
 /// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. Plain: bore or rim
 /// only. Dressed: hub, recessed web and rim where there is room for them.
 [[nodiscard]] std::vector<Circle> bodyMeridian(const GearSpec& spec);
+
+/// Openings in the web of a dressed wheel, where it is large enough to have them.
+[[nodiscard]] std::optional<WebWindows> bodyWindows(const GearSpec& spec);
 
 /// Outer diameter of a ring's rim: what the spec says, or enough for a stiff ring.
 [[nodiscard]] double rimDiameter(const GearSpec& spec);

@@ -264,6 +264,24 @@ void ToothedShell::writeTriangles() {
   }
 }
 
+/// The strips of the body; where it has windows, those of the web have openings.
+void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double start) {
+  if (!blank.windows) {
+    builder.addLathe(blank.body, count, start);
+    return;
+  }
+  const WebWindows& w = *blank.windows;
+  const std::vector<Circle>& body = blank.body;
+  const auto isWeb = [&](const Circle& a, const Circle& b) {
+    const bool top = a == Circle{w.rim, w.half} && b == Circle{w.hub, w.half};
+    return top || (a == Circle{w.hub, -w.half} && b == Circle{w.rim, -w.half});
+  };
+  for (std::size_t i = 0; i + 1 < body.size(); ++i) {
+    if (!isWeb(body[i], body[i + 1])) builder.addLathe(std::span(body).subspan(i, 2), count, start);
+  }
+  addWindowedWeb(builder, w, count, start, blank.tolerance);
+}
+
 }  // namespace
 
 Solid meshed(const GearBlank& blank) {
@@ -274,13 +292,14 @@ Solid meshed(const GearBlank& blank) {
   ShellBuilder builder(solid, blank.inward);
   double largest = 0;
   for (const Circle& c : blank.body) largest = std::max(largest, c.radius);
-  const int count = circleCount(largest, blank.tolerance);
+  int count = circleCount(largest, blank.tolerance);
+  if (blank.windows) count += (blank.windows->count - count % blank.windows->count) % blank.windows->count;
   const double start = -pi / blank.teeth;
   // The faces go on below the teeth with the normal they have in the middle of the tooth, where y = 0.
   const Vector3d& up = blank.half.back().topNormal;
   const Vector3d& down = blank.half.back().bottomNormal;
   builder.sew(teeth.baseLoop(true), builder.addCircle(blank.body.front(), count, start, {up.x(), up.z()}));
-  builder.addLathe(blank.body, count, start);
+  addBody(builder, blank, count, start);
   builder.sew(builder.addCircle(blank.body.back(), count, start, {down.x(), down.z()}),
               teeth.baseLoop(false));
   return solid;

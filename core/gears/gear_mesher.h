@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/gears/shell_builder.h"
+#include "core/gears/web_windows.h"
 
 namespace geargraph {
 
@@ -25,6 +27,9 @@ struct GearBlank {
   bool inward = false;  ///< a ring: teeth point to the axis, the body lies outside
   std::vector<OutlinePoint> half;
   std::vector<Circle> body;
+  /// Openings in the body's two strips between the circles (rim, half) and (hub, half), and (hub, -half) and
+  /// (rim, -half).
+  std::optional<WebWindows> windows;
   double tolerance = 0;  ///< for the circles of the body, a length
 };
 

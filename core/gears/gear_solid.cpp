@@ -82,6 +82,7 @@ Expected<Solid> gearSolid(const GearSpec& spec, double tolerance) {
       break;
   }
   blank.body = bodyMeridian(spec);
+  blank.windows = bodyWindows(spec);
   return meshed(blank);
 }
 

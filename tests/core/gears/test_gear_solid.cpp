@@ -85,6 +85,29 @@ class TestGearSolid : public QObject {
     }
   }
 
+  /// Hub, web and spokes: the genus is that of the bore and the windows.
+  void dressedWheelsAreClosedToo() {
+    int windowed = 0;
+    for (const int teeth : {18, 30, 45, 60, 100, 250}) {
+      GearSpec spec = gear(0, teeth, 0, 8);
+      spec.body = GearBody::dressed;
+      const Expected<Solid> solid = gearSolid(spec, kScreenTolerance);
+      const test::Topology topology = test::topologyOf(*solid);
+      QVERIFY(topology.closed);
+      QVERIFY(topology.manifold);
+      QCOMPARE(topology.degenerate, 0);
+      QCOMPARE(topology.pieces, 1);
+      windowed += topology.genus > 1 ? 1 : 0;
+      QVERIFY(topology.genus == 1 || (topology.genus >= 5 && topology.genus <= 9));
+      const double worst = test::worstNormalDegrees(*solid, 1e-3);
+      QVERIFY2(worst < 25, qPrintable(QString("%1 teeth: %2").arg(teeth).arg(worst)));
+      GearSpec plain = spec;
+      plain.body = GearBody::plain;
+      QVERIFY(signedVolume(*solid) <= signedVolume(*gearSolid(plain, kScreenTolerance)));
+    }
+    QVERIFY(windowed >= 3);
+  }
+
   void volumeIsTheSectionTimesTheFaceWidth_data() {
     QTest::addColumn<int>("teeth");
     QTest::addColumn<double>("shift");
