@@ -289,8 +289,8 @@ void Planner::addShaft(int axisClass, int link) {
   }
   if (!turns && nearest != nullptr) shaft.include(nearest->at - half, nearest->at + half);
   if (shaft.low < shaft.high) {
-    shaft.low -= 0.5 * layout.gap();
-    shaft.high += 0.5 * layout.gap();
+    shaft.low -= 0.4 * layout.gap();  // neighbours do not touch
+    shaft.high += 0.4 * layout.gap();
     m_plan.shaftsOn[static_cast<std::size_t>(axisClass)].push_back(m_plan.shafts.size());
     m_plan.shafts.push_back(shaft);
   }

@@ -40,7 +40,8 @@ class Part {
   }
 
   /// Turns of the surface about the point, from the crossings of the ray along z: above 0 is inside.
-  [[nodiscard]] bool contains(const Vector3d& p) const {
+  [[nodiscard]] bool contains(Vector3d p) const {
+    p += 1e-4 * Vector3d(0.8134, 0.4127, 0);  // off the axes, where a ray would run along edges
     if (!m_box.contains(p)) return false;
     int turns = 0;
     for (const std::size_t t : m_cells[cell(p.x(), 0)][cell(p.y(), 1)]) {
