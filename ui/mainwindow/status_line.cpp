@@ -13,6 +13,7 @@ namespace geargraph {
 StatusLine::StatusLine(Selection* selection, QWidget* parent)
     : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
   setSizeGripEnabled(false);
+  setContentsMargins(4, 0, 8, 0);
   m_icon->setContentsMargins(10, 0, 0, 0);
   m_message->setContentsMargins(4, 0, 4, 0);
   m_message->setTextFormat(Qt::PlainText);

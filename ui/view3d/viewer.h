@@ -105,7 +105,7 @@ class Viewer : public QObject {
   QPointF m_last;
   bool m_dragged = false;
   std::optional<Hit> m_held;  ///< what Ctrl was pressed on, and where, in the world
-  double m_pictureCost = 0;  ///< ms
+  double m_pictureCost = 0;   ///< ms
   QTimer m_whenHandRests;
 };
 
