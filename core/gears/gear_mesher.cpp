@@ -151,6 +151,9 @@ void ToothPattern::ladder() {
     baseAngles.push_back(std::atan2(faceTop[v].position.y(), faceTop[v].position.x()));
 }
 
+/// Vertices of a usual circle of a body; only a guess at the room that vectors need.
+constexpr std::size_t kBodyCircle = 128;
+
 struct Turn {
   double c;
   double s;
@@ -181,7 +184,13 @@ class ToothedShell {
     m_walls = static_cast<Index>(pattern.wallTop.size());
     m_faces = static_cast<Index>(pattern.faceTop.size());
     const std::size_t triangles = 2 * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
-    m_solid.positions.resize(2 * m_teeth * std::size_t{m_walls + m_faces});
+    const std::size_t vertices = 2 * m_teeth * std::size_t{m_walls + m_faces};
+    const std::size_t body =
+        2 * kBodyCircle * blank.body.size() + vertices / 16;  // so that the body finds room
+    m_solid.positions.reserve(vertices + body);
+    m_solid.normals.reserve(vertices + body);
+    m_solid.triangles.reserve(m_teeth * triangles + 2 * body);
+    m_solid.positions.resize(vertices);
     m_solid.normals.resize(m_solid.positions.size());
     m_solid.triangles.resize(m_teeth * triangles);
     writeVertices();
