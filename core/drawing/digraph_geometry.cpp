@@ -1,6 +1,7 @@
 #include "core/drawing/digraph_geometry.h"
 
 #include <array>
+#include <unordered_map>
 
 #include "core/drawing/edge_routing.h"
 #include "core/drawing/label_placement.h"
@@ -203,13 +204,44 @@ bool isSameDigraph(const DigraphGeometry& former, const Digraph& graph) {
   return true;
 }
 
+/// The places that links have left, or taken, since `former`.
+std::vector<SheetPoint> movedPlaces(const DigraphGeometry& former, const Digraph& graph,
+                                    const Centers& centers) {
+  std::unordered_map<LinkId, SheetPoint> now;
+  for (int v = 0; v < graph.nodeCount(); ++v) {
+    const auto& center = centers[static_cast<std::size_t>(v)];
+    if (center) now.emplace(graph.nodeId(v), *center);
+  }
+  std::vector<SheetPoint> places;
+  for (const NodePlace& node : former.nodes) {
+    const auto found = now.find(node.link);
+    if (found != now.end() && found->second == node.center) {
+      now.erase(found);
+    } else {
+      places.push_back(node.center);
+    }
+  }
+  for (const auto& [link, place] : now) places.push_back(place);
+  return places;
+}
+
+/// The courses of the arrows, starting from those that `former` has for the same arrows.
 Courses coursesFrom(const DigraphGeometry& former, const Digraph& graph, const Centers& centers,
                     const ObstacleGrid& nodes) {
-  Centers formerCenters;
-  for (const NodePlace& node : former.nodes) formerCenters.emplace_back(node.center);
-  Courses courses;
-  for (const EdgePlace& edge : former.edges) courses.emplace_back(Course{edge.curve, edge.detoursLooked});
-  return reroutedEdges(graph, centers, nodes, formerCenters, courses);
+  std::unordered_map<int, LinkId> formerLinks;
+  for (const NodePlace& node : former.nodes) formerLinks.emplace(node.label, node.link);
+  std::unordered_map<ElementId, const EdgePlace*> formerEdges;
+  for (const EdgePlace& edge : former.edges) formerEdges.emplace(edge.element, &edge);
+  Courses courses(static_cast<std::size_t>(graph.edgeCount()));
+  for (int e = 0; e < graph.edgeCount(); ++e) {
+    const auto found = formerEdges.find(graph.edgeId(e));
+    if (found == formerEdges.end()) continue;
+    const EdgePlace& edge = *found->second;
+    const bool sameEnds = formerLinks.at(edge.tail) == graph.nodeId(graph.edge(e).tail) &&
+                          formerLinks.at(edge.head) == graph.nodeId(graph.edge(e).head);
+    if (sameEnds) courses[static_cast<std::size_t>(e)] = Course{edge.curve, edge.detoursLooked, edge.height};
+  }
+  return reroutedEdges(graph, centers, nodes, movedPlaces(former, graph, centers), courses);
 }
 
 }  // namespace
@@ -257,8 +289,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     if (center) taken.addCircle(*center, kRim, v);
   }
   const bool again = isSameDigraph(former, graph);
-  const Courses courses =
-      again ? coursesFrom(former, graph, centers, taken) : routedEdges(graph, centers, taken);
+  const Courses courses = coursesFrom(former, graph, centers, taken);
   for (const auto& course : courses) {
     if (course) taken.addCurve(course->curve);
   }
@@ -269,14 +300,15 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     const auto& course = courses[static_cast<std::size_t>(e)];
     if (!course) continue;
     const DigraphEdge& edge = graph.edge(e);
-    geometry.edges.push_back({graph.edgeId(e),
-                              graph.edgeLabel(e),
-                              edge.tail,
-                              edge.head,
-                              course->curve,
-                              course->looked,
-                              {},
-                              false});
+    EdgePlace place;
+    place.element = graph.edgeId(e);
+    place.label = graph.edgeLabel(e);
+    place.tail = edge.tail;
+    place.head = edge.head;
+    place.curve = course->curve;
+    place.detoursLooked = course->looked;
+    place.height = course->height;
+    geometry.edges.push_back(place);
   }
   const bool comparable = again && geometry.nodes.size() == former.nodes.size();
   if (comparable) {

@@ -46,6 +46,7 @@ struct EdgePlace {
   int head = 0;
   Curve curve;
   int detoursLooked = 0;  ///< how far round its course was sought
+  double height = 0;      ///< how far arrows of the same two links pushed it aside
   SheetPoint labelCenter;
   bool labelCrowded = false;  ///< no place was free for it
   [[nodiscard]] bool isMesh() const { return element.kind == ElementKind::gearMesh; }

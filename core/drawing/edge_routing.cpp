@@ -78,18 +78,7 @@ Course detour(SheetPoint from, SheetPoint to, double height, const ObstacleGrid&
       if (fewest == 0) break;
     }
   }
-  return {trimmedAtRims(best), step};
-}
-
-/// Where nodes have come from and gone to.
-std::vector<SheetPoint> movedPlaces(const Centers& before, const Centers& after) {
-  std::vector<SheetPoint> places;
-  for (std::size_t v = 0; v < after.size(); ++v) {
-    if (before[v] == after[v]) continue;
-    if (before[v]) places.push_back(*before[v]);
-    if (after[v]) places.push_back(*after[v]);
-  }
-  return places;
+  return {trimmedAtRims(best), step, height};
 }
 
 }  // namespace
@@ -110,15 +99,12 @@ Curve trimmedAtRims(const Curve& curve) {
 }
 
 Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes) {
-  return reroutedEdges(graph, centers, nodes, {}, {});
+  return reroutedEdges(graph, centers, nodes, {}, Courses(static_cast<std::size_t>(graph.edgeCount())));
 }
 
 Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
-                      const Centers& formerCenters, const Courses& former) {
-  const bool comparable = formerCenters.size() == centers.size();
-  const std::vector<SheetPoint> moved =
-      comparable ? movedPlaces(formerCenters, centers) : std::vector<SheetPoint>{};
-  const bool fewMoved = comparable && moved.size() <= kFewMoved;
+                      const std::vector<SheetPoint>& moved, const Courses& former) {
+  const bool fewMoved = moved.size() <= kFewMoved;
   const int mostSteps = graph.edgeCount() > kCrowd ? kDetoursInACrowd : kDetours;
   const std::vector<double> heights = parallelHeights(graph);
   Courses courses(static_cast<std::size_t>(graph.edgeCount()));
@@ -133,7 +119,8 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
       const double reach = std::abs(heights[e]) + aside + kGapToOtherNode + 2 * kNodeRadius;
       return distanceToSegment(place, *from, *to) <= reach;
     };
-    if (fewMoved && former[e] && std::none_of(moved.begin(), moved.end(), concerns)) {
+    const bool known = fewMoved && former[e] && former[e]->height == heights[e];
+    if (known && std::none_of(moved.begin(), moved.end(), concerns)) {
       courses[e] = former[e];
     } else {
       courses[e] = detour(*from, *to, heights[e], nodes, edge, mostSteps);

@@ -14,6 +14,7 @@ using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordin
 struct Course {
   Curve curve;
   int looked = 0;
+  double height = 0;  ///< how far arrows of the same two links pushed it aside to begin with
 };
 using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none where an end has no place
 
@@ -21,10 +22,11 @@ using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; 
 /// ordinals.
 [[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
 
-/// The same, faster: what was found for the same digraph with its nodes at `formerCenters` is taken over
-/// where no node that has moved could make a difference.
+/// The same, faster: `former` holds the courses of arrows that ran between the same two links before, and
+/// `moved` the places that nodes have left or taken since. A course is taken over where none of them could
+/// make a difference.
 [[nodiscard]] Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
-                                    const Centers& formerCenters, const Courses& former);
+                                    const std::vector<SheetPoint>& moved, const Courses& former);
 
 /// The part of a curve between two node centres that lies outside of their rims.
 [[nodiscard]] Curve trimmedAtRims(const Curve& curve);

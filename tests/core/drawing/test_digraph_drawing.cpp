@@ -295,6 +295,34 @@ class TestDigraphDrawing : public QObject {
     }
   }
 
+  void geometryAfterEditsIsThatOfAFreshDrawing() {
+    Mechanism mechanism = test::randomTree(8, 40, 30);
+    mechanism.view.nodes = layoutOf(mechanism);
+    DigraphGeometry followed = digraphGeometry(mechanism, mechanism.view.nodes);
+    std::mt19937 random(7);
+    const auto pick = [&](std::size_t count) { return random() % count; };
+    const auto step = [&] { return static_cast<double>(pick(1200)); };
+    for (int i = 0; i < 80; ++i) {
+      Expected<Mechanism> next = mechanism;
+      const LinkId some = mechanism.links[pick(mechanism.links.size())].id;
+      const LinkId other = mechanism.links[pick(mechanism.links.size())].id;
+      const std::array<ElementId, 1> mesh{mechanism.gearMeshes[pick(mechanism.gearMeshes.size())].id};
+      const std::array<ElementId, 1> link{some};
+      if (i % 6 == 0) next = withLink(mechanism, {step(), step() - 600});
+      if (i % 6 == 1) next = withGearMesh(mechanism, some, other);
+      if (i % 6 == 2) next = withoutElements(mechanism, mesh);
+      if (i % 6 == 3) next = withFlipped(mechanism, mechanism.turningJoints[pick(20)].id);
+      if (i % 6 == 4) next = withGround(mechanism, some);
+      if (i % 18 == 5) next = withoutElements(mechanism, link);
+      if (!next) continue;
+      mechanism = *next;
+      followed = digraphGeometry(mechanism, mechanism.view.nodes, followed);
+      const DigraphGeometry fresh = digraphGeometry(mechanism, mechanism.view.nodes);
+      QVERIFY2(followed.nodes == fresh.nodes && followed.edges == fresh.edges,
+               qPrintable(QString::number(i)));
+    }
+  }
+
   void geometryOfAnotherDigraphIsNoStart() {
     const DigraphGeometry robot = digraphGeometry(drivenRobot(), robotPositions());
     Mechanism flipped = withFlipped(drivenRobot(), JointId("11")).value();
