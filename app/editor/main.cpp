@@ -29,7 +29,11 @@ int main(int argc, char** argv) {
     MainWindow& window = *windows.back();
     if (!line.screenshot) window.restoreLayout();
     if (line.size) window.resize(*line.size);
-    window.openDocument(path);
+    const bool opened = window.openDocument(path);
+    if (line.screenshot && !opened) {
+      qCritical("Cannot open %s.", qPrintable(path));
+      return 2;
+    }
     if (line.screenshot) screenshotWhenReady(window, *line.screenshot);
     window.show();
   }

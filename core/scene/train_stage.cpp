@@ -147,6 +147,7 @@ std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree)
 }  // namespace
 
 StagePtr trainStage(const Mechanism& mechanism, GearCache& cache) {
+  if (mechanism.n() > kMostStageLinks) return std::make_shared<const Stage>();
   const auto graph = std::make_shared<const Digraph>(mechanism);
   const auto found = SpanningTree::of(*graph);
   const Placement placement = placementOf(mechanism);

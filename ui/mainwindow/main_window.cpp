@@ -36,6 +36,11 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
     return MainWindow::tr(
         "The gears appear when the turning joints tie every link to the ground and close no loop.");
   }
+  if (snapshot.mechanism->n() > kMostStageLinks) {
+    return MainWindow::tr("The 3D view shows trains of up to %1 links; this one has %2.")
+        .arg(kMostStageLinks)
+        .arg(snapshot.mechanism->n());
+  }
   return MainWindow::tr("The gears appear when a mesh joins two of the links: G, then drag.");
 }
 

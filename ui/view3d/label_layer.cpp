@@ -8,6 +8,7 @@
 namespace geargraph {
 namespace {
 
+constexpr std::size_t kMostLabels = 60;  // beyond, discs would hide the train
 constexpr double kRadius = 11.5;
 constexpr double kGap = 5;         // between a part and its disc
 constexpr double kCrossed = 0.25;  // of the part's radius beyond the middle: the disc changes sides
@@ -66,7 +67,7 @@ QImage discImage(const QString& text, const QColor& ring, QFont font, bool dark,
 std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const Pose> poses,
                                            const Camera& camera, const Viewport& viewport,
                                            double pixelRatio) {
-  if (!m_shown) return {};
+  if (!m_shown || stage.labels.size() > kMostLabels) return {};
   m_sides.resize(stage.labels.size(), 0);
   std::vector<ScreenPoint> middles;
   double centre = 0;

@@ -14,6 +14,7 @@
 #include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {
@@ -287,6 +288,12 @@ class TestTrainStage : public QObject {
     const auto tooLarge = stagePicture(*stage, options);
     QVERIFY(!tooLarge.has_value());
     QCOMPARE(tooLarge.error().front().code, Code::graphics);
+  }
+
+  void trainsTooLargeForAPictureHaveNone() {
+    GearCache cache;
+    QVERIFY(trainStage(test::randomTree(1, kMostStageLinks + 1, 10), cache)->scene.instances.empty());
+    QVERIFY(!trainStage(test::planetary(24, 18, 3), cache)->scene.instances.empty());
   }
 
   void whatIsNoTrainYetIsStillShownOrEmpty() {
