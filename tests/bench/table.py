@@ -19,7 +19,7 @@ ROWS = [
     ("live analysis, 10,000 links", "live/tree/10000", "eigenSparse/10000", "Eigen SparseLU, no rank", 6, 15),
     ("live analysis, the paper's robot", "liveRobot", "eigenDenseRobot", "Eigen dense, no rank, geometry given", 1, 2.5),
     ("rank, inputs, speeds, 10,000 links", "matroidOnly/10000", "kluAlone/10000", "KLU, the solve alone", 0.67, 1.67),
-    ("exact rates, 200 links", "exact/200", "flintDense/200", "FLINT dense rank + Dixon", 1000, 4000),
+    ("exact rates, 1,000 links", "exact/1000", "flintDense/1000/iterations:1", "FLINT dense rank + Dixon", 1000, 4000),
     ("symbolic, 7 links", "symbolic/7", "sympy LUsolve 7", "SymPy LUsolve", 40, 80),
     ("symbolic, 20 links", "symbolic/20", "sympy LUsolve 20", "SymPy LUsolve", 300, 800),
     ("symbolic, 80 links", "symbolic/80", "sympy linsolve 80", "SymPy linsolve", 3000, 8000),
