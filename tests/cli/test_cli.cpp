@@ -1,5 +1,4 @@
 #include <QDir>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
@@ -8,30 +7,17 @@
 #include "core/analysis/analysis.h"
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
+#include "tests/cli/cli_run.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
 using nlohmann::json;
+using test::Run;
+using test::run;
 
 namespace {
 
 const QString kRobot = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
-
-struct Run {
-  int status = -1;
-  std::string output;
-  std::string errors;
-};
-
-Run run(const QStringList& words, const QByteArray& input = {}) {
-  QProcess process;
-  process.start(QStringLiteral(GEARGRAPH_CLI), words);
-  process.write(input);
-  process.closeWriteChannel();
-  process.waitForFinished(60'000);
-  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-          process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
-}
 
 /// Rows of fields of plain CSV, without quotes.
 std::vector<std::vector<std::string>> table(const std::string& csv) {

@@ -1,10 +1,10 @@
 #include <QDir>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
 #include "core/meshfile/mesh_reader.h"
+#include "tests/cli/cli_run.h"
 #include "tests/core/meshfile/assembly_check.h"
 
 using namespace geargraph;
@@ -12,22 +12,6 @@ using namespace geargraph::test;
 using nlohmann::json;
 
 namespace {
-
-struct Run {
-  int status = -1;
-  std::string output;
-  std::string errors;
-};
-
-Run run(const QStringList& words, const QByteArray& input = {}) {
-  QProcess process;
-  process.start(QStringLiteral(GEARGRAPH_CLI), words);
-  process.write(input);
-  process.closeWriteChannel();
-  process.waitForFinished(120'000);
-  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-          process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
-}
 
 QString example(const QString& name) {
   return GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph";
