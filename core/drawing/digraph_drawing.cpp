@@ -149,13 +149,11 @@ DisplayList edgeDrawing(const EdgePlace& edge, const Emphasis& emphasis) {
 }
 
 DisplayList digraphDrawing(const DigraphGeometry& geometry, const Emphases& emphases) {
-  const auto emphasisOf = [&](const ElementId& element) {
-    const auto found = emphases.find(element);
-    return found == emphases.end() ? Emphasis{} : found->second;
-  };
   DisplayList list;
-  for (const EdgePlace& edge : geometry.edges) list.append(edgeDrawing(edge, emphasisOf(edge.element)));
-  for (const NodePlace& node : geometry.nodes) list.append(nodeDrawing(node, emphasisOf(node.link)));
+  for (const EdgePlace& edge : geometry.edges)
+    list.append(edgeDrawing(edge, emphasisOf(emphases, edge.element)));
+  for (const NodePlace& node : geometry.nodes)
+    list.append(nodeDrawing(node, emphasisOf(emphases, node.link)));
   list.sortByDepth();
   return list;
 }

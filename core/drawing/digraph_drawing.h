@@ -1,32 +1,10 @@
 #pragma once
 
-#include <unordered_map>
-
 #include "core/drawing/digraph_geometry.h"
 #include "core/drawing/display_list.h"
+#include "core/drawing/emphasis.h"
 
 namespace geargraph {
-
-/// How an element stands out.
-struct Emphasis {
-  bool hovered = false;   ///< a halo alone
-  bool selected = false;  ///< accent with a halo
-  /// On a cycle that is shown: +1 where its walk runs along the arrow, -1 against it, 0 not on it.
-  int walk = 0;
-
-  [[nodiscard]] bool any() const { return hovered || selected || walk != 0; }
-  friend bool operator==(const Emphasis&, const Emphasis&) = default;
-};
-/// Elements that are not in it are plain.
-using Emphases = std::unordered_map<ElementId, Emphasis>;
-
-// Depths of a drawing's marks.
-constexpr int kHaloDepth = 0;
-constexpr int kLineDepth = 10;
-constexpr int kLabelDepth = 20;
-constexpr int kNodeDepth = 30;
-constexpr int kBadgeDepth = 40;
-constexpr int kGhostDepth = 50;
 
 /// The marks and outlines of one node or arrow.
 [[nodiscard]] DisplayList nodeDrawing(const NodePlace& node, const Emphasis& emphasis);

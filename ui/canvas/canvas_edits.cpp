@@ -77,4 +77,29 @@ QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements
   }
 }
 
+QString describeFully(const Mechanism& mechanism, const ElementId& element) {
+  QString text = describe(mechanism, {element});
+  text[0] = text[0].toUpper();
+  if (element.kind == ElementKind::link) {
+    const Link* link = mechanism.find(LinkId(element.id));
+    if (link != nullptr && !link->name.empty()) text += ": " + QString::fromStdString(link->name);
+    return text;
+  }
+  const auto ends = [&](LinkId tail, LinkId head) {
+    return tr(" from link %1 to link %2")
+        .arg(QString::fromStdString(*labelOf(mechanism, tail)),
+             QString::fromStdString(*labelOf(mechanism, head)));
+  };
+  if (const TurningJoint* joint = mechanism.find(JointId(element.id));
+      joint != nullptr && element == ElementId(joint->id)) {
+    text += ends(joint->tail, joint->head) + tr(", axis %1").arg(QString::fromStdString(joint->axis.text()));
+    if (isInput(mechanism, joint->id)) text += tr(", driven");
+  }
+  if (const GearMesh* mesh = mechanism.find(MeshId(element.id));
+      mesh != nullptr && element == ElementId(mesh->id)) {
+    text += ends(mesh->tail, mesh->head) + tr(", %1 : %2 teeth").arg(mesh->tailTeeth).arg(mesh->headTeeth);
+  }
+  return text;
+}
+
 }  // namespace geargraph

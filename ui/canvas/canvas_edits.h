@@ -28,5 +28,7 @@ struct Carrying {
 
 /// "link 3", "turning joint 8", "3 elements"
 [[nodiscard]] QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements);
+/// With what it joins, its axis, its teeth: "Turning joint 12 from link 1 to link 2, axis c, driven".
+[[nodiscard]] QString describeFully(const Mechanism& mechanism, const ElementId& element);
 
 }  // namespace geargraph

@@ -49,11 +49,13 @@ void fillForArrow(QMenu& menu, const Mechanism& mechanism, const ElementId& arro
 void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
                      const ContextActions& actions) {
   if (!element) {
-    add(menu, tr("New link here"), {}, actions.addLink);
+    if (actions.addLink) add(menu, tr("New link here"), {}, actions.addLink);
     add(menu, tr("Select all"), "Ctrl+A", actions.selectAll);
     menu.addSeparator();
     const bool alone = mechanism.links.size() == 1;
-    add(menu, tr("Tidy the drawing"), {}, actions.tidy, alone ? tr("nothing is drawn yet") : QString());
+    if (actions.tidy) {
+      add(menu, tr("Tidy the drawing"), {}, actions.tidy, alone ? tr("nothing is drawn yet") : QString());
+    }
     add(menu, tr("Fit"), "F", actions.fit);
     return;
   }

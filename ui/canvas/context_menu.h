@@ -9,7 +9,8 @@ class QMenu;
 
 namespace geargraph {
 
-/// What the entries of a context menu do; the view carries it out.
+/// What the entries of a context menu do; the view carries it out. Links are added and drawings tidied only
+/// where it says how.
 struct ContextActions {
   std::function<void()> rename;
   std::function<void()> toggleInput;

@@ -1,14 +1,9 @@
 #include "ui/canvas/digraph_scene.h"
 
-#include <unordered_set>
 #include <utility>
-
-#include "ui/canvas/mark_painter.h"
 
 namespace geargraph {
 namespace {
-
-constexpr double kRoomAround = 20000;  ///< how far the sheet can be pulled beyond the drawing
 
 /// How many outlines an element has: an arrow's line and label, a node's disc and badge.
 int outlinesOf(const EdgePlace&) {
@@ -30,49 +25,35 @@ bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
 
 }  // namespace
 
-DigraphScene::DigraphScene(QObject* parent) : QGraphicsScene(parent), m_overlay(new MarkItem(kGhostDepth)) {
-  addItem(m_overlay);
-  setSceneRect(-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround);
-}
-
-DigraphScene::~DigraphScene() = default;
-
-Emphasis DigraphScene::emphasisOf(const ElementId& element) const {
-  const auto found = m_emphases.find(element);
-  return found == m_emphases.end() ? Emphasis{} : found->second;
-}
-
 void DigraphScene::show(const Mechanism& mechanism, NodePositions positions) {
   m_positions = std::move(positions);
   DigraphGeometry geometry = digraphGeometry(mechanism, m_positions, m_geometry);
   const DigraphGeometry former = std::exchange(m_geometry, std::move(geometry));
   if (hasSameOutlines(former, m_geometry)) {
     drawWhatDiffers(former);
+    growSheet();
   } else {
     drawAll();
-  }
-  const QRectF drawn = drawnRect();
-  if (!sceneRect().contains(drawn.adjusted(-1000, -1000, 1000, 1000))) {
-    setSceneRect(drawn.adjusted(-kRoomAround, -kRoomAround, kRoomAround, kRoomAround));
   }
 }
 
 void DigraphScene::drawAll() {
-  m_outlines.clear();
-  for (auto& [element, part] : m_parts) part.shown = false;
+  std::vector<Outline>& all = editableOutlines();
+  all.clear();
+  beginDrawing();
   for (const EdgePlace& edge : m_geometry.edges) {
     const std::vector<Outline> outlines = draw(edge);
-    m_outlines.insert(m_outlines.end(), outlines.begin(), outlines.end());
+    all.insert(all.end(), outlines.begin(), outlines.end());
   }
   for (const NodePlace& node : m_geometry.nodes) {
     const std::vector<Outline> outlines = draw(node);
-    m_outlines.insert(m_outlines.end(), outlines.begin(), outlines.end());
+    all.insert(all.end(), outlines.begin(), outlines.end());
   }
-  std::erase_if(m_parts, [](const auto& entry) { return !entry.second.shown; });
+  endDrawing();
 }
 
 void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
-  auto slot = m_outlines.begin();
+  auto slot = editableOutlines().begin();
   const auto update = [&](const auto& before, const auto& now) {
     if (before == now) {
       slot += outlinesOf(now);
@@ -85,55 +66,29 @@ void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
 }
 
 std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
-  DisplayList drawing = nodeDrawing(node, emphasisOf(node.link));
+  DisplayList drawing = nodeDrawing(node, emphasisOf(emphases(), node.link));
   std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(node.link, std::move(drawing), kNodeDepth);
   return outlines;
 }
 
 std::vector<Outline> DigraphScene::draw(const EdgePlace& edge) {
-  DisplayList drawing = edgeDrawing(edge, emphasisOf(edge.element));
+  DisplayList drawing = edgeDrawing(edge, emphasisOf(emphases(), edge.element));
   std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(edge.element, std::move(drawing), kLineDepth);
   return outlines;
 }
 
-void DigraphScene::redraw(const ElementId& element, DisplayList drawing, double depth) {
-  Part& part = m_parts[element];
-  part.shown = true;
-  if (!part.item) {
-    part.item = std::make_unique<MarkItem>(depth);
-    part.item->setTheme(m_theme);
-    addItem(part.item.get());
-  }
+void DigraphScene::redraw(const ElementId& element, DisplayList drawing, int depth) {
   const auto behind = std::stable_partition(drawing.marks.begin(), drawing.marks.end(),
                                             [](const Mark& mark) { return mark.role != MarkRole::halo; });
   std::vector<Mark> halo(std::make_move_iterator(behind), std::make_move_iterator(drawing.marks.end()));
   drawing.marks.erase(behind, drawing.marks.end());
-  part.item->setMarks(std::move(drawing.marks));
-  if (halo.empty()) {
-    part.halo.reset();
-    return;
-  }
-  if (!part.halo) {
-    part.halo = std::make_unique<MarkItem>(kHaloDepth);
-    part.halo->setTheme(m_theme);
-    addItem(part.halo.get());
-  }
-  part.halo->setMarks(std::move(halo));
+  setPart(element, depth, std::move(drawing.marks));
+  setPart(element, kHaloDepth, std::move(halo));
 }
 
-void DigraphScene::setEmphases(Emphases emphases) {
-  std::unordered_set<ElementId> changed;
-  for (const auto& [element, emphasis] : m_emphases) {
-    const auto found = emphases.find(element);
-    if (found == emphases.end() || !(found->second == emphasis)) changed.insert(element);
-  }
-  for (const auto& [element, emphasis] : emphases) {
-    if (!m_emphases.contains(element)) changed.insert(element);
-  }
-  m_emphases = std::move(emphases);
-  if (changed.empty()) return;
+void DigraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
   for (const NodePlace& node : m_geometry.nodes) {
     if (changed.contains(node.link)) draw(node);
   }
@@ -142,28 +97,8 @@ void DigraphScene::setEmphases(Emphases emphases) {
   }
 }
 
-void DigraphScene::setTheme(Theme theme) {
-  m_theme = theme;
-  m_overlay->setTheme(theme);
-  for (auto& [element, part] : m_parts) {
-    part.item->setTheme(theme);
-    if (part.halo) part.halo->setTheme(theme);
-  }
-  setBackgroundBrush(toQColor(colorOf(ColorRole::sheet, theme)));
-}
-
-DisplayList DigraphScene::displayList() const {
-  return digraphDrawing(m_geometry, m_emphases);
-}
-
-QRectF DigraphScene::drawnRect() const {
-  QRectF rect;
-  for (const auto& [element, part] : m_parts) rect |= part.item->boundingRect();
-  return rect;
-}
-
-void DigraphScene::setOverlay(DisplayList overlay) {
-  m_overlay->setMarks(std::move(overlay.marks));
+DisplayList DigraphScene::displayList(const Emphases& emphases) const {
+  return digraphDrawing(m_geometry, emphases);
 }
 
 }  // namespace geargraph

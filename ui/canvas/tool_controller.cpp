@@ -3,9 +3,10 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/drawing/digraph_drawing.h"
 #include "core/drawing/hit_test.h"
 #include "core/mechanism/edits.h"
-#include "ui/canvas/canvas_edits.h"
+#include "ui/canvas/element_commands.h"
 
 namespace geargraph {
 namespace {
@@ -24,9 +25,8 @@ Expected<Mechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draf
 
 }  // namespace
 
-ToolController::ToolController(Document& document, Selection& selection, DigraphScene& scene,
-                               NodePlacer& placer, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_scene(scene), m_placer(placer) {
+ToolController::ToolController(Document& document, Selection& selection, NodeSheet& sheet, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_sheet(sheet) {
   m_hint = translated(m_machine.hint());
 }
 
@@ -43,10 +43,6 @@ void ToolController::handle(const ToolEvent& event, double scale) {
   if (!std::holds_alternative<Moved>(event) && !std::holds_alternative<Released>(event)) m_notice.clear();
   for (const Proposal& proposal : m_machine.on(event)) carryOut(proposal);
   showState();
-}
-
-void ToolController::handlePan(const ToolEvent& event) {
-  for (const Proposal& proposal : m_pan.on(event)) carryOut(proposal);
 }
 
 void ToolController::carryOut(const Proposal& proposal) {
@@ -76,7 +72,7 @@ void ToolController::apply(const QString& text, std::function<Expected<Mechanism
 
 ToolController::Drag ToolController::beginDrag() {
   Drag drag{m_document.newGesture(), m_document.mechanism(), {}, {}};
-  for (const auto& [link, place] : m_scene.positions()) {
+  for (const auto& [link, place] : m_sheet.positions()) {
     if (m_selection.isSelected(link)) {
       drag.moving.emplace_back(link, place);
     } else {
@@ -93,13 +89,11 @@ void ToolController::moveSelected(const MoveSelected& move) {
   const double reach = move.unsnapped ? 0 : kSnapReach / m_scale;
   m_snap =
       reach > 0 ? snapped(from, m_drag->resting, move.dx, move.dy, reach) : Snap{move.dx, move.dy, {}, {}};
-  std::vector<std::pair<LinkId, SheetPoint>> places = m_drag->moving;
+  NodeMoves places = m_drag->moving;
   for (auto& [link, place] : places) place = place + SheetPoint{m_snap.dx, m_snap.dy};
   apply(
       places.size() == 1 ? tr("Move link") : tr("Move links"),
-      [this, places](const Mechanism& mechanism) {
-        return withNodesMoved(m_placer.adopted(mechanism), places);
-      },
+      [this, places](const Mechanism& mechanism) { return m_sheet.withMoved(mechanism, places); },
       m_drag->gesture);
 }
 
@@ -117,28 +111,24 @@ void ToolController::nudge(double dx, double dy, bool repeated) {
   const Drag drag = beginDrag();
   if (drag.moving.empty()) return;
   if (!repeated || m_nudge == 0) m_nudge = drag.gesture;
-  std::vector<std::pair<LinkId, SheetPoint>> places = drag.moving;
+  NodeMoves places = drag.moving;
   for (auto& [link, place] : places) place = place + SheetPoint{dx, dy};
   apply(
       tr("Nudge"),
-      [this, places](const Mechanism& mechanism) {
-        return withNodesMoved(m_placer.adopted(mechanism), places);
-      },
-      m_nudge);
+      [this, places](const Mechanism& mechanism) { return m_sheet.withMoved(mechanism, places); }, m_nudge);
 }
 
 void ToolController::place(const NodePositions& positions) {
-  const std::vector<std::pair<LinkId, SheetPoint>> places(positions.begin(), positions.end());
+  const NodeMoves places(positions.begin(), positions.end());
   apply(tr("Tidy the drawing"),
-        [places](const Mechanism& mechanism) { return withNodesMoved(mechanism, places); });
+        [this, places](const Mechanism& mechanism) { return m_sheet.withMoved(mechanism, places); });
 }
 
 // --- making and removing ----------------------------------------------------------------------------------
 
 void ToolController::addLink(SheetPoint at) {
   const std::size_t before = m_document.mechanism()->links.size();
-  apply(tr("Add link"),
-        [this, at](const Mechanism& mechanism) { return withLink(m_placer.adopted(mechanism), at); });
+  apply(tr("Add link"), [this, at](const Mechanism& mechanism) { return m_sheet.withLinkAt(mechanism, at); });
   const auto& links = m_document.mechanism()->links;
   if (links.size() > before) m_selection.select({links.back().id});
 }
@@ -155,67 +145,15 @@ void ToolController::addJoint(const AddJoint& joint) {
       {mesh ? ElementId(mechanism.gearMeshes.back().id) : ElementId(mechanism.turningJoints.back().id)});
 }
 
-void ToolController::removeSelected() {
-  const std::set<ElementId> selected = m_selection.selected();
-  if (selected.empty()) return;
-  const std::vector<ElementId> elements(selected.begin(), selected.end());
-  apply(tr("Delete %1").arg(describe(*m_document.mechanism(), selected)),
-        [elements](const Mechanism& mechanism) { return withoutElements(mechanism, elements); });
-}
-
-void ToolController::flipSelected() {
-  std::vector<ElementId> arrows;
-  for (const ElementId& element : m_selection.selected()) {
-    const bool arrow = element.kind == ElementKind::turningJoint || element.kind == ElementKind::gearMesh;
-    if (arrow) arrows.push_back(element);
-  }
-  if (arrows.empty()) return;
-  apply(tr("Flip %1").arg(describe(*m_document.mechanism(), {arrows.begin(), arrows.end()})),
-        [arrows](Mechanism mechanism) -> Expected<Mechanism> {
-          for (const ElementId& arrow : arrows) {
-            Expected<Mechanism> next = withFlipped(std::move(mechanism), arrow);
-            if (!next) return next.error();
-            mechanism = std::move(next).value();
-          }
-          return mechanism;
-        });
-}
-
 void ToolController::toggleInputs(const std::set<ElementId>& elements) {
-  const std::set<JointId> joints = jointsDrivenBy(*m_document.mechanism(), elements);
-  if (joints.empty()) {
-    for (const ElementId& element : elements) {
-      if (element.kind != ElementKind::link) continue;
-      m_notice =
-          tr("Cannot be driven: %1").arg(carryingJoint(*m_document.mechanism(), LinkId(element.id)).why);
-    }
-    showState();
-    return;
-  }
-  apply(tr("Drive or release"), [joints](Mechanism mechanism) -> Expected<Mechanism> {
-    for (const JointId joint : joints) {
-      Expected<Mechanism> next = withInputToggled(mechanism, joint);
-      if (!next) return next.error();
-      mechanism = std::move(next).value();
-    }
-    return mechanism;
-  });
-}
-
-void ToolController::rename(LinkId link, const QString& name) {
-  const std::string text = name.trimmed().toStdString();
-  apply(tr("Rename link"),
-        [link, text](const Mechanism& mechanism) { return withName(mechanism, link, text); });
-}
-
-void ToolController::makeGround(LinkId link) {
-  apply(tr("Make ground"), [link](const Mechanism& mechanism) { return withGround(mechanism, link); });
+  m_notice = ElementCommands(m_document, m_selection).toggleInputs(elements);
+  showState();
 }
 
 void ToolController::selectInside(const SelectInside& band) {
   std::set<ElementId> elements;
   if (band.add) elements = m_selection.selected();
-  for (const ElementId& element : elementsInside(m_scene.outlines(), Extent::spanning(band.from, band.to))) {
+  for (const ElementId& element : elementsInside(m_sheet.outlines(), Extent::spanning(band.from, band.to))) {
     elements.insert(element);
   }
   m_selection.select(std::move(elements));
@@ -231,7 +169,7 @@ void ToolController::showState() {
     m_preview = preview;
     emit previewChanged(preview);
   }
-  m_scene.setOverlay(overlay());
+  m_sheet.setOverlay(overlay());
   if (hint == m_hint) return;
   m_hint = hint;
   emit hintChanged(hint);
@@ -256,7 +194,7 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
 Curve ToolController::guide(const std::function<bool(SheetPoint)>& isOnLine) const {
   constexpr double kBeyond = 40;
   std::optional<Extent> span;
-  for (const auto& [link, place] : m_scene.positions()) {
+  for (const auto& [link, place] : m_sheet.positions()) {
     if (!isOnLine(place)) continue;
     const Extent point{place, 0, 0};
     span = span ? span->united(point) : point;
@@ -279,10 +217,10 @@ DisplayList ToolController::overlay() const {
   }
   if (const auto link = m_machine.linkDraft()) list.append(linkGhost(*link));
   if (const auto draft = m_machine.arrowDraft()) {
-    const auto tail = m_scene.positions().find(draft->tail);
-    const auto head = m_scene.positions().find(draft->head);
-    if (tail != m_scene.positions().end()) {
-      const bool ends = head != m_scene.positions().end();
+    const auto tail = m_sheet.positions().find(draft->tail);
+    const auto head = m_sheet.positions().find(draft->head);
+    if (tail != m_sheet.positions().end()) {
+      const bool ends = head != m_sheet.positions().end();
       const Curve course = ghostCourse(tail->second, ends ? head->second : draft->cursor, ends);
       list.append(arrowGhost(draft->kind, course, m_preview && m_preview->valid));
     }

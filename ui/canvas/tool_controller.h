@@ -3,8 +3,7 @@
 #include <QObject>
 #include <QPointF>
 
-#include "ui/canvas/digraph_scene.h"
-#include "ui/canvas/node_placer.h"
+#include "ui/canvas/node_sheet.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/tools/snapping.h"
@@ -18,8 +17,7 @@ class ToolController final : public QObject {
   Q_OBJECT
 
  public:
-  ToolController(Document& document, Selection& selection, DigraphScene& scene, NodePlacer& placer,
-                 QObject* parent);
+  ToolController(Document& document, Selection& selection, NodeSheet& sheet, QObject* parent);
 
   [[nodiscard]] ToolKind tool() const { return m_machine.tool(); }
   void setTool(ToolKind tool);
@@ -28,17 +26,11 @@ class ToolController final : public QObject {
 
   /// `scale`: pixels a unit of the sheet takes, for the width of what lies over the drawing.
   void handle(const ToolEvent& event, double scale);
-  /// While panning for a moment (middle button, Space) the tool rests.
-  void handlePan(const ToolEvent& event);
 
   // What keys and menus ask for, as edits of one undo step each.
-  void removeSelected();
-  void flipSelected();
   void toggleInputs(const std::set<ElementId>& elements);
   void nudge(double dx, double dy, bool repeated);
   void addLink(SheetPoint at);
-  void rename(LinkId link, const QString& name);
-  void makeGround(LinkId link);
   void place(const NodePositions& positions);
 
  signals:
@@ -51,7 +43,7 @@ class ToolController final : public QObject {
   struct Drag {
     quint64 gesture = 0;
     MechanismPtr before;
-    std::vector<std::pair<LinkId, SheetPoint>> moving;  ///< where the nodes were
+    NodeMoves moving;  ///< where the nodes were
     std::vector<SheetPoint> resting;
   };
 
@@ -71,10 +63,8 @@ class ToolController final : public QObject {
 
   Document& m_document;
   Selection& m_selection;
-  DigraphScene& m_scene;
-  NodePlacer& m_placer;
+  NodeSheet& m_sheet;
   ToolMachine m_machine{ToolKind::select};
-  ToolMachine m_pan{ToolKind::pan};
   std::optional<Drag> m_drag;
   Snap m_snap;
   quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held

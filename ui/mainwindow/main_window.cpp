@@ -6,7 +6,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QSettings>
-#include <QTabWidget>
 
 #include "core/mechanism/edits.h"
 #include "ui/canvas/digraph_view.h"
@@ -63,25 +62,16 @@ MainWindow::MainWindow(QWidget* parent)
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
 
-  auto* drawings = new QTabWidget(this);
-  drawings->setObjectName(QStringLiteral("drawings"));
-  drawings->setDocumentMode(true);
-  m_digraph = new DigraphView(m_document, m_selection, drawings);
-  m_digraph->setFrameShape(QFrame::NoFrame);
-  drawings->addTab(m_digraph, tr("Digraph"));
-  drawings->setTabToolTip(0, tipOf(Term::digraph));
-  setCentralWidget(drawings);
-
   m_status = new StatusLine(m_selection, this);
   setStatusBar(m_status);
   m_recent = new RecentFiles(this);
   m_titles = new DockTitles(this);
+  makeDrawings();
   makeDocks();
   makeMenus();
   makeToolBar();
   wireActions();
   wireViews();
-  wireDigraph();
   wireView3D();
   setDark(themeOf(QApplication::palette()) == Theme::dark);
   resize(1366, 768);
@@ -93,6 +83,34 @@ MainWindow::~MainWindow() {
   // The history empties itself while the window is taken apart.
   disconnect(m_document, nullptr, this, nullptr);
   disconnect(&m_document->undoStack(), nullptr, this, nullptr);
+}
+
+void MainWindow::makeDrawings() {
+  m_drawings = new QTabWidget(this);
+  m_drawings->setObjectName(QStringLiteral("drawings"));
+  m_drawings->setDocumentMode(true);
+  setCentralWidget(m_drawings);
+  m_digraph = new DigraphView(m_document, m_selection, m_drawings);
+  addDrawing(m_digraph, tr("Digraph"), tipOf(Term::digraph));
+  connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
+  onDrawingChosen();
+}
+
+void MainWindow::addDrawing(DrawingView* drawing, const QString& title, const QString& tip) {
+  const int tab = m_drawings->addTab(drawing, title);
+  m_drawings->setTabToolTip(tab, tip);
+  m_allDrawings.push_back(drawing);
+  wireDrawing(drawing);
+}
+
+DrawingView& MainWindow::drawing() {
+  return *m_allDrawings[static_cast<std::size_t>(m_drawings->currentIndex())];
+}
+
+/// The tool that is picked stays picked, whatever drawing comes to the front.
+void MainWindow::onDrawingChosen() {
+  drawing().setTool(static_cast<ToolKind>(m_actions->tools->checkedAction()->data().toInt()));
+  m_status->setHint(drawing().hint());
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget,
@@ -165,26 +183,28 @@ void MainWindow::wireViews() {
   connect(m_service, &AnalysisService::snapshotReady, this, &MainWindow::onSnapshot);
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
   connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
+  connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
   connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
     if (mayDiscard() && !openDocument(path)) m_recent->forget(path);
   });
 }
 
-void MainWindow::wireDigraph() {
-  connect(m_digraph, &DigraphView::toolChanged, this,
+void MainWindow::wireDrawing(DrawingView* drawing) {
+  connect(drawing, &DrawingView::toolChanged, this,
           [this](ToolKind tool) { m_actions->tool[static_cast<std::size_t>(tool)]->setChecked(true); });
-  connect(m_digraph, &DigraphView::hintChanged, m_status, &StatusLine::setHint);
-  connect(m_digraph, &DigraphView::previewChanged, this, [this](const std::optional<JointPreview>& preview) {
+  connect(drawing, &DrawingView::hintChanged, this, [this, drawing](const QString& hint) {
+    if (drawing == m_drawings->currentWidget()) m_status->setHint(hint);
+  });
+  connect(drawing, &DrawingView::previewChanged, this, [this](const std::optional<JointPreview>& preview) {
     m_matrices->setPreview(preview ? previewOf(*m_document->mechanism(), *preview) : std::nullopt);
   });
-  connect(m_digraph, &DigraphView::propertiesWanted, this, [this](const ElementId& element) {
+  connect(drawing, &DrawingView::propertiesWanted, this, [this](const ElementId& element) {
     m_selection->select({element});
     auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.properties"));
     dock->show();
     dock->raise();
   });
-  connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
-  m_status->setHint(m_digraph->hint());
+  connect(drawing, &DrawingView::spaceTapped, this, [this] { m_view3d->playback().toggle(); });
 }
 
 void MainWindow::wireView3D() {
@@ -192,7 +212,6 @@ void MainWindow::wireView3D() {
     m_view3d->setStage(stage);
     tellWhenSettled();
   });
-  connect(m_digraph, &DigraphView::spaceTapped, this, [this] { m_view3d->playback().toggle(); });
 }
 
 void MainWindow::tellWhenSettled() {
@@ -210,7 +229,7 @@ void MainWindow::onDocumentChanged() {
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_matrices->setSnapshot(snapshot);
-  m_digraph->setSnapshot(snapshot);
+  for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
@@ -275,7 +294,7 @@ void MainWindow::setDark(bool dark) {
   const Theme theme = dark ? Theme::dark : Theme::light;
   if (themeOf(QApplication::palette()) != theme) applyTheme(*qApp, theme);
   m_actions->setTheme(theme);
-  m_digraph->setDark(dark);
+  for (DrawingView* each : m_allDrawings) each->setDark(dark);
   m_view3d->setDark(dark);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTabWidget>
 #include <memory>
 
 #include "core/graph/integer_matrix.h"
@@ -14,6 +15,7 @@ namespace geargraph {
 
 class DigraphView;
 class DockTitles;
+class DrawingView;
 class InputsPanel;
 class MatricesPanel;
 class ProblemsPanel;
@@ -37,6 +39,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return *m_service; }
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
+  /// The drawing whose tab is in front: commands and tools are its.
+  [[nodiscard]] DrawingView& drawing();
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
@@ -66,6 +70,9 @@ class MainWindow : public QMainWindow {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void makeDrawings();
+  void addDrawing(DrawingView* drawing, const QString& title, const QString& tip);
+  void onDrawingChosen();
   void makeDocks();
   QWidget* makeInputsAndResults();
   QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
@@ -74,7 +81,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void wireActions();
   void wireViews();
-  void wireDigraph();
+  void wireDrawing(DrawingView* drawing);
   void wireView3D();
 
   void onDocumentChanged();
@@ -100,6 +107,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<WindowActions> m_actions;
   QString m_title;  ///< of an example, which has no file yet
 
+  QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
   DigraphView* m_digraph = nullptr;
   MatricesPanel* m_matrices = nullptr;
   ProblemsPanel* m_problems = nullptr;
@@ -109,6 +117,7 @@ class MainWindow : public QMainWindow {
   StatusLine* m_status = nullptr;
   RecentFiles* m_recent = nullptr;
   DockTitles* m_titles = nullptr;
+  std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;
   bool m_layoutApplied = false;
 };

@@ -1,4 +1,4 @@
-// The mouse and the keys of the digraph view: turns Qt's events into those of tools and commands.
+// The mouse and the keys of a drawing: turns Qt's events into those of tools and commands.
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -8,8 +8,7 @@
 #include <QToolTip>
 
 #include "core/drawing/hit_test.h"
-#include "ui/canvas/canvas_edits.h"
-#include "ui/canvas/digraph_view.h"
+#include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
 
 namespace geargraph {
@@ -20,12 +19,12 @@ constexpr double kSlop = 4;   ///< px on screen that a click may wander
 
 }  // namespace
 
-std::optional<ElementId> DigraphView::elementUnder(QPointF viewportPlace) const {
+std::optional<ElementId> DrawingView::elementUnder(QPointF viewportPlace) const {
   return elementAt(m_scene->outlines(), toSheetPoint(mapToScene(viewportPlace.toPoint())),
                    kReach / scaleNow());
 }
 
-Pointer DigraphView::pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modifiers) const {
+Pointer DrawingView::pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modifiers) const {
   Pointer pointer;
   pointer.at = toSheetPoint(mapToScene(viewportPlace.toPoint()));
   pointer.on = elementUnder(viewportPlace);
@@ -38,29 +37,43 @@ Pointer DigraphView::pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modi
 
 // --- mouse ------------------------------------------------------------------------------------------------
 
-void DigraphView::mousePressEvent(QMouseEvent* event) {
+void DrawingView::mousePressEvent(QMouseEvent* event) {
   const bool left = event->button() == Qt::LeftButton;
   const bool pan = event->button() == Qt::MiddleButton || (left && m_spaceDown);
   if (m_grip != Grip::none || (!left && !pan)) return;
-  const Pointer pointer = pointerAt(event->position(), event->modifiers());
   m_grip = pan ? Grip::pan : Grip::tool;
+  m_panFrom = event->position();
   if (pan) {
     m_spaceUsed = m_spaceDown;
-    m_controller->handlePan(Pressed{pointer});
   } else {
-    m_controller->handle(Pressed{pointer}, scaleNow());
+    pressed(pointerAt(event->position(), event->modifiers()));
   }
   updateCursor();
 }
 
-void DigraphView::mouseMoveEvent(QMouseEvent* event) {
-  const Pointer pointer = pointerAt(event->position(), event->modifiers());
+void DrawingView::pressed(const Pointer& pointer) {
+  if (tool() == ToolKind::pan) {
+    m_grip = Grip::pan;
+  } else if (!pointer.on) {
+    if (!pointer.add) m_selection->clear();
+  } else if (pointer.add) {
+    m_selection->toggle(*pointer.on);
+  } else {
+    m_selection->select({*pointer.on});
+  }
+}
+
+void DrawingView::mouseMoveEvent(QMouseEvent* event) {
   if (m_grip == Grip::pan) {
-    m_controller->handlePan(Moved{pointer});
+    m_fitted = false;
+    const QPoint step = (event->position() - m_panFrom).toPoint();  // the sheet moves by whole pixels
+    moveView(step);
+    m_panFrom += step;
     return;
   }
-  m_controller->handle(Moved{pointer}, scaleNow());
-  if (m_grip == Grip::tool && m_controller->tool() == ToolKind::select) return;  // what is dragged stays lit
+  const Pointer pointer = pointerAt(event->position(), event->modifiers());
+  moved(pointer);
+  if (m_grip == Grip::tool && tool() == ToolKind::select) return;  // what is dragged stays lit
   if (pointer.on) {
     m_selection->hover(*pointer.on);
   } else {
@@ -69,35 +82,29 @@ void DigraphView::mouseMoveEvent(QMouseEvent* event) {
   m_hovering = pointer.on.has_value();
 }
 
-void DigraphView::mouseReleaseEvent(QMouseEvent* event) {
-  const Pointer pointer = pointerAt(event->position(), event->modifiers());
-  if (m_grip == Grip::pan) m_controller->handlePan(Released{pointer});
+void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
   if (m_grip == Grip::tool && event->button() == Qt::LeftButton)
-    m_controller->handle(Released{pointer}, scaleNow());
+    released(pointerAt(event->position(), event->modifiers()));
   if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) == 0) m_grip = Grip::none;
   updateCursor();
 }
 
-void DigraphView::mouseDoubleClickEvent(QMouseEvent* event) {
+void DrawingView::mouseDoubleClickEvent(QMouseEvent* event) {
   const std::optional<ElementId> element = elementUnder(event->position());
   if (event->button() != Qt::LeftButton || tool() != ToolKind::select || !element) {
     mousePressEvent(event);  // two quick clicks of any other tool
     return;
   }
-  if (element->kind == ElementKind::link) {
-    openRenameEditor(LinkId(element->id));
-  } else {
-    emit propertiesWanted(*element);
-  }
+  openElement(*element);
 }
 
-void DigraphView::leaveEvent(QEvent* event) {
+void DrawingView::leaveEvent(QEvent* event) {
   if (m_hovering) m_selection->unhover();
   m_hovering = false;
   QGraphicsView::leaveEvent(event);
 }
 
-void DigraphView::wheelEvent(QWheelEvent* event) {
+void DrawingView::wheelEvent(QWheelEvent* event) {
   const bool touchpad = event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull();
   if (touchpad && (event->modifiers() & Qt::ControlModifier) == 0) {
     panBy(QPointF(event->pixelDelta()) / scaleNow());
@@ -107,14 +114,14 @@ void DigraphView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void DigraphView::contextMenuEvent(QContextMenuEvent* event) {
-  if (!m_controller->isIdle()) return;
+void DrawingView::contextMenuEvent(QContextMenuEvent* event) {
+  if (!isIdle()) return;
   QMenu* menu = contextMenuAt(viewport()->mapFromGlobal(event->globalPos()));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->popup(event->globalPos());
 }
 
-bool DigraphView::viewportEvent(QEvent* event) {
+bool DrawingView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     auto* help = static_cast<QHelpEvent*>(event);
     const std::optional<ElementId> element = elementUnder(help->pos());
@@ -135,33 +142,7 @@ bool DigraphView::viewportEvent(QEvent* event) {
   return QGraphicsView::viewportEvent(event);
 }
 
-QString DigraphView::toolTipFor(const ElementId& element) const {
-  const Mechanism& mechanism = *m_document->mechanism();
-  QString text = describe(mechanism, {element});
-  text[0] = text[0].toUpper();
-  if (element.kind == ElementKind::link) {
-    const Link* link = mechanism.find(LinkId(element.id));
-    if (link != nullptr && !link->name.empty()) text += ": " + QString::fromStdString(link->name);
-    return text;
-  }
-  const auto ends = [&](LinkId tail, LinkId head) {
-    return tr(" from link %1 to link %2")
-        .arg(QString::fromStdString(*labelOf(mechanism, tail)),
-             QString::fromStdString(*labelOf(mechanism, head)));
-  };
-  if (const TurningJoint* joint = mechanism.find(JointId(element.id));
-      joint != nullptr && element == ElementId(joint->id)) {
-    text += ends(joint->tail, joint->head) + tr(", axis %1").arg(QString::fromStdString(joint->axis.text()));
-    if (isInput(mechanism, joint->id)) text += tr(", driven");
-  }
-  if (const GearMesh* mesh = mechanism.find(MeshId(element.id));
-      mesh != nullptr && element == ElementId(mesh->id)) {
-    text += ends(mesh->tail, mesh->head) + tr(", %1 : %2 teeth").arg(mesh->tailTeeth).arg(mesh->headTeeth);
-  }
-  return text;
-}
-
-void DigraphView::updateCursor() {
+void DrawingView::updateCursor() {
   Qt::CursorShape shape = Qt::ArrowCursor;
   if (tool() == ToolKind::link || tool() == ToolKind::turningJoint || tool() == ToolKind::gearMesh) {
     shape = Qt::CrossCursor;
@@ -174,7 +155,7 @@ void DigraphView::updateCursor() {
 
 // --- keys -------------------------------------------------------------------------------------------------
 
-bool DigraphView::event(QEvent* event) {
+bool DrawingView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     // Space belongs to panning as long as the drawing has the focus; a tap is handed on by spaceTapped().
     auto* key = static_cast<QKeyEvent*>(event);
@@ -186,7 +167,7 @@ bool DigraphView::event(QEvent* event) {
   return QGraphicsView::event(event);
 }
 
-void DigraphView::keyPressEvent(QKeyEvent* event) {
+void DrawingView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space) {
     if (event->isAutoRepeat()) return;
     m_spaceDown = true;
@@ -198,7 +179,7 @@ void DigraphView::keyPressEvent(QKeyEvent* event) {
   event->ignore();
 }
 
-void DigraphView::keyReleaseEvent(QKeyEvent* event) {
+void DrawingView::keyReleaseEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Space || event->isAutoRepeat()) {
     event->ignore();
     return;
@@ -209,15 +190,14 @@ void DigraphView::keyReleaseEvent(QKeyEvent* event) {
   if (tap) emit spaceTapped();
 }
 
-void DigraphView::focusOutEvent(QFocusEvent* event) {
+void DrawingView::focusOutEvent(QFocusEvent* event) {
   m_spaceDown = false;  // its release goes elsewhere
   updateCursor();
   QGraphicsView::focusOutEvent(event);
 }
 
-void DigraphView::escape() {
-  if (!m_controller->isIdle()) {
-    m_controller->handle(Escaped{}, scaleNow());
+void DrawingView::escape() {
+  if (cancel()) {
     m_grip = Grip::none;
   } else if (!m_selection->selected().empty()) {
     m_selection->clear();
@@ -226,15 +206,16 @@ void DigraphView::escape() {
   }
 }
 
-bool DigraphView::viewKey(const QKeyEvent& event) {
+bool DrawingView::viewKey(const QKeyEvent& event) {
   const bool control = (event.modifiers() & Qt::ControlModifier) != 0;
   switch (event.key()) {
     case Qt::Key_Escape:
       escape();
       return true;
     case Qt::Key_F:
-      if (!control) fit();
-      return !control;
+      if (control) return false;
+      (event.modifiers() & Qt::ShiftModifier) != 0 ? fitSelected() : fit();
+      return true;
     case Qt::Key_0:
       if (control) fit();
       return control;
@@ -253,7 +234,7 @@ bool DigraphView::viewKey(const QKeyEvent& event) {
   }
 }
 
-bool DigraphView::editKey(const QKeyEvent& event) {
+bool DrawingView::editKey(const QKeyEvent& event) {
   const bool control = (event.modifiers() & Qt::ControlModifier) != 0;
   const double step = (event.modifiers() & Qt::ShiftModifier) != 0 ? 1 : 10;
   switch (event.key()) {
@@ -271,23 +252,23 @@ bool DigraphView::editKey(const QKeyEvent& event) {
       if (!control) flipSelected();
       return !control;
     case Qt::Key_Left:
-      m_controller->nudge(-step, 0, event.isAutoRepeat());
+      nudge(-step, 0, event.isAutoRepeat());
       return true;
     case Qt::Key_Right:
-      m_controller->nudge(step, 0, event.isAutoRepeat());
+      nudge(step, 0, event.isAutoRepeat());
       return true;
     case Qt::Key_Up:
-      m_controller->nudge(0, -step, event.isAutoRepeat());
+      nudge(0, -step, event.isAutoRepeat());
       return true;
     case Qt::Key_Down:
-      m_controller->nudge(0, step, event.isAutoRepeat());
+      nudge(0, step, event.isAutoRepeat());
       return true;
     default:
       return false;
   }
 }
 
-bool DigraphView::toolKeyPressed(const QKeyEvent& event) {
+bool DrawingView::toolKeyPressed(const QKeyEvent& event) {
   if ((event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier)) != Qt::NoModifier) return false;
   for (int kind = 0; kind < kToolCount; ++kind) {
     const auto tool = static_cast<ToolKind>(kind);

@@ -1,0 +1,328 @@
+#include "ui/canvas/drawing_view.h"
+
+#include <QEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QScrollBar>
+
+#include "ui/canvas/canvas_edits.h"
+#include "ui/canvas/context_menu.h"
+#include "ui/canvas/mark_painter.h"
+#include "ui/canvas/rename_editor.h"
+
+namespace geargraph {
+namespace {
+
+bool exists(const Mechanism& mechanism, const ElementId& element) {
+  switch (element.kind) {
+    case ElementKind::link:
+      return mechanism.find(LinkId(element.id)) != nullptr;
+    case ElementKind::turningJoint:
+      return mechanism.find(JointId(element.id)) != nullptr;
+    case ElementKind::gearMesh:
+      return mechanism.find(MeshId(element.id)) != nullptr;
+    default:
+      return true;  // other views' elements are theirs to drop
+  }
+}
+
+Theme themeOf(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128 ? Theme::dark : Theme::light;
+}
+
+}  // namespace
+
+DrawingView::DrawingView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent)
+    : QGraphicsView(parent),
+      m_document(document),
+      m_selection(selection),
+      m_scene(scene),
+      m_commands(*document, *selection) {
+  scene->setParent(this);
+  setScene(scene);
+  setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  setOptimizationFlags(QGraphicsView::DontSavePainterState | QGraphicsView::DontAdjustForAntialiasing);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setTransformationAnchor(QGraphicsView::NoAnchor);
+  setResizeAnchor(QGraphicsView::AnchorViewCenter);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  viewport()->setMouseTracking(true);
+
+  connect(document, &Document::changed, this, &DrawingView::showDocument);
+  connect(document, &Document::replaced, this, &DrawingView::showAnotherDocument);
+  connect(selection, &Selection::selectionChanged, this, &DrawingView::updateEmphases);
+  connect(selection, &Selection::hoverChanged, this, &DrawingView::updateEmphases);
+  applyTheme(themeOf(palette()));
+}
+
+// --- what is shown ----------------------------------------------------------------------------------------
+
+void DrawingView::showDocument() {
+  rebuild();
+  const MechanismPtr& now = m_document->mechanism();
+  m_selection->keepOnly([&](const ElementId& element) { return exists(*now, element); });
+  updateEmphases();
+  updateMessage();
+}
+
+void DrawingView::showAnotherDocument() {
+  m_snapshot.reset();
+  forgetDocument();
+  showDocument();
+  fit();
+}
+
+void DrawingView::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  updateEmphases();
+}
+
+void DrawingView::updateEmphases() {
+  Highlight shown = highlight();
+  for (const ElementId& element : m_selection->selected()) shown.emphases[element].selected = true;
+  for (const ElementId& element : m_selection->hovered()) shown.emphases[element].hovered = true;
+  m_scene->setEmphases(std::move(shown.emphases));
+  if (shown.caption == m_caption) return;
+  m_caption = shown.caption;
+  viewport()->update();
+}
+
+void DrawingView::updateMessage() {
+  const QString text = message();
+  if (text == m_message) return;
+  m_message = text;
+  viewport()->update();
+}
+
+void DrawingView::setNotice(const QStringList& lines) {
+  if (lines == m_notice) return;
+  m_notice = lines;
+  viewport()->update();
+}
+
+void DrawingView::setHint(const QString& hint) {
+  if (hint == m_hint) return;
+  m_hint = hint;
+  emit hintChanged(hint);
+}
+
+void DrawingView::setDark(bool dark) {
+  m_themeChosen = true;
+  applyTheme(dark ? Theme::dark : Theme::light);
+}
+
+Theme DrawingView::theme() const {
+  return m_scene->theme();
+}
+
+void DrawingView::applyTheme(Theme theme) {
+  m_scene->setTheme(theme);
+  viewport()->update();
+}
+
+void DrawingView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && !m_themeChosen) applyTheme(themeOf(palette()));
+  QGraphicsView::changeEvent(event);
+}
+
+DisplayList DrawingView::displayList() const {
+  return m_scene->displayList();
+}
+
+DisplayList DrawingView::picture() const {
+  return m_scene->displayList(Emphases{});
+}
+
+void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
+  painter->save();
+  painter->resetTransform();
+  if (!m_message.isEmpty()) drawMessage(*painter, m_message);
+  if (!m_notice.isEmpty()) drawLines(*painter, m_notice, Qt::TopLeftCorner);
+  if (!m_caption.isEmpty()) drawLines(*painter, m_caption, Qt::BottomLeftCorner);
+  painter->restore();
+}
+
+void DrawingView::drawMessage(QPainter& painter, const QString& text) const {
+  QFont font = this->font();
+  font.setPixelSize(15);
+  painter.setFont(font);
+  painter.setPen(toQColor(colorOf(ColorRole::secondary, theme())));
+  const QRect whole = viewport()->rect();
+  painter.drawText(whole.adjusted(0, whole.height() / 2 + 60, 0, 0), Qt::AlignHCenter | Qt::AlignTop, text);
+}
+
+void DrawingView::drawLines(QPainter& painter, const QStringList& lines, Qt::Corner corner) const {
+  constexpr int kMargin = 12;
+  QFont font = this->font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+  const QFontMetrics metrics(font);
+  const int room = viewport()->width() - 4 * kMargin;
+  QStringList shown;
+  int width = 0;
+  for (const QString& line : lines) {
+    shown << metrics.elidedText(line, Qt::ElideRight, room);
+    width = std::max(width, metrics.horizontalAdvance(shown.back()));
+  }
+  const QSize size(width + 2 * kMargin,
+                   static_cast<int>(lines.size()) * metrics.lineSpacing() - metrics.leading() + kMargin);
+  const bool below = corner == Qt::BottomLeftCorner;
+  const QRect box(QPoint(kMargin, below ? viewport()->height() - kMargin - size.height() : kMargin), size);
+  painter.setPen(toQColor(colorOf(ColorRole::hairline, theme())));
+  painter.setBrush(toQColor(colorOf(ColorRole::sheet, theme())));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(toQColor(colorOf(below ? ColorRole::accent : ColorRole::secondary, theme())));
+  painter.drawText(box.adjusted(kMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                   shown.join(QLatin1Char('\n')));
+}
+
+// --- zoom and pan -----------------------------------------------------------------------------------------
+
+void DrawingView::moveView(QPointF pixels) {
+  horizontalScrollBar()->setValue(horizontalScrollBar()->value() - qRound(pixels.x()));
+  verticalScrollBar()->setValue(verticalScrollBar()->value() - qRound(pixels.y()));
+}
+
+void DrawingView::panBy(QPointF sheetUnits) {
+  m_fitted = false;
+  moveView(scaleNow() * sheetUnits);
+}
+
+void DrawingView::zoomAt(QPointF viewportPlace, double factor) {
+  constexpr double kSmallest = 0.02;
+  constexpr double kLargest = 8;
+  const double wanted = std::clamp(scaleNow() * factor, std::min(kSmallest, scaleNow()), kLargest);
+  const QPointF anchor = mapToScene(viewportPlace.toPoint());
+  setTransform(QTransform::fromScale(wanted, wanted));
+  moveView(viewportPlace - QPointF(mapFromScene(anchor)));
+  m_fitted = false;
+}
+
+void DrawingView::zoomIn() {
+  zoomAt(viewport()->rect().center(), 1.25);
+}
+
+void DrawingView::zoomOut() {
+  zoomAt(viewport()->rect().center(), 1 / 1.25);
+}
+
+void DrawingView::resetZoom() {
+  zoomAt(viewport()->rect().center(), 1 / scaleNow());
+}
+
+void DrawingView::fitTo(const QRectF& area) {
+  constexpr double kMargin = 24;
+  constexpr double kLargest = 1.25;
+  const QRectF shown = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  const QSizeF room = viewport()->size();
+  const double scale = std::min({kLargest, room.width() / shown.width(), room.height() / shown.height()});
+  setTransform(QTransform::fromScale(scale, scale));
+  centerOn(shown.center());
+}
+
+void DrawingView::fit() {
+  fitTo(m_scene->drawnRect());
+  m_fitted = true;
+}
+
+void DrawingView::fitSelected() {
+  QRectF area;
+  for (const Outline& outline : m_scene->outlines()) {
+    if (m_selection->isSelected(outline.element)) area |= toQRect(extentOf(outline.shape).grown(1));
+  }
+  if (area.isNull()) return fit();
+  fitTo(area);
+  m_fitted = false;
+}
+
+void DrawingView::resizeEvent(QResizeEvent* event) {
+  QGraphicsView::resizeEvent(event);
+  if (m_fitted) fit();
+}
+
+// --- commands ---------------------------------------------------------------------------------------------
+
+void DrawingView::setTool(ToolKind tool) {
+  if (tool == m_tool) return;
+  m_tool = tool;
+  updateCursor();
+  emit toolChanged(tool);
+}
+
+void DrawingView::selectAll() {
+  m_commands.selectAll();
+}
+
+void DrawingView::deleteSelected() {
+  m_commands.removeSelected();
+}
+
+void DrawingView::flipSelected() {
+  m_commands.flipSelected();
+}
+
+void DrawingView::toggleInputs() {
+  const QString why = m_commands.toggleInputs(m_selection->selected());
+  if (!why.isEmpty()) setHint(why);
+}
+
+void DrawingView::renameSelected() {
+  const std::set<ElementId>& selected = m_selection->selected();
+  if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return;
+  openRenameEditor(LinkId(selected.begin()->id));
+}
+
+void DrawingView::openRenameEditor(LinkId link) {
+  const Link* found = mechanism().find(link);
+  const std::vector<Outline>& outlines = m_scene->outlines();
+  const auto drawn = std::find_if(outlines.begin(), outlines.end(),
+                                  [&](const Outline& outline) { return outline.element == ElementId(link); });
+  if (found == nullptr || drawn == outlines.end()) return;
+  auto* editor = new RenameEditor(QString::fromStdString(found->name), viewport());
+  constexpr QSize kSize(150, 26);
+  const Extent extent = extentOf(drawn->shape);
+  const QPoint under = mapFromScene(QPointF(extent.center.x, extent.bottom() + 3));
+  editor->setGeometry(QRect(under - QPoint(kSize.width() / 2, 0), kSize));
+  connect(editor, &RenameEditor::taken, this,
+          [this, link](const QString& name) { m_commands.rename(link, name); });
+  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
+  editor->show();
+  editor->setFocus();
+}
+
+void DrawingView::openElement(const ElementId& element) {
+  if (element.kind == ElementKind::link) {
+    openRenameEditor(LinkId(element.id));
+  } else {
+    emit propertiesWanted(element);
+  }
+}
+
+QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
+  const std::optional<ElementId> element = elementUnder(viewportPlace);
+  if (element && !m_selection->isSelected(*element)) m_selection->select({*element});
+  const LinkId link = element ? LinkId(element->id) : LinkId();
+  const SheetPoint at = toSheetPoint(mapToScene(viewportPlace));
+  ContextActions actions;
+  actions.rename = [this, link] { openRenameEditor(link); };
+  actions.toggleInput = [this] { toggleInputs(); };
+  actions.makeGround = [this, link] { m_commands.makeGround(link); };
+  actions.flip = [this] { flipSelected(); };
+  actions.remove = [this] { deleteSelected(); };
+  actions.selectAll = [this] { selectAll(); };
+  actions.fit = [this] { fit(); };
+  adjustMenu(actions, at);
+  auto* menu = new QMenu(this);
+  fillContextMenu(*menu, mechanism(), element, actions);
+  fillMenuFurther(*menu, element, at);
+  return menu;
+}
+
+QString DrawingView::toolTipFor(const ElementId& element) const {
+  return describeFully(mechanism(), element);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <QGraphicsView>
+#include <optional>
+
+#include "core/analysis/analysis.h"
+#include "core/drawing/palette.h"
+#include "ui/canvas/drawing_scene.h"
+#include "ui/canvas/element_commands.h"
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+#include "ui/tools/tool.h"
+
+class QMenu;
+
+namespace geargraph {
+
+/// A drawing of the document: what all of them have in common. It zooms, pans and fits, lights up what is
+/// hovered and selected in any view, picks by the drawing's outlines, gives tips and menus, and carries out
+/// the commands on elements. A drawing of its own derives from it, fills the scene in rebuild() and says what
+/// its tools do with the mouse.
+///
+/// Keys while it has the focus: V L T G I H pick a tool, Esc cancels, then deselects, then goes back to
+/// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
+/// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
+/// the mouse; the middle button, or Space with the left one, pans.
+class DrawingView : public QGraphicsView {
+  Q_OBJECT
+
+ public:
+  /// Takes the scene over.
+  DrawingView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent = nullptr);
+
+  [[nodiscard]] virtual ToolKind tool() const { return m_tool; }
+  virtual void setTool(ToolKind tool);
+  /// What the tool expects next, as last told by hintChanged().
+  [[nodiscard]] QString hint() const { return m_hint; }
+
+  /// The newest analysis.
+  virtual void setSnapshot(const SnapshotPtr& snapshot);
+
+  void setDark(bool dark);
+  [[nodiscard]] Theme theme() const;
+
+  [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
+  [[nodiscard]] DisplayList picture() const;      ///< the same with nothing standing out, for export
+  /// The entries for what is at a place of the viewport; the caller owns the menu.
+  [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
+  /// The lines in the box at the lower left, and the ones at the upper left; empty where there is none.
+  [[nodiscard]] QStringList caption() const { return m_caption; }
+  [[nodiscard]] QStringList notice() const { return m_notice; }
+
+ public slots:
+  void fit();  ///< all of the drawing in the window, at most at twice its size
+  void fitSelected();
+  void zoomIn();
+  void zoomOut();
+  void resetZoom();
+  void selectAll();
+  void deleteSelected();
+  void flipSelected();    ///< tail and head of the selected arrows exchanged
+  void renameSelected();  ///< opens the editor in place on the one selected link
+  virtual void
+  toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
+  virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
+
+ signals:
+  void toolChanged(geargraph::ToolKind tool);
+  void hintChanged(const QString& hint);
+  /// While an arrow is being drawn: the joint it would make; nothing when it is done or given up.
+  void previewChanged(const std::optional<geargraph::JointPreview>& preview);
+  /// A double click on what has no name to edit in place: show its properties.
+  void propertiesWanted(const geargraph::ElementId& element);
+  /// Space was tapped, not held for panning: play or pause.
+  void spaceTapped();
+
+ protected:
+  /// Shows the document as it is now. Called after every change; a drawing calls it once when it is made.
+  virtual void rebuild() = 0;
+  /// Another document has come: what was known of the last one counts no more. rebuild() follows.
+  virtual void forgetDocument() {}
+
+  /// What a drawing shows besides what is selected and hovered: a cycle, say, and lines that put it in words.
+  struct Highlight {
+    Emphases emphases;
+    QStringList caption;
+  };
+  [[nodiscard]] virtual Highlight highlight() const { return {}; }
+  /// What stands where there is no drawing yet.
+  [[nodiscard]] virtual QString message() const { return {}; }
+  [[nodiscard]] virtual QString toolTipFor(const ElementId& element) const;
+  /// May drop entries of the menu, or tell it how to add a link and to tidy the drawing.
+  virtual void adjustMenu(struct ContextActions&, SheetPoint /*at*/) {}
+  virtual void fillMenuFurther(QMenu&, const std::optional<ElementId>&, SheetPoint /*at*/) {}
+  /// A double click with the Select tool.
+  virtual void openElement(const ElementId& element);
+
+  // What the mouse does with the current tool. Select as it stands picks elements.
+  virtual void pressed(const Pointer& pointer);
+  virtual void moved(const Pointer&) {}
+  virtual void released(const Pointer&) {}
+  /// Is no gesture under way, so that menus may open?
+  [[nodiscard]] virtual bool isIdle() const { return true; }
+  /// Esc: false where there was nothing to give up.
+  virtual bool cancel() { return false; }
+  virtual void nudge(double /*dx*/, double /*dy*/, bool /*repeated*/) {}
+
+  // For the drawing's use.
+  [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
+  [[nodiscard]] Document& document() { return *m_document; }
+  [[nodiscard]] Selection& selection() const { return *m_selection; }
+  [[nodiscard]] ElementCommands& commands() { return m_commands; }
+  [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+  void setHint(const QString& hint);
+  void setNotice(const QStringList& lines);
+  void updateEmphases();
+  void updateMessage();
+  void updateCursor();
+  void panBy(QPointF sheetUnits);
+  void openRenameEditor(LinkId link);
+  [[nodiscard]] double scaleNow() const { return transform().m11(); }
+  [[nodiscard]] std::optional<ElementId> elementUnder(QPointF viewportPlace) const;
+
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
+
+ private:
+  enum class Grip { none, tool, pan };
+
+  void showDocument();
+  void showAnotherDocument();
+  void applyTheme(Theme theme);
+  void escape();
+  bool editKey(const QKeyEvent& event);
+  bool viewKey(const QKeyEvent& event);
+  bool toolKeyPressed(const QKeyEvent& event);
+  void drawLines(QPainter& painter, const QStringList& lines, Qt::Corner corner) const;
+  void drawMessage(QPainter& painter, const QString& text) const;
+  void fitTo(const QRectF& area);
+  void zoomAt(QPointF viewportPlace, double factor);
+  void moveView(QPointF pixels);
+  [[nodiscard]] Pointer pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modifiers) const;
+
+  Document* m_document;
+  Selection* m_selection;
+  DrawingScene* m_scene;
+  ElementCommands m_commands;
+  SnapshotPtr m_snapshot;
+  ToolKind m_tool = ToolKind::select;
+  QString m_hint;
+  QStringList m_caption;
+  QStringList m_notice;
+  QString m_message;
+  Grip m_grip = Grip::none;
+  QPointF m_panFrom;
+  bool m_spaceDown = false;
+  bool m_spaceUsed = false;
+  bool m_fitted = true;        ///< the drawing still fills the window, as nobody moved it
+  bool m_themeChosen = false;  ///< setDark() was called: the palette does not decide any more
+  bool m_hovering = false;     ///< what is hovered is under our mouse
+};
+
+}  // namespace geargraph

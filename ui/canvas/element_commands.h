@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+
+namespace geargraph {
+
+/// What keys and menus do with elements in any drawing: an edit of one undo step each.
+class ElementCommands {
+ public:
+  /// Refers to both.
+  ElementCommands(Document& document, Selection& selection) : m_document(document), m_selection(selection) {}
+
+  void selectAll();
+  void removeSelected();
+  void flipSelected();  ///< tail and head of the selected arrows exchanged
+  /// Drives these joints, or those that carry these links, or stops driving them. Where that is not possible
+  /// it answers why.
+  QString toggleInputs(const std::set<ElementId>& elements);
+  void rename(LinkId link, const QString& name);
+  void makeGround(LinkId link);
+
+ private:
+  void apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce);
+
+  Document& m_document;
+  Selection& m_selection;
+};
+
+}  // namespace geargraph

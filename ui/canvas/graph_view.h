@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/canvas/drawing_view.h"
+#include "ui/canvas/node_sheet.h"
+#include "ui/canvas/tool_controller.h"
+
+namespace geargraph {
+
+/// A drawing in which links are nodes: all tools of the tool bar work in it.
+class GraphView : public DrawingView, protected NodeSheet {
+  Q_OBJECT
+
+ public:
+  GraphView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent = nullptr);
+
+  [[nodiscard]] ToolKind tool() const override { return m_controller->tool(); }
+  void setTool(ToolKind tool) override { m_controller->setTool(tool); }
+
+ public slots:
+  void toggleInputs() override;
+
+ protected:
+  [[nodiscard]] QString message() const override;
+  void adjustMenu(ContextActions& actions, SheetPoint at) override;
+  void pressed(const Pointer& pointer) override;
+  void moved(const Pointer& pointer) override;
+  void released(const Pointer& pointer) override;
+  [[nodiscard]] bool isIdle() const override { return m_controller->isIdle(); }
+  bool cancel() override;
+  void nudge(double dx, double dy, bool repeated) override { m_controller->nudge(dx, dy, repeated); }
+
+  /// Gives all these links their places, as one undo step.
+  void place(const NodePositions& positions) { m_controller->place(positions); }
+
+  [[nodiscard]] const std::vector<Outline>& outlines() const override { return m_sheet->outlines(); }
+  void setOverlay(DisplayList overlay) override { m_sheet->setOverlay(std::move(overlay)); }
+
+ private:
+  DrawingScene* m_sheet;
+  ToolController* m_controller;
+};
+
+}  // namespace geargraph
