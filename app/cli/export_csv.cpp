@@ -115,14 +115,10 @@ int exportCsv(const Arguments& arguments) {
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
 
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
-  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  const auto& document = std::get<Expected<Mechanism>>(loaded);
-  if (!document) {
-    std::cerr << diagnosticLines(file, document.error());
-    return kMechanismErrors;
-  }
-  SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(*document));
+  auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  SnapshotPtr snapshot =
+      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   const int status = hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--all") || arguments.value("--matrix") == "solution") {

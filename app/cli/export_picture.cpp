@@ -94,14 +94,10 @@ int exportPicture(const Arguments& arguments) {
   const auto options = pictureOptions(arguments);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
   const std::string& file = arguments.files.front();
-  auto loaded = load(file);
-  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  auto& document = std::get<Expected<Mechanism>>(loaded);
-  if (!document) {
-    std::cerr << diagnosticLines(file, document.error());
-    return kMechanismErrors;
-  }
-  const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(document).value()));
+  auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  const SnapshotPtr snapshot =
+      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   GearCache cache;
   const StagePtr stage = trainStage(*snapshot->mechanism, cache);

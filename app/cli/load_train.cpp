@@ -25,15 +25,10 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot) {
 }  // namespace
 
 std::variant<LoadedTrain, int> loadTrain(const std::string& file) {
-  auto document = load(file);
-  if (const auto* error = std::get_if<FileError>(&document)) return fileFailure(error->message);
-  auto& read = std::get<Expected<Mechanism>>(document);
-  if (!read) {
-    std::cerr << diagnosticLines(file, read.error());
-    return static_cast<int>(kMechanismErrors);
-  }
+  auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
   LoadedTrain loaded;
-  loaded.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::move(read).value()));
+  loaded.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
   const AnalysisSnapshot& snapshot = *loaded.snapshot;
   std::cerr << diagnosticLines(file, snapshot.diagnostics);
   if (hasErrors(snapshot.diagnostics) || !snapshot.kinematics) {

@@ -135,14 +135,9 @@ std::string asText(const AnalysisSnapshot& snapshot, const std::vector<double>& 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kPose, "One file is needed.");
   const std::string& file = arguments.files.front();
-  const auto loaded = load(file);
-  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
-  const auto& document = std::get<Expected<Mechanism>>(loaded);
-  if (!document) {
-    std::cerr << diagnosticLines(file, document.error());
-    return kMechanismErrors;
-  }
-  auto mechanism = withInputOptions(*document, arguments);
+  const auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  auto mechanism = withInputOptions(std::get<Mechanism>(document), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
   const SnapshotPtr snapshot =
       analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
