@@ -73,8 +73,23 @@ bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight, cons
 }
 
 SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
-  constexpr std::array<SheetPoint, 8> kOffsets{
-      {{-34, -22}, {34, -22}, {-34, 22}, {34, 22}, {0, -33}, {0, 33}, {-44, 0}, {44, 0}}};
+  constexpr std::array<SheetPoint, 16> kOffsets{{{-34, -22},
+                                                 {34, -22},
+                                                 {-34, 22},
+                                                 {34, 22},
+                                                 {0, -33},
+                                                 {0, 33},
+                                                 {-44, 0},
+                                                 {44, 0},
+                                                 // Between these, where arrows take all of them.
+                                                 {-42, -11},
+                                                 {42, -11},
+                                                 {-42, 11},
+                                                 {42, 11},
+                                                 {-18, -31},
+                                                 {18, -31},
+                                                 {-18, 31},
+                                                 {18, 31}}};
   for (const SheetPoint offset : kOffsets) {
     if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return center + offset;
   }

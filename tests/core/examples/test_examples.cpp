@@ -2,7 +2,11 @@
 #include <QFile>
 #include <QTest>
 
+#include "core/analysis/analysis.h"
+#include "core/gears/train.h"
 #include "core/io/mechanism_file.h"
+#include "core/matroid/exact_solution.h"
+#include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
 #include "core/ttgraph/tt_solution.h"
 #include "tests/core/support/tt_case.h"
@@ -18,12 +22,14 @@ std::string contentsOf(const QString& name) {
   return file.readAll().toStdString();
 }
 
-/// An example's own inputs, and the rates that its notes promise: label of the joint, rate.
+/// What an example's notes promise for its own inputs: label of the joint, rate. `findings` are the codes
+/// that the analysis and the gears report.
 struct Promise {
   const char* example;
   int freedoms;
   int redundant;
   std::vector<std::pair<int, Rational>> rates;
+  std::vector<Code> findings = {};
 };
 
 const std::vector<Promise>& promises() {
@@ -34,15 +40,70 @@ const std::vector<Promise>& promises() {
        {{10, Rational(-1, 2)}, {12, Rational(-2, 3)}, {13, Rational(-8, 9)}, {14, Rational(-16, 27)}}},
       {"spur-pair", 1, 0, {{4, Rational(-2, 3)}}},
       {"planetary-ring-held", 1, 0, {{5, Rational(2, 7)}, {6, Rational(-20, 21)}}},
-      {"three-planets", 1, 2, {{7, Rational(2, 7)}, {9, Rational(-20, 21)}}},
-      {"redundant-planetary", 2, 4, {{11, 0}, {12, Rational(-16, 9)}, {16, Rational(-16, 9)}}},
-      {"ferguson-paradox", 1, 0, {{8, Rational(-1, 99)}, {9, 0}, {10, Rational(1, 101)}}},
-      {"bevel-differential", 2, 1, {{8, Rational(1, 2)}}},
+      {"reverted-train", 1, 0, {{5, Rational(-1, 6)}, {6, Rational(1, 18)}}},
+      {"three-planets",
+       1,
+       2,
+       {{7, Rational(2, 7)}, {9, Rational(-20, 21)}},
+       {Code::redundantMesh, Code::redundantMesh}},
+      {"cannot-be-assembled",
+       1,
+       2,
+       {{7, Rational(1, 4)}, {9, Rational(-3, 4)}},
+       {Code::redundantMesh, Code::redundantMesh, Code::assembly, Code::assembly}},
+      {"redundant-planetary",
+       2,
+       4,
+       {{11, 0}, {12, Rational(-16, 9)}, {16, Rational(-16, 9)}},
+       {Code::redundantMesh, Code::redundantMesh, Code::redundantMesh, Code::redundantMesh}},
+      {"ferguson-paradox", 1, 0, {{8, Rational(-1, 99)}, {9, 0}, {10, Rational(1, 101)}}, {Code::deadJoint}},
+      {"bevel-differential", 2, 1, {{8, Rational(1, 2)}}, {Code::redundantMesh}},
       {"humpage-reduction", 1, 0, {{6, Rational(5, 24)}, {8, Rational(17, 1176)}}},
       {"ravigneaux", 2, 0, {{9, Rational(5, 12)}, {8, Rational(-5, 6)}}},
       {"simpson", 2, 0, {{9, Rational(75, 183)}, {7, Rational(-75, 33) * Rational(75, 183)}}},
-      {"locked-train", 0, 0, {{4, 0}, {5, 0}, {6, 0}}},
+      {"eight-speed-gearbox", 4, 0, {{17, Rational(3, 2)}, {20, Rational(23, 108)}}},
+      {"locked-train", 0, 0, {{4, 0}, {5, 0}, {6, 0}}, {Code::locked}},
       {"bevel-wrist", 3, 0, {{9, Rational(2, 3)}, {11, 0}, {12, Rational(-8, 9)}}},
+      {"three-roll-wrist", 3, 0, {{9, Rational(-4, 5)}, {11, 0}, {12, Rational(-2, 3)}}},
+  };
+  return all;
+}
+
+/// The example that is wrong on purpose; it promises nothing but its mistakes.
+const QString kToMend = QStringLiteral("robot-to-mend");
+
+QStringList codesOf(const Diagnostics& findings) {
+  QStringList codes;
+  for (const Diagnostic& finding : findings) {
+    const std::string_view name = codeName(finding.code);
+    codes << QString::fromUtf8(name.data(), qsizetype(name.size()));
+  }
+  return codes;
+}
+
+SnapshotPtr analyzed(const Mechanism& mechanism) {
+  return analyzeLive(std::make_shared<const Mechanism>(mechanism));
+}
+
+/// A gear of the eight-speed gearbox. What is engaged drives the four inputs (input shaft, suns 1 and 2, ring
+/// 1, ring 3 with sun 4) at these speeds; `ratio` is as published.
+struct Shift {
+  const char* state;
+  std::vector<Rational> speeds;
+  double ratio;
+};
+
+const std::vector<Shift>& shifts() {
+  static const std::vector<Shift> all{
+      {"1", {1, 0, 0, 1}, 4.6957},
+      {"2", {1, 0, 0, Rational(3, 2)}, 3.1304},
+      {"3", {1, 1, 0, 1}, 2.1039},
+      {"4", {1, Rational(9, 5), 0, Rational(3, 5)}, 1.6667},
+      {"5", {1, Rational(3171, 1471), 0, 1}, 1.2845},
+      {"6", {1, 1, 1, 1}, 1},
+      {"7", {1, 0, Rational(3171, 1700), 1}, 0.8392},
+      {"8", {1, 0, Rational(9, 4), Rational(3, 2)}, 0.6667},
+      {"R", {1, 0, 0, Rational(-621, 436)}, -3.2968},
   };
   return all;
 }
@@ -60,7 +121,7 @@ class ExamplesTest : public QObject {
     for (const QString& file : QDir(kFolder).entryList({QStringLiteral("*.geargraph")})) {
       files.insert(file.section('.', 0, 0));
     }
-    std::set<QString> promised;
+    std::set<QString> promised{kToMend};
     for (const Promise& promise : promises()) promised.insert(QString::fromLatin1(promise.example));
     QCOMPARE(files, promised);
   }
@@ -81,6 +142,18 @@ class ExamplesTest : public QObject {
     QVERIFY(!read->notes.empty());
     QVERIFY(treeDiagnostics(*read).empty());
 
+    const SnapshotPtr snapshot = analyzed(*read);
+    QVERIFY(snapshot->matroid() != nullptr);
+    QCOMPARE(snapshot->matroid()->dof, promise.freedoms);
+    QCOMPARE(snapshot->matroid()->rank, read->c() - promise.redundant);
+    Diagnostics promised;
+    for (const Code code : promise.findings) promised.push_back({code, {}, {}, {}, 0, 0});
+    Diagnostics findings = snapshot->diagnostics;
+    for (const Diagnostic& finding : trainOf(*read, snapshot->kinematics->placement).diagnostics) {
+      findings.push_back(finding);
+    }
+    QCOMPARE(codesOf(findings), codesOf(promised));
+
     const test::TtCase found(*read);
     for (const Diagnostic& finding : found.placement.diagnostics) qWarning("%s", finding.message.c_str());
     QVERIFY(found.placement.diagnostics.empty());
@@ -95,6 +168,57 @@ class ExamplesTest : public QObject {
       const auto joint = static_cast<std::size_t>(label - read->jointLabel(0));
       QCOMPARE(rates[joint].toString(), rate.toString());
     }
+  }
+
+  void theEightSpeedGearboxHasThePublishedRatios() {
+    const Mechanism gearbox = readMechanism(contentsOf(QStringLiteral("eight-speed-gearbox"))).value();
+    QCOMPARE(gearbox.states.size(), shifts().size());
+    const SnapshotPtr snapshot = analyzed(gearbox);
+    for (std::size_t i = 0; i < shifts().size(); ++i) {
+      const Shift& shift = shifts()[i];
+      QCOMPARE(gearbox.states[i].name, std::string(shift.state));
+      const auto solution =
+          solveExact(*snapshot->kinematics->model, snapshot->matroid()->choice.joints, shift.speeds);
+      QVERIFY(solution.has_value());
+      // The first eight joints tie links 1..8 to the ground.
+      const auto speedOf = [&](LinkId link) {
+        for (std::size_t joint = 0; joint < gearbox.turningJoints.size(); ++joint) {
+          if (gearbox.turningJoints[joint].head == link) return solution->rates[joint];
+        }
+        return Rational(0);
+      };
+      for (const CouplingId engaged : gearbox.states[i].engaged) {
+        const Coupling& coupling = *gearbox.find(engaged);
+        const Rational held = coupling.kind == CouplingKind::brake ? 0 : speedOf(coupling.links[1]);
+        QCOMPARE(speedOf(coupling.links[0]).toString(), held.toString());
+      }
+      const Rational ratio = speedOf(*gearbox.states[i].drive) / speedOf(*gearbox.states[i].driven);
+      QVERIFY2(std::abs(ratio.toDouble() - shift.ratio) < 0.5e-4, ratio.toString().c_str());
+    }
+  }
+
+  void theRobotToMendIsMendedOneFindingAfterAnother() {
+    const std::string bytes = contentsOf(kToMend);
+    Mechanism wrong = readMechanism(bytes).value();
+    QCOMPARE(QString::fromStdString(writeMechanism(wrong)), QString::fromStdString(bytes));
+    QCOMPARE(codesOf(analyzed(wrong)->diagnostics), QStringList{QStringLiteral("turning-loop")});
+
+    const ElementId bearing = wrong.turningJoints.back().id;
+    wrong = withoutElements(wrong, std::vector{bearing}).value();
+    QCOMPARE(codesOf(analyzed(wrong)->diagnostics), QStringList{QStringLiteral("teeth-geometry")});
+
+    wrong = withTeeth(wrong, wrong.gearMeshes[1].id, 20, 30).value();
+    QCOMPARE(codesOf(analyzed(wrong)->diagnostics), QStringList{QStringLiteral("invalid-inputs")});
+
+    std::vector<Input> inputs = *wrong.inputs;
+    inputs[1].joint = wrong.turningJoints[1].id;
+    wrong = withInputs(wrong, inputs).value();
+    QVERIFY(analyzed(wrong)->diagnostics.empty());
+
+    const Mechanism robot = readMechanism(contentsOf(QStringLiteral("robot"))).value();
+    wrong.name = robot.name;
+    wrong.notes = robot.notes;
+    QVERIFY(wrong == robot);
   }
 };
 
