@@ -56,8 +56,21 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   return snapshot;
 }
 
-SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
+SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
+  if (live->mechanism->states.empty() || !live->kinematics || !live->kinematics->model) return live;
+  auto states = solveStates(*live->mechanism, *live->kinematics->model, live->kinematics->placement,
+                            options.symbolic, stop);
+  if (!states) return nullptr;
   auto snapshot = std::make_shared<AnalysisSnapshot>(*live);
+  append(snapshot->diagnostics, stateDiagnostics(*states));
+  snapshot->states = std::make_shared<const std::vector<StateSolution>>(std::move(*states));
+  return snapshot;
+}
+
+SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
+  const SnapshotPtr withStates = analyzeStates(live, options, stop);
+  if (!withStates) return nullptr;
+  auto snapshot = std::make_shared<AnalysisSnapshot>(*withStates);
   snapshot->isComplete = true;
   const MatroidAnalysis* matroid = live->matroid();
   if (matroid == nullptr || !matroid->solution || hasErrors(live->diagnostics)) return snapshot;

@@ -8,6 +8,7 @@
 #include "core/analysis/kinematics.h"
 #include "core/base/diagnostic.h"
 #include "core/graph/matrices.h"
+#include "core/states/state_solution.h"
 
 namespace geargraph {
 
@@ -26,7 +27,10 @@ struct AnalysisSnapshot {
   std::vector<IntegerMatrixPtr> matrices;
   LiveKinematicsPtr kinematics;  ///< null where there is no tree
   SolvedKinematicsPtr solved;    ///< null until the second step, and where the live part has no solution
-  bool isComplete = false;       ///< the second step is done
+  /// By state of the document; null until the second step, where there are no states, and where a mesh has no
+  /// geometry.
+  std::shared_ptr<const std::vector<StateSolution>> states;
+  bool isComplete = false;  ///< the second step is done
   Diagnostics diagnostics;
 
   [[nodiscard]] const IntegerMatrixPtr& matrix(MatrixKind kind) const {
@@ -47,8 +51,13 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 [[nodiscard]] SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision = 0,
                                       const std::stop_token& stop = {});
 
-/// The second step: exact fractions by both methods, their agreement, and symbols. The same snapshot with
-/// them. Null when `stop` was requested meanwhile.
+/// The states of the document solved, and their findings: the same snapshot with them. Null when `stop` was
+/// requested meanwhile.
+[[nodiscard]] SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options = {},
+                                        const std::stop_token& stop = {});
+
+/// The second step: the states, exact fractions by both methods, their agreement, and symbols. The same
+/// snapshot with them. Null when `stop` was requested meanwhile.
 [[nodiscard]] SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options = {},
                                        const std::stop_token& stop = {});
 

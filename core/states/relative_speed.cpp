@@ -1,0 +1,46 @@
+#include "core/states/relative_speed.h"
+
+#include <algorithm>
+
+#include "core/placement/mesh_word.h"
+#include "core/placement/tolerance.h"
+
+namespace geargraph {
+
+int directionSign(const Placement& placement, int oneClass, int otherClass) {
+  const Vector3& one = placement.lineOfClass(oneClass).direction;
+  const Vector3& other = placement.lineOfClass(otherClass).direction;
+  if (length(cross(one, other)) >= kSameLine) return 0;
+  return dot(one, other) < 0 ? -1 : 1;
+}
+
+RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int to) {
+  const AxisClasses& classes = *placement.classes;
+  ClassPath path;
+  path.walk(classes, *placement.tree, from, to);
+  RelativeSpeed speed;
+  int last = -1;  // the part of the stretch before
+  int entry = from;
+  for (std::size_t i = 0; i < path.classes().size(); ++i) {
+    const int at = path.classes()[i];
+    const int exit = i + 1 < path.classes().size() ? path.change(i) : to;
+    int sign = 1;
+    auto part = std::find_if(speed.parts.begin(), speed.parts.end(), [&](const Part& known) {
+      return (sign = directionSign(placement, known.axisClass, at)) != 0;
+    });
+    if (part == speed.parts.end()) {
+      sign = 1;
+      part = speed.parts.insert(part, Part{at, {}});
+    }
+    const int top = classes.classes[static_cast<std::size_t>(at)].top;
+    if (exit != top) part->terms.push_back({exit, sign});
+    if (entry != top) part->terms.push_back({entry, -sign});
+    const int index = static_cast<int>(part - speed.parts.begin());
+    if (index != last) ++speed.stretches;
+    last = index;
+    entry = exit;
+  }
+  return speed;
+}
+
+}  // namespace geargraph
