@@ -10,7 +10,7 @@
 namespace geargraph::cli {
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kExport, &kPose};
+  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates, &kExport, &kPose};
   return kCommands;
 }
 

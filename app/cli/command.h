@@ -28,6 +28,7 @@ struct Command {
 extern const Command kAnalyze;
 extern const Command kValidate;
 extern const Command kInputs;
+extern const Command kStates;
 extern const Command kExport;
 extern const Command kPose;
 

@@ -32,7 +32,9 @@ int run(const Arguments& arguments) {
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
   const Diagnostics diagnostics =
-      document ? analyzeLive(std::make_shared<const Mechanism>(*document))->diagnostics : document.error();
+      document
+          ? analyzeStates(analyzeLive(std::make_shared<const Mechanism>(*document)), {false})->diagnostics
+          : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(diagnostics), status);
   return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);

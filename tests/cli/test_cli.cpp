@@ -8,6 +8,7 @@
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
 #include "tests/cli/cli_run.h"
+#include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
@@ -70,6 +71,49 @@ class TestCli : public QObject {
         }
       }
     }
+  }
+
+  void states_giveTheShiftTableOfTheEightSpeedGearbox() {
+    save(test::eightSpeed());
+    const Run result = run({"states", path("m"), "--json"});
+    QCOMPARE(result.status, 0);
+    QCOMPARE(result.errors, std::string());
+    const json table = json::parse(result.output);
+    QCOMPARE(table["format"].get<std::string>(), std::string("geargraph-states"));
+    QCOMPARE(table["version"].get<int>(), 1);
+    QCOMPARE(table["states"].size(), std::size_t(9));
+    const json& first = table["states"][0];
+    QCOMPARE(first["name"].get<std::string>(), std::string("1"));
+    QCOMPARE(first["engaged"], json({"A", "B", "C"}));
+    QCOMPARE(first["dof"].get<int>(), 1);
+    QCOMPARE(first["ratio"].get<std::string>(), std::string("108/23"));
+    QVERIFY(std::abs(first["ratioNumeric"].get<double>() - 4.6957) < 5e-5);
+    QCOMPARE(first["jointSpeeds"].size(), std::size_t(12));
+    QCOMPARE(first["jointSpeeds"]["13"].get<std::string>(), std::string("1"));       // the input shaft
+    QCOMPARE(first["jointSpeeds"]["14"].get<std::string>(), std::string("23/108"));  // the output shaft
+    QVERIFY(first["diagnostics"].empty());
+  }
+
+  void states_thatLockOrAreFreeWarnAndAreNoError() {
+    Mechanism gearbox = test::eightSpeed();
+    gearbox.states.clear();
+    test::addState(gearbox, "N", {"A"}, 1, 2);
+    test::addState(gearbox, "X", {"A", "B", "C", "D"}, 1, 2);
+    save(gearbox);
+    const Run result = run({"states", path("m"), "--json"});
+    QCOMPARE(result.status, 0);
+    const json table = json::parse(result.output);
+    for (const auto& [position, dof, code] :
+         {std::tuple(0, 3, "state-free"), std::tuple(1, 0, "state-locked")}) {
+      const json& state = table["states"][static_cast<std::size_t>(position)];
+      QCOMPARE(state["dof"].get<int>(), dof);
+      QVERIFY(state["ratio"].is_null() && state["ratioNumeric"].is_null() && state["jointSpeeds"].is_null());
+      QCOMPARE(state["diagnostics"][0]["code"].get<std::string>(), std::string(code));
+      QCOMPARE(state["diagnostics"][0]["severity"].get<std::string>(), std::string("warning"));
+    }
+    const Run text = run({"states", path("m")});
+    QVERIFY(text.errors.find("[state-free]") != std::string::npos);
+    QVERIFY(run({"validate", path("m")}).output.find("[state-locked]") != std::string::npos);
   }
 
   void json_isReadByAnotherReader_andHoldsTheMatrices() {

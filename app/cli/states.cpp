@@ -1,0 +1,196 @@
+// `states FILE [--json]`: the shift table of a gearbox.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/load.h"
+#include "core/analysis/analysis.h"
+
+namespace geargraph::cli {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+class StatesJson {
+ public:
+  StatesJson(JsonWriter& json, const AnalysisSnapshot& snapshot) : m_json(json), m_snapshot(snapshot) {}
+
+  void write(const StateSolution& solution) {
+    const ShiftState& state = m_snapshot.mechanism->states[static_cast<std::size_t>(solution.state)];
+    m_json.beginObject();
+    m_json.member("name", state.name);
+    m_json.key("engaged");
+    m_json.beginArray(Layout::row);
+    for (const CouplingId coupling : state.engaged) m_json.string(coupling.text());
+    m_json.endArray();
+    writeDof(solution);
+    writeRatio(solution);
+    writeSpeeds(solution);
+    m_json.key("diagnostics");
+    writeDiagnostics(m_json, solution.diagnostics);
+    m_json.endObject();
+  }
+
+ private:
+  void writeDof(const StateSolution& solution) {
+    m_json.key("dof");
+    if (hasErrors(solution.diagnostics)) return m_json.null();
+    m_json.number(static_cast<std::int64_t>(solution.dof));
+  }
+
+  void writeRatio(const StateSolution& solution) {
+    m_json.key("ratio");
+    solution.ratio ? m_json.string(solution.ratio->toString()) : m_json.null();
+    m_json.key("ratioNumeric");
+    solution.ratio ? m_json.number(solution.ratio->toDouble()) : m_json.null();
+    m_json.key("ratioSymbolic");
+    solution.symbolicRatio ? m_json.string(solution.symbolicRatio->toText()) : m_json.null();
+  }
+
+  void writeSpeeds(const StateSolution& solution) {
+    m_json.key("jointSpeeds");
+    if (!solution.isSolved()) return m_json.null();
+    m_json.beginObject(Layout::row);
+    for (std::size_t joint = 0; joint < solution.rates.size(); ++joint) {
+      m_json.member(std::to_string(m_snapshot.graph->edgeLabel(static_cast<int>(joint))),
+                    solution.rates[joint].toString());
+    }
+    m_json.endObject();
+  }
+
+  JsonWriter& m_json;
+  const AnalysisSnapshot& m_snapshot;
+};
+
+std::string asJson(const AnalysisSnapshot* snapshot) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    json.member("format", "geargraph-states");
+    json.member("version", 1);
+    json.key("states");
+    if (snapshot != nullptr && (snapshot->states || snapshot->mechanism->states.empty())) {
+      json.beginArray();
+      if (snapshot->states) {
+        for (const StateSolution& solution : *snapshot->states) StatesJson(json, *snapshot).write(solution);
+      }
+      json.endArray();
+    } else {
+      json.null();
+    }
+    json.endObject();
+  }
+  return sink.take();
+}
+
+std::string decimal(const Rational& value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.4f", value.toDouble());
+  return buffer;
+}
+
+/// The shift table: a row a state, cells as text.
+std::vector<std::vector<std::string>> tableOf(const AnalysisSnapshot& snapshot) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  std::vector<std::vector<std::string>> rows{{"state"}};
+  for (const Coupling& coupling : mechanism.couplings) rows[0].push_back(coupling.id.text());
+  for (const char* heading : {"ratio", "decimal", "step", "in the gear ratios"})
+    rows[0].emplace_back(heading);
+  const StateSolution* before = nullptr;
+  for (const StateSolution& solution : *snapshot.states) {
+    std::vector<std::string> row{mechanism.states[static_cast<std::size_t>(solution.state)].name};
+    for (int coupling = 0; coupling < static_cast<int>(mechanism.couplings.size()); ++coupling) {
+      const bool isEngaged = std::binary_search(solution.engaged.begin(), solution.engaged.end(), coupling);
+      row.emplace_back(isEngaged ? "x" : ".");
+    }
+    const auto step = before == nullptr ? std::nullopt : stepBetween(*before, solution);
+    row.push_back(solution.ratio ? solution.ratio->toString() : "-");
+    row.push_back(solution.ratio ? decimal(*solution.ratio) : "-");
+    row.push_back(step ? decimal(*step) : "");
+    row.push_back(solution.symbolicRatio ? solution.symbolicRatio->toText() : "");
+    rows.push_back(std::move(row));
+    before = &solution;
+  }
+  return rows;
+}
+
+std::size_t widthOf(const std::string& utf8) {
+  return static_cast<std::size_t>(std::count_if(
+      utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+}
+
+/// The names at the left, numbers at the right edge of their columns, the symbols last.
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], widthOf(row[i]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string gap(widths[i] - widthOf(row[i]), ' ');
+      const bool isLeft = i == 0 || i + 1 == row.size();
+      line += (i == 0 ? "" : "  ") + (isLeft ? row[i] + gap : gap + row[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+/// Why a state without a ratio has none, where no finding says it.
+std::string remarks(const AnalysisSnapshot& snapshot) {
+  std::string text;
+  for (const StateSolution& solution : *snapshot.states) {
+    const ShiftState& state = snapshot.mechanism->states[static_cast<std::size_t>(solution.state)];
+    if (solution.ratio || !solution.diagnostics.empty()) continue;
+    text += "State " + state.name + ": ";
+    if (!state.drive || !state.driven) {
+      text += "it names no drive and driven link, so it has no ratio.\n";
+    } else {
+      text += solution.drivenStands ? "the driven link stands still.\n"
+                                    : "the driven link turns about several directions at once.\n";
+    }
+  }
+  return text.empty() ? text : '\n' + text;
+}
+
+std::string asText(const AnalysisSnapshot& snapshot) {
+  const std::string name = snapshot.mechanism->name.empty() ? "Mechanism" : snapshot.mechanism->name;
+  const std::size_t count = snapshot.mechanism->states.size();
+  if (count == 0) return name + ": no states\n";
+  std::string text = name + ": " + std::to_string(count) + (count == 1 ? " state\n\n" : " states\n\n");
+  return text + aligned(tableOf(snapshot)) + remarks(snapshot);
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kStates, "One file is needed.");
+  const std::string& file = arguments.files.front();
+  const auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  const SnapshotPtr snapshot =
+      document ? analyzeStates(analyzeLive(std::make_shared<const Mechanism>(*document))) : nullptr;
+  const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
+  std::cerr << diagnosticLines(file, diagnostics);
+  const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
+  if (arguments.has("--json")) return print(asJson(snapshot.get()), status);
+  const bool isThere = snapshot && (snapshot->states || snapshot->mechanism->states.empty());
+  return isThere ? print(asText(*snapshot), status) : status;
+}
+
+constexpr std::array kOptions = {Option{"--json", "", "as JSON"}};
+
+}  // namespace
+
+const Command kStates = {"states", "FILE [--json]",
+                         "The shift table: what each state of the brakes and clutches does.", kOptions, run};
+
+}  // namespace geargraph::cli
