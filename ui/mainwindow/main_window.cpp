@@ -14,6 +14,7 @@
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/models/joint_preview.h"
+#include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
@@ -148,6 +149,8 @@ void MainWindow::makeDocks() {
   m_view3d = new View3D(m_selection, this);
   addDock("dock.view3d", tr("3D"), m_view3d, Qt::RightDockWidgetArea);
   addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults(), Qt::RightDockWidgetArea);
+  m_gearbox = new GearboxPanel(m_document, m_selection, this);
+  addDock("dock.gearbox", tr("Gearbox"), m_gearbox, Qt::RightDockWidgetArea);
   addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
@@ -164,8 +167,9 @@ void MainWindow::applyDefaultLayout() {
   dock("dock.matrices")->raise();
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
-  tabifyDockWidget(dock("dock.inputs"), dock("dock.properties"));
-  dock("dock.inputs")->raise();
+  tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));
+  tabifyDockWidget(dock("dock.gearbox"), dock("dock.properties"));
+  dock(m_document->mechanism()->states.empty() ? "dock.inputs" : "dock.gearbox")->raise();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
   resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() * 53 / 100, height() * 47 / 100},
@@ -231,6 +235,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_matrices->setSnapshot(snapshot);
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);
+  m_gearbox->setSnapshot(snapshot);
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
@@ -258,6 +263,8 @@ bool MainWindow::openDocument(const QString& path) {
   m_title = isExample ? name : QString();
   m_document->replace(std::move(opened).value(), isExample ? QString() : path);
   if (!isExample) m_recent->add(path);
+  if (!m_document->mechanism()->states.empty())
+    findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
   renewTitle();
   return true;
 }

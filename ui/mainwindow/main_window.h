@@ -16,6 +16,7 @@ namespace geargraph {
 class DigraphView;
 class DockTitles;
 class DrawingView;
+class GearboxPanel;
 class InputsPanel;
 class MatricesPanel;
 class ProblemsPanel;
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
+  [[nodiscard]] GearboxPanel& gearbox() { return *m_gearbox; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   ProblemsPanel* m_problems = nullptr;
   PropertiesPanel* m_properties = nullptr;
   ResultsPanel* m_results = nullptr;
+  GearboxPanel* m_gearbox = nullptr;
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   RecentFiles* m_recent = nullptr;

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/term_tips.h"
@@ -151,6 +152,7 @@ void JointForm::placeAxis(const std::optional<NumberTriple>& triple, bool ofPoin
         [triple, ofPoint](Mechanism before, const ElementId& joint) {
           const AxisId id = before.find(JointId(joint.id))->axis;
           const Axis axis = *before.find(id);
+          if (ofPoint && triple && axis.point) return withAxisMoved(std::move(before), id, *triple);
           return withAxisPlaced(std::move(before), id, ofPoint ? triple : axis.point,
                                 ofPoint ? axis.direction : triple);
         });
@@ -218,8 +220,8 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
       const bool ofTail = field == m_tailTeeth;
       apply(tr("Change teeth"), [ofTail, teeth = asTeeth(*number)](Mechanism before, const ElementId& id) {
         const GearMesh mesh = *before.find(MeshId(id.id));
-        return withTeeth(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
-                         ofTail ? mesh.headTeeth : teeth);
+        return withTeethFitted(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
+                               ofTail ? mesh.headTeeth : teeth);
       });
     });
   }
@@ -227,7 +229,9 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
     newGesture();
     const auto kind = index > 0 ? std::optional(static_cast<MeshKind>(index - 1)) : std::nullopt;
     apply(tr("Change kind"), [kind](Mechanism before, const ElementId& id) {
-      return withMeshKind(std::move(before), MeshId(id.id), kind);
+      const MeshId mesh(id.id);
+      return kind ? withKindFitted(std::move(before), mesh, *kind)
+                  : withMeshKind(std::move(before), mesh, kind);
     });
   });
   connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);

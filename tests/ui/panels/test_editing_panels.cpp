@@ -6,6 +6,7 @@
 
 #include "core/mechanism/edits.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/train_sketch.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/properties_panel.h"
@@ -173,6 +174,19 @@ class EditingPanelsTest : public QObject {
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
       return label->isVisible() && label->text().contains("No joint is driven yet");
     }));
+  }
+
+  void theRingFollowsTheTeethOfTheSunInOneUndoStep() {
+    document->replace(test::planetary(24, 18, 3), {});
+    const MechanismPtr before = document->mechanism();
+    selection.select({ElementId(before->gearMeshes[0].id)});
+    type(property("tailTeeth"), QStringLiteral("30"));
+    for (int planet = 0; planet < 3; ++planet) {
+      QCOMPARE(document->mechanism()->gearMeshes[static_cast<std::size_t>(2 * planet)].tailTeeth, 30);
+      QCOMPARE(document->mechanism()->gearMeshes[static_cast<std::size_t>(2 * planet + 1)].headTeeth, 66);
+    }
+    document->undoStack().undo();
+    QCOMPARE(document->mechanism(), before);
   }
 };
 

@@ -1,0 +1,121 @@
+#include <QAbstractItemModelTester>
+#include <QLabel>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/mechanism/edits.h"
+#include "tests/core/support/gearboxes.h"
+#include "ui/panels/gearbox_panel.h"
+
+namespace geargraph {
+
+class GearboxPanelTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Document> document;
+  Selection selection;
+  std::unique_ptr<GearboxPanel> panel;
+
+  void settle() { panel->setSnapshot(analyze(document->mechanism(), document->revision())); }
+  QTableView& table() { return *panel->findChild<QTableView*>(QStringLiteral("shiftTable")); }
+  void click(int row, int column) {
+    const QRect cell = table().visualRect(panel->model().index(row, column));
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
+    settle();
+  }
+  QString text(int row, StatesModel::Tail tail) {
+    const int column = panel->model().couplingCount() + 1 + static_cast<int>(tail);
+    return panel->model().index(row, column).data().toString();
+  }
+  void press(const char* button) {
+    QTest::mouseClick(panel->findChild<QToolButton*>(QLatin1String(button)), Qt::LeftButton);
+    settle();
+  }
+
+ private slots:
+  void init() {
+    selection.clear();
+    document = std::make_unique<Document>();
+    document->replace(test::eightSpeed(), {});
+    panel = std::make_unique<GearboxPanel>(document.get(), &selection);
+    panel->resize(640, 420);
+    panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
+    settle();
+  }
+  void cleanup() { panel.reset(); }
+
+  void theModelKeepsTheRulesOfItemModels() {
+    QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    document->undoStack().clear();
+    press("addState");
+    document->undoStack().undo();
+  }
+
+  void theShiftTableShowsRatiosAndSteps() {
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("108/23"));
+    QCOMPARE(text(0, StatesModel::Tail::decimal), QStringLiteral("4.6957"));
+    QCOMPARE(text(1, StatesModel::Tail::step), QStringLiteral("1.500"));
+    QCOMPARE(text(8, StatesModel::Tail::decimal), QStringLiteral("−3.2968"));
+    QCOMPARE(text(8, StatesModel::Tail::step), QString());
+    QVERIFY(panel->model().index(0, 1).data(StatesModel::EngagedRole).toBool());
+    QVERIFY(!panel->model().index(0, 4).data(StatesModel::EngagedRole).toBool());
+  }
+
+  void aClickOnAStateGivesTheInputsItsSpeeds() {
+    click(0, panel->model().columnCount() - 2);
+    QVERIFY(panel->model().isRunning(0));
+    QVERIFY(!panel->model().isRunning(1));
+    QCOMPARE(document->undoStack().count(), 1);
+    const SnapshotPtr snapshot = analyze(document->mechanism());
+    QCOMPARE(snapshot->solved->exact->rates[1], Rational(23, 108));
+    click(8, 0);
+    QVERIFY(panel->model().isRunning(8) && !panel->model().isRunning(0));
+    document->undoStack().undo();
+    settle();
+    QVERIFY(panel->model().isRunning(0));
+  }
+
+  void aClickOnADotEngagesAndUndoReleases() {
+    click(0, 4);  // D, on top of A, B and C
+    QCOMPARE(document->mechanism()->states[0].engaged.size(), std::size_t(4));
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("locked"));
+    QVERIFY(panel->remark().contains(QStringLiteral("locks its drive")));
+    document->undoStack().undo();
+    settle();
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("108/23"));
+    click(0, 1);  // without A there are two freedoms
+    QCOMPARE(text(0, StatesModel::Tail::ratio), QStringLiteral("2 free"));
+    QVERIFY(panel->remark().contains(QStringLiteral("2 degrees of freedom")));
+  }
+
+  void couplingsAreMadeOfTheSelectedLinks() {
+    selection.select({ElementId(LinkId("6"))});
+    press("addBrake");
+    QCOMPARE(document->mechanism()->couplings.back().kind, CouplingKind::brake);
+    QCOMPARE(document->mechanism()->couplings.back().links, std::vector{LinkId("6")});
+    selection.select({ElementId(LinkId("1")), ElementId(LinkId("8"))});
+    press("addClutch");
+    QCOMPARE(document->mechanism()->couplings.back().id, CouplingId("G"));
+    QCOMPARE(document->mechanism()->couplings.back().links, (std::vector{LinkId("1"), LinkId("8")}));
+    press("addState");
+    QCOMPARE(panel->model().rowCount(), 10);
+    QCOMPARE(document->undoStack().count(), 3);
+  }
+
+  void aStateIsRenamedInItsCell() {
+    panel->model().setData(panel->model().index(8, 0), QStringLiteral("Reverse"));
+    QCOMPARE(document->mechanism()->states[8].name, std::string("Reverse"));
+  }
+
+  void pointingAtADotLightsUpWhatItHolds() {
+    emit table().entered(panel->model().index(0, 3));
+    QVERIFY(selection.isHovered(ElementId(LinkId("1"))) && selection.isHovered(ElementId(LinkId("5"))));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::GearboxPanelTest)
+#include "test_gearbox_panel.moc"

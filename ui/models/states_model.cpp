@@ -1,0 +1,191 @@
+#include "ui/models/states_model.h"
+
+#include "ui/models/results_model.h"
+
+namespace geargraph {
+namespace {
+
+QString shown(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+QString decimalText(const Rational& value, int digits) {
+  return QString::number(value.toDouble(), 'f', digits).replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+}  // namespace
+
+void StatesModel::setMechanism(const MechanismPtr& mechanism) {
+  const bool same = m_mechanism && mechanism && m_mechanism->states == mechanism->states &&
+                    m_mechanism->couplings == mechanism->couplings && m_mechanism->links == mechanism->links;
+  if (same) {
+    m_mechanism = mechanism;
+    return;
+  }
+  beginResetModel();
+  m_mechanism = mechanism;
+  endResetModel();
+}
+
+void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+int StatesModel::couplingCount() const {
+  return m_mechanism ? static_cast<int>(m_mechanism->couplings.size()) : 0;
+}
+
+int StatesModel::couplingAt(int column) const {
+  return column >= 1 && column <= couplingCount() ? column - 1 : -1;
+}
+
+bool StatesModel::isTail(int column, Tail tail) const {
+  return column == couplingCount() + 1 + static_cast<int>(tail);
+}
+
+const StateSolution* StatesModel::solutionAt(int row) const {
+  if (!m_snapshot || !m_snapshot->states) return nullptr;
+  const Mechanism& solved = *m_snapshot->mechanism;
+  if (solved.states != m_mechanism->states || solved.couplings != m_mechanism->couplings) return nullptr;
+  return &(*m_snapshot->states)[static_cast<std::size_t>(row)];
+}
+
+bool StatesModel::isRunning(int row) const {
+  const StateSolution* state = solutionAt(row);
+  const bool isExact = m_snapshot && m_snapshot->solved && m_snapshot->solved->exact;
+  if (state == nullptr || !state->isSolved() || !isExact) return false;
+  const std::vector<Rational>& now = m_snapshot->solved->exact->rates;
+  std::optional<Rational> pace;  // the drive's speed
+  for (std::size_t joint = 0; joint < now.size(); ++joint) {
+    if (now[joint].isZero() != state->rates[joint].isZero()) return false;
+    if (now[joint].isZero()) continue;
+    const Rational here = now[joint] / state->rates[joint];
+    if (pace && *pace != here) return false;
+    pace = here;
+  }
+  return pace.has_value();
+}
+
+int StatesModel::rowCount(const QModelIndex& parent) const {
+  return !m_mechanism || parent.isValid() ? 0 : static_cast<int>(m_mechanism->states.size());
+}
+
+int StatesModel::columnCount(const QModelIndex& parent) const {
+  return !m_mechanism || parent.isValid() ? 0 : 1 + couplingCount() + static_cast<int>(Tail::count);
+}
+
+QString StatesModel::linkText(const std::optional<LinkId>& link) const {
+  return link ? shown(labelOf(*m_mechanism, *link).value_or("?")) : QStringLiteral("–");
+}
+
+QString StatesModel::ratioText(int row) const {
+  const StateSolution* solution = solutionAt(row);
+  if (solution == nullptr) return QStringLiteral("…");
+  if (solution->ratio) return printedFraction(*solution->ratio);
+  for (const Diagnostic& diagnostic : solution->diagnostics) {
+    if (diagnostic.code == Code::stateLocked) return tr("locked");
+    if (diagnostic.code == Code::stateFree) return tr("%1 free").arg(solution->dof);
+    return tr("linkage");
+  }
+  const ShiftState& state = m_mechanism->states[static_cast<std::size_t>(row)];
+  if (!state.drive || !state.driven) return QStringLiteral("–");
+  return solution->drivenStands ? tr("stands") : tr("tumbles");
+}
+
+QString StatesModel::tailText(int row, Tail tail) const {
+  const ShiftState& state = m_mechanism->states[static_cast<std::size_t>(row)];
+  const StateSolution* solution = solutionAt(row);
+  switch (tail) {
+    case Tail::links:
+      return QStringLiteral("%1 → %2").arg(linkText(state.drive), linkText(state.driven));
+    case Tail::ratio:
+      return ratioText(row);
+    case Tail::decimal:
+      return solution != nullptr && solution->ratio ? decimalText(*solution->ratio, 4) : QString();
+    default: {
+      const auto step =
+          row > 0 && solution != nullptr ? stepBetween(*solutionAt(row - 1), *solution) : std::nullopt;
+      return step ? decimalText(*step, 3) : QString();
+    }
+  }
+}
+
+QString StatesModel::textOf(int row, int column) const {
+  if (column == 0) return shown(m_mechanism->states[static_cast<std::size_t>(row)].name);
+  if (couplingAt(column) >= 0) return {};
+  return tailText(row, static_cast<Tail>(column - couplingCount() - 1));
+}
+
+QVariant StatesModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const int row = index.row();
+  const StateSolution* solution = solutionAt(row);
+  switch (role) {
+    case Qt::DisplayRole:
+      return textOf(row, index.column());
+    case Qt::EditRole:
+      return index.column() == 0 ? QVariant(textOf(row, 0)) : QVariant();
+    case EngagedRole: {
+      const int coupling = couplingAt(index.column());
+      if (coupling < 0) return false;
+      const auto& engaged = m_mechanism->states[static_cast<std::size_t>(row)].engaged;
+      const CouplingId id = m_mechanism->couplings[static_cast<std::size_t>(coupling)].id;
+      return std::find(engaged.begin(), engaged.end(), id) != engaged.end();
+    }
+    case RunningRole:
+      return isRunning(row);
+    case RemarkRole:
+      return isTail(index.column(), Tail::ratio) && (solution == nullptr || !solution->ratio);
+    case Qt::ToolTipRole:
+      if (solution != nullptr && !solution->diagnostics.empty())
+        return shown(solution->diagnostics.front().message);
+      if (isTail(index.column(), Tail::ratio) && solution != nullptr && solution->symbolicRatio)
+        return tr("In the gear ratios: %1").arg(shown(solution->symbolicRatio->toText()));
+      return {};
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags StatesModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (index.column() == 0) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool StatesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role == Qt::EditRole && index.column() == 0) emit renamed(index.row(), value.toString());
+  return false;
+}
+
+QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
+  const int position = couplingAt(section);
+  if (position >= 0) {
+    const Coupling& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
+    const bool isBrake = coupling.kind == CouplingKind::brake;
+    if (role == Qt::DisplayRole) return shown(coupling.id.text());
+    if (role == Qt::UserRole) {
+      return isBrake ? tr("%1 = 0").arg(linkText(coupling.links.front()))
+                     : tr("%1 = %2").arg(linkText(coupling.links.front()), linkText(coupling.links.back()));
+    }
+    if (role == Qt::ToolTipRole) {
+      return isBrake ? tr("Brake %1 holds link %2")
+                           .arg(shown(coupling.id.text()), linkText(coupling.links.front()))
+                     : tr("Clutch %1 makes links %2 and %3 turn as one")
+                           .arg(shown(coupling.id.text()), linkText(coupling.links.front()),
+                                linkText(coupling.links.back()));
+    }
+    return {};
+  }
+  if (role == Qt::ToolTipRole && isTail(section, Tail::links))
+    return tr("The ratio is the speed of the first link over that of the second. Click to choose them.");
+  if (role == Qt::ToolTipRole && isTail(section, Tail::step)) return tr("The ratio before over this one");
+  if (role != Qt::DisplayRole) return {};
+  const QString names[] = {tr("links"), tr("ratio"), tr("decimal"), tr("step")};
+  return section == 0 ? tr("state") : names[section - couplingCount() - 1];
+}
+
+}  // namespace geargraph

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "core/analysis/analysis.h"
+
+namespace geargraph {
+
+/// The shift table: a row a state of the document; its name, a column for each coupling, the links that make
+/// the ratio, the ratio exact and decimal, the step from the state before.
+///
+/// Names and dots are the document's at once; what is computed follows with the snapshot of the same states.
+class StatesModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    EngagedRole = Qt::UserRole,  ///< bool: the column's coupling is engaged in the row's state
+    RunningRole,                 ///< bool: the inputs' speeds are those of the row's state
+    RemarkRole,                  ///< bool: the text says why there is no ratio
+  };
+  /// What stands behind the couplings.
+  enum class Tail { links, ratio, decimal, step, count };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setMechanism(const MechanismPtr& mechanism);
+  void setSnapshot(const SnapshotPtr& snapshot);
+
+  [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
+  [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+  [[nodiscard]] int couplingCount() const;
+  /// The coupling of a column, -1 where it is none.
+  [[nodiscard]] int couplingAt(int column) const;
+  [[nodiscard]] bool isTail(int column, Tail tail) const;
+  /// Null until the snapshot of these states is there.
+  [[nodiscard]] const StateSolution* solutionAt(int row) const;
+  [[nodiscard]] bool isRunning(int row) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Emits renamed(); the document answers.
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+  /// Of a coupling: its name, and in Qt::UserRole what it holds.
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role = Qt::DisplayRole) const override;
+
+ signals:
+  void renamed(int row, const QString& name);
+
+ private:
+  [[nodiscard]] QString textOf(int row, int column) const;
+  [[nodiscard]] QString ratioText(int row) const;
+  [[nodiscard]] QString tailText(int row, Tail tail) const;
+  [[nodiscard]] QString linkText(const std::optional<LinkId>& link) const;
+
+  MechanismPtr m_mechanism;
+  SnapshotPtr m_snapshot;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,325 @@
+#include "ui/panels/gearbox_panel.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include "core/mechanism/edits.h"
+#include "core/mechanism/shift_edits.h"
+#include "ui/panels/states_table.h"
+#include "ui/panels/term_tips.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_model(new StatesModel(this)),
+      m_table(new StatesTable(m_model, this)),
+      m_brake(makeButton("addBrake", tr("+ Brake"),
+                         tr("Hold a link against the ground: the selected one, or choose"))),
+      m_clutch(makeButton("addClutch", tr("+ Clutch"),
+                          tr("Make two links turn as one: the two selected, or choose"))),
+      m_state(makeButton("addState", tr("+ State"), tr("A new row: what is engaged together"))),
+      m_pages(new QStackedWidget(this)),
+      m_empty(new QLabel(this)),
+      m_remark(new QLabel(this)) {
+  m_empty->setProperty("look", "empty");
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setText(
+      tr("A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a "
+         "link "
+         "and add a brake, or two links and add a clutch; then add states that engage them."));
+  m_pages->addWidget(m_table);
+  m_pages->addWidget(m_empty);
+  m_remark->setObjectName(QStringLiteral("remark"));
+  m_remark->setWordWrap(true);
+  m_remark->setContentsMargins(16, 4, 16, 0);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(12, 6, 12, 0);
+  buttons->setSpacing(2);
+  for (QToolButton* button : {m_brake, m_clutch, m_state}) buttons->addWidget(button);
+  buttons->addStretch(1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 8);
+  layout->setSpacing(2);
+  layout->addLayout(buttons);
+  layout->addWidget(m_pages, 1);
+  layout->addWidget(m_remark);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+
+  connect(m_brake, &QToolButton::clicked, this, &GearboxPanel::addBrake);
+  connect(m_clutch, &QToolButton::clicked, this, &GearboxPanel::addClutch);
+  connect(m_state, &QToolButton::clicked, this, &GearboxPanel::addState);
+  connect(document, &Document::changed, this, &GearboxPanel::renew);
+  wireTable();
+  renew();
+}
+
+QToolButton* GearboxPanel::makeButton(const char* name, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setProperty("look", "flat");
+  return button;
+}
+
+void GearboxPanel::wireTable() {
+  m_table->setObjectName(QStringLiteral("shiftTable"));
+  connect(m_table, &StatesTable::clicked, this, &GearboxPanel::onClick);
+  connect(m_table, &StatesTable::entered, this, &GearboxPanel::hoverCell);
+  connect(m_table, &StatesTable::left, this, [this] { m_selection->unhover(); });
+  connect(m_table, &StatesTable::customContextMenuRequested, this, &GearboxPanel::rowMenu);
+  connect(m_model, &StatesModel::renamed, this, [this](int row, const QString& name) {
+    apply(tr("Rename state"), [row, name = name.toStdString()](const Mechanism& before) {
+      return withStateRenamed(before, row, name);
+    });
+  });
+  StatesHeader& heads = m_table->heads();
+  connect(&heads, &StatesHeader::customContextMenuRequested, this, &GearboxPanel::headMenu);
+  connect(&heads, &StatesHeader::sectionDoubleClicked, this, [this, &heads](int section) {
+    if (m_model->couplingAt(section) >= 0) heads.rename(section);
+  });
+  connect(&heads, &StatesHeader::sectionPressed, this, [this](int section) {
+    const int coupling = m_model->couplingAt(section);
+    if (coupling < 0) return;
+    const auto& links = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].links;
+    m_selection->select({links.begin(), links.end()});
+  });
+  connect(&heads, &StatesHeader::renamed, this, [this](int section, const QString& name) {
+    const int coupling = m_model->couplingAt(section);
+    if (coupling < 0) return;
+    apply(tr("Rename coupling"),
+          [id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id,
+           name = name.toStdString()](const Mechanism& before) {
+            return withCouplingRenamed(before, id, name);
+          });
+  });
+}
+
+void GearboxPanel::apply(const QString& text, Reduce reduce) {
+  m_document->apply({text, std::move(reduce), 0});
+}
+
+void GearboxPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_model->setSnapshot(snapshot);
+  paintRemark();
+}
+
+void GearboxPanel::renew() {
+  const MechanismPtr& mechanism = m_document->mechanism();
+  m_model->setMechanism(mechanism);
+  const int states = static_cast<int>(mechanism->states.size());
+  if (m_shownState >= states) m_shownState = -1;
+  m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);
+  const bool moves = mechanism->n() > 0;
+  m_brake->setEnabled(moves);
+  m_clutch->setEnabled(mechanism->n() > 1);
+  m_state->setEnabled(moves);
+  paintRemark();
+}
+
+QString GearboxPanel::remark() const {
+  return m_remark->text();
+}
+
+/// The finding of the state that was clicked last, else the first there is, else what can be done.
+void GearboxPanel::paintRemark() {
+  const auto findingOf = [&](int row) -> const Diagnostic* {
+    const StateSolution* solution = row < 0 ? nullptr : m_model->solutionAt(row);
+    return solution == nullptr || solution->diagnostics.empty() ? nullptr : &solution->diagnostics.front();
+  };
+  const Diagnostic* finding = findingOf(m_shownState);
+  for (int row = 0; row < m_model->rowCount() && finding == nullptr; ++row) finding = findingOf(row);
+  QString text;
+  ColorRole role = ColorRole::secondary;
+  if (finding != nullptr) {
+    text = shownText(finding->message);
+    role = finding->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
+  } else if (m_model->rowCount() > 0) {
+    text = tr("Click a state to run the train in it, a dot to engage or release.");
+  } else if (m_model->couplingCount() > 0) {
+    text = tr("Add a state, then click its dots.");
+  }
+  m_remark->setText(text);
+  m_remark->setVisible(!text.isEmpty());
+  m_remark->setStyleSheet(QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+}
+
+void GearboxPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && m_model->mechanism()) paintRemark();
+}
+
+std::vector<LinkId> GearboxPanel::selectedLinks() const {
+  std::vector<LinkId> links;
+  for (const ElementId& element : m_selection->selected()) {
+    if (element.kind == ElementKind::link) links.emplace_back(element.id);
+  }
+  return links;
+}
+
+/// The moving links by label, with their names.
+void GearboxPanel::chooseLink(QMenu& menu, const std::function<void(LinkId)>& chosen,
+                              std::optional<LinkId> without) {
+  const Mechanism& mechanism = *m_document->mechanism();
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+    const Link& link = mechanism.links[i];
+    if (link.id == without) continue;
+    const QString name = shownText(link.name);
+    const QString text = name.isEmpty() ? tr("Link %1").arg(i) : tr("Link %1, %2").arg(i).arg(name);
+    QAction* action = menu.addAction(text, this, [chosen, id = link.id] { chosen(id); });
+    connect(action, &QAction::hovered, this, [this, id = link.id] { m_selection->hover(ElementId(id)); });
+  }
+}
+
+void GearboxPanel::addBrake() {
+  const auto add = [this](LinkId link) {
+    apply(tr("Add brake"), [link](const Mechanism& before) { return withBrake(before, link); });
+  };
+  const std::vector<LinkId> links = selectedLinks();
+  if (links.size() == 1) return add(links[0]);
+  QMenu menu(this);
+  chooseLink(menu, add);
+  menu.exec(m_brake->mapToGlobal(QPoint(0, m_brake->height())));
+  m_selection->unhover();
+}
+
+void GearboxPanel::addClutch() {
+  const auto add = [this](LinkId one, LinkId other) {
+    apply(tr("Add clutch"), [one, other](const Mechanism& before) { return withClutch(before, one, other); });
+  };
+  const std::vector<LinkId> links = selectedLinks();
+  if (links.size() == 2) return add(links[0], links[1]);
+  QMenu menu(this);
+  const Mechanism& mechanism = *m_document->mechanism();
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+    const LinkId one = mechanism.links[i].id;
+    QMenu* others = menu.addMenu(tr("Link %1 with").arg(i));
+    connect(others, &QMenu::aboutToShow, this, [this, others, one, add] {
+      if (others->isEmpty())
+        chooseLink(
+            *others, [one, add](LinkId other) { add(one, other); }, one);
+    });
+  }
+  menu.exec(m_clutch->mapToGlobal(QPoint(0, m_clutch->height())));
+  m_selection->unhover();
+}
+
+void GearboxPanel::addState() {
+  apply(tr("Add state"), [](const Mechanism& before) { return withState(before); });
+}
+
+void GearboxPanel::run(int state) {
+  m_shownState = state;
+  paintRemark();
+  const StateSolution* solution = m_model->solutionAt(state);
+  const SnapshotPtr& snapshot = m_model->snapshot();
+  if (solution == nullptr || !solution->isSolved() || snapshot->matroid() == nullptr) return;
+  std::vector<Input> inputs;
+  for (const int joint : snapshot->matroid()->choice.joints) {
+    const auto position = static_cast<std::size_t>(joint);
+    inputs.push_back(
+        {snapshot->mechanism->turningJoints[position].id, Number(solution->rates[position]), {}});
+  }
+  apply(tr("Run state %1").arg(m_model->index(state, 0).data().toString()),
+        [inputs](const Mechanism& before) { return withInputs(before, inputs); });
+}
+
+void GearboxPanel::onClick(const QModelIndex& index) {
+  const int row = index.row();
+  const int coupling = m_model->couplingAt(index.column());
+  if (coupling >= 0) {
+    m_shownState = row;
+    apply(tr("Engage coupling"),
+          [row, id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id,
+           engaged = !index.data(StatesModel::EngagedRole).toBool()](const Mechanism& before) {
+            return withEngaged(before, row, id, engaged);
+          });
+  } else if (m_model->isTail(index.column(), StatesModel::Tail::links)) {
+    const QRect cell = m_table->visualRect(index);
+    chooseLinks(row, m_table->viewport()->mapToGlobal(cell.bottomLeft()));
+  } else {
+    run(row);
+  }
+}
+
+void GearboxPanel::chooseLinks(int state, const QPoint& at) {
+  QMenu menu(this);
+  struct End {
+    QString title;
+    Expected<Mechanism> (*edit)(Mechanism, int, LinkId);
+  };
+  const auto fill = [&](const QString& title, int of, const End& end) {
+    chooseLink(*menu.addMenu(title), [this, of, end](LinkId link) {
+      apply(end.title, [of, end, link](const Mechanism& before) { return end.edit(before, of, link); });
+    });
+  };
+  const End drive{tr("Choose drive"), &withDrive};
+  const End driven{tr("Choose driven"), &withDriven};
+  fill(tr("Drive"), state, drive);
+  fill(tr("Driven"), state, driven);
+  menu.addSeparator();
+  fill(tr("Drive of all states"), -1, drive);
+  fill(tr("Driven of all states"), -1, driven);
+  menu.exec(at);
+  m_selection->unhover();
+}
+
+void GearboxPanel::rowMenu(const QPoint& at) {
+  const QModelIndex index = m_table->indexAt(at);
+  if (!index.isValid()) return;
+  const int row = index.row();
+  QMenu menu(this);
+  menu.addAction(tr("Run"), this, [this, row] { run(row); });
+  menu.addAction(tr("Rename"), this, [this, row] { m_table->edit(m_model->index(row, 0)); });
+  menu.addSeparator();
+  menu.addAction(tr("Delete"), this, [this, row] {
+    apply(tr("Delete state"), [row](const Mechanism& before) { return withoutState(before, row); });
+  });
+  menu.exec(m_table->viewport()->mapToGlobal(at));
+}
+
+void GearboxPanel::headMenu(const QPoint& at) {
+  const int section = m_table->heads().logicalIndexAt(at);
+  const int coupling = m_model->couplingAt(section);
+  if (coupling < 0) return;
+  QMenu menu(this);
+  menu.addAction(tr("Rename"), this, [this, section] { m_table->heads().rename(section); });
+  menu.addSeparator();
+  menu.addAction(tr("Delete"), this,
+                 [this, id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id] {
+                   apply(tr("Delete coupling"), [id](const Mechanism& before) {
+                     const std::vector<ElementId> gone{id};
+                     return withoutElements(before, gone);
+                   });
+                 });
+  menu.exec(m_table->heads().mapToGlobal(at));
+}
+
+void GearboxPanel::hoverCell(const QModelIndex& index) {
+  const int coupling = m_model->couplingAt(index.column());
+  if (coupling >= 0) return hoverCoupling(coupling);
+  const ShiftState& state = m_document->mechanism()->states[static_cast<std::size_t>(index.row())];
+  std::set<ElementId> elements;
+  for (const auto& end : {state.drive, state.driven}) {
+    if (end) elements.insert(*end);
+  }
+  m_selection->hover(std::move(elements));
+}
+
+void GearboxPanel::hoverCoupling(int coupling) {
+  const auto& links = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].links;
+  m_selection->hover(std::set<ElementId>(links.begin(), links.end()));
+}
+
+}  // namespace geargraph

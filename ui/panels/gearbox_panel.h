@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/document/document.h"
+#include "ui/models/states_model.h"
+#include "ui/selection/selection.h"
+
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolButton;
+
+namespace geargraph {
+
+class StatesTable;
+
+/// Brakes, clutches and the shift table. A click on a dot engages or releases a coupling in a state; a click
+/// on a state gives the inputs its speeds, so that the 3D view and the results run in it. All of it is undone
+/// like any edit.
+class GearboxPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  GearboxPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  [[nodiscard]] StatesModel& model() { return *m_model; }
+  /// The finding, or the hint, under the table.
+  [[nodiscard]] QString remark() const;
+
+ public slots:
+  /// The inputs get the speeds that the state makes for its drive at 1 rad/s.
+  void run(int state);
+  void addBrake();
+  void addClutch();
+  void addState();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  using Reduce = std::function<Expected<Mechanism>(const Mechanism&)>;
+
+  QToolButton* makeButton(const char* name, const QString& text, const QString& tip);
+  void wireTable();
+  void apply(const QString& text, Reduce reduce);
+  void renew();
+  void paintRemark();
+  void onClick(const QModelIndex& index);
+  void chooseLinks(int state, const QPoint& at);
+  void rowMenu(const QPoint& at);
+  void headMenu(const QPoint& at);
+  void hoverCell(const QModelIndex& index);
+  void hoverCoupling(int section);
+  void chooseLink(QMenu& menu, const std::function<void(LinkId)>& chosen, std::optional<LinkId> without = {});
+  [[nodiscard]] std::vector<LinkId> selectedLinks() const;
+
+  Document* m_document;
+  Selection* m_selection;
+  StatesModel* m_model;
+  StatesTable* m_table;
+  QToolButton* m_brake;
+  QToolButton* m_clutch;
+  QToolButton* m_state;
+  QStackedWidget* m_pages;
+  QLabel* m_empty;
+  QLabel* m_remark;
+  int m_shownState = -1;  ///< whose finding stands under the table
+};
+
+}  // namespace geargraph

@@ -1,0 +1,184 @@
+#include "ui/panels/states_table.h"
+
+#include <QLineEdit>
+#include <QPainter>
+
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kMargin = 16;  // at the left and right edge of the table
+
+void paintDot(QPainter& painter, const QPointF& centre, bool engaged, Theme theme) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (engaged) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(qColor(ColorRole::ink, theme));
+    painter.drawEllipse(centre, 6, 6);
+  } else {
+    painter.setPen(QPen(qColor(ColorRole::secondary, theme), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(centre, 2, 2);
+  }
+}
+
+/// A triangle before the name of the state that runs.
+void paintRunning(QPainter& painter, const QPointF& at, Theme theme) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(qColor(ColorRole::accent, theme));
+  painter.drawPolygon(QPolygonF{at + QPointF(0, -5), at + QPointF(8, 0), at + QPointF(0, 5)});
+}
+
+}  // namespace
+
+void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const {
+  const auto* model = static_cast<const StatesModel*>(index.model());
+  const Theme theme = themeOf(option.palette);
+  const QRectF cell(option.rect);
+  const bool running = index.data(StatesModel::RunningRole).toBool();
+  painter->save();
+  if (running) {
+    QColor band = qColor(ColorRole::halo, theme);
+    band.setAlphaF(0.45F);
+    painter->fillRect(option.rect, band);
+  }
+  painter->setPen(qColor(ColorRole::ink, theme));
+  QFont font = option.font;
+  const QString text = index.data().toString();
+  if (index.column() == 0) {
+    if (running) paintRunning(*painter, {cell.left() + 6, cell.center().y()}, theme);
+    font.setBold(true);
+    painter->setFont(font);
+    painter->setPen(qColor(running ? ColorRole::accent : ColorRole::ink, theme));
+    painter->drawText(cell.adjusted(kMargin + 4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+  } else if (model->couplingAt(index.column()) >= 0) {
+    paintDot(*painter, cell.center(), index.data(StatesModel::EngagedRole).toBool(), theme);
+  } else {
+    const bool remark = index.data(StatesModel::RemarkRole).toBool();
+    if (remark) painter->setPen(qColor(text.size() > 1 ? ColorRole::warning : ColorRole::secondary, theme));
+    if (model->isTail(index.column(), StatesModel::Tail::ratio) && !remark) font.setBold(true);
+    if (model->isTail(index.column(), StatesModel::Tail::links))
+      painter->setPen(qColor(ColorRole::secondary, theme));
+    painter->setFont(font);
+    const bool last = index.column() == model->columnCount() - 1;
+    painter->drawText(cell.adjusted(0, 0, last ? -kMargin : -6, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+  }
+  painter->restore();
+}
+
+StatesHeader::StatesHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+  setSectionResizeMode(QHeaderView::Fixed);
+  setHighlightSections(false);
+  setSectionsClickable(true);
+  setFixedHeight(42);
+}
+
+void StatesHeader::rename(int section) {
+  auto* editor = new QLineEdit(model()->headerData(section, Qt::Horizontal).toString(), viewport());
+  editor->setGeometry(sectionViewportPosition(section), 2, std::max(sectionSize(section), 56), 26);
+  editor->selectAll();
+  editor->show();
+  editor->setFocus();
+  connect(editor, &QLineEdit::editingFinished, this, [this, editor, section] {
+    if (editor->property("done").toBool()) return;  // Return and the loss of focus both end it
+    editor->setProperty("done", true);
+    editor->deleteLater();
+    emit renamed(section, editor->text());
+  });
+}
+
+void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
+  const Theme theme = themeOf(palette());
+  const auto* states = static_cast<const StatesModel*>(model());
+  const QString text = states->headerData(section, Qt::Horizontal).toString();
+  painter->save();
+  if (states->couplingAt(section) >= 0) {
+    QFont bold = font();
+    bold.setBold(true);
+    painter->setFont(bold);
+    painter->setPen(qColor(ColorRole::ink, theme));
+    painter->drawText(rect.adjusted(0, 4, 0, -20), Qt::AlignCenter, text);
+    QFont small = font();
+    small.setPixelSize(kSmallPixels - 1);
+    painter->setFont(small);
+    painter->setPen(qColor(ColorRole::secondary, theme));
+    painter->drawText(rect.adjusted(0, 21, 0, -3), Qt::AlignCenter,
+                      states->headerData(section, Qt::Horizontal, Qt::UserRole).toString());
+  } else {
+    painter->setPen(qColor(ColorRole::secondary, theme));
+    const bool last = section == states->columnCount() - 1;
+    const Qt::Alignment side = section == 0 ? Qt::AlignLeft : Qt::AlignRight;
+    painter->drawText(rect.adjusted(section == 0 ? kMargin + 4 : 0, 21, last ? -kMargin : -6, -3),
+                      side | Qt::AlignVCenter, text);
+  }
+  painter->restore();
+}
+
+StatesTable::StatesTable(StatesModel* model, QWidget* parent)
+    : QTableView(parent), m_model(model), m_heads(new StatesHeader(this)) {
+  setHorizontalHeader(m_heads);
+  setModel(model);
+  setItemDelegate(new StatesDelegate(this));
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(24);
+  setShowGrid(false);
+  setMouseTracking(true);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setContextMenuPolicy(Qt::CustomContextMenu);
+  m_heads->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(model, &QAbstractItemModel::modelReset, this, &StatesTable::fitColumns);
+  connect(model, &QAbstractItemModel::dataChanged, this, &StatesTable::fitColumns);
+}
+
+int StatesTable::widthOf(int column) const {
+  constexpr int kRowsMeasured = 200;
+  QFont small = font();
+  small.setPixelSize(kSmallPixels - 1);
+  QFont bold = font();
+  bold.setBold(true);
+  const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };
+  if (m_model->couplingAt(column) >= 0) {
+    return std::max({36, 10 + QFontMetrics(bold).horizontalAdvance(head(Qt::DisplayRole)),
+                     8 + QFontMetrics(small).horizontalAdvance(head(Qt::UserRole))});
+  }
+  const bool isBold = column == 0 || m_model->isTail(column, StatesModel::Tail::ratio);
+  const QFontMetrics metrics(isBold ? bold : font());
+  int width = QFontMetrics(font()).horizontalAdvance(head(Qt::DisplayRole));
+  for (int row = 0; row < std::min(m_model->rowCount(), kRowsMeasured); ++row) {
+    width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+  }
+  const bool atEdge = column == 0 || column == m_model->columnCount() - 1;
+  return std::min(width + 12 + (atEdge ? kMargin : 0), 220);
+}
+
+void StatesTable::fitColumns() {
+  int rest = viewport()->width();
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    const int width = widthOf(column);
+    m_heads->resizeSection(column, width);
+    rest -= width;
+  }
+  // What is left over parts the numbers from the dots.
+  if (rest > 0 && m_model->columnCount() > 0) {
+    const int links = m_model->couplingCount() + 1;
+    m_heads->resizeSection(links, m_heads->sectionSize(links) + rest);
+  }
+}
+
+void StatesTable::leaveEvent(QEvent* event) {
+  QTableView::leaveEvent(event);
+  emit left();
+}
+
+void StatesTable::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  fitColumns();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QHeaderView>
+#include <QStyledItemDelegate>
+#include <QTableView>
+
+#include "ui/models/states_model.h"
+
+namespace geargraph {
+
+/// Paints the cells of the shift table: dots of engaged couplings, names, ratios.
+class StatesDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+/// The heads of the columns: a coupling's name above what it holds; a name is edited in place.
+class StatesHeader : public QHeaderView {
+  Q_OBJECT
+
+ public:
+  explicit StatesHeader(QWidget* parent);
+  void rename(int section);
+
+ signals:
+  void renamed(int section, const QString& name);
+
+ protected:
+  void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+};
+
+/// The shift table of a StatesModel, its columns as wide as they need.
+class StatesTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  explicit StatesTable(StatesModel* model, QWidget* parent = nullptr);
+  [[nodiscard]] StatesHeader& heads() { return *m_heads; }
+  void fitColumns();
+
+ signals:
+  void left();  ///< the mouse is elsewhere
+
+ protected:
+  void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  [[nodiscard]] int widthOf(int column) const;
+
+  StatesModel* m_model;
+  StatesHeader* m_heads;
+};
+
+}  // namespace geargraph
