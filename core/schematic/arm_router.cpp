@@ -1,0 +1,250 @@
+#include "core/schematic/arm_router.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace geargraph {
+namespace {
+
+constexpr double kCrossing = 400;  ///< px of detour that one crossing is worth
+constexpr double kBend = 30;
+constexpr double kTouch = 4;  ///< nearer than this is on the line
+constexpr double kNear = 10;  ///< nearer than this looks crowded
+constexpr double kCrowded = 20;
+constexpr double kOnLine = 40;  ///< a px along a line
+constexpr double kBeside = 4;   ///< a px beside one
+constexpr double kLaneStep = 11;
+constexpr double kLeastLane = 4;  ///< lanes that nobody asked for keep this apart
+
+double apart(const LinkLine& line, SheetPoint from, SheetPoint to) {
+  const Extent box = Extent::spanning(from, to);
+  if (box.meetsSegment(line.from, line.to)) return 0;
+  return std::min({distanceToSegment(line.from, from, to), distanceToSegment(line.to, from, to),
+                   distanceToSegment(from, line.from, line.to), distanceToSegment(to, line.from, line.to)});
+}
+
+/// What it costs a foreign arm to run from one place to another near a line: crossing it, or beside it.
+double tollOf(const LinkLine& line, SheetPoint from, SheetPoint to) {
+  const double away = apart(line, from, to);
+  if (away >= kNear) return 0;
+  const SheetPoint way = unit(to - from);
+  const SheetPoint along = unit(line.to - line.from);
+  double beside = 0;
+  if (std::abs(dot(way, turned(along))) < 0.3) {
+    const double a = dot(line.from - from, way);
+    const double b = dot(line.to - from, way);
+    beside = std::max(std::min(std::max(a, b), distance(from, to)) - std::max(std::min(a, b), 0.0), 0.0);
+  }
+  return away < kTouch ? kCrossing + kOnLine * beside : kCrowded + kBeside * beside;
+}
+
+/// Sorted lanes; `exact` ones stay where they are, others give way to them.
+std::vector<double> lanes(std::vector<double> exact, const std::vector<double>& wished) {
+  const auto tidy = [](std::vector<double>& values, double least) {
+    std::sort(values.begin(), values.end());
+    std::vector<double> kept;
+    for (const double v : values) {
+      if (kept.empty() || v - kept.back() > least) kept.push_back(v);
+    }
+    values = std::move(kept);
+  };
+  tidy(exact, 1e-6);
+  std::vector<double> all = exact;
+  for (const double v : wished) {
+    const auto near = std::lower_bound(exact.begin(), exact.end(), v - kLeastLane);
+    if (near == exact.end() || *near > v + kLeastLane) all.push_back(v);
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<double> kept;
+  for (const double v : all) {
+    const bool isExact = std::binary_search(exact.begin(), exact.end(), v);
+    if (kept.empty() || isExact || v - kept.back() > kLeastLane) kept.push_back(v);
+  }
+  return kept;
+}
+
+std::size_t index(const std::vector<double>& values, double v) {
+  return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), v) - values.begin());
+}
+
+}  // namespace
+
+ArmRouter::ArmRouter(const std::vector<LinkLine>& lines, const std::vector<SheetPoint>& ends) {
+  std::vector<double> exactX;
+  std::vector<double> exactY;
+  std::vector<double> wishedX;
+  std::vector<double> wishedY;
+  const auto ask = [](std::vector<double>& wished, double from, double to) {
+    for (const double step : {kLaneStep, 2 * kLaneStep}) {
+      wished.push_back(std::min(from, to) - step);
+      wished.push_back(std::max(from, to) + step);
+    }
+  };
+  for (const LinkLine& line : lines) {
+    ask(wishedX, line.from.x, line.to.x);
+    ask(wishedY, line.from.y, line.to.y);
+    if (line.hold < 0) continue;  // arms may begin on the others
+    const bool upright = std::abs(line.from.x - line.to.x) < 1e-6;
+    const bool level = std::abs(line.from.y - line.to.y) < 1e-6;
+    for (const SheetPoint p : {line.from, line.to}) {
+      (level ? wishedX : exactX).push_back(p.x);
+      (upright ? wishedY : exactY).push_back(p.y);
+    }
+  }
+  for (const SheetPoint p : ends) {
+    exactX.push_back(p.x);
+    exactY.push_back(p.y);
+  }
+  m_xs = lanes(exactX, wishedX);
+  m_ys = lanes(exactY, wishedY);
+  m_level.resize(m_xs.size() * m_ys.size());
+  m_upright.resize(m_xs.size() * m_ys.size());
+  for (const LinkLine& line : lines) addLine(line);
+}
+
+int ArmRouter::node(std::size_t column, std::size_t row) const {
+  return static_cast<int>(row * m_xs.size() + column);
+}
+
+SheetPoint ArmRouter::place(int node) const {
+  const auto n = static_cast<std::size_t>(node);
+  return {m_xs[n % m_xs.size()], m_ys[n / m_xs.size()]};
+}
+
+std::optional<int> ArmRouter::nodeAt(SheetPoint p) const {
+  const std::size_t column = index(m_xs, p.x - 1e-3);
+  const std::size_t row = index(m_ys, p.y - 1e-3);
+  if (column >= m_xs.size() || row >= m_ys.size()) return std::nullopt;
+  if (m_xs[column] > p.x + 1e-3 || m_ys[row] > p.y + 1e-3) return std::nullopt;
+  return node(column, row);
+}
+
+void ArmRouter::addLine(const LinkLine& line) {
+  m_lines.push_back(line);
+  charge(line, true);
+  charge(line, false);
+}
+
+/// Puts a line's toll on the edges that cross or touch it.
+void ArmRouter::charge(const LinkLine& line, bool level) {
+  const Extent box = Extent::spanning(line.from, line.to).grown(kNear);
+  const std::size_t left = index(m_xs, box.left());
+  const std::size_t right = index(m_xs, box.right());
+  const std::size_t top = index(m_ys, box.top());
+  const std::size_t bottom = index(m_ys, box.bottom());
+  for (std::size_t row = level ? top : (top > 0 ? top - 1 : 0); row < std::min(bottom + 1, m_ys.size());
+       ++row) {
+    for (std::size_t column = level ? (left > 0 ? left - 1 : 0) : left;
+         column < std::min(right + 1, m_xs.size()); ++column) {
+      if ((level ? column + 1 : row + 1) >= (level ? m_xs.size() : m_ys.size())) continue;
+      const SheetPoint from{m_xs[column], m_ys[row]};
+      const SheetPoint to{m_xs[column + (level ? 1 : 0)], m_ys[row + (level ? 0 : 1)]};
+      const double toll = tollOf(line, from, to);
+      if (toll <= 0) continue;
+      auto& tolls = (level ? m_level : m_upright)[static_cast<std::size_t>(node(column, row))];
+      tolls.push_back({line.link, toll});
+    }
+  }
+}
+
+double ArmRouter::tollFor(const Tolls& tolls, int link) {
+  double sum = 0;
+  for (const Toll& toll : tolls) {
+    if (toll.link != link) sum += toll.cost;
+  }
+  return sum;
+}
+
+std::vector<std::pair<int, double>> ArmRouter::startsOf(int link) const {
+  std::vector<std::pair<int, double>> starts;
+  for (const LinkLine& line : m_lines) {
+    if (line.link != link || line.hold < 0) continue;
+    const Extent box = Extent::spanning(line.from, line.to).grown(1e-3);
+    for (std::size_t row = index(m_ys, box.top()); row < m_ys.size() && m_ys[row] <= box.bottom(); ++row) {
+      for (std::size_t column = index(m_xs, box.left()); column < m_xs.size() && m_xs[column] <= box.right();
+           ++column) {
+        const SheetPoint p{m_xs[column], m_ys[row]};
+        if (distanceToSegment(p, line.from, line.to) < 1e-3)
+          starts.emplace_back(node(column, row), line.hold);
+      }
+    }
+  }
+  return starts;
+}
+
+/// The bends of the way that led to a state.
+ArmRouter::Course ArmRouter::courseTo(int state, const std::vector<int>& from, int link) const {
+  std::vector<SheetPoint> places;
+  for (int s = state; s >= 0; s = from[static_cast<std::size_t>(s)]) {
+    const SheetPoint p = place(s / 2);
+    if (places.empty() || distance(places.back(), p) > 1e-6) places.push_back(p);
+  }
+  std::reverse(places.begin(), places.end());
+  Course course;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool straight =
+        i > 0 && i + 1 < places.size() &&
+        std::abs(dot(unit(places[i] - places[i - 1]), turned(unit(places[i + 1] - places[i])))) < 1e-6;
+    if (!straight) course.points.push_back(places[i]);
+  }
+  for (std::size_t i = 1; i < course.points.size(); ++i) {
+    const Extent way = Extent::spanning(course.points[i - 1], course.points[i]);
+    course.length += 2 * (way.halfWidth + way.halfHeight);
+    course.crossings +=
+        static_cast<int>(std::count_if(m_lines.begin(), m_lines.end(), [&](const LinkLine& line) {
+          return line.link >= 0 && line.link != link && way.meetsSegment(line.from, line.to);
+        }));
+  }
+  return course;
+}
+
+std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets) {
+  const std::size_t count = m_xs.size() * m_ys.size();
+  // State: node and the way it was reached, 0 level, 1 upright.
+  std::vector<double> best(2 * count, std::numeric_limits<double>::infinity());
+  std::vector<int> from(2 * count, -1);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto reach = [&](int state, double cost, int via) {
+    if (cost >= best[static_cast<std::size_t>(state)]) return;
+    best[static_cast<std::size_t>(state)] = cost;
+    from[static_cast<std::size_t>(state)] = via;
+    queue.emplace(cost, state);
+  };
+  for (const auto& [start, hold] : startsOf(link)) {
+    reach(2 * start, hold, -1);
+    reach(2 * start + 1, hold, -1);
+  }
+  std::vector<bool> isTarget(count);
+  for (const SheetPoint target : targets) {
+    if (const auto there = nodeAt(target)) isTarget[static_cast<std::size_t>(*there)] = true;
+  }
+  while (!queue.empty()) {
+    const auto [cost, state] = queue.top();
+    queue.pop();
+    if (cost > best[static_cast<std::size_t>(state)]) continue;
+    const int here = state / 2;
+    const auto at = static_cast<std::size_t>(here);
+    if (isTarget[at]) {
+      Course course = courseTo(state, from, link);
+      for (std::size_t i = 1; i < course.points.size(); ++i) {
+        addLine({course.points[i - 1], course.points[i], link, 0});
+      }
+      return course;
+    }
+    const std::size_t column = at % m_xs.size();
+    const std::size_t row = at / m_xs.size();
+    const auto step = [&](int next, int way, const Tolls& tolls) {
+      const double bend = way == state % 2 ? 0 : kBend;
+      reach(2 * next + way, cost + distance(place(here), place(next)) + bend + tollFor(tolls, link), state);
+    };
+    if (column + 1 < m_xs.size()) step(here + 1, 0, m_level[at]);
+    if (column > 0) step(here - 1, 0, m_level[at - 1]);
+    if (row + 1 < m_ys.size()) step(here + static_cast<int>(m_xs.size()), 1, m_upright[at]);
+    if (row > 0) step(here - static_cast<int>(m_xs.size()), 1, m_upright[at - m_xs.size()]);
+  }
+  return std::nullopt;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "core/drawing/emphasis.h"
+#include "core/schematic/section_labels.h"
+
+namespace geargraph {
+
+/// The functional schematic of a mechanism [AU, Figs. 1 and 3] in its plain look: the section drawing of
+/// textbooks with the symbols of ISO 3952. Everything in it names its element.
+struct SchematicGeometry {
+  std::vector<Mark> marks;       ///< in painting order
+  std::vector<Mark> highlights;  ///< only seen while their element stands out
+  std::vector<Outline> outlines;
+  std::vector<DrawnPart::Alike> alike;  ///< elements that another one stands for
+  std::vector<std::string> notes;
+
+  [[nodiscard]] bool isEmpty() const { return marks.empty(); }
+};
+
+/// Draws what the mechanism has so far: axes, and the links that turning joints tie to the ground. Axes that
+/// do not lie in one plane are unfolded, and a note says so.
+///
+/// Cost: 10 links in a few milliseconds, 1,000 in some seconds: not for the thread of the windows.
+/// @pre the mechanism is well formed
+[[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism);
+
+/// The drawing with what stands out: halos behind what is hovered, accent on what is selected. Equal planets
+/// stand out together.
+[[nodiscard]] DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& emphases);
+
+}  // namespace geargraph

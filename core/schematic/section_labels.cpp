@@ -1,0 +1,262 @@
+#include "core/schematic/section_labels.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/drawing/emphasis.h"
+#include "core/drawing/obstacle_grid.h"
+#include "core/drawing/text_metrics.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kDiscRadius = 9.5;
+constexpr double kNumberSize = 11;
+constexpr double kNoteSize = 11;
+constexpr double kGap = 2.5;        ///< that a label keeps from everything
+constexpr double kLeaderFrom = 12;  ///< a label farther away than this has a leader
+
+/// Finds places that are free and takes them.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(const Section& section) : m_taken(areaOf(section)) {
+    for (const Mark& mark : section.marks) {
+      if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(stroke->shape);
+      if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(fill->shape);
+    }
+  }
+
+  struct Place {
+    SheetPoint center;
+    SheetPoint anchor;
+    double away = 0;  ///< from the anchor to the label's edge
+  };
+
+  /// The free place nearest to one of the anchors, the first ones preferred.
+  Place take(const std::vector<SheetPoint>& anchors, double halfWidth, double halfHeight, bool mayCover) {
+    constexpr int kDirections = 24;
+    constexpr double kStep = 4;
+    constexpr double kFarthest = 400;
+    for (double away = 5; away < kFarthest; away += kStep) {
+      for (const SheetPoint anchor : anchors) {
+        for (int k = 0; k < kDirections; ++k) {
+          const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
+          const SheetPoint way{std::cos(angle), -std::sin(angle)};
+          const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),
+                                          halfHeight / std::max(std::abs(way.y), 1e-9));
+          const Extent box{anchor + (away + support) * way, halfWidth, halfHeight};
+          if (m_taken.touches(box, kGap) || (!mayCover && leaderHits(anchor, box.center))) continue;
+          take(box);
+          return {box.center, anchor, away};
+        }
+      }
+    }
+    const Extent box{anchors.front(), halfWidth, halfHeight};
+    take(box);
+    return {box.center, box.center, 0};
+  }
+
+  void take(const Extent& box) {
+    m_taken.addBox(box);
+    m_labels.push_back(box);
+  }
+  void line(SheetPoint from, SheetPoint to) { m_taken.addCurve(Curve::straight(from, to)); }
+
+ private:
+  static Extent areaOf(const Section& section) {
+    Extent all;
+    bool first = true;
+    for (const Mark& mark : section.marks) {
+      all = first ? extentOf(mark) : all.united(extentOf(mark));
+      first = false;
+    }
+    return all.grown(60);
+  }
+
+  void occupy(const Shape& shape) {
+    if (const auto* line = std::get_if<Polyline>(&shape)) {
+      for (std::size_t i = 1; i < line->points.size(); ++i) {
+        m_taken.addCurve(Curve::straight(line->points[i - 1], line->points[i]));
+      }
+      if (line->closed) m_taken.addCurve(Curve::straight(line->points.back(), line->points.front()));
+    } else if (const auto* curve = std::get_if<Curve>(&shape)) {
+      m_taken.addCurve(*curve);
+    } else {
+      m_taken.addBox(extentOf(shape));
+    }
+  }
+
+  [[nodiscard]] bool leaderHits(SheetPoint from, SheetPoint to) const {
+    for (const Extent& label : m_labels) {
+      if (label.grown(kGap).meetsSegment(from, to)) return true;
+    }
+    return false;
+  }
+
+  ObstacleGrid m_taken;
+  std::vector<Extent> m_labels;
+};
+
+class Labeller {
+ public:
+  Labeller(const DrawnPart& part, const Section& section)
+      : m_part(part), m_section(section), m_placer(section) {}
+
+  SectionLabels label(const std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < m_section.links.size(); ++i) addDisc(i);
+    for (const Section::Anchors& mesh : m_section.meshes) addNumber(mesh, numberOf(mesh.element), false);
+    for (const Section::Anchors& joint : m_section.joints) addNumber(joint, numberOf(joint.element), true);
+    for (const Section::Anchors& axis : m_section.axes) addAxisName(axis);
+    addNotes(notes);
+    return std::move(m_labels);
+  }
+
+ private:
+  [[nodiscard]] std::string numberOf(const ElementId& element) const {
+    const Mechanism& m = m_part.mechanism;
+    for (std::size_t j = 0; j < m.turningJoints.size(); ++j) {
+      if (element == ElementId(m.turningJoints[j].id)) return std::to_string(m_part.jointLabels[j]);
+    }
+    for (std::size_t c = 0; c < m.gearMeshes.size(); ++c) {
+      if (element == ElementId(m.gearMeshes[c].id)) return std::to_string(m_part.meshLabels[c]);
+    }
+    return {};
+  }
+
+  void put(const ElementId& element, MarkRole role, std::variant<Stroke, Fill, Text> what, int z) {
+    m_labels.marks.push_back({element, role, z, std::move(what)});
+  }
+
+  void leader(const ElementId& element, const LabelPlacer::Place& place, const Extent& box) {
+    if (place.away < kLeaderFrom) return;
+    const SheetPoint way = unit(place.anchor - box.center);
+    const double support = std::min(box.halfWidth / std::max(std::abs(way.x), 1e-9),
+                                    box.halfHeight / std::max(std::abs(way.y), 1e-9));
+    const SheetPoint edge = box.center + (support + 1) * way;
+    put(element, MarkRole::line,
+        Stroke{Polyline{{edge, place.anchor}, false}, ColorRole::secondary, 0.8, Dash::solid},
+        kLineDepth - 1);
+    m_placer.line(edge, place.anchor);
+  }
+
+  /// The ground needs no number: its hatching says what it is.
+  void addDisc(std::size_t link) {
+    const Section::Anchors& anchors = m_section.links[link];
+    if (link == 0 || anchors.places.empty()) return;
+    const int label = m_part.linkLabels[link];
+    const std::string number = std::to_string(label);
+    const double half = std::max(kDiscRadius, textWidth(number, kNumberSize, true) / 2 + 3.5);
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kDiscRadius, false);
+    const Extent box{place.center, half, kDiscRadius};
+    leader(anchors.element, place, box);
+    put(anchors.element, MarkRole::node, Fill{Box{box, kDiscRadius}, ColorRole::sheet}, kNodeDepth);
+    put(anchors.element, MarkRole::node, Stroke{Box{box, kDiscRadius}, Tint::ofLink(label), 2, Dash::solid},
+        kNodeDepth);
+    put(anchors.element, MarkRole::label, Text{number, place.center, kNumberSize, true, ColorRole::ink},
+        kNodeDepth);
+    m_labels.outlines.push_back({anchors.element, kNodeDepth, Box{box, kDiscRadius}, 0});
+  }
+
+  void addNumber(const Section::Anchors& anchors, const std::string& number, bool bold) {
+    if (anchors.places.empty()) return;
+    const double half = textWidth(number, kNumberSize, bold) / 2;
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kNumberSize / 2, false);
+    const Extent box{place.center, half, kNumberSize / 2};
+    leader(anchors.element, place, box);
+    put(anchors.element, MarkRole::label, Text{number, place.center, kNumberSize, bold, ColorRole::ink},
+        kLabelDepth);
+    m_labels.outlines.push_back({anchors.element, kLabelDepth, Box{box, 0}, 0});
+  }
+
+  void addAxisName(const Section::Anchors& anchors) {
+    const std::string name = elided(anchors.element.id.text(), 12);
+    const double half = textWidth(name, kNumberSize, false) / 2;
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kNumberSize / 2, true);
+    put(anchors.element, MarkRole::label, Text{name, place.center, kNumberSize, false, ColorRole::secondary},
+        kLabelDepth);
+    m_labels.outlines.push_back(
+        {anchors.element, kLabelDepth, Box{{place.center, half, kNumberSize / 2}, 0}, 0});
+  }
+
+  /// Under all that is drawn, from its middle.
+  void addNotes(const std::vector<std::string>& notes) {
+    if (m_section.marks.empty() && m_labels.marks.empty()) return;
+    Extent all = extentOf(m_section.marks.empty() ? m_labels.marks.front() : m_section.marks.front());
+    for (const Mark& mark : m_section.marks) all = all.united(extentOf(mark));
+    for (const Mark& mark : m_labels.marks) all = all.united(extentOf(mark));
+    double y = all.bottom() + 26;
+    for (const std::string& note : notes) {
+      put(ElementId{}, MarkRole::name, Text{note, {all.center.x, y}, kNoteSize, false, ColorRole::secondary},
+          kLabelDepth);
+      y += 1.5 * kNoteSize;
+    }
+  }
+
+  const DrawnPart& m_part;
+  const Section& m_section;
+  LabelPlacer m_placer;
+  SectionLabels m_labels;
+};
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string listed(const std::vector<int>& labels) {
+  std::vector<std::string> words;
+  for (const int label : labels) words.push_back(std::to_string(label));
+  return listed(words);
+}
+
+}  // namespace
+
+std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& layout) {
+  std::vector<std::string> notes;
+  for (const DrawnPart::Planets& planets : part.planets) {
+    const std::string what = planets.drawn.size() == 1 ? "planets" : "sets of planets";
+    notes.push_back("One of " + std::to_string(planets.count) + " equal " + what +
+                    " is drawn: " + listed(planets.others) +
+                    (planets.others.size() == 1 ? " is like " : " are like ") + listed(planets.drawn) + ".");
+  }
+  std::vector<std::string> turned;
+  for (const SheetAxis& axis : layout.axes) {
+    if (axis.turned) turned.push_back(part.mechanism.axes[static_cast<std::size_t>(axis.axis)].id.text());
+  }
+  if (layout.otherRadii) {
+    notes.emplace_back("Unfolded: the axes do not lie in one plane. Radii are not to scale.");
+  } else if (!turned.empty() && turned.size() <= 8) {
+    notes.push_back("Unfolded: the axes do not lie in one plane. " + listed(turned) +
+                    (turned.size() == 1 ? " is" : " are") + " turned into the sheet.");
+  } else if (!turned.empty()) {
+    notes.push_back("Unfolded: the axes do not lie in one plane. " + std::to_string(turned.size()) +
+                    " of them are turned into the sheet.");
+  }
+  for (const SheetPair& pair : layout.pairs) {
+    if (!pair.apart) continue;
+    notes.emplace_back("Wheels that a dashed line joins mesh, though they do not touch here.");
+    break;
+  }
+  if (!part.loose.empty()) {
+    notes.push_back((part.loose.size() == 1 ? "Link " : "Links ") + listed(part.loose) +
+                    (part.loose.size() == 1 ? " is" : " are") + " not drawn: no turning joint ties " +
+                    (part.loose.size() == 1 ? "it" : "them") + " to the ground.");
+  }
+  if (!part.closing.empty()) {
+    notes.push_back((part.closing.size() == 1 ? "Joint " : "Joints ") + listed(part.closing) +
+                    (part.closing.size() == 1 ? " closes" : " close") + " a loop and " +
+                    (part.closing.size() == 1 ? "is" : "are") + " not drawn.");
+  }
+  return notes;
+}
+
+SectionLabels sectionLabels(const DrawnPart& part, const SheetLayout& layout, const Section& section) {
+  return Labeller(part, section).label(sectionNotes(part, layout));
+}
+
+}  // namespace geargraph

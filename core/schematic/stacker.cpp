@@ -1,0 +1,397 @@
+#include "core/schematic/stacker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace geargraph {
+namespace {
+
+constexpr double kStep = 24;       ///< between places for bearings and walls
+constexpr double kBeside = 25;     ///< from a wheel to the first of them
+constexpr int kStepsAside = 4;     ///< places on either side of a wheel
+constexpr int kStepsOutside = 10;  ///< and beyond all of them
+constexpr double kCrossing = 100;  ///< cost of two things in one place
+constexpr double kEnclosed = 45;
+constexpr double kArmHalf = 3;
+constexpr std::size_t kMostPlaces = 64;
+constexpr int kRounds = 4;
+
+std::size_t at(int position) {
+  return static_cast<std::size_t>(position);
+}
+
+}  // namespace
+
+Stacker::Stacker(const DrawnPart& part, const Placement& placement, SheetLayout& layout)
+    : m_part(part), m_placement(placement), m_layout(layout) {
+  addFixedPieces();
+  addCups();
+  addBearings();
+}
+
+bool Stacker::areParallel(int a, int b) const {
+  const SheetPoint u = m_layout.axes[at(a)].along;
+  const SheetPoint v = m_layout.axes[at(b)].along;
+  return std::abs(dot(u, turned(v))) < 1e-6;
+}
+
+/// The upright box about a stretch of an axis, from one height to another.
+Extent Stacker::boxOn(int axis, double low, double high, double from, double to) const {
+  const SheetAxis& on = m_layout.axes[at(axis)];
+  return Extent::spanning(on.at(low, from), on.at(high, to))
+      .united(Extent::spanning(on.at(low, to), on.at(high, from)));
+}
+
+void Stacker::addFixedPieces() {
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    const SheetAxis& on = m_layout.axes[at(wheel.axis)];
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0 && on.half) continue;
+      const SheetPoint from = on.at(wheel.barFrom.x, side * wheel.barFrom.y);
+      const SheetPoint to = on.at(wheel.barTo.x, side * wheel.barTo.y);
+      m_fixed.push_back({Extent::spanning(from, to).grown(3), wheel.link});
+      const double foot = wheel.isRing() ? wheel.radius + kRimHeight : (isInFrame(wheel) ? wheel.radius : 0);
+      m_fixed.push_back(
+          {boxOn(wheel.axis, wheel.at - 2, wheel.at + 2, side * foot, side * wheel.radius), wheel.link});
+    }
+  }
+}
+
+/// Places beside every wheel on parallel axes, the nearest to what is wanted if there are many.
+std::vector<double> Stacker::placesOn(int axis, double wanted) const {
+  const SheetAxis& on = m_layout.axes[at(axis)];
+  std::vector<double> places{wanted};
+  double low = 1e300;
+  double high = -1e300;
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    if (!areParallel(axis, wheel.axis)) continue;
+    const SheetAxis& other = m_layout.axes[at(wheel.axis)];
+    const double a = on.coordinateOf(other.at(wheel.barFrom.x, 0));
+    const double b = on.coordinateOf(other.at(wheel.barTo.x, 0));
+    const double body = on.coordinateOf(other.at(wheel.at, 0));
+    for (int k = 0; k < kStepsAside; ++k) {
+      places.push_back(std::min({a, b, body}) - kBeside - k * kStep);
+      places.push_back(std::max({a, b, body}) + kBeside + k * kStep);
+    }
+    low = std::min({low, a, b, body});
+    high = std::max({high, a, b, body});
+  }
+  for (int k = kStepsAside; k < kStepsOutside && low <= high; ++k) {
+    places.push_back(low - kBeside - k * kStep);
+    places.push_back(high + kBeside + k * kStep);
+  }
+  const auto nearer = [&](double x, double y) { return std::abs(x - wanted) < std::abs(y - wanted) - 1e-9; };
+  std::stable_sort(places.begin(), places.end(), nearer);
+  std::vector<double> kept;
+  for (const double place : places) {
+    const bool known =
+        std::any_of(kept.begin(), kept.end(), [&](double k) { return std::abs(k - place) < 6; });
+    if (!known && kept.size() < kMostPlaces) kept.push_back(place);
+  }
+  return kept;
+}
+
+void Stacker::addCups() {
+  for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) {
+    const SheetWheel& wheel = m_layout.wheels[w];
+    if (!wheel.isRing() || wheel.link == 0 || axisOfLink(m_placement, wheel.link) != wheel.axis) continue;
+    Item item{true, static_cast<int>(m_cups.size()), wheel.at, 0, {}};
+    for (int k = 0; k < kStepsAside; ++k) {
+      item.places.push_back(wheel.at - kStep - k * kStep);
+      item.places.push_back(wheel.at + kStep + k * kStep);
+    }
+    m_cups.push_back({static_cast<int>(w), item.places.front()});
+    m_items.push_back(std::move(item));
+  }
+}
+
+/// Bearings of moving links come first: the ground stands round them.
+void Stacker::addBearings() {
+  const JointTree& tree = *m_placement.tree;
+  std::set<JointId> driven;
+  for (const Input& input : m_part.mechanism.inputs.value_or(std::vector<Input>{}))
+    driven.insert(input.joint);
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    SheetBearing bearing;
+    bearing.joint = static_cast<int>(j);
+    bearing.axis = m_placement.classes->classOf[j];
+    bearing.child = tree.child[j];
+    bearing.parent = tree.parent[at(bearing.child)];
+    const AxisLine& own = m_placement.axes[at(tree.axisOf[j])];
+    const double offset = m_part.mechanism.turningJoints[j].offset.value();
+    const Vector3 drawn = own.point + offset * own.direction;
+    bearing.at = m_layout.along(m_layout.axes[at(bearing.axis)], drawn);
+    const int home = bearing.parent == 0 ? -1 : axisOfLink(m_placement, bearing.parent);
+    bearing.straightArm = home >= 0 && home != bearing.axis && areParallel(home, bearing.axis);
+    bearing.driven = driven.contains(m_part.mechanism.turningJoints[j].id);
+    m_bearings.push_back(bearing);
+  }
+  for (const bool ground : {false, true}) {
+    for (const SheetBearing& bearing : m_bearings) {
+      if ((bearing.parent == 0) != ground) continue;
+      const TurningJoint& joint = m_part.mechanism.turningJoints[at(bearing.joint)];
+      const AxisLine& own = m_placement.axes[at(tree.axisOf[at(bearing.joint)])];
+      const bool says = !(own.automatic && joint.offset.value() == 0);
+      m_items.push_back(
+          {false, bearing.joint, bearing.at, says ? 0.12 : 0.02, placesOn(bearing.axis, bearing.at)});
+    }
+  }
+}
+
+double& Stacker::atOf(const Item& item) {
+  return item.isCup ? m_cups[at(item.index)].at : m_bearings[at(item.index)].at;
+}
+double Stacker::atOf(const Item& item) const {
+  return item.isCup ? m_cups[at(item.index)].at : m_bearings[at(item.index)].at;
+}
+int Stacker::axisOf(const Item& item) const {
+  return item.isCup ? m_layout.wheels[at(m_cups[at(item.index)].wheel)].axis
+                    : m_bearings[at(item.index)].axis;
+}
+
+std::vector<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
+  const int axis = axisOf(item);
+  const double x = atOf(item);
+  if (item.isCup) {
+    const SheetWheel& wheel = m_layout.wheels[at(m_cups[at(item.index)].wheel)];
+    return {{boxOn(axis, x - kArmHalf, x + kArmHalf, 0, wheel.radius + kRimHeight), wheel.link},
+            {boxOn(axis, std::min(x, wheel.at), std::max(x, wheel.at), wheel.radius + kRimHeight - 3,
+                   wheel.radius + kRimHeight + 3),
+             wheel.link}};
+  }
+  const SheetBearing& bearing = m_bearings[at(item.index)];
+  const double reach = kBearingGap + (bearing.parent == 0 ? kHatching + 3 : 3);
+  std::vector<Piece> pieces{
+      {boxOn(axis, x - kBearingHalf - 1, x + kBearingHalf + 1, -reach, reach), -1 - bearing.joint}};
+  if (bearing.straightArm) {
+    const SheetAxis& home = m_layout.axes[at(axisOfLink(m_placement, bearing.parent))];
+    const SheetPoint end = m_layout.axes[at(axis)].at(x, 0);
+    const SheetPoint start = home.at(home.coordinateOf(end), 0);
+    const SheetPoint way = unit(end - start);
+    const Extent line = Extent::spanning(start, end - (reach + 2) * way);
+    pieces.push_back({line.grown(kArmHalf), bearing.parent});
+  }
+  return pieces;
+}
+
+std::vector<int> Stacker::linksOn(int axis) const {
+  std::set<int> links;
+  for (const SheetBearing& bearing : m_bearings) {
+    if (bearing.axis == axis) links.insert(bearing.child);
+  }
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    if (wheel.axis == axis && !isInFrame(wheel)) links.insert(wheel.link);
+  }
+  return {links.begin(), links.end()};
+}
+
+/// Does the link hold axes that are not parallel to its own? Its arms go round what is between.
+bool Stacker::reachesAcross(int link) const {
+  const int home = axisOfLink(m_placement, link);
+  return std::any_of(m_bearings.begin(), m_bearings.end(), [&](const SheetBearing& bearing) {
+    return bearing.parent == link && bearing.axis != home && !bearing.straightArm;
+  });
+}
+
+std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
+  std::vector<Column> columns;
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    if (wheel.axis == axis && !wheel.isRing() && !isInFrame(wheel))
+      columns.push_back({wheel.at, wheel.link, wheel.link != 0});
+  }
+  for (const SheetCup& cup : m_cups) {
+    const SheetWheel& wheel = m_layout.wheels[at(cup.wheel)];
+    if (wheel.axis == axis) columns.push_back({cup.at, wheel.link, true});
+  }
+  for (const SheetBearing& bearing : m_bearings) {
+    if (bearing.axis == axis) columns.push_back({bearing.at, bearing.child, reachesAcross(bearing.child)});
+    if (!bearing.straightArm || axisOfLink(m_placement, bearing.parent) != axis) continue;
+    const SheetPoint end = m_layout.axes[at(bearing.axis)].at(bearing.at, 0);
+    columns.push_back({m_layout.axes[at(axis)].coordinateOf(end), bearing.parent, true});
+  }
+  return columns;
+}
+
+Stacker::Range Stacker::rangeOf(int axis, int link) const {
+  Range range;
+  for (const Column& column : columnsOn(axis)) {
+    if (column.link == link) range.include(column.at, column.at);
+  }
+  const bool own = link != 0 && axisOfLink(m_placement, link) == axis;
+  for (const SheetBearing& bearing : m_bearings) {
+    if (bearing.axis != axis) continue;
+    if (bearing.child == link) {
+      range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
+      if (bearing.driven) {
+        const double end = bearing.at + kDrivenEnd * freeEndOf(bearing);
+        range.include(end, end);
+      }
+    }
+    if (bearing.parent == link && own) range.include(bearing.at, bearing.at);
+  }
+  if (!own && !range.isEmpty()) range.include(range.low - 12, range.high + 12);
+  return range;
+}
+
+/// The end of the child's shaft beside which it holds nothing.
+double Stacker::freeEndOf(const SheetBearing& bearing) const {
+  double sum = 0;
+  for (const Column& column : columnsOn(bearing.axis)) {
+    if (column.link == bearing.child) sum += column.at - bearing.at;
+  }
+  return sum < 0 ? 1 : -1;
+}
+
+/// How many things on an axis cannot get past a shaft of another link, whichever of the two is hollow.
+int Stacker::conflictsOn(int axis) const {
+  const std::vector<int> links = linksOn(axis);
+  const std::vector<Column> columns = columnsOn(axis);
+  std::vector<Range> ranges;
+  for (const int link : links) ranges.push_back(rangeOf(axis, link));
+  const auto inside = [&](std::size_t i, std::size_t j) {
+    return static_cast<int>(std::count_if(columns.begin(), columns.end(), [&](const Column& column) {
+      return column.link == links[i] && column.at > ranges[j].low - 5 && column.at < ranges[j].high + 5;
+    }));
+  };
+  int conflicts = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) conflicts += std::min(inside(i, j), inside(j, i));
+  }
+  return conflicts;
+}
+
+/// Shafts that get longer or shorter with an item, as (axis, range).
+std::vector<std::pair<int, Stacker::Range>> Stacker::tubesTouchedBy(const Item& item) const {
+  const int axis = axisOf(item);
+  if (item.isCup) return {{axis, rangeOf(axis, m_layout.wheels[at(m_cups[at(item.index)].wheel)].link)}};
+  const SheetBearing& bearing = m_bearings[at(item.index)];
+  std::vector<std::pair<int, Range>> tubes{{axis, rangeOf(axis, bearing.child)}};
+  if (bearing.straightArm) {
+    const int home = axisOfLink(m_placement, bearing.parent);
+    tubes.emplace_back(home, rangeOf(home, bearing.parent));
+  }
+  return tubes;
+}
+
+/// Short shafts, bearings near what they hold.
+double Stacker::compactness(const Item& item) const {
+  double sum = item.insistence * std::min(std::abs(atOf(item) - item.wanted), 150.0);
+  for (const auto& [axis, range] : tubesTouchedBy(item)) sum += 0.1 * (range.high - range.low);
+  if (item.isCup) sum += 0.05 * std::abs(atOf(item) - item.wanted);
+  return sum;
+}
+
+/// The frame comes from outside: how much it would have to reach past to a bearing.
+double Stacker::enclosure(const SheetBearing& bearing) const {
+  if (bearing.parent != 0) return 0;
+  int below = 0;
+  int above = 0;
+  const auto count = [&](double place, int weight) {
+    if (place < bearing.at - 1) below += weight;
+    if (place > bearing.at + 1) above += weight;
+  };
+  const SheetAxis& on = m_layout.axes[at(bearing.axis)];
+  for (std::size_t a = 0; a < m_layout.axes.size(); ++a) {
+    const SheetAxis& other = m_layout.axes[a];
+    const double sine = dot(on.along, turned(other.along));
+    if (other.top < 0) continue;
+    if (std::abs(sine) < 1e-6) {
+      if (std::abs(on.heightOf(other.origin)) > 1) continue;
+      for (const Column& column : columnsOn(static_cast<int>(a))) {
+        if (column.closes) count(on.coordinateOf(other.at(column.at, 0)), 1);
+      }
+      continue;
+    }
+    count(dot(other.origin - on.origin, turned(other.along)) / sine, 2);  // what crosses is in the middle
+  }
+  return kEnclosed * std::min(below, above);
+}
+
+double Stacker::cost(std::size_t index) const {
+  const Item& item = m_items[index];
+  double sum = compactness(item);
+  if (!item.isCup) sum += enclosure(m_bearings[at(item.index)]);
+  const std::vector<Piece> own = piecesOf(item);
+  const auto meets = [&](const Piece& other) {
+    for (const Piece& piece : own) {
+      if (piece.owner != other.owner && piece.box.meets(other.box)) sum += kCrossing;
+    }
+  };
+  for (const Piece& piece : m_fixed) meets(piece);
+  for (std::size_t i = 0; i < m_items.size(); ++i) {
+    if (i == index) continue;
+    for (const Piece& piece : piecesOf(m_items[i])) meets(piece);
+  }
+  // Arms across shafts on other axes; those on the same axis are the lanes' business.
+  const int axis = axisOf(item);
+  for (const auto& [tubeAxis, range] : tubesTouchedBy(item)) {
+    const Extent tube = boxOn(tubeAxis, range.low, range.high, -2, 2);
+    const int link = item.isCup ? m_layout.wheels[at(m_cups[at(item.index)].wheel)].link
+                                : (tubeAxis == axis ? m_bearings[at(item.index)].child
+                                                    : m_bearings[at(item.index)].parent);
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+      if (i == index || axisOf(m_items[i]) == tubeAxis) continue;
+      for (const Piece& piece : piecesOf(m_items[i])) {
+        if (piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
+      }
+    }
+    sum += 1.3 * kCrossing * conflictsOn(tubeAxis);
+  }
+  for (const SheetBearing& other : m_bearings) {
+    if (other.axis == axis) continue;
+    const Range range = rangeOf(other.axis, other.child);
+    const Extent tube = boxOn(other.axis, range.low, range.high, -2, 2);
+    for (const Piece& piece : own) {
+      if (piece.owner != other.child && piece.box.meets(tube)) sum += kCrossing;
+    }
+  }
+  return sum;
+}
+
+std::size_t Stacker::itemOf(int joint) const {
+  std::size_t item = 0;
+  while (m_items[item].isCup || m_items[item].index != joint) ++item;
+  return item;
+}
+
+std::vector<double> Stacker::placesOf(int joint) const {
+  return m_items[itemOf(joint)].places;
+}
+
+/// The item's places, and those just beyond the other bearings on its axis.
+std::vector<double> Stacker::candidatesOf(const Item& item) const {
+  std::vector<double> candidates = item.places;
+  if (item.isCup) return candidates;
+  const SheetBearing& own = m_bearings[at(item.index)];
+  for (const SheetBearing& other : m_bearings) {
+    if (other.axis != own.axis || other.joint == own.joint) continue;
+    const double reach = kShaftEnd + (other.driven || own.driven ? kDrivenEnd : kShaftEnd);
+    candidates.push_back(other.at - reach);
+    candidates.push_back(other.at + reach);
+  }
+  return candidates;
+}
+
+void Stacker::search() {
+  for (int round = 0; round < kRounds; ++round) {
+    bool changed = false;
+    for (std::size_t i = 0; i < m_items.size(); ++i) {
+      double& place = atOf(m_items[i]);
+      double best = place;
+      double least = cost(i);
+      for (const double candidate : candidatesOf(m_items[i])) {
+        place = candidate;
+        const double found = cost(i);
+        if (found >= least - 1e-6) continue;
+        least = found;
+        best = candidate;
+        changed = true;
+      }
+      place = best;
+    }
+    if (!changed) return;
+  }
+}
+
+}  // namespace geargraph

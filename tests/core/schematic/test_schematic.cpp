@@ -1,0 +1,307 @@
+#include <QDir>
+#include <QtTest>
+#include <set>
+
+#include "core/drawing/hit_test.h"
+#include "core/drawing/text_metrics.h"
+#include "core/io/mechanism_file.h"
+#include "core/schematic/schematic.h"
+#include "tests/core/support/textbook_trains.h"
+#include "tests/core/support/train_sketch.h"
+
+using namespace geargraph;
+
+namespace {
+
+const QString kExamples = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/");
+const QString kExpected = QStringLiteral(GEARGRAPH_SOURCE_DIR "/tests/core/schematic/expected/");
+
+Mechanism example(const QString& name) {
+  QFile file(kExamples + name + QStringLiteral(".geargraph"));
+  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
+  return readMechanism(file.readAll().toStdString()).value();
+}
+
+QStringList exampleNames() {
+  QStringList names;
+  for (const QString& file : QDir(kExamples).entryList({QStringLiteral("*.geargraph")})) {
+    names << file.section('.', 0, 0);
+  }
+  return names;
+}
+
+QString nameOf(const ElementId& element) {
+  return QString::fromStdString(std::string(listName(element.kind)) + "/" + element.id.text());
+}
+
+struct Segment {
+  SheetPoint from;
+  SheetPoint to;
+  ElementId element;
+  std::optional<int> link;  ///< whose colour it has
+};
+
+/// Every line of a drawing in straight pieces.
+std::vector<Segment> segmentsOf(const SchematicGeometry& geometry) {
+  std::vector<Segment> segments;
+  for (const Mark& mark : geometry.marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark.what);
+    if (stroke == nullptr) continue;
+    const auto add = [&](SheetPoint from, SheetPoint to) {
+      segments.push_back({from, to, mark.element, stroke->tint.link});
+    };
+    if (const auto* line = std::get_if<Polyline>(&stroke->shape)) {
+      for (std::size_t i = 1; i < line->points.size(); ++i) add(line->points[i - 1], line->points[i]);
+    }
+    if (const auto* curve = std::get_if<Curve>(&stroke->shape)) forEachChord(*curve, add);
+  }
+  return segments;
+}
+
+struct Label {
+  QString text;
+  Extent box;
+};
+
+/// Texts and the discs that links' numbers stand in.
+std::vector<Label> labelsOf(const SchematicGeometry& geometry) {
+  std::vector<Label> labels;
+  for (const Mark& mark : geometry.marks) {
+    const auto* text = std::get_if<Text>(&mark.what);
+    if (text == nullptr) continue;
+    Extent box{text->center, textWidth(text->text, text->size, text->bold) / 2, text->size / 2};
+    for (const Mark& other : geometry.marks) {
+      const auto* disc = std::get_if<Fill>(&other.what);
+      if (disc != nullptr && other.element == mark.element && other.role == MarkRole::node) {
+        box = extentOf(disc->shape);
+      }
+    }
+    labels.push_back({nameOf(mark.element) + " " + QString::fromStdString(text->text), box});
+  }
+  return labels;
+}
+
+QStringList labelsInTheWay(const SchematicGeometry& geometry) {
+  QStringList found;
+  const std::vector<Label> labels = labelsOf(geometry);
+  const std::vector<Segment> segments = segmentsOf(geometry);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (const Segment& segment : segments) {
+      if (labels[i].box.meetsSegment(segment.from, segment.to)) {
+        found << labels[i].text + " on a line of " + nameOf(segment.element);
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[i].box.meets(labels[j].box)) found << labels[i].text + " on " + labels[j].text;
+    }
+  }
+  return found;
+}
+
+/// Lines of different links that cut through each other.
+QStringList crossings(const SchematicGeometry& geometry) {
+  QStringList found;
+  const std::vector<Segment> segments = segmentsOf(geometry);
+  const auto side = [](SheetPoint p, const Segment& s) { return dot(turned(s.to - s.from), p - s.from); };
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Segment& a = segments[i];
+      const Segment& b = segments[j];
+      if (!a.link || !b.link || *a.link == *b.link) continue;
+      if (side(a.from, b) * side(a.to, b) >= -1e-3 || side(b.from, a) * side(b.to, a) >= -1e-3) continue;
+      found << QString("link %1 across link %2 at %3, %4")
+                   .arg(*a.link)
+                   .arg(*b.link)
+                   .arg((a.from.x + a.to.x) / 2)
+                   .arg((a.from.y + a.to.y) / 2);
+    }
+  }
+  return found;
+}
+
+/// Links, joints and meshes that cannot be seen and that no note and no equal one speaks for.
+QStringList missing(const Mechanism& mechanism, const SchematicGeometry& geometry) {
+  std::set<ElementId> shown;
+  for (const Outline& outline : geometry.outlines) shown.insert(outline.element);
+  for (const DrawnPart::Alike& alike : geometry.alike) shown.insert(alike.like);
+  QStringList found;
+  const auto check = [&](const ElementId& element) {
+    if (!shown.contains(element)) found << nameOf(element);
+  };
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) check(mechanism.links[i].id);
+  for (const TurningJoint& joint : mechanism.turningJoints) check(joint.id);
+  const Placement placement = placementOf(mechanism);
+  for (std::size_t m = 0; m < mechanism.gearMeshes.size(); ++m) {
+    if (placement.meshes[m]) check(mechanism.gearMeshes[m].id);
+  }
+  return found;
+}
+
+void compareWithGolden(const QString& name, const std::string& drawn) {
+  QFile golden(kExpected + name + QStringLiteral(".txt"));
+  if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) {
+    QVERIFY(golden.open(QIODevice::WriteOnly));
+    golden.write(drawn.c_str());
+    golden.close();
+  }
+  QVERIFY(golden.open(QIODevice::ReadOnly));
+  const QStringList expected = QString::fromUtf8(golden.readAll()).split('\n');
+  const QStringList actual = QString::fromStdString(drawn).split('\n');
+  for (qsizetype i = 0; i < std::min(expected.size(), actual.size()); ++i) QCOMPARE(actual[i], expected[i]);
+  QCOMPARE(actual.size(), expected.size());
+}
+
+bool says(const SchematicGeometry& geometry, const QString& words) {
+  return std::any_of(geometry.notes.begin(), geometry.notes.end(),
+                     [&](const std::string& note) { return QString::fromStdString(note).contains(words); });
+}
+
+}  // namespace
+
+/// The drawing as a whole.
+class TestSchematic : public QObject {
+  Q_OBJECT
+ private slots:
+  void examplesAreDrawnAsInTheGoldenText_data() {
+    QTest::addColumn<QString>("name");
+    for (const QString& name : exampleNames()) QTest::newRow(qPrintable(name)) << name;
+  }
+  void examplesAreDrawnAsInTheGoldenText() {
+    QFETCH(QString, name);
+    compareWithGolden(name, textOf(schematicDrawing(schematicGeometry(example(name)), {})));
+  }
+
+  void nothingTouchesAnythingInTheExamples_data() { examplesAreDrawnAsInTheGoldenText_data(); }
+  void nothingTouchesAnythingInTheExamples() {
+    QFETCH(QString, name);
+    const SchematicGeometry geometry = schematicGeometry(example(name));
+    QCOMPARE(labelsInTheWay(geometry).join(", "), QString());
+    QCOMPARE(crossings(geometry).join(", "), QString());
+  }
+
+  void everythingIsDrawnInTheExamples_data() { examplesAreDrawnAsInTheGoldenText_data(); }
+  void everythingIsDrawnInTheExamples() {
+    QFETCH(QString, name);
+    const Mechanism mechanism = example(name);
+    const SchematicGeometry geometry = schematicGeometry(mechanism);
+    QStringList left = missing(mechanism, geometry);
+    if (says(geometry, "closes a loop")) left.clear();  // one joint of it and its meshes are told of
+    QCOMPARE(left.join(", "), QString());
+  }
+
+  void labelsAreFreeInTextbookAndRandomTrains() {
+    for (const test::TextbookTrain& train : test::textbookTrains()) {
+      const SchematicGeometry geometry = schematicGeometry(train.mechanism);
+      QVERIFY2(labelsInTheWay(geometry).isEmpty(), qPrintable(QString::fromStdString(train.name)));
+      QCOMPARE(missing(train.mechanism, geometry).join(", "), QString());
+    }
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      const Mechanism mechanism =
+          test::randomTrain(seed, 3 + static_cast<int>(seed % 12), 2 + static_cast<int>(seed % 7));
+      const SchematicGeometry geometry = schematicGeometry(mechanism);
+      QVERIFY2(labelsInTheWay(geometry).isEmpty(),
+               qPrintable(QString("seed %1: ").arg(seed) + labelsInTheWay(geometry).join(", ")));
+      QCOMPARE(missing(mechanism, geometry).join(", "), QString());
+    }
+  }
+
+  void theDrawingDependsOnTheMechanismAlone() {
+    const Mechanism mechanism = example("robot");
+    QCOMPARE(textOf(schematicDrawing(schematicGeometry(mechanism), {})),
+             textOf(schematicDrawing(schematicGeometry(mechanism), {})));
+  }
+
+  void oneOfEqualPlanetsIsDrawnAndStandsForTheOthers() {
+    const Mechanism mechanism = example("three-planets");
+    const SchematicGeometry geometry = schematicGeometry(mechanism);
+    QVERIFY(says(geometry, "One of 3 equal planets is drawn: 4 and 5 are like 3."));
+    const auto halos = [&](const ElementId& element) {
+      Emphases emphases;
+      emphases[element].hovered = true;
+      const DisplayList list = schematicDrawing(geometry, emphases);
+      return std::count_if(list.marks.begin(), list.marks.end(), [](const Mark& mark) {
+        return mark.role == MarkRole::halo && mark.element == ElementId(LinkId("3"));
+      });
+    };
+    QVERIFY(halos(LinkId("3")) > 0);
+    QCOMPARE(halos(LinkId("5")), halos(LinkId("3")));
+    QCOMPARE(halos(LinkId("2")), 0);
+  }
+
+  void aDrivenPlanetIsDrawnForItself() {
+    Mechanism mechanism = example("three-planets");
+    mechanism.inputs = std::vector<Input>{{JointId("9"), Number(1), {}}};
+    const SchematicGeometry geometry = schematicGeometry(mechanism);
+    QVERIFY(says(geometry, "One of 2 equal planets is drawn: 5 is like 3."));
+  }
+
+  void whatIsSelectedIsInAccentWithAHalo() {
+    const SchematicGeometry geometry = schematicGeometry(example("robot"));
+    Emphases emphases;
+    emphases[MeshId("17")].selected = true;
+    const DisplayList list = schematicDrawing(geometry, emphases);
+    int accents = 0;
+    int halos = 0;
+    for (const Mark& mark : list.marks) {
+      if (mark.element != ElementId(MeshId("17"))) continue;
+      if (mark.role == MarkRole::halo) ++halos;
+      const auto* stroke = std::get_if<Stroke>(&mark.what);
+      if (stroke != nullptr && stroke->tint == Tint(ColorRole::accent)) ++accents;
+    }
+    QVERIFY(halos > 0 && accents > 0);
+    const DisplayList plain = schematicDrawing(geometry, {});
+    QVERIFY(std::none_of(plain.marks.begin(), plain.marks.end(),
+                         [](const Mark& mark) { return mark.role == MarkRole::halo; }));
+  }
+
+  void pickingFindsLinksJointsMeshesAndAxes() {
+    const SchematicGeometry geometry = schematicGeometry(example("robot"));
+    std::set<ElementKind> kinds;
+    for (const Mark& mark : geometry.marks) {
+      const auto* text = std::get_if<Text>(&mark.what);
+      if (text == nullptr) continue;
+      const auto found = elementAt(geometry.outlines, text->center);
+      QVERIFY(found.has_value());
+      QCOMPARE(*found, mark.element);
+      kinds.insert(mark.element.kind);
+    }
+    QCOMPARE(kinds.size(), std::size_t{4});
+  }
+
+  void notesSayWhatIsUnfoldedAndWhatDoesNotTouch() {
+    QVERIFY(says(schematicGeometry(example("ravigneaux")), "Radii are not to scale"));
+    QVERIFY(says(schematicGeometry(example("locked-train")), "dashed line"));
+    for (const char* plane : {"robot", "simpson", "planetary-ring-held", "bevel-differential"}) {
+      QVERIFY2(schematicGeometry(example(plane)).notes.empty(), plane);
+    }
+    test::TrainSketch sketch(3);
+    sketch.axis("a", {"0", "0", "0"})
+        .axis("b", {"0", "0", "0"}, {"0", "1", "0"})
+        .axis("c", {"0", "0", "0"}, {"1", "0", "0"});
+    sketch.joint(0, 1, "a", "-30").joint(0, 2, "b", "30").joint(0, 3, "c", "30");
+    sketch.mesh(1, 2, 20, 20).mesh(1, 3, 20, 20);
+    QVERIFY(says(schematicGeometry(sketch.build()), "turned into the sheet"));
+  }
+
+  void whatHangsOnNoJointIsToldOf() {
+    Mechanism mechanism = example("spur-pair");
+    mechanism.links.push_back({LinkId("loose"), "", {}});
+    QVERIFY(says(schematicGeometry(mechanism), "Link 3 is not drawn"));
+    QVERIFY(says(schematicGeometry(example("robot-to-mend")), "closes a loop"));
+    QVERIFY(schematicGeometry(emptyMechanism()).isEmpty());
+  }
+
+  void anAxisWithoutJointsIsDrawn() {
+    Mechanism mechanism = emptyMechanism();
+    mechanism.axes.push_back({AxisId("a"),
+                              NumberTriple{Number(0), Number(0), Number(0)},
+                              NumberTriple{Number(0), Number(0), Number(1)},
+                              {}});
+    const SchematicGeometry geometry = schematicGeometry(mechanism);
+    QVERIFY(std::any_of(geometry.outlines.begin(), geometry.outlines.end(),
+                        [](const Outline& outline) { return outline.element == ElementId(AxisId("a")); }));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestSchematic)
+#include "test_schematic.moc"
