@@ -19,7 +19,8 @@ std::optional<QSize> sizeFrom(const QString& text) {
 CommandLine readCommandLine(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(
-      QStringLiteral("Draw, analyse and see geared mechanisms. Without a document the paper's robot opens."));
+      QStringLiteral("Draw, analyse and see geared mechanisms. Without a document the windows of the last "
+                     "time open, or the start page."));
   parser.addHelpOption();
   parser.addVersionOption();
   const QCommandLineOption screenshot(QStringLiteral("screenshot"),

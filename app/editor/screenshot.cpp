@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPixmap>
+#include <QThreadPool>
 
 #include "ui/mainwindow/main_window.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 void takeScreenshot(MainWindow& window, const QString& file) {
   window.selection().unhover();  // wherever the pointer happens to be
+  QThreadPool::globalInstance()->waitForDone();
+  QCoreApplication::sendPostedEvents();  // the pictures of the start page
   const bool written = window.grab().save(file);
   if (!written) qCritical("Cannot write %s.", qPrintable(file));
   QApplication::exit(written ? 0 : 1);
@@ -17,15 +20,25 @@ void takeScreenshot(MainWindow& window, const QString& file) {
 
 }  // namespace
 
-void screenshotWhenReady(MainWindow& window, const QString& file) {
+int screenshot(const CommandLine& line) {
+  MainWindow window;
+  if (line.size) window.resize(*line.size);
+  const QString document = line.documents.value(0);
+  if (!document.isEmpty() && !window.openDocument(document)) {
+    qCritical("Cannot open %s.", qPrintable(document));
+    return 2;
+  }
   QObject::connect(
       &window, &MainWindow::settled, &window,
-      [&window, file] {
+      [&] {
         // Behind the layout and paint events that the arrival has posted.
         QMetaObject::invokeMethod(
-            &window, [&window, file] { takeScreenshot(window, file); }, Qt::QueuedConnection);
+            &window, [&] { takeScreenshot(window, *line.screenshot); }, Qt::QueuedConnection);
       },
       Qt::QueuedConnection);
+  window.show();
+  if (document.isEmpty()) window.showStartPage(false);
+  return QApplication::exec();
 }
 
 }  // namespace geargraph

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <QString>
+#include "app/editor/command_line.h"
 
 namespace geargraph {
 
-class MainWindow;
-
-/// Writes a picture of the window as soon as its newest analysis and stage are shown and everything is
-/// painted, then ends the program: with 0, or with 1 and a sentence where the file cannot be written.
-void screenshotWhenReady(MainWindow& window, const QString& file);
+/// Writes a picture of a window with the first document, or with the start page where there is none, as soon
+/// as its newest analysis and stage are shown and everything is painted. Nothing that this user did before
+/// shows on it, and nothing of it is remembered.
+/// The exit status of the program: 1, and a sentence, where the picture cannot be written, 2 where the
+/// document cannot be opened.
+[[nodiscard]] int screenshot(const CommandLine& line);
 
 }  // namespace geargraph

@@ -45,8 +45,16 @@ std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QStrin
 }
 
 QStringList examplePaths() {
-  QStringList paths{robotExamplePath()};
+  // From the simple to the strange; what is not named here comes last.
   const QDir examples(QStringLiteral(":/examples"));
+  QStringList paths{robotExamplePath()};
+  for (const char* name : {"spur-pair", "reverted-train", "planetary-ring-held", "three-planets",
+                           "bevel-differential", "simpson", "ravigneaux", "eight-speed-gearbox",
+                           "humpage-reduction", "bevel-wrist", "three-roll-wrist", "ferguson-paradox",
+                           "redundant-planetary", "locked-train", "cannot-be-assembled", "robot-to-mend"}) {
+    const QString path = examples.filePath(QLatin1String(name) + QStringLiteral(".geargraph"));
+    if (QFile::exists(path)) paths << path;
+  }
   for (const QString& name : examples.entryList({QStringLiteral("*.geargraph")}, QDir::Files, QDir::Name)) {
     const QString path = examples.filePath(name);
     if (!paths.contains(path)) paths << path;

@@ -21,7 +21,8 @@ namespace geargraph {
 /// Cost: O(rows · columns).
 [[nodiscard]] std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path);
 
-/// The examples that come with the program, as paths of its resources, the paper's robot first.
+/// The examples that come with the program, as paths of its resources: the paper's robot first, then
+/// from the simple to the strange.
 [[nodiscard]] QStringList examplePaths();
 [[nodiscard]] QString robotExamplePath();
 

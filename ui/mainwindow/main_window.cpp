@@ -5,14 +5,18 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMimeData>
 #include <QSettings>
 
 #include "core/mechanism/edits.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
 #include "ui/models/joint_preview.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
@@ -66,14 +70,22 @@ MainWindow::MainWindow(QWidget* parent)
   m_status = new StatusLine(m_selection, this);
   setStatusBar(m_status);
   m_recent = new RecentFiles(this);
+  m_notices = new NoticeBar(this);
+  m_files = std::make_unique<WindowFiles>(this, m_notices, m_recent);
   m_titles = new DockTitles(this);
   makeDrawings();
   makeDocks();
   makeMenus();
   makeToolBar();
+  addToolBarBreak();
+  addToolBar(m_notices);
+  m_notices->renew();
+  m_start = new StartPage(this);
   wireActions();
+  wireFiles();
   wireViews();
   wireView3D();
+  setAcceptDrops(true);
   setDark(themeOf(QApplication::palette()) == Theme::dark);
   resize(1366, 768);
   onDocumentChanged();
@@ -101,6 +113,9 @@ void MainWindow::addDrawing(DrawingView* drawing, const QString& title, const QS
   const int tab = m_drawings->addTab(drawing, title);
   m_drawings->setTabToolTip(tab, tip);
   m_allDrawings.push_back(drawing);
+  // Files are dropped on the window; a drawing would swallow them.
+  drawing->setAcceptDrops(false);
+  drawing->viewport()->setAcceptDrops(false);
   wireDrawing(drawing);
 }
 
@@ -188,9 +203,6 @@ void MainWindow::wireViews() {
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
   connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
   connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
-  connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
-    if (mayDiscard() && !openDocument(path)) m_recent->forget(path);
-  });
 }
 
 void MainWindow::wireDrawing(DrawingView* drawing) {
@@ -245,40 +257,11 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
 }
 
 bool MainWindow::openDocument(const QString& path) {
-  Expected<Mechanism> opened = readDocument(path);
-  const QString name = QFileInfo(path).fileName();
-  if (!opened) {
-    m_problems->setFileProblems(name, opened.error());
-    if (auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.problems"))) {
-      dock->show();
-      dock->raise();
-    }
-    m_status->showRefusal(
-        tr("%1 could not be opened: %2").arg(name, shownText(opened.error().front().message)));
-    return false;
-  }
-  const bool isExample = path.startsWith(QLatin1String(":/"));
-  m_problems->clearFileProblems();
-  m_selection->clear();
-  m_title = isExample ? name : QString();
-  m_document->replace(std::move(opened).value(), isExample ? QString() : path);
-  if (!isExample) m_recent->add(path);
-  if (!m_document->mechanism()->states.empty())
-    findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
-  renewTitle();
-  return true;
+  return m_files->open(path);
 }
 
 bool MainWindow::saveDocument(const QString& path) {
-  if (const auto why = writeDocument(*m_document->mechanism(), path)) {
-    m_status->showRefusal(*why);
-    return false;
-  }
-  m_document->markSaved(path);
-  m_recent->add(path);
-  renewTitle();
-  m_status->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
-  return true;
+  return m_files->save(path);
 }
 
 bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
@@ -291,9 +274,7 @@ bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
 }
 
 void MainWindow::renewTitle() {
-  QString name = QFileInfo(m_document->filePath()).fileName();
-  if (name.isEmpty()) name = m_title.isEmpty() ? tr("Untitled") : m_title;
-  setWindowTitle(name + QStringLiteral("[*] — GearGraph"));
+  setWindowTitle(m_files->title() + QStringLiteral("[*] — GearGraph"));
   setWindowModified(m_document->isModified());
 }
 
@@ -307,10 +288,14 @@ void MainWindow::setDark(bool dark) {
 
 void MainWindow::restoreLayout() {
   const QSettings settings;
-  const QByteArray geometry = settings.value(QStringLiteral("window/geometry")).toByteArray();
-  const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
+  restoreLayout(settings.value(QStringLiteral("window/geometry")).toByteArray(),
+                settings.value(QStringLiteral("window/state")).toByteArray());
+}
+
+void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
   if (!geometry.isEmpty()) restoreGeometry(geometry);
   if (!state.isEmpty()) m_layoutApplied = restoreState(state);
+  m_notices->renew();
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -321,11 +306,13 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayDiscard()) return event->ignore();
+  if (!m_files->mayDiscard()) return event->ignore();
+  m_files->discard();
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/state"), saveState());
   event->accept();
+  emit closed();
 }
 
 }  // namespace geargraph

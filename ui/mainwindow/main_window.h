@@ -19,12 +19,15 @@ class DrawingView;
 class GearboxPanel;
 class InputsPanel;
 class MatricesPanel;
+class NoticeBar;
 class ProblemsPanel;
 class PropertiesPanel;
 class RecentFiles;
 class ResultsPanel;
 class StatusLine;
+class StartPage;
 class View3D;
+class WindowFiles;
 
 /// One document and all its views. The window owns the three things that views share (document, selection,
 /// newest analysis) and wires them: an edit goes to the document, the document to the analysis, the analysis
@@ -49,6 +52,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
+  [[nodiscard]] WindowFiles& files() { return *m_files; }
+  [[nodiscard]] NoticeBar& notices() { return *m_notices; }
+  [[nodiscard]] StartPage& startPage() { return *m_start; }
 
   /// Opens a file or an example. A broken one is listed in the problems with its places, and the document
   /// that was open stays. True where it was opened.
@@ -59,6 +65,9 @@ class MainWindow : public QMainWindow {
 
   /// The places and sizes of windows and docks as they were when the last window closed.
   void restoreLayout();
+  void restoreLayout(const QByteArray& geometry, const QByteArray& state);
+  /// Over an empty document, until there is another one. `withRecent`: with the files of late.
+  void showStartPage(bool withRecent = true);
   void setDark(bool dark);
   /// Is everything shown as the document is now?
   [[nodiscard]] bool isSettled() const { return m_service->isComplete() && m_stages->isUpToDate(); }
@@ -66,10 +75,14 @@ class MainWindow : public QMainWindow {
  signals:
   /// Analysis and stage of the document as it is now have reached all views.
   void settled();
+  /// The window has been closed, and its document given up or saved.
+  void closed();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void makeDrawings();
@@ -82,6 +95,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeToolBar();
   void wireActions();
+  void wireFiles();
   void wireViews();
   void wireDrawing(DrawingView* drawing);
   void wireView3D();
@@ -94,12 +108,7 @@ class MainWindow : public QMainWindow {
   void makeGround();
   void chooseTheme(bool dark);
 
-  void chooseAndOpen();
-  bool save();
-  bool chooseAndSave();
   void chooseAndExport(const IntegerMatrixPtr& matrix);
-  /// True where the document may be given up: it is saved, or the person does not mind.
-  bool mayDiscard();
   void showAbout();
 
   Document* m_document;
@@ -107,7 +116,7 @@ class MainWindow : public QMainWindow {
   AnalysisService* m_service;
   StageService* m_stages;
   std::unique_ptr<WindowActions> m_actions;
-  QString m_title;  ///< of an example, which has no file yet
+  std::unique_ptr<WindowFiles> m_files;
 
   QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
   DigraphView* m_digraph = nullptr;
@@ -118,6 +127,8 @@ class MainWindow : public QMainWindow {
   GearboxPanel* m_gearbox = nullptr;
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
+  NoticeBar* m_notices = nullptr;
+  StartPage* m_start = nullptr;
   RecentFiles* m_recent = nullptr;
   DockTitles* m_titles = nullptr;
   std::vector<DrawingView*> m_allDrawings;

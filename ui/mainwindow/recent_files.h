@@ -14,8 +14,8 @@ class RecentFiles : public QMenu {
 
   explicit RecentFiles(QWidget* parent = nullptr);
 
-  void add(const QString& path);
-  void forget(const QString& path);
+  static void add(const QString& path);
+  static void forget(const QString& path);
   [[nodiscard]] static QStringList paths();
 
  signals:

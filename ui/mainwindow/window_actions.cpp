@@ -68,10 +68,20 @@ void WindowActions::makeTools() {
 WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   newDocument = make("file.new", words("&New"), words("A document with the ground and nothing else"),
                      {QKeySequence::New});
+  newWindow = make("file.newWindow", words("New &window"), words("Another window with an empty document"),
+                   {QKeySequence(QStringLiteral("Ctrl+Shift+N"))});
+  startPage =
+      make("file.startPage", words("S&tart page"), words("New, documents of late, and the examples"), {});
   open = make("file.open", words("&Open…"), words("Open a document"), {QKeySequence::Open});
   save = make("file.save", words("&Save"), words("Save the document"), {QKeySequence::Save});
   saveAs = make("file.saveAs", words("Save &as…"), words("Save the document under another name"),
                 {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
+  revert =
+      make("file.revert", words("Re&vert"), words("Back to what is in the file; this can be undone"), {});
+  restoreSession =
+      make("file.restoreSession", words("Reopen windows at sta&rt"),
+           words("When the program starts without a document, it opens those of the last time"), {});
+  restoreSession->setCheckable(true);
   exportMatrix = make("file.exportCsv", words("&Export matrix as CSV…"),
                       words("Export the matrix that is shown, with its labels"),
                       {QKeySequence(QStringLiteral("Ctrl+E"))});

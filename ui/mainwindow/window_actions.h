@@ -21,10 +21,14 @@ struct WindowActions {
   void setTheme(Theme theme);
 
   QAction* newDocument;
+  QAction* newWindow;
+  QAction* startPage;
   QAction* open;
   QAction* save;
   QAction* saveAs;
+  QAction* revert;
   QAction* exportMatrix;
+  QAction* restoreSession;
   QAction* close;
   QAction* quit;
 

@@ -2,10 +2,12 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QSettings>
 #include <QToolBar>
 #include <QToolButton>
@@ -16,15 +18,13 @@
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
 #include "ui/panels/matrices_panel.h"
 
 namespace geargraph {
 namespace {
-
-QString documentFilter() {
-  return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
-}
 
 QString withSuffix(QString path, const QString& suffix) {
   if (QFileInfo(path).suffix().isEmpty()) path += suffix;
@@ -41,16 +41,17 @@ void MainWindow::makeMenus() {
     return made;
   };
   QMenu* file = menu(tr("&File"));
-  file->addActions({a.newDocument, a.open});
+  file->addActions({a.newDocument, a.newWindow, a.startPage, a.open});
   file->addMenu(m_recent);
   QMenu* examples = file->addMenu(tr("Open e&xample"));
   for (const QString& path : examplePaths()) {
-    examples->addAction(QFileInfo(path).completeBaseName(), this, [this, path] {
-      if (mayDiscard()) openDocument(path);
-    });
+    examples->addAction(QFileInfo(path).completeBaseName(), this,
+                        [this, path] { m_files->openForPerson(path); });
   }
   file->addSeparator();
-  file->addActions({a.save, a.saveAs, a.exportMatrix});
+  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix});
+  file->addSeparator();
+  file->addAction(a.restoreSession);
   file->addSeparator();
   file->addActions({a.close, a.quit});
 
@@ -96,20 +97,8 @@ void MainWindow::makeToolBar() {
 void MainWindow::wireActions() {
   const WindowActions& a = *m_actions;
   QUndoStack& stack = m_document->undoStack();
-  connect(a.newDocument, &QAction::triggered, this, [this] {
-    if (!mayDiscard()) return;
-    m_title.clear();
-    m_selection->clear();
-    m_document->replace(emptyMechanism(), {});
-    renewTitle();
-  });
-  connect(a.open, &QAction::triggered, this, &MainWindow::chooseAndOpen);
-  connect(a.save, &QAction::triggered, this, &MainWindow::save);
-  connect(a.saveAs, &QAction::triggered, this, &MainWindow::chooseAndSave);
   connect(a.exportMatrix, &QAction::triggered, this,
           [this] { chooseAndExport(m_matrices->model().matrix()); });
-  connect(a.close, &QAction::triggered, this, &QWidget::close);
-  connect(a.quit, &QAction::triggered, qApp, &QApplication::closeAllWindows);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);
@@ -133,6 +122,48 @@ void MainWindow::wireActions() {
   connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
+void MainWindow::wireFiles() {
+  const WindowActions& a = *m_actions;
+  WindowFiles* files = m_files.get();
+  connect(files, &WindowFiles::titleChanged, this, &MainWindow::renewTitle);
+  connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openForPerson);
+  connect(a.newDocument, &QAction::triggered, files, &WindowFiles::newForPerson);
+  connect(a.newWindow, &QAction::triggered, files, &WindowFiles::newWindow);
+  connect(a.startPage, &QAction::triggered, this, [this] { showStartPage(); });
+  connect(a.open, &QAction::triggered, files, &WindowFiles::chooseAndOpen);
+  connect(a.save, &QAction::triggered, files, &WindowFiles::saveOrChoose);
+  connect(a.saveAs, &QAction::triggered, files, &WindowFiles::chooseAndSave);
+  connect(a.revert, &QAction::triggered, files, &WindowFiles::revert);
+  connect(a.restoreSession, &QAction::triggered, files, &WindowFiles::setRestoresSession);
+  connect(a.close, &QAction::triggered, this, &QWidget::close);
+  connect(a.quit, &QAction::triggered, files, &WindowFiles::quit);
+  connect(m_start, &StartPage::newWanted, files, &WindowFiles::newForPerson);
+  connect(m_start, &StartPage::openWanted, files, &WindowFiles::chooseAndOpen);
+  connect(m_start, &StartPage::chosen, files, &WindowFiles::openForPerson);
+  connect(m_document, &Document::replaced, this, [this] {
+    if (!m_document->mechanism()->states.empty())
+      findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
+  });
+  // Whoever begins to draw, or opens something, is done with the start page.
+  for (const auto signal : {&Document::changed, &Document::replaced}) {
+    connect(m_document, signal, m_start, [this] { m_start->dismiss(&drawing()); });
+  }
+  connect(a.tools, &QActionGroup::triggered, m_start, [this] { m_start->dismiss(&drawing()); });
+}
+
+void MainWindow::showStartPage(bool withRecent) {
+  m_start->open(withRecent);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!WindowFiles::filesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QString& path : WindowFiles::filesIn(*event->mimeData())) m_files->openForPerson(path);
+  event->acceptProposedAction();
+}
+
 void MainWindow::renewActions() {
   const WindowActions& a = *m_actions;
   const QUndoStack& stack = m_document->undoStack();
@@ -147,6 +178,7 @@ void MainWindow::renewActions() {
   const auto joints = count(ElementKind::turningJoint);
   const auto arrows = joints + count(ElementKind::gearMesh);
   const QString nothing = tr("Nothing is selected.");
+  m_files->renewActions(a);
 
   a.undo->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText().toLower()) : tr("&Undo"));
   a.redo->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText().toLower()) : tr("&Redo"));
@@ -182,47 +214,12 @@ void MainWindow::makeGround() {
   }
 }
 
-void MainWindow::chooseAndOpen() {
-  if (!mayDiscard()) return;
-  const QString folder = QFileInfo(m_document->filePath()).path();
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), folder, documentFilter());
-  if (!path.isEmpty()) openDocument(path);
-}
-
-bool MainWindow::save() {
-  return m_document->filePath().isEmpty() ? chooseAndSave() : saveDocument(m_document->filePath());
-}
-
-bool MainWindow::chooseAndSave() {
-  QString proposed = m_document->filePath();
-  if (proposed.isEmpty()) proposed = m_title.isEmpty() ? tr("untitled.geargraph") : m_title;
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save as"), proposed, documentFilter());
-  return !path.isEmpty() && saveDocument(withSuffix(path, QStringLiteral(".geargraph")));
-}
-
 void MainWindow::chooseAndExport(const IntegerMatrixPtr& matrix) {
   if (!matrix) return;
   const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
   const QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
                                                     tr("CSV files (*.csv);;All files (*)"));
   if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
-}
-
-bool MainWindow::mayDiscard() {
-  if (!m_document->isModified()) return true;
-  QMessageBox question(
-      QMessageBox::Question, tr("Unsaved changes"),
-      tr("Save the changes to %1 first?").arg(windowTitle().section(QLatin1String("[*]"), 0, 0)),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  question.setDefaultButton(QMessageBox::Save);
-  switch (question.exec()) {
-    case QMessageBox::Save:
-      return save();
-    case QMessageBox::Discard:
-      return true;
-    default:
-      return false;
-  }
 }
 
 void MainWindow::showAbout() {

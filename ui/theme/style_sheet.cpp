@@ -43,6 +43,7 @@ QStatusBar { background: @panel@; border-top: 1px solid @hairline@; }
 QStatusBar::item { border: none; }
 QLabel[look="hint"] { color: @secondary@; }
 QLabel[look="title"] { font-weight: bold; }
+QLabel[look="heading"] { font-size: 17px; font-weight: bold; }
 QLabel[look="problem"] { color: @error@; }
 QLabel[look="empty"] { color: @secondary@; padding: 24px; }
 QFrame[look="card"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 6px; }
@@ -82,6 +83,9 @@ QComboBox QAbstractItemView { background: @sheet@; border: 1px solid @hairline@;
                               selection-color: @ink@; }
 QScrollArea, QScrollArea > QWidget > QWidget#page { background: @sheet@; border: none; }
 QTableView, QListView { background: @sheet@; border: none; outline: none; }
+QWidget#startPage { background: @panel@; }
+QListView[look="cards"] { background: transparent; }
+QToolBar#noticeBar { background: @chosen@; }
 QHeaderView { background: @sheet@; border: none; }
 QTableCornerButton::section { background: @sheet@; border: none; }
 

@@ -1,0 +1,352 @@
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QListView>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/mechanism/edits.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/start_page.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/thumbnails.h"
+#include "ui/mainwindow/window_files.h"
+#include "ui/mainwindow/window_set.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+/// Windows, files, and what happens when either goes away.
+class WindowFilesTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<QTemporaryDir> folder;
+  std::unique_ptr<WindowSet> set;
+
+  [[nodiscard]] QString app() const { return folder->filePath(QStringLiteral("app")); }
+  [[nodiscard]] MainWindow& first() const { return *set->windows().front(); }
+  /// A document with so many links besides the ground, written to a file.
+  QString written(const QString& name, int links) {
+    const QString path = folder->filePath(name);
+    if (writeDocument(withLinks(emptyMechanism(), links), path)) qFatal("%s", qPrintable(path));
+    return path;
+  }
+  static Mechanism withLinks(Mechanism mechanism, int links) {
+    for (int i = 0; i < links; ++i) mechanism = withLink(mechanism, {100.0 * (i + 1), 90}).value();
+    return mechanism;
+  }
+  static void addLink(MainWindow& window) {
+    window.document().apply({QStringLiteral("Add link"),
+                             [](const Mechanism& mechanism) {
+                               return withLink(mechanism, SheetPoint{90, 300});
+                             },
+                             0});
+  }
+  static void answer(MainWindow& window, const QString& text) {
+    QVERIFY(window.notices().current() != nullptr);
+    for (auto* button : window.notices().findChildren<QPushButton*>()) {
+      if (button->isHidden() || button->text() != text) continue;
+      return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QFAIL(qPrintable(QStringLiteral("No button says %1").arg(text)));
+  }
+  void startAgain(const QStringList& documents = {}) {
+    set.reset();  // without closing anything, as in a crash
+    set = std::make_unique<WindowSet>(app());
+    set->start(documents);
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    QStandardPaths::setTestModeEnabled(true);
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    folder = std::make_unique<QTemporaryDir>();
+    QSettings().clear();
+    set = std::make_unique<WindowSet>(app());
+  }
+  void cleanup() { set.reset(); }
+
+  void itStartsWithTheStartPage() {
+    set->start({});
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    StartPage& page = first().startPage();
+    QVERIFY(page.isVisible());
+    QCOMPARE(page.examples().model()->rowCount(), int(examplePaths().size()));
+    for (int i = 0; i < page.examples().model()->rowCount(); ++i) {
+      const QModelIndex example = page.examples().model()->index(i, 0);
+      QVERIFY(!example.data().toString().isEmpty());
+      QVERIFY(example.data(Qt::ToolTipRole).toString().endsWith(QLatin1Char('.')));
+    }
+    const QModelIndex second = page.examples().model()->index(1, 0);
+    QTest::mouseClick(page.examples().viewport(), Qt::LeftButton, {},
+                      page.examples().visualRect(second).center());
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    QVERIFY(page.isHidden());
+    QCOMPARE(first().files().source(), examplePaths().at(1));
+    QVERIFY(first().document().mechanism()->n() > 0);
+  }
+
+  void drawingPutsTheStartPageAway() {
+    set->start({});
+    first().actions().tool[static_cast<std::size_t>(ToolKind::link)]->trigger();
+    QVERIFY(first().startPage().isHidden());
+    first().actions().startPage->trigger();
+    QVERIFY(first().startPage().isVisible());
+    QTest::mouseClick(first().startPage().findChild<QPushButton*>(QStringLiteral("startNew")),
+                      Qt::LeftButton);
+    QVERIFY(first().startPage().isHidden());
+  }
+
+  void aSecondFileGetsAWindowOfItsOwn() {
+    const QString one = written(QStringLiteral("one.geargraph"), 1);
+    const QString two = written(QStringLiteral("two.geargraph"), 2);
+    set->start({});
+    set->open(one, &first());
+    QCOMPARE(set->windows().size(), std::size_t{1});  // the empty one is used
+    set->open(two, &first());
+    QCOMPARE(set->windows().size(), std::size_t{2});
+    QCOMPARE(set->windows().back()->document().mechanism()->n(), 2);
+    set->open(one, set->windows().back());  // it is open already
+    QCOMPARE(set->windows().size(), std::size_t{2});
+    first().actions().newWindow->trigger();
+    QCOMPARE(set->windows().size(), std::size_t{3});
+    QVERIFY(set->windows().back()->close());
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+  }
+
+  void aBrokenFileIsSaidWhereItWasAskedFor() {
+    set->start({});
+    QFile file(folder->filePath(QStringLiteral("broken.geargraph")));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{") == 1);
+    file.close();
+    set->open(file.fileName(), &first());
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    QVERIFY(first().statusLine().text().contains(QStringLiteral("broken.geargraph")));
+  }
+
+  void filesAreDropped() {
+    const QString one = written(QStringLiteral("one.geargraph"), 1);
+    const QString two = written(QStringLiteral("two.geargraph"), 2);
+    set->start({});
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(one), QUrl::fromLocalFile(two)});
+    // Over the drawing, which must not swallow them.
+    QWidget* sheet = first().digraph().viewport();
+    QDragEnterEvent enter({40, 40}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(sheet, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({40, 40}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(sheet, &drop);
+    QCOMPARE(set->windows().size(), std::size_t{2});
+    QCOMPARE(first().files().source(), one);
+    QCOMPARE(set->windows().back()->files().source(), two);
+
+    QMimeData text;
+    text.setText(QStringLiteral("a text"));
+    QDragEnterEvent other({40, 40}, Qt::CopyAction, &text, Qt::LeftButton, {});
+    QApplication::sendEvent(sheet, &other);
+    QVERIFY(!other.isAccepted());
+  }
+
+  void recentFilesHavePictures() {
+    const QString one = written(QStringLiteral("one.geargraph"), 1);
+    set->start({one});
+    QCOMPARE(RecentFiles::paths(), QStringList{one});
+    QTRY_VERIFY(!Thumbnails::kept(one, Theme::light).isNull());
+    QTRY_VERIFY(!Thumbnails::kept(one, Theme::dark).isNull());
+    QVERIFY(Thumbnails::kept(one, Theme::light) != Thumbnails::kept(one, Theme::dark));
+    first().actions().startPage->trigger();
+    QCOMPARE(first().startPage().recent().model()->rowCount(), 1);
+  }
+
+  void whatAnotherProgramWroteIsSaidAndTakenOver() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    addLink(first());
+    const MechanismPtr own = first().document().mechanism();
+    written(QStringLiteral("one.geargraph"), 5);
+    QTRY_VERIFY(first().notices().current() != nullptr);
+    QVERIFY2(first().notices().current()->text.contains(QStringLiteral("4 links added")),
+             qPrintable(first().notices().current()->text));
+    QCOMPARE(first().document().mechanism().get(), own.get());
+    answer(first(), QStringLiteral("Reload"));
+    QCOMPARE(first().document().mechanism()->n(), 5);
+    QVERIFY(!first().document().isModified());
+    first().document().undoStack().undo();
+    QCOMPARE(first().document().mechanism().get(), own.get());
+  }
+
+  void whatAnotherProgramWroteIsNotOverwrittenUnasked() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    addLink(first());
+    written(QStringLiteral("one.geargraph"), 5);
+    QVERIFY(!first().saveDocument(path));
+    QVERIFY(first().document().isModified());
+    QCOMPARE(readDocument(path)->n(), 5);
+    answer(first(), QStringLiteral("Overwrite"));
+    QCOMPARE(readDocument(path)->n(), 2);
+    QVERIFY(!first().document().isModified());
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void ownSavesAreNoForeignChange() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    for (int i = 0; i < 3; ++i) {
+      addLink(first());
+      QVERIFY(first().saveDocument(path));
+    }
+    QTest::qWait(0);
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void aFileThatIsGoneIsSaid() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    QVERIFY(QFile::remove(path));
+    QTRY_VERIFY(first().notices().current() != nullptr);
+    answer(first(), QStringLiteral("Save again"));
+    QCOMPARE(readDocument(path)->n(), 1);
+  }
+
+  void revertingCanBeUndone() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    QVERIFY(!first().actions().revert->isEnabled());
+    addLink(first());
+    QVERIFY(first().actions().revert->isEnabled());
+    first().actions().revert->trigger();
+    QCOMPARE(first().document().mechanism()->n(), 1);
+    QVERIFY(!first().isWindowModified());
+    first().document().undoStack().undo();
+    QCOMPARE(first().document().mechanism()->n(), 2);
+    QVERIFY(first().isWindowModified());
+  }
+
+  void theSessionIsThereAgain() {
+    const QString one = written(QStringLiteral("one.geargraph"), 1);
+    const QString two = written(QStringLiteral("two.geargraph"), 2);
+    set->start({one, two});
+    set->quit();
+    QVERIFY(set->windows().empty());
+    startAgain();
+    QCOMPARE(set->windows().size(), std::size_t{2});
+    QCOMPARE(first().files().source(), one);
+    QCOMPARE(set->windows().back()->files().source(), two);
+    QVERIFY(first().startPage().isHidden());
+    QVERIFY(QFile::remove(two));
+    startAgain();  // after a crash, and with a file that is gone
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    QVERIFY(first().statusLine().text().contains(QStringLiteral("two.geargraph")));
+    first().actions().restoreSession->trigger();
+    QVERIFY(!set->restoresSession());
+    startAgain();
+    QVERIFY(first().startPage().isVisible());
+  }
+
+  void aSecondProgramLeavesTheSessionAlone() {
+    const QString one = written(QStringLiteral("one.geargraph"), 1);
+    set->start({one});
+    WindowSet other(app());
+    other.start({});
+    QVERIFY(other.windows().front()->startPage().isVisible());
+    QVERIFY(other.windows().front()->close());
+    startAgain();
+    QCOMPARE(first().files().source(), one);
+  }
+
+  void unsavedChangesOfAFileAreOfferedAndRestored() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    addLink(first());
+    addLink(first());
+    startAgain();  // the session opens the file
+    QCOMPARE(first().document().mechanism()->n(), 1);
+    QVERIFY(!first().document().isModified());
+    const QString said = first().notices().current()->text;
+    QVERIFY2(said.contains(QStringLiteral("one.geargraph")) && said.contains(QStringLiteral("2 edits")) &&
+                 said.contains(QStringLiteral("2 links added")),
+             qPrintable(said));
+    answer(first(), QStringLiteral("Restore"));
+    QVERIFY(first().notices().current() == nullptr);
+    QCOMPARE(first().document().mechanism()->n(), 3);
+    QVERIFY(first().isWindowModified());
+    QCOMPARE(readDocument(path)->n(), 1);  // the file is the person's to write
+    startAgain();                          // restored, but still not saved
+    answer(first(), QStringLiteral("Restore"));
+    QCOMPARE(first().document().mechanism()->n(), 3);
+    first().document().undoStack().undo();
+    QCOMPARE(first().document().mechanism()->n(), 1);
+  }
+
+  void aDocumentWithoutAFileIsOfferedAndRestored() {
+    set->start({});
+    first().actions().newDocument->trigger();
+    addLink(first());
+    startAgain();
+    QVERIFY(first().startPage().isVisible());
+    QVERIFY(first().notices().current()->text.contains(QStringLiteral("1 edit ")));
+    answer(first(), QStringLiteral("Restore"));
+    QVERIFY(first().startPage().isHidden());
+    QCOMPARE(first().document().mechanism()->n(), 1);
+    QVERIFY(first().document().filePath().isEmpty());
+  }
+
+  void whatIsDiscardedIsNotOfferedAgain() {
+    set->start({});
+    addLink(first());
+    startAgain();
+    answer(first(), QStringLiteral("Discard"));
+    startAgain();
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void whatIsPutOffIsOfferedAgain() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    addLink(first());
+    startAgain();
+    answer(first(), QStringLiteral("Later"));
+    addLink(first());  // its side file is another one
+    addLink(first());
+    startAgain();
+    const QString one = first().notices().current()->text;
+    answer(first(), QStringLiteral("Later"));
+    const QString two = first().notices().current()->text;
+    QVERIFY(one.contains(QStringLiteral("1 edit ")) != two.contains(QStringLiteral("1 edit ")));
+    QVERIFY(one.contains(QStringLiteral("2 edits ")) != two.contains(QStringLiteral("2 edits ")));
+  }
+
+  void whatWasSavedOrGivenUpIsNotOffered() {
+    const QString path = written(QStringLiteral("one.geargraph"), 1);
+    set->start({path});
+    addLink(first());
+    QVERIFY(first().saveDocument(path));
+    startAgain();
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void aWindowThatStandsAloneKeepsNothing() {
+    MainWindow alone;
+    QVERIFY(alone.openDocument(written(QStringLiteral("one.geargraph"), 1)));
+    addLink(alone);
+    QVERIFY(alone.files().autosave() == nullptr);
+    QVERIFY(RecentFiles::paths().isEmpty());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowFilesTest)
+#include "test_window_files.moc"

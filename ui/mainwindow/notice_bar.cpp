@@ -1,0 +1,94 @@
+#include "ui/mainwindow/notice_bar.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "ui/theme/application_theme.h"
+#include "ui/theme/icons.h"
+
+namespace geargraph {
+namespace {
+constexpr int kIcon = 16;
+}
+
+NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
+  setObjectName(QStringLiteral("noticeBar"));
+  setMovable(false);
+  toggleViewAction()->setVisible(false);
+  auto* strip = new QWidget(this);
+  m_layout = new QHBoxLayout(strip);
+  m_layout->setContentsMargins(6, 3, 6, 3);
+  m_layout->setSpacing(8);
+  m_icon = new QLabel(strip);
+  m_text = new QLabel(strip);
+  m_text->setObjectName(QStringLiteral("noticeText"));
+  m_text->setWordWrap(true);
+  m_text->setTextFormat(Qt::PlainText);
+  m_count = new QLabel(strip);
+  m_count->setProperty("look", "hint");
+  m_layout->addWidget(m_icon);
+  m_layout->addWidget(m_text, 1);
+  m_layout->addWidget(m_count);
+  addWidget(strip);
+  renew();
+}
+
+void NoticeBar::post(Notice notice) {
+  const auto same = std::find_if(m_notices.begin(), m_notices.end(),
+                                 [&](const Notice& each) { return each.key == notice.key; });
+  if (same == m_notices.end()) {
+    m_notices.push_back(std::move(notice));
+  } else {
+    *same = std::move(notice);
+  }
+  renew();
+}
+
+void NoticeBar::withdraw(const QString& key) {
+  std::erase_if(m_notices, [&](const Notice& each) { return each.key == key; });
+  renew();
+}
+
+void NoticeBar::renew() {
+  // A button may be what called us.
+  for (QWidget* button : std::as_const(m_buttons)) {
+    button->hide();
+    button->deleteLater();
+  }
+  m_buttons.clear();
+  setVisible(!m_notices.empty());
+  if (m_notices.empty()) return;
+  const Notice& notice = m_notices.front();
+  m_text->setText(notice.text);
+  m_count->setText(m_notices.size() > 1 ? tr("1 of %1").arg(m_notices.size()) : QString());
+  for (const Notice::Answer& answer : notice.answers) {
+    auto* button = new QPushButton(answer.text, m_text->parentWidget());
+    button->setToolTip(answer.tip);
+    connect(button, &QPushButton::clicked, this, [this, key = notice.key, run = answer.run] {
+      withdraw(key);
+      if (run) run();
+    });
+    m_layout->addWidget(button);
+    button->show();
+    m_buttons << button;
+  }
+  renewIcon();
+}
+
+void NoticeBar::renewIcon() {
+  if (m_notices.empty()) return;
+  const Severity severity = m_notices.front().severity;
+  m_icon->setPixmap(iconPixmap(severityIconName(severity), severityRole(severity), themeOf(palette()), kIcon,
+                               devicePixelRatioF()));
+}
+
+void NoticeBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) renewIcon();
+}
+
+}  // namespace geargraph

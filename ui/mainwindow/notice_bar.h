@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QToolBar>
+#include <functional>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+class QLabel;
+class QHBoxLayout;
+
+namespace geargraph {
+
+/// Something that a person should decide on, but need not decide now.
+struct Notice {
+  struct Answer {
+    QString text;
+    QString tip;
+    std::function<void()> run;
+  };
+  QString key;  ///< a notice takes the place of an older one with its key
+  Severity severity = Severity::info;
+  QString text;
+  std::vector<Answer> answers;  ///< each takes the notice away before it runs
+};
+
+/// A strip below the tool bar that shows notices, the oldest first, and stops nobody from working.
+class NoticeBar : public QToolBar {
+  Q_OBJECT
+
+ public:
+  explicit NoticeBar(QWidget* parent = nullptr);
+
+  void post(Notice notice);
+  void withdraw(const QString& key);
+  /// The notice that is shown; null where there is none.
+  [[nodiscard]] const Notice* current() const { return m_notices.empty() ? nullptr : &m_notices.front(); }
+  /// Shown while there is a notice; a restored layout may have said otherwise.
+  void renew();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void renewIcon();
+
+  std::vector<Notice> m_notices;
+  QLabel* m_icon;
+  QLabel* m_text;
+  QLabel* m_count;
+  QHBoxLayout* m_layout;
+  QList<QWidget*> m_buttons;
+};
+
+}  // namespace geargraph

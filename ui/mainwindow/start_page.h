@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QListView;
+class QStandardItemModel;
+
+namespace geargraph {
+
+class Thumbnails;
+
+/// What a window shows before there is a document: new, open, the files of late and the examples, with
+/// pictures. It lies over drawings and docks, below the tool bars, and leaves them as they are.
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @pre parent is a QMainWindow
+  explicit StartPage(QWidget* parent);
+
+  /// Fills the lists anew and shows the page. `withRecent`: with the files of late.
+  void open(bool withRecent);
+  /// Hides the page; what lies below gets the keys.
+  void dismiss(QWidget* below);
+
+  [[nodiscard]] QListView& examples() { return *m_examples; }
+  [[nodiscard]] QListView& recent() { return *m_recent; }
+
+ signals:
+  void newWanted();
+  void openWanted();
+  void chosen(const QString& path);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* makeSide();
+  QWidget* makeExamples();
+  QListView* makeList(const char* name, QStandardItemModel* model);
+  void fill();
+  void fillRecent();
+  void fitWindow();
+
+  Thumbnails* m_thumbnails;
+  QStandardItemModel* m_recentModel;
+  QStandardItemModel* m_exampleModel;
+  QListView* m_recent;
+  QListView* m_examples;
+  QLabel* m_noRecent;
+  bool m_withRecent = true;
+};
+
+}  // namespace geargraph

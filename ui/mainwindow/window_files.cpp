@@ -1,0 +1,349 @@
+#include "ui/mainwindow/window_files.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+
+#include "core/mechanism/difference.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/thumbnails.h"
+#include "ui/mainwindow/window_set.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/term_tips.h"
+
+namespace geargraph {
+namespace {
+
+const QString kForeignKey = QStringLiteral("file");
+
+QString documentFilter() {
+  return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
+}
+
+QString textOf(const Difference& difference) {
+  return shownText(differenceText(difference));
+}
+
+Edit takingOver(const QString& text, const MechanismPtr& mechanism) {
+  return {text, [mechanism](const Mechanism&) -> Expected<Mechanism> { return *mechanism; }, 0};
+}
+
+QString timeText(const QDateTime& time) {
+  const QLocale locale;
+  const bool today = time.date() == QDate::currentDate();
+  return today ? locale.toString(time.time(), QLocale::ShortFormat)
+               : locale.toString(time, QLocale::ShortFormat);
+}
+
+}  // namespace
+
+/// A side file that waits for an answer. It is held meanwhile, so that nobody else offers it.
+struct WindowFiles::Offered {
+  std::unique_ptr<SideFile> side;
+  SideDocument document;
+};
+
+WindowFiles::WindowFiles(MainWindow* window, NoticeBar* notices, RecentFiles* recent)
+    : m_window(window), m_document(&window->document()), m_notices(notices), m_recent(recent) {
+  connect(&m_watch, &FileWatch::changed, this, &WindowFiles::onForeignChange);
+  connect(&m_watch, &FileWatch::removed, this, &WindowFiles::onRemoved);
+}
+
+// --- opening ----------------------------------------------------------------------------------------------
+
+bool WindowFiles::open(const QString& path) {
+  Expected<Mechanism> opened = readDocument(path);
+  if (!opened) {
+    sayBroken(path, opened.error());
+    return false;
+  }
+  show(std::move(opened).value(), path);
+  return true;
+}
+
+void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
+  const QString name = QFileInfo(path).fileName();
+  m_window->problems().setFileProblems(name, why);
+  if (auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dock.problems"))) {
+    dock->show();
+    dock->raise();
+  }
+  m_window->statusLine().showRefusal(
+      tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
+}
+
+void WindowFiles::show(Mechanism mechanism, const QString& path) {
+  const bool isExample = path.startsWith(QLatin1String(":/"));
+  m_window->problems().clearFileProblems();
+  m_window->selection().clear();
+  m_example = isExample ? path : QString();
+  m_document->replace(std::move(mechanism), isExample ? QString() : path);
+  took(isExample ? QString() : path);
+  if (!isExample) offerLeftBehind();
+}
+
+void WindowFiles::startAnew() {
+  m_window->selection().clear();
+  m_example.clear();
+  m_document->replace(emptyMechanism(), {});
+  took({});
+}
+
+/// The document as it is now is what stands in this file.
+void WindowFiles::took(const QString& path) {
+  m_onDisk = m_document->mechanism();
+  m_watch.watch(path);
+  m_notices->withdraw(kForeignKey);
+  if (m_autosave) m_autosave->setTitle(title());
+  if (!path.isEmpty() && m_windows != nullptr) {
+    m_recent->add(path);
+    Thumbnails::keep(path, m_onDisk);
+  }
+  emit titleChanged();
+  emit sourceChanged();
+}
+
+QString WindowFiles::source() const {
+  return m_document->filePath().isEmpty() ? m_example : m_document->filePath();
+}
+
+QString WindowFiles::title() const {
+  const QString name = QFileInfo(source()).fileName();
+  return name.isEmpty() ? tr("Untitled") : name;
+}
+
+bool WindowFiles::isUnused() const {
+  return m_document->filePath().isEmpty() && !m_document->isModified();
+}
+
+void WindowFiles::newForPerson() {
+  if (isUnused() || m_windows == nullptr) {
+    if (mayDiscard()) startAnew();
+  } else {
+    m_windows->openNew();
+  }
+}
+
+void WindowFiles::newWindow() {
+  if (m_windows != nullptr) m_windows->openNew();
+}
+
+void WindowFiles::openForPerson(const QString& path) {
+  if (m_windows != nullptr) return m_windows->open(path, m_window);
+  if (mayDiscard() && !open(path)) m_recent->forget(path);
+}
+
+void WindowFiles::chooseAndOpen() {
+  const QString folder = QFileInfo(m_document->filePath()).path();
+  const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, documentFilter());
+  if (!path.isEmpty()) openForPerson(path);
+}
+
+// --- saving -----------------------------------------------------------------------------------------------
+
+bool WindowFiles::save(const QString& path) {
+  if (path == m_document->filePath() && m_watch.isForeign()) {
+    onForeignChange();
+    return false;
+  }
+  return saveAnyway(path);
+}
+
+bool WindowFiles::saveAnyway(const QString& path) {
+  if (const auto why = writeDocument(*m_document->mechanism(), path)) {
+    m_window->statusLine().showRefusal(*why);
+    return false;
+  }
+  m_document->markSaved(path);
+  took(path);
+  m_window->statusLine().showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+bool WindowFiles::saveOrChoose() {
+  return m_document->filePath().isEmpty() ? chooseAndSave() : save(m_document->filePath());
+}
+
+bool WindowFiles::chooseAndSave() {
+  QString proposed = m_document->filePath();
+  if (proposed.isEmpty()) proposed = m_example.isEmpty() ? tr("untitled.geargraph") : title();
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Save as"), proposed, documentFilter());
+  if (path.isEmpty()) return false;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".geargraph");
+  return saveAnyway(path);  // the dialog has asked whether to overwrite
+}
+
+bool WindowFiles::mayDiscard() {
+  if (!m_document->isModified()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("Save the changes to %1 first?").arg(title()),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return saveOrChoose();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void WindowFiles::discard() {
+  if (m_autosave) m_autosave->discard();
+}
+
+void WindowFiles::quit() {
+  if (m_windows != nullptr) {
+    m_windows->quit();
+  } else {
+    m_window->close();
+  }
+}
+
+void WindowFiles::setRestoresSession(bool restores) {
+  if (m_windows != nullptr) m_windows->setRestoresSession(restores);
+}
+
+void WindowFiles::renewActions(const WindowActions& actions) const {
+  const QString alone = tr("This window stands alone.");
+  WindowActions::setAvailable(actions.newWindow, m_windows != nullptr, alone);
+  WindowActions::setAvailable(actions.restoreSession, m_windows != nullptr, alone);
+  actions.restoreSession->setChecked(m_windows != nullptr && m_windows->restoresSession());
+  const bool hasFile = !m_document->filePath().isEmpty();
+  WindowActions::setAvailable(
+      actions.revert, hasFile && m_document->isModified(),
+      hasFile ? tr("Nothing has been changed since it was saved.") : tr("The document has no file yet."));
+}
+
+QStringList WindowFiles::filesIn(const QMimeData& dragged) {
+  QStringList files;
+  for (const QUrl& url : dragged.urls()) {
+    if (url.isLocalFile() && QFileInfo(url.toLocalFile()).isFile()) files << url.toLocalFile();
+  }
+  return files;
+}
+
+// --- the file on the disk ---------------------------------------------------------------------------------
+
+void WindowFiles::revert() {
+  if (m_document->filePath().isEmpty()) return;
+  reload();
+}
+
+void WindowFiles::reload() {
+  const QString path = m_document->filePath();
+  Expected<Mechanism> read = readDocument(path);
+  if (!read) return sayBroken(path, read.error());
+  m_window->problems().clearFileProblems();
+  m_document->apply(
+      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(*read))));
+  m_document->markSaved(path);
+  took(path);
+}
+
+void WindowFiles::onForeignChange() {
+  const QString path = m_document->filePath();
+  const Expected<Mechanism> now = readDocument(path);
+  if (now && *now == *m_onDisk) return m_watch.accept();
+  const QString what = now ? textOf(differenceOf(*m_onDisk, *now)) : tr("it cannot be read any more");
+  const QString unsaved =
+      m_document->isModified() ? tr(" Your own changes are not saved; reloading can be undone.") : QString();
+  m_notices->post(
+      {kForeignKey,
+       Severity::warning,
+       tr("Another program has changed %1: %2.%3").arg(title(), what, unsaved),
+       {{tr("Reload"), tr("Take over what is in the file"), [this] { reload(); }},
+        {tr("Overwrite"), tr("Save this window's document over it"), [this, path] { saveAnyway(path); }},
+        {tr("Keep both"), tr("Save this window's document under another name"), [this] { chooseAndSave(); }},
+        {tr("Later"), tr("Saving will ask again"), {}}}});
+}
+
+void WindowFiles::onRemoved() {
+  const QString path = m_document->filePath();
+  m_notices->post({kForeignKey,
+                   Severity::warning,
+                   tr("Another program has moved or deleted %1.").arg(title()),
+                   {{tr("Save again"), tr("Write it where it was"), [this, path] { saveAnyway(path); }},
+                    {tr("Save as…"), tr("Save under another name"), [this] { chooseAndSave(); }},
+                    {tr("Later"), tr("The document stays open"), {}}}});
+}
+
+// --- side files -------------------------------------------------------------------------------------------
+
+void WindowFiles::join(WindowSet* windows, const QString& recoveryFolder) {
+  m_windows = windows;
+  m_recoveryFolder = recoveryFolder;
+  m_autosave = std::make_unique<Autosave>(m_document, recoveryFolder);
+  connect(m_autosave.get(), &Autosave::failed, this,
+          [this](const QString& why) { m_window->statusLine().showRefusal(why); });
+  renewActions(m_window->actions());
+}
+
+void WindowFiles::offerLeftBehind() {
+  if (m_windows == nullptr) return;
+  for (auto& side : leftBehindOf(m_document->filePath(), m_recoveryFolder)) offer(std::move(side));
+}
+
+void WindowFiles::offer(std::unique_ptr<SideFile> side) {
+  const QString key = side->path();
+  auto document = side->read();
+  if (!document) {
+    const std::shared_ptr<SideFile> kept = std::move(side);
+    return m_notices->post({key,
+                            Severity::warning,
+                            tr("Unsaved changes of an earlier run are in %1, which cannot be read.").arg(key),
+                            {{tr("Delete it"), {}, [kept] { kept->remove(); }},
+                             {tr("Later"), tr("It will be offered again"), {}}}});
+  }
+  const SideNote& note = document->note;
+  Mechanism before = emptyMechanism();
+  if (!note.filePath.isEmpty()) {
+    if (Expected<Mechanism> saved = readDocument(note.filePath)) before = std::move(saved).value();
+  }
+  const QString name = note.filePath.isEmpty() ? tr("a document that was never saved (%1)").arg(note.title)
+                                               : QFileInfo(note.filePath).fileName();
+  const QString edits = note.edits == 1 ? tr("1 edit") : tr("%1 edits").arg(note.edits);
+  const QString what =
+      tr("GearGraph ended with unsaved changes of %1: %2 after it was last saved, the last at %3 (%4).")
+          .arg(name, edits, timeText(note.savedAt), textOf(differenceOf(before, document->mechanism)));
+  auto offered = std::make_shared<Offered>(Offered{std::move(side), std::move(*document)});
+  m_notices->post({key,
+                   Severity::warning,
+                   what,
+                   {{tr("Restore"), tr("Open them as unsaved changes, which can be undone"),
+                     [this, offered] { restore(offered); }},
+                    {tr("Discard"), tr("Delete them for good"), [offered] { offered->side->remove(); }},
+                    {tr("Later"), tr("They stay where they are and will be offered again"), {}}}});
+}
+
+void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
+  const QString path = offered->document.note.filePath;
+  const bool here = isUnused() || (!path.isEmpty() && path == m_document->filePath());
+  if (!here && m_windows != nullptr) {
+    return m_windows->openNew().files().restore(offered);
+  }
+  if (!mayDiscard()) return;
+  if (path.isEmpty()) {
+    startAnew();
+  } else if (path != m_document->filePath() || m_document->isModified()) {
+    Expected<Mechanism> saved = readDocument(path);
+    m_window->selection().clear();
+    m_example.clear();
+    m_document->replace(saved ? std::move(saved).value() : emptyMechanism(), path);
+    took(path);
+  }
+  m_document->apply(takingOver(tr("Restore unsaved changes"),
+                               std::make_shared<const Mechanism>(offered->document.mechanism)));
+  if (m_autosave) m_autosave->adopt(std::move(offered->side), offered->document.note);
+}
+
+}  // namespace geargraph

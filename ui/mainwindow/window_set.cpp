@@ -1,0 +1,185 @@
+#include "ui/mainwindow/window_set.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
+
+namespace geargraph {
+namespace {
+
+const QString kSession = QStringLiteral("session/windows");
+const QString kRestores = QStringLiteral("session/restore");
+constexpr int kCascade = 32;  ///< px between a window and the one opened from it
+
+}  // namespace
+
+WindowSet::WindowSet(const QString& folder, QObject* parent)
+    : QObject(parent), m_folder(folder), m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))) {
+  QDir().mkpath(folder);
+  m_lock.setStaleLockTime(0);
+  m_ownsSession = m_lock.tryLock(0);
+}
+
+WindowSet::~WindowSet() = default;
+
+QString WindowSet::defaultFolder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+      .filePath(QStringLiteral("recovery"));
+}
+
+std::vector<MainWindow*> WindowSet::windows() const {
+  std::vector<MainWindow*> all;
+  for (const auto& window : m_windows) all.push_back(window.get());
+  return all;
+}
+
+MainWindow& WindowSet::add() {
+  const MainWindow* active = qobject_cast<MainWindow*>(QApplication::activeWindow());
+  m_windows.push_back(std::make_unique<MainWindow>());
+  MainWindow& window = *m_windows.back();
+  window.restoreLayout();
+  if (active != nullptr) window.move(active->pos() + QPoint(kCascade, kCascade));
+  window.files().join(this, m_folder);
+  connect(&window, &MainWindow::closed, this, [this, &window] { onClosed(&window); });
+  connect(&window.files(), &WindowFiles::sourceChanged, this, &WindowSet::remember);
+  return window;
+}
+
+MainWindow& WindowSet::openNew() {
+  MainWindow& window = add();
+  window.show();
+  remember();
+  return window;
+}
+
+void WindowSet::open(const QString& path, MainWindow* from) {
+  const bool isExample = path.startsWith(QLatin1String(":/"));
+  const QString wanted = isExample ? path : QFileInfo(path).absoluteFilePath();
+  for (const auto& window : m_windows) {
+    if (isExample || window->files().source() != wanted) continue;
+    window->show();
+    window->raise();
+    return window->activateWindow();
+  }
+  Expected<Mechanism> opened = readDocument(wanted);
+  if (!opened) {
+    RecentFiles::forget(wanted);
+    return from->files().sayBroken(wanted, opened.error());
+  }
+  MainWindow& window = from->files().isUnused() ? *from : add();
+  window.files().show(std::move(opened).value(), wanted);
+  window.show();
+}
+
+// --- the session ------------------------------------------------------------------------------------------
+
+void WindowSet::start(const QStringList& documents) {
+  if (!documents.isEmpty()) {
+    for (const QString& path : documents) {
+      MainWindow& window = add();
+      window.files().open(path.startsWith(QLatin1String(":/")) ? path : QFileInfo(path).absoluteFilePath());
+      window.show();
+    }
+  } else if (!reopenSession()) {
+    openNew().showStartPage();
+  }
+  offerLeftBehind();
+}
+
+bool WindowSet::reopenSession() {
+  if (!m_ownsSession || !restoresSession()) return false;
+  struct Entry {
+    QString source;
+    QByteArray geometry;
+    QByteArray state;
+  };
+  QSettings settings;
+  std::vector<Entry> entries;
+  const int count = settings.beginReadArray(kSession);
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    entries.push_back({settings.value(QStringLiteral("source")).toString(),
+                       settings.value(QStringLiteral("geometry")).toByteArray(),
+                       settings.value(QStringLiteral("state")).toByteArray()});
+  }
+  settings.endArray();
+  QStringList missing;
+  for (const Entry& entry : entries) {
+    Expected<Mechanism> opened = readDocument(entry.source);
+    if (!opened) {
+      missing << QFileInfo(entry.source).fileName();
+      continue;
+    }
+    MainWindow& window = add();
+    window.restoreLayout(entry.geometry, entry.state);
+    window.files().show(std::move(opened).value(), entry.source);
+    window.show();
+  }
+  if (m_windows.empty()) return false;
+  if (!missing.isEmpty())
+    m_windows.front()->statusLine().showNote(
+        tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))));
+  return true;
+}
+
+void WindowSet::offerLeftBehind() {
+  SideFiles left = leftBehind(m_folder, RecentFiles::paths());
+  for (auto& side : left) m_windows.front()->files().offer(std::move(side));
+}
+
+void WindowSet::onClosed(MainWindow* window) {
+  const auto found = std::find_if(m_windows.begin(), m_windows.end(),
+                                  [&](const auto& each) { return each.get() == window; });
+  if (found == m_windows.end()) return;
+  const bool wasLast = m_windows.size() == 1;
+  if (wasLast) remember();
+  found->release()->deleteLater();  // it is the one that tells
+  m_windows.erase(found);
+  if (!wasLast && !m_quitting) remember();
+}
+
+/// Written at every change: a program that is killed is remembered, too.
+void WindowSet::remember() {
+  if (!m_ownsSession || m_quitting) return;
+  QSettings settings;
+  settings.remove(kSession);
+  settings.beginWriteArray(kSession);
+  int index = 0;
+  for (const auto& window : m_windows) {
+    if (window->files().source().isEmpty()) continue;
+    settings.setArrayIndex(index++);
+    settings.setValue(QStringLiteral("source"), window->files().source());
+    settings.setValue(QStringLiteral("geometry"), window->saveGeometry());
+    settings.setValue(QStringLiteral("state"), window->saveState());
+  }
+  settings.endArray();
+}
+
+void WindowSet::quit() {
+  remember();
+  m_quitting = true;
+  for (MainWindow* window : windows()) {
+    if (!window->close()) break;
+  }
+  m_quitting = false;
+  if (!m_windows.empty()) remember();
+}
+
+bool WindowSet::restoresSession() const {
+  return QSettings().value(kRestores, true).toBool();
+}
+
+void WindowSet::setRestoresSession(bool restores) {
+  QSettings().setValue(kRestores, restores);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QLockFile>
+#include <QObject>
+#include <memory>
+#include <vector>
+
+class QSettings;
+
+namespace geargraph {
+
+class MainWindow;
+
+/// The windows of the program: makes them, sends files to them, and remembers which files were open, so that
+/// the next start shows them again.
+class WindowSet : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `folder`: where side files of documents without a file are kept, and the lock of the session. Of several
+  /// running programs the first one remembers its windows.
+  explicit WindowSet(const QString& folder, QObject* parent = nullptr);
+  ~WindowSet() override;
+
+  /// The folder for the running user.
+  [[nodiscard]] static QString defaultFolder();
+
+  /// The first windows: these documents, else those of the last session, else the start page; and an offer
+  /// for whatever an earlier run left unsaved.
+  void start(const QStringList& documents);
+  /// A window with an empty document.
+  MainWindow& openNew();
+  /// Opens a file or example: in its own window if it is open already, in `from` if that holds nothing yet,
+  /// else in a new one.
+  void open(const QString& path, MainWindow* from);
+  /// Closes all windows, unless a person minds, and remembers them.
+  void quit();
+
+  [[nodiscard]] bool restoresSession() const;
+  void setRestoresSession(bool restores);
+  [[nodiscard]] std::vector<MainWindow*> windows() const;
+
+ private:
+  MainWindow& add();
+  bool reopenSession();
+  void offerLeftBehind();
+  void onClosed(MainWindow* window);
+  void remember();
+
+  QString m_folder;
+  QLockFile m_lock;
+  bool m_ownsSession;
+  bool m_quitting = false;
+  std::vector<std::unique_ptr<MainWindow>> m_windows;
+};
+
+}  // namespace geargraph
