@@ -35,6 +35,17 @@ QPoint Hand::placeOf(int link) {
   return {};
 }
 
+QPoint Hand::placeOfMesh(int mesh) {
+  const MeshId id = m_window.document().mechanism()->gearMeshes.at(static_cast<std::size_t>(mesh)).id;
+  for (const Outline& outline : m_window.digraph().displayList().outlines) {
+    const auto* curve = std::get_if<Curve>(&outline.shape);
+    if (curve == nullptr || outline.element != ElementId(id)) continue;
+    const SheetPoint middle = curve->at(0.3);
+    return m_window.digraph().mapFromScene(QPointF(middle.x, middle.y));
+  }
+  return {};
+}
+
 void Hand::clickLink(int label) {
   QTest::mouseClick(sheet(), Qt::LeftButton, {}, placeOf(label));
 }

@@ -26,6 +26,8 @@ class Hand {
   void drawRobot();
 
   [[nodiscard]] QPoint placeOf(int link);
+  /// On the arrow of a mesh, by its position in the list.
+  [[nodiscard]] QPoint placeOfMesh(int mesh);
 
  private:
   [[nodiscard]] QWidget* sheet();

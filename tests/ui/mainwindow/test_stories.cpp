@@ -1,0 +1,192 @@
+#include <QComboBox>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/start_page.h"
+#include "ui/mainwindow/window_set.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/results_panel.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+/// Somebody at the program with a mouse and a keyboard; every click, drag and key is a gesture.
+class Person {
+ public:
+  explicit Person(MainWindow& window) : m_window(window), m_hand(window) {}
+
+  void clickButton(QWidget* button) {
+    ++gestures;
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    ++gestures;
+    m_hand.key(key, modifiers);
+  }
+  void keyIn(QWidget* widget, Qt::Key key) {
+    ++gestures;
+    QTest::keyClick(widget, key);
+  }
+  void click(double across, double down) {
+    ++gestures;
+    m_hand.click(across, down);
+  }
+  void clickLink(int link) {
+    ++gestures;
+    m_hand.clickLink(link);
+  }
+  void clickMesh(int mesh, Qt::KeyboardModifiers modifiers = {}) {
+    ++gestures;
+    QTest::mouseClick(m_window.digraph().viewport(), Qt::LeftButton, modifiers, m_hand.placeOfMesh(mesh));
+  }
+  void drag(int from, int to) {
+    ++gestures;
+    m_hand.drag(from, to);
+  }
+  void raise(const QString& dock) {
+    ++gestures;
+    for (auto* tabs : m_window.findChildren<QTabBar*>()) {
+      for (int i = 0; i < tabs->count(); ++i) {
+        if (tabs->tabText(i) == dock) QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
+      }
+    }
+  }
+
+  int gestures = 0;
+
+ private:
+  MainWindow& m_window;
+  test::Hand m_hand;
+};
+
+}  // namespace
+
+/// Two stories from an empty window, by mouse and keyboard alone, with their gestures counted.
+class StoriesTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<QTemporaryDir> folder;
+  std::unique_ptr<WindowSet> windows;
+  MainWindow* window = nullptr;
+
+  /// What a person reads in the row of this link: its rate now.
+  [[nodiscard]] QString rateOfLink(int label) const {
+    const ResultsModel& model = window->results().model();
+    for (int i = 0; i < model.rowCount(); ++i) {
+      if (model.index(i, 0).data(ResultsModel::LinkLabelRole).toInt() == label)
+        return model.index(i, model.columnCount() - 1).data().toString();
+    }
+    return {};
+  }
+  [[nodiscard]] QStringList formulas(int row) const {
+    const ResultsModel& model = window->results().model();
+    QStringList texts;
+    for (int j = 1; j + 1 < model.columnCount(); ++j) texts << model.index(row, j).data().toString();
+    return texts;
+  }
+  [[nodiscard]] QString chip(const char* name) const {
+    return window->findChild<QToolButton*>(QLatin1String(name))->text();
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    QStandardPaths::setTestModeEnabled(true);
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    folder = std::make_unique<QTemporaryDir>();
+    windows = std::make_unique<WindowSet>(folder->path());
+    windows->start({});
+    window = windows->windows().front();
+    window->resize(1366, 768);
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+  }
+  void cleanup() { windows.reset(); }
+
+  void aBeginnerDrawsAPlanetarySetAndReadsItsRatio() {
+    Person person(*window);
+    person.clickButton(window->startPage().findChild<QPushButton*>(QStringLiteral("startNew")));
+    person.key(Qt::Key_L);
+    person.click(0.25, 0.2);  // 1, the sun
+    person.click(0.75, 0.8);  // 2, the carrier
+    person.click(0.8, 0.2);   // 3, the planet
+    person.key(Qt::Key_T);
+    person.drag(0, 1);
+    person.drag(0, 2);
+    person.drag(2, 3);
+    person.key(Qt::Key_G);
+    person.drag(1, 3);  // sun and planet
+    person.drag(3, 0);  // planet and ring, which stands still
+    person.key(Qt::Key_I);
+    person.clickLink(1);
+    QTRY_VERIFY(window->isSettled());
+
+    QCOMPARE(rateOfLink(2), QStringLiteral("1/4"));  // 20/(20 + 60)
+    QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 1"));
+    QCOMPARE(window->problems().model().rowCount(), 0);
+    QVERIFY(window->results().isVisible());
+    qInfo("A planetary set and its ratio: %d gestures", person.gestures);
+    QVERIFY(person.gestures < 20);
+  }
+
+  void anExpertDrawsThePapersRobot() {
+    Person person(*window);
+    person.clickButton(window->startPage().findChild<QPushButton*>(QStringLiteral("startNew")));
+    for (int i = 0; i < 3; ++i) person.key(Qt::Key_Minus, Qt::ControlModifier);
+    person.key(Qt::Key_L);
+    const double places[7][2] = {{0.36, 0.8},  {0.62, 0.3}, {0.88, 0.15}, {0.14, 0.2},
+                                 {0.36, 0.12}, {0.62, 0.9}, {0.88, 0.85}};
+    for (const auto& place : places) person.click(place[0], place[1]);
+    person.key(Qt::Key_T);
+    const int joints[7][2] = {{0, 4}, {0, 5}, {0, 1}, {1, 6}, {1, 2}, {2, 7}, {2, 3}};
+    for (const auto& joint : joints) person.drag(joint[0], joint[1]);
+    person.key(Qt::Key_G);
+    const int meshes[4][2] = {{4, 1}, {5, 2}, {6, 7}, {7, 3}};
+    for (const auto& mesh : meshes) person.drag(mesh[0], mesh[1]);
+    person.key(Qt::Key_V);
+    person.clickMesh(1);
+    person.clickMesh(2, Qt::ShiftModifier);
+    person.clickMesh(3, Qt::ShiftModifier);
+    person.raise(QStringLiteral("Properties"));
+    auto* kind = window->findChild<QComboBox*>(QStringLiteral("meshKind"));
+    QVERIFY(kind != nullptr);
+    person.keyIn(kind, Qt::Key_B);  // bevel
+    person.key(Qt::Key_I);
+    for (const int link : {4, 5, 6}) person.clickLink(link);
+    QTRY_VERIFY(window->isSettled());
+
+    // [AU, Eqs. (2), (5), (25)]
+    QCOMPARE(test::shownRows(*window, MatrixKind::reducedIncidence),
+             (QStringList{"0 0 1 -1 -1 0 0 1 0 0 0", "0 0 0 0 1 -1 -1 0 1 0 0", "0 0 0 0 0 0 1 0 0 0 1",
+                          "1 0 0 0 0 0 0 -1 0 0 0", "0 1 0 0 0 0 0 0 -1 0 0", "0 0 0 1 0 0 0 0 0 -1 0",
+                          "0 0 0 0 0 1 0 0 0 1 -1"}));
+    QCOMPARE(test::shownRows(*window, MatrixKind::cycleBasis),
+             (QStringList{"1 0 -1 0 0 0 0 1 0 0 0", "0 1 -1 0 -1 0 0 0 1 0 0", "0 0 0 1 -1 -1 0 0 0 1 0",
+                          "0 0 0 0 0 1 -1 0 0 0 1"}));
+    QCOMPARE(window->problems().model().rowCount(), 0);
+    QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 3"));
+    // A digraph does not say on which side of an apex bevel wheels sit. Those of meshes 16 and 17 are placed
+    // on the other side than in Fig. 3, so i16 and i17 bear the other sign than in (25).
+    QCOMPARE(formulas(0), (QStringList{"-i15", "0", "0"}));
+    QCOMPARE(formulas(1), (QStringList{"i16*i15", "i16", "0"}));
+    QCOMPARE(formulas(2), (QStringList{"-i17*i16*i15", "-i17*i16", "i17"}));
+    QCOMPARE(formulas(3), (QStringList{"-i18*i17*i16*i15", "-i18*i17*i16", "i18*i17"}));
+    qInfo("The paper's robot: %d gestures", person.gestures);
+    QVERIFY(person.gestures < 40);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::StoriesTest)
+#include "test_stories.moc"
