@@ -47,6 +47,10 @@ const std::vector<Definition>& glossary() {
        "The mechanism as a directed graph: a node for each link, a solid arrow for each turning joint, a "
        "dashed arrow for each gear mesh.",
        0},
+      {Term::functionalSchematic, "", "Functional schematic",
+       "The mechanism in section, with the symbols of ISO 3952: axes dash-dotted, shafts as thick lines, "
+       "bearings as bars about them, gears as pitch lines, the frame hatched.",
+       0},
       {Term::link, "", "Link", "A rigid body: a gear, a carrier arm, a shaft, or several of them in one.", 0},
       {Term::ground, "0", "Ground",
        "The link that stands still. All others are tied to it by turning joints.", 0},

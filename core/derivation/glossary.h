@@ -21,6 +21,7 @@ enum class Term {
   cycleBasisMatrix,
   cutsetMatrix,
   digraph,
+  functionalSchematic,
   link,
   ground,
   turningJoint,

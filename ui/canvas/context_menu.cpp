@@ -44,6 +44,10 @@ void fillForArrow(QMenu& menu, const Mechanism& mechanism, const ElementId& arro
   add(menu, tr("Delete"), tr("Del"), actions.remove);
 }
 
+void fillForAxis(QMenu& menu, const ContextActions& actions) {
+  add(menu, tr("Delete with its joints"), tr("Del"), actions.remove);
+}
+
 }  // namespace
 
 void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
@@ -62,6 +66,8 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   menu.setTitle(describe(mechanism, {*element}));
   if (element->kind == ElementKind::link) {
     fillForLink(menu, mechanism, LinkId(element->id), actions);
+  } else if (element->kind == ElementKind::axis) {
+    fillForAxis(menu, actions);
   } else {
     fillForArrow(menu, mechanism, *element, actions);
   }

@@ -118,6 +118,8 @@ class DrawingView : public QGraphicsView {
   void updateCursor();
   void panBy(QPointF sheetUnits);
   void openRenameEditor(LinkId link);
+  /// Does all of the drawing fill the window, as nobody moved it since?
+  [[nodiscard]] bool isFitted() const { return m_fitted; }
   [[nodiscard]] double scaleNow() const { return transform().m11(); }
   [[nodiscard]] std::optional<ElementId> elementUnder(QPointF viewportPlace) const;
 

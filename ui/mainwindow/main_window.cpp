@@ -26,6 +26,7 @@
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/term_tips.h"
+#include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 #include "ui/view3d/view3d.h"
@@ -105,6 +106,9 @@ void MainWindow::makeDrawings() {
   setCentralWidget(m_drawings);
   m_digraph = new DigraphView(m_document, m_selection, m_drawings);
   addDrawing(m_digraph, tr("Digraph"), tipOf(Term::digraph));
+  m_schematic = new SchematicView(m_document, m_selection, m_drawings);
+  addDrawing(m_schematic, tr("Schematic"), tipOf(Term::functionalSchematic));
+  connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
@@ -228,6 +232,10 @@ void MainWindow::wireView3D() {
     m_view3d->setStage(stage);
     tellWhenSettled();
   });
+}
+
+bool MainWindow::isSettled() const {
+  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isUpToDate();
 }
 
 void MainWindow::tellWhenSettled() {

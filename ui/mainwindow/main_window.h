@@ -16,6 +16,7 @@ namespace geargraph {
 class DigraphView;
 class DockTitles;
 class DrawingView;
+class SchematicView;
 class GearboxPanel;
 class InputsPanel;
 class MatricesPanel;
@@ -70,7 +71,7 @@ class MainWindow : public QMainWindow {
   void showStartPage(bool withRecent = true);
   void setDark(bool dark);
   /// Is everything shown as the document is now?
-  [[nodiscard]] bool isSettled() const { return m_service->isComplete() && m_stages->isUpToDate(); }
+  [[nodiscard]] bool isSettled() const;
 
  signals:
   /// Analysis and stage of the document as it is now have reached all views.
@@ -120,6 +121,7 @@ class MainWindow : public QMainWindow {
 
   QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
   DigraphView* m_digraph = nullptr;
+  SchematicView* m_schematic = nullptr;
   MatricesPanel* m_matrices = nullptr;
   ProblemsPanel* m_problems = nullptr;
   PropertiesPanel* m_properties = nullptr;

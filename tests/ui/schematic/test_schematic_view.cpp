@@ -1,0 +1,133 @@
+#include <QFile>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "core/io/mechanism_file.h"
+#include "core/mechanism/edits.h"
+#include "ui/schematic/schematic_view.h"
+
+using namespace geargraph;
+
+namespace {
+
+Mechanism example(const QString& name) {
+  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name +
+             QStringLiteral(".geargraph"));
+  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
+  return readMechanism(file.readAll().toStdString()).value();
+}
+
+struct Driver {
+  Document document;
+  Selection selection;
+  SchematicView view{&document, &selection};
+
+  explicit Driver(const Mechanism& mechanism) {
+    view.resize(900, 600);
+    view.show();
+    static_cast<void>(QTest::qWaitForWindowExposed(&view));
+    document.replace(mechanism, "test.geargraph");
+    wait();
+  }
+
+  void wait() const { QTRY_VERIFY(view.isUpToDate()); }
+
+  /// Where an element's label stands on the screen.
+  [[nodiscard]] QPoint label(const ElementId& element) const {
+    for (const Mark& mark : view.displayList().marks) {
+      const auto* text = std::get_if<Text>(&mark.what);
+      if (text != nullptr && mark.element == element)
+        return view.mapFromScene(text->center.x, text->center.y);
+    }
+    return {};
+  }
+  [[nodiscard]] bool isLit(const ElementId& element) const {
+    const DisplayList list = view.displayList();
+    return std::any_of(list.marks.begin(), list.marks.end(), [&](const Mark& mark) {
+      return mark.element == element && mark.role == MarkRole::halo;
+    });
+  }
+};
+
+QStringList entries(const QMenu& menu) {
+  QStringList texts;
+  for (const QAction* action : menu.actions()) texts << action->text().section('\t', 0, 0);
+  return texts;
+}
+
+}  // namespace
+
+class TestSchematicView : public QObject {
+  Q_OBJECT
+ private slots:
+  void theDocumentIsDrawnAndFitsTheWindow() {
+    Driver driver(example("robot"));
+    QVERIFY(!driver.view.displayList().marks.empty());
+    const QRect window = driver.view.viewport()->rect();
+    for (const Mark& mark : driver.view.picture().marks) {
+      const Extent box = extentOf(mark);
+      QVERIFY(window.contains(driver.view.mapFromScene(box.center.x, box.center.y)));
+    }
+  }
+
+  void aClickSelectsAndTheSelectionIsSeen() {
+    Driver driver(example("robot"));
+    for (const ElementId& element : {ElementId(LinkId("7")), ElementId(JointId("13")),
+                                     ElementId(MeshId("17")), ElementId(AxisId("d"))}) {
+      QVERIFY(!driver.isLit(element));
+      QTest::mouseClick(driver.view.viewport(), Qt::LeftButton, {}, driver.label(element));
+      QCOMPARE(driver.selection.selected(), (std::set<ElementId>{element}));
+      if (element.kind != ElementKind::turningJoint) QVERIFY(driver.isLit(element));
+    }
+    driver.selection.select({JointId("13")});
+    QVERIFY(driver.isLit(JointId("13")));
+  }
+
+  void hoveringInAnotherViewLightsItUpHere() {
+    Driver driver(example("three-planets"));
+    driver.selection.hover(ElementId(LinkId("5")));
+    QVERIFY(driver.isLit(LinkId("3")));  // the planet that is drawn for all three
+    driver.selection.unhover();
+    QVERIFY(!driver.isLit(LinkId("3")));
+  }
+
+  void anEditIsDrawnAndAnotherNameIsNot() {
+    Driver driver(example("spur-pair"));
+    QSignalSpy spy(&driver.view, &SchematicView::drawn);
+    driver.document.apply(
+        {"Rename", [](const Mechanism& m) { return withName(m, LinkId("1"), "pinion"); }, 0});
+    QVERIFY(driver.view.isUpToDate());
+    const std::string before = textOf(driver.view.picture());
+    driver.document.apply({"Teeth", [](const Mechanism& m) { return withTeeth(m, MeshId("5"), 21, 29); }, 0});
+    driver.wait();
+    QCOMPARE(spy.count(), 1);
+    driver.document.apply(
+        {"Delete", [](const Mechanism& m) { return withoutElements(m, std::vector<ElementId>{LinkId("2")}); },
+         0});
+    driver.wait();
+    QVERIFY(textOf(driver.view.picture()) != before);
+  }
+
+  void menusOfferWhatCanBeDone() {
+    Driver driver(example("robot"));
+    const std::unique_ptr<QMenu> ofJoint(driver.view.contextMenuAt(driver.label(JointId("13"))));
+    QVERIFY(entries(*ofJoint).contains("Drive it"));
+    const std::unique_ptr<QMenu> ofAxis(driver.view.contextMenuAt(driver.label(AxisId("d"))));
+    QCOMPARE(entries(*ofAxis), QStringList{"Delete with its joints"});
+    const std::unique_ptr<QMenu> ofSheet(driver.view.contextMenuAt({3, 3}));
+    QVERIFY(!entries(*ofSheet).contains("New link here"));
+    QVERIFY(!entries(*ofSheet).contains("Tidy the drawing"));
+  }
+
+  void aDoubleClickOnAnAxisShowsItsJoint() {
+    Driver driver(example("robot"));
+    QSignalSpy spy(&driver.view, &SchematicView::propertiesWanted);
+    QTest::mouseDClick(driver.view.viewport(), Qt::LeftButton, {}, driver.label(AxisId("d")));
+    QCOMPARE(spy.count(), 1);
+    QCOMPARE(spy.front().front().value<ElementId>(), ElementId(JointId("13")));
+  }
+};
+
+QTEST_MAIN(TestSchematicView)
+#include "test_schematic_view.moc"

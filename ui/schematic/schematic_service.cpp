@@ -1,0 +1,61 @@
+#include "ui/schematic/schematic_service.h"
+
+#include <algorithm>
+
+namespace geargraph {
+namespace {
+
+/// Do both make the same drawing? Names, notes and the places of nodes do not matter.
+bool sameDrawing(const Mechanism& a, const Mechanism& b) {
+  const auto ids = [](const Link& x, const Link& y) { return x.id == y.id; };
+  return std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), ids) &&
+         a.axes == b.axes && a.turningJoints == b.turningJoints && a.gearMeshes == b.gearMeshes &&
+         a.wheels == b.wheels && a.gearDefaults == b.gearDefaults && a.inputs == b.inputs;
+}
+
+}  // namespace
+
+SchematicService::SchematicService(QObject* parent)
+    : QObject(parent), m_thread([this](const std::stop_token& quit) { run(quit); }) {}
+
+SchematicService::~SchematicService() {
+  m_thread.request_stop();
+  m_thread.join();  // before what its deliveries touch goes
+}
+
+void SchematicService::request(const MechanismPtr& mechanism) {
+  const bool same = m_mechanism && sameDrawing(*m_mechanism, *mechanism);
+  m_mechanism = mechanism;
+  if (same) return;
+  ++m_wanted;
+  {
+    const std::lock_guard lock(m_mutex);
+    m_next = Request{mechanism, m_wanted};
+  }
+  m_wake.notify_one();
+}
+
+void SchematicService::run(const std::stop_token& quit) {
+  while (true) {
+    Request request;
+    {
+      std::unique_lock lock(m_mutex);
+      if (!m_wake.wait(lock, quit, [this] { return m_next.has_value(); })) return;
+      request = std::move(*m_next);
+      m_next.reset();
+    }
+    auto schematic = std::make_shared<const SchematicGeometry>(schematicGeometry(*request.mechanism));
+    QMetaObject::invokeMethod(
+        this,
+        [this, schematic = std::move(schematic), number = request.number] { arrived(schematic, number); },
+        Qt::QueuedConnection);
+  }
+}
+
+void SchematicService::arrived(const SchematicPtr& schematic, quint64 number) {
+  if (number != m_wanted) return;
+  m_arrived = number;
+  emit drawn(schematic);
+}
+
+}  // namespace geargraph
