@@ -1,12 +1,9 @@
 #pragma once
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
-#include <optional>
-#include <thread>
 
 #include "core/analysis/analysis.h"
+#include "core/base/request_worker.h"
 
 namespace geargraph {
 
@@ -15,15 +12,11 @@ namespace geargraph {
 /// is there, then the complete snapshot.
 ///
 /// `deliver` is called on the worker's thread. It is not called again once the destructor has returned.
-/// Free of Qt on purpose: the distribution's Qt is not built for the thread sanitizer, this is.
 class AnalysisWorker {
  public:
   using Deliver = std::function<void(SnapshotPtr)>;
 
   explicit AnalysisWorker(Deliver deliver);
-  ~AnalysisWorker();
-  AnalysisWorker(const AnalysisWorker&) = delete;
-  AnalysisWorker& operator=(const AnalysisWorker&) = delete;
 
   void request(MechanismPtr mechanism, std::uint64_t revision);
 
@@ -31,17 +24,12 @@ class AnalysisWorker {
   struct Request {
     MechanismPtr mechanism;
     std::uint64_t revision = 0;
-    std::stop_source stop;
   };
 
-  void run(const std::stop_token& quit);
+  void answer(Request request, const std::stop_token& stop);
 
   Deliver m_deliver;
-  std::mutex m_mutex;
-  std::condition_variable_any m_wake;
-  std::optional<Request> m_next;  ///< guarded by m_mutex
-  std::stop_source m_running;     ///< guarded by m_mutex: stops the analysis under way
-  std::jthread m_thread;          ///< last: it starts when all else is there
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph

@@ -7,6 +7,9 @@ constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few m
 
 }  // namespace
 
+NodePlacer::NodePlacer(QObject* parent)
+    : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { seek(request); }) {}
+
 NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
   if (mechanism->view.nodes.size() >= mechanism->links.size()) return mechanism->view.nodes;
   Mechanism placed = adopted(*mechanism);
@@ -54,13 +57,14 @@ void NodePlacer::remember(const NodePositions& positions) {
 
 void NodePlacer::start(const MechanismPtr& mechanism, Search search, Deliver deliver) {
   m_sought.reset();
-  const quint64 request = ++m_request;
-  m_thread = std::jthread([this, mechanism, search, deliver, request] {
-    const auto arrive = [this, deliver, request, found = search(*mechanism)] {
-      if (request == m_request) (this->*deliver)(found);  // else nobody wants it any more
-    };
-    QMetaObject::invokeMethod(this, arrive, Qt::QueuedConnection);
-  });
+  m_worker.request({mechanism, search, deliver, ++m_request});
+}
+
+void NodePlacer::seek(const Request& request) {
+  const auto arrive = [this, request, found = request.search(*request.mechanism)] {
+    if (request.number == m_request) (this->*request.deliver)(found);  // else nobody wants it any more
+  };
+  QMetaObject::invokeMethod(this, arrive, Qt::QueuedConnection);
 }
 
 }  // namespace geargraph

@@ -2,20 +2,20 @@
 
 #include <QObject>
 #include <memory>
-#include <thread>
 
+#include "core/base/request_worker.h"
 #include "core/drawing/layout.h"
 
 namespace geargraph {
 
 /// Knows where every link of a document stands on the sheet: where the document says so, there; else where it
 /// was put before; else where the layout puts it. Small documents are laid out at once, large ones in a
-/// thread of their own.
+/// thread of their own, the newest request first.
 class NodePlacer final : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
+  explicit NodePlacer(QObject* parent = nullptr);
 
   /// The places known now. Emits placesFound() later if some are still being sought.
   [[nodiscard]] NodePositions placesOf(const MechanismPtr& mechanism);
@@ -36,13 +36,20 @@ class NodePlacer final : public QObject {
  private:
   using Search = NodePositions (*)(const Mechanism&);
   using Deliver = void (NodePlacer::*)(const NodePositions&);
+  struct Request {
+    MechanismPtr mechanism;
+    Search search = nullptr;
+    Deliver deliver = nullptr;
+    quint64 number = 0;
+  };
   void start(const MechanismPtr& mechanism, Search search, Deliver deliver);
+  void seek(const Request& request);
   void remember(const NodePositions& positions);
 
-  NodePositions m_found;  ///< for links that the document has no place for
-  MechanismPtr m_sought;  ///< what the thread works on
-  quint64 m_request = 0;  ///< the newest; what older ones find is dropped
-  std::jthread m_thread;
+  NodePositions m_found;            ///< for links that the document has no place for
+  MechanismPtr m_sought;            ///< what the thread works on
+  quint64 m_request = 0;            ///< the newest; what older ones find is dropped
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph

@@ -14,40 +14,20 @@ bool sameStage(const Mechanism& a, const Mechanism& b) {
 }  // namespace
 
 StageService::StageService(QObject* parent)
-    : QObject(parent), m_thread([this](const std::stop_token& quit) { run(quit); }) {}
-
-StageService::~StageService() {
-  m_thread.request_stop();
-  m_thread.join();  // before what its deliveries touch goes
-}
+    : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { make(request); }) {}
 
 void StageService::request(const MechanismPtr& mechanism) {
   const bool same = m_mechanism && sameStage(*m_mechanism, *mechanism);
   m_mechanism = mechanism;
   if (same) return;
   ++m_wanted;
-  {
-    const std::lock_guard lock(m_mutex);
-    m_next = Request{mechanism, m_wanted};
-  }
-  m_wake.notify_one();
+  m_worker.request({mechanism, m_wanted});
 }
 
-void StageService::run(const std::stop_token& quit) {
-  GearCache cache;
-  while (true) {
-    Request request;
-    {
-      std::unique_lock lock(m_mutex);
-      if (!m_wake.wait(lock, quit, [this] { return m_next.has_value(); })) return;
-      request = std::move(*m_next);
-      m_next.reset();
-    }
-    StagePtr stage = trainStage(*request.mechanism, cache);
-    QMetaObject::invokeMethod(
-        this, [this, stage = std::move(stage), number = request.number] { arrived(stage, number); },
-        Qt::QueuedConnection);
-  }
+void StageService::make(const Request& request) {
+  const StagePtr stage = trainStage(*request.mechanism, m_cache);
+  QMetaObject::invokeMethod(
+      this, [this, stage, number = request.number] { arrived(stage, number); }, Qt::QueuedConnection);
 }
 
 void StageService::arrived(const StagePtr& stage, quint64 number) {

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
 
+#include "core/base/request_worker.h"
 #include "core/mechanism/mechanism.h"
 #include "core/scene/train_stage.h"
 
@@ -19,7 +16,6 @@ class StageService : public QObject {
 
  public:
   explicit StageService(QObject* parent = nullptr);
-  ~StageService() override;
 
   void request(const MechanismPtr& mechanism);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
@@ -35,17 +31,15 @@ class StageService : public QObject {
     quint64 number = 0;
   };
 
-  void run(const std::stop_token& quit);
+  void make(const Request& request);
   void arrived(const StagePtr& stage, quint64 number);
 
   quint64 m_wanted = 0;
   quint64 m_arrived = 0;
   MechanismPtr m_mechanism;  ///< of the newest request
   StagePtr m_stage;
-  std::mutex m_mutex;
-  std::condition_variable_any m_wake;
-  std::optional<Request> m_next;  ///< guarded by m_mutex
-  std::jthread m_thread;          ///< last: it starts when all else is there
+  GearCache m_cache;                ///< of the worker's thread
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph

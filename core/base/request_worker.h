@@ -1,0 +1,65 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace geargraph {
+
+/// Works off requests on one thread of its own; the newest wins. A request that is overtaken before its turn
+/// is dropped, one under way is asked to stop through its token.
+///
+/// The destructor asks the work under way to stop and waits for it; no work is begun after that.
+/// Free of Qt on purpose: the distribution's Qt is not built for the thread sanitizer, this is.
+template <class Request>
+class RequestWorker {
+ public:
+  /// Called on the worker's thread, for one request at a time.
+  using Work = std::function<void(Request request, const std::stop_token& stop)>;
+
+  explicit RequestWorker(Work work)
+      : m_work(std::move(work)), m_thread([this](const std::stop_token& quit) { run(quit); }) {}
+  ~RequestWorker() {
+    m_thread.request_stop();
+    const std::lock_guard lock(m_mutex);
+    m_underWay.request_stop();
+  }
+  RequestWorker(const RequestWorker&) = delete;
+  RequestWorker& operator=(const RequestWorker&) = delete;
+
+  void request(Request request) {
+    {
+      const std::lock_guard lock(m_mutex);
+      m_underWay.request_stop();
+      m_next = std::move(request);
+    }
+    m_wake.notify_one();
+  }
+
+ private:
+  void run(const std::stop_token& quit) {
+    while (true) {
+      std::unique_lock lock(m_mutex);
+      m_wake.wait(lock, quit, [this] { return m_next.has_value(); });
+      if (quit.stop_requested()) return;
+      Request request = *std::exchange(m_next, std::nullopt);
+      m_underWay = std::stop_source();
+      const std::stop_token stop = m_underWay.get_token();
+      lock.unlock();
+      m_work(std::move(request), stop);
+    }
+  }
+
+  Work m_work;
+  std::mutex m_mutex;
+  std::condition_variable_any m_wake;
+  std::optional<Request> m_next;                  ///< guarded by m_mutex
+  std::stop_source m_underWay{std::nostopstate};  ///< guarded by m_mutex
+  std::jthread m_thread;                          ///< last: it starts when all else is there
+};
+
+}  // namespace geargraph
