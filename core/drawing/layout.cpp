@@ -4,14 +4,16 @@
 
 #include <mutex>
 
+#include "core/drawing/tidy_tree.h"
 #include "core/graph/digraph.h"
 
 namespace geargraph {
 namespace {
 
-constexpr double kColumn = 170;  ///< between a link and the one it carries
-constexpr double kRow = 110;     ///< between neighbours of a column
-constexpr int kLongestMesh = 6;  ///< columns, of those that Graphviz is told of
+constexpr double kColumn = 170;        ///< between a link and the one it carries
+constexpr double kRow = 110;           ///< between neighbours of a column
+constexpr int kMostForGraphviz = 300;  ///< nodes; its time grows with their square, and it cannot be stopped
+constexpr int kLongestMesh = 6;        ///< columns, of those that Graphviz is told of
 constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;  ///< centres, at least
 
@@ -149,14 +151,19 @@ Order orderOf(const Digraph& graph) {
   return order;
 }
 
-/// Without Graphviz: a column for each distance from the ground.
-Places inColumns(const Digraph& graph) {
-  const Order order = orderOf(graph);
-  std::vector<int> filled(order.depth.size(), 0);
+/// The tree of the turning joints, whatever meshes do.
+Places asTree(const Digraph& graph) {
+  std::vector<int> parent(static_cast<std::size_t>(graph.nodeCount()), -1);
+  std::vector<int> order;
+  for (const auto [node, from] : breadthFirst(neighbours(graph, false), {0})) {
+    parent[static_cast<std::size_t>(node)] = from;
+    order.push_back(node);
+  }
+  const std::vector<TidyPlace> tree = tidyForest(parent, order);
   Places places;
-  for (const int column : order.depth) {
-    const int row = filled[static_cast<std::size_t>(column)]++;
-    places.push_back({column * kColumn, row * kRow});
+  places.reserve(tree.size());
+  for (const TidyPlace& place : tree) {
+    places.push_back(onGrid({place.column * kColumn, (place.row - tree.front().row) * kRow}));
   }
   return places;
 }
@@ -178,10 +185,11 @@ void addEdges(Graphviz& graphviz, const Digraph& graph) {
 
 /// Places by ordinal; the ground stands at (0, 0).
 Places placesOf(const Digraph& graph) {
+  if (graph.nodeCount() > kMostForGraphviz) return asTree(graph);
   Graphviz graphviz;
   for (int v = 0; v < graph.nodeCount(); ++v) graphviz.addNode();
   addEdges(graphviz, graph);
-  if (!graphviz.layout()) return inColumns(graph);
+  if (!graphviz.layout()) return asTree(graph);
   Places places;
   const SheetPoint ground = graphviz.place(0);
   for (int v = 0; v < graph.nodeCount(); ++v) {

@@ -1,7 +1,13 @@
 #include <QtTest>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
 #include <thread>
 
 #include "core/drawing/layout.h"
+#include "core/drawing/tidy_tree.h"
+#include "core/graph/spanning_tree.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
@@ -43,6 +49,7 @@ class TestLayout : public QObject {
     QTest::newRow("8") << 7 << 4;
     QTest::newRow("20") << 19 << 15;
     QTest::newRow("150") << 149 << 80;
+    QTest::newRow("400, as a tree") << 399 << 250;
     QTest::newRow("no joints but a tree") << 30 << 0;
   }
   void nodesKeepApart() {
@@ -113,12 +120,53 @@ class TestLayout : public QObject {
     QVERIFY(completedPositions(mechanism) == layoutOf(mechanism));
   }
 
-  void aThousandLinksTakeLessThanASecond() {
+  void largeDrawingsShowTheLevelsOfTheTree() {
     const Mechanism mechanism = test::randomTree(11, 999, 500);
-    QElapsedTimer timer;
-    timer.start();
-    QCOMPARE(layoutOf(mechanism).size(), std::size_t{1000});
-    QVERIFY2(timer.elapsed() < 1000, qPrintable(QString::number(timer.elapsed())));
+    const NodePositions positions = layoutOf(mechanism);
+    const Digraph graph(mechanism);
+    const SpanningTree tree = SpanningTree::of(graph).value();
+    std::map<int, std::set<double>> columns;  // by depth
+    for (int node = 0; node < graph.nodeCount(); ++node) {
+      columns[tree.depth(node)].insert(positions.at(graph.nodeId(node)).x);
+    }
+    double last = -1000;
+    for (const auto& [depth, places] : columns) {
+      QCOMPARE(places.size(), std::size_t{1});
+      QVERIFY(*places.begin() > last + 2 * kNodeRadius);
+      last = *places.begin();
+    }
+  }
+
+  void theTreeKeepsEverySubtreeTogether() {
+    //  0 - 1 - 3       Reingold and Tilford's law: 1 stands by its child's row, 0 in the middle of 1 and 2,
+    //    \   \ 4       and 5 below 2 is pushed away by 4 only as far as needed.
+    //     2 - 5
+    const std::vector<int> parent{-1, 0, 0, 1, 1, 2};
+    const std::vector<int> order{0, 1, 2, 3, 4, 5};
+    std::vector<double> rows;
+    std::vector<int> columns;
+    for (const TidyPlace& place : tidyForest(parent, order)) {
+      rows.push_back(place.row);
+      columns.push_back(place.column);
+    }
+    QCOMPARE(rows, (std::vector<double>{0, -0.75, 0.75, -1.25, -0.25, 0.75}));
+    QCOMPARE(columns, (std::vector<int>{0, 1, 1, 2, 2, 2}));
+  }
+
+  void equalSubtreesLookAlikeAndAChainIsALine() {
+    std::vector<int> parent{-1};
+    for (int i = 0; i < 100'000; ++i) parent.push_back(i);
+    std::vector<int> order(parent.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::vector<TidyPlace> chain = tidyForest(parent, order);
+    QCOMPARE(chain.back().column, 100'000);
+    QVERIFY(std::all_of(chain.begin(), chain.end(), [](const TidyPlace& p) { return p.row == 0; }));
+
+    const std::vector<int> twins{-1, -1, 0, 0, 1, 1};
+    const std::vector<int> inOrder{0, 1, 2, 3, 4, 5};
+    const std::vector<TidyPlace> both = tidyForest(twins, inOrder);
+    QCOMPARE(both[2].row - both[0].row, both[4].row - both[1].row);
+    QCOMPARE(both[4].row - both[3].row, 1.0);
   }
 };
 
