@@ -52,6 +52,17 @@ struct TtCase {
     return velocity;
   }
 
+  /// The angular velocity of a link in the base frame.
+  [[nodiscard]] ExactTriple angularVelocity(int link, const std::vector<Rational>& rates) const {
+    ExactTriple velocity{0, 0, 0};
+    for (const PathStep& step : treePath(*tree, 0, link)) {
+      const TurningJoint& joint = mechanism.turningJoints[static_cast<std::size_t>(step.joint)];
+      const Rational rate = Rational(step.direction) * rates[static_cast<std::size_t>(step.joint)];
+      velocity = velocity + rate * unitDirection(*mechanism.find(joint.axis));
+    }
+    return velocity;
+  }
+
   /// Do the two gears of every mesh have one velocity where they touch? Exactly; false where a point is not
   /// rational.
   [[nodiscard]] bool rollsWithoutSliding(const std::vector<Rational>& rates) const {

@@ -92,6 +92,31 @@ class TtRandomTest : public QObject {
     }
   }
 
+  void aCircuitIsHowItsGearTurnsAgainstTheCarrier() {
+    // Absolutely, not only one circuit against the other: all signs turned at once would still solve.
+    for (int seed = 1; seed <= 20; ++seed) {
+      const test::TtCase found = randomCase(static_cast<std::uint64_t>(seed) + 600, 8 + 2 * seed);
+      std::vector<Rational> rates;
+      for (int joint = 0; joint < found.mechanism.t(); ++joint) rates.emplace_back(joint * joint % 17 - 8, 3);
+      const auto isVelocityOf = [&](int gear, int carrier, int level, std::span<const CircuitTerm> circuit) {
+        Rational speed;
+        for (const CircuitTerm& term : circuit) {
+          speed += Rational(term.coefficient) * rates[static_cast<std::size_t>(term.joint)];
+        }
+        const int axis = found.graph.levels().axis[static_cast<std::size_t>(level)];
+        const test::ExactTriple along =
+            test::unitDirection(found.mechanism.axes[static_cast<std::size_t>(axis)]);
+        return found.angularVelocity(gear, rates) - found.angularVelocity(carrier, rates) == speed * along;
+      };
+      for (int mesh = 0; mesh < found.mechanism.c(); ++mesh) {
+        const TerminalPair& pair = found.graph.terminal(mesh).value();
+        const auto& vertex = *found.graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+        QVERIFY(isVelocityOf(pair.tail, pair.carrier, vertex.tailLevel, found.graph.tailCircuit(mesh)));
+        QVERIFY(isVelocityOf(pair.head, pair.carrier, vertex.headLevel, found.graph.headCircuit(mesh)));
+      }
+    }
+  }
+
   void theBoundOfCircuitTermsHolds() {
     for (int seed = 1; seed <= 20; ++seed) {
       const test::TtCase found = randomCase(static_cast<std::uint64_t>(seed) + 500, 50);
