@@ -40,6 +40,7 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   } else {
     snapshot->diagnostics = treeDiagnostics(*snapshot->mechanism);
   }
+  snapshot->matrices.reserve(allMatrixKinds().size());
   for (const MatrixKind kind : allMatrixKinds()) {
     snapshot->matrices.push_back(matrixOf(kind, snapshot->graph, snapshot->tree));
   }

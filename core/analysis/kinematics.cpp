@@ -69,7 +69,7 @@ class SymbolicPass {
 LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& graph,
                                  const SpanningTreePtr& tree, const std::stop_token& stop) {
   auto live = std::make_shared<LiveKinematics>();
-  live->placement = placementOf(mechanism);
+  live->placement = placementOf(mechanism, JointTree(graph, tree));
   if (stop.stop_requested()) return nullptr;
   live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, referenceLines(live->placement));
   if (stop.stop_requested()) return nullptr;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -88,19 +90,6 @@ template <class Field>
   return result;
 }
 
-/// The sum of a row's entries times x, without column `without` (-1: with all), negated.
-template <class Field>
-[[nodiscard]] typename Field::Value negatedRowSum(const Field& field,
-                                                  const SparseRows<typename Field::Value>& rows, int row,
-                                                  int without, const std::vector<typename Field::Value>& x) {
-  typename Field::Value sum = field.fromInteger(0);
-  for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
-    const int column = rows.column(entry);
-    if (column != without) field.subtractProduct(sum, rows.value(entry), x[column]);
-  }
-  return sum;
-}
-
 template <class Value>
 [[nodiscard]] const Value& pivotOf(const SparseRows<Value>& rows, int row, int column) {
   int entry = rows.begin(row);
@@ -108,17 +97,45 @@ template <class Value>
   return rows.value(entry);
 }
 
-/// Fills in the solved unknowns, line by line. @pre x has a place for every column; the given and the free
-/// ones are set Cost: the non-zeros of the lines.
+/// Fills in the solved unknowns, line by line, of `width` solutions at once: column j of solution k stands at
+/// x[j * width + k]. @pre x has a place for every column; the given and the free ones are set
+/// Cost: the non-zeros of the lines, times the width.
 template <class Field>
 void substitute(const Field& field, const Elimination<typename Field::Value>& system,
-                std::vector<typename Field::Value>& x) {
+                std::vector<typename Field::Value>& x, std::size_t width = 1) {
+  const auto at = [&x, width](int column) { return x.data() + static_cast<std::size_t>(column) * width; };
   for (const auto& line : system.lines) {
     const auto& rows = system.matrixOf(line.core);
-    typename Field::Value sum = negatedRowSum(field, rows, line.row, line.column, x);
-    if (!field.isZero(sum)) sum = field.quotient(sum, pivotOf(rows, line.row, line.column));
-    x[line.column] = std::move(sum);
+    auto* const sum = at(line.column);
+    std::fill(sum, sum + width, field.fromInteger(0));
+    const typename Field::Value* pivot = nullptr;
+    for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
+      const auto& value = rows.value(entry);
+      if (rows.column(entry) == line.column) {
+        pivot = &value;
+        continue;
+      }
+      const auto* const known = at(rows.column(entry));
+      for (std::size_t k = 0; k < width; ++k) field.subtractProduct(sum[k], value, known[k]);
+    }
+    for (std::size_t k = 0; k < width; ++k) {
+      if (!field.isZero(sum[k])) sum[k] = field.quotient(sum[k], *pivot);
+    }
   }
+}
+
+/// The sum of a row's entries times solution number `place` of x, negated.
+template <class Field>
+[[nodiscard]] typename Field::Value negatedRowSum(const Field& field,
+                                                  const SparseRows<typename Field::Value>& rows, int row,
+                                                  const std::vector<typename Field::Value>& x,
+                                                  std::size_t width = 1, std::size_t place = 0) {
+  typename Field::Value sum = field.fromInteger(0);
+  for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
+    const std::size_t at = static_cast<std::size_t>(rows.column(entry)) * width + place;
+    field.subtractProduct(sum, rows.value(entry), x[at]);
+  }
+  return sum;
 }
 
 /// What a check row comes to (negated), once x is filled in: 0 where the row holds.
@@ -126,8 +143,8 @@ template <class Field>
 [[nodiscard]] typename Field::Value checkValue(
     const Field& field, const Elimination<typename Field::Value>& system,
     const typename Elimination<typename Field::Value>::Check& check,
-    const std::vector<typename Field::Value>& x) {
-  return negatedRowSum(field, system.matrixOf(check.core), check.row, -1, x);
+    const std::vector<typename Field::Value>& x, std::size_t width = 1, std::size_t place = 0) {
+  return negatedRowSum(field, system.matrixOf(check.core), check.row, x, width, place);
 }
 
 }  // namespace geargraph

@@ -17,6 +17,7 @@ namespace geargraph {
 //   Value                          copyable; a default one is 0
 //   fromInteger(k), one()
 //   isZero(value)                  decided exactly, never from a tolerance
+//   subtract(a, b)                 a -= b
 //   subtractProduct(a, b, c)       a -= b c
 //   quotient(a, b)                 a / b, b not 0
 //   negated(a)
@@ -41,6 +42,10 @@ class FusedField {
     return {static_cast<double>(value), m_prime.fromInteger(value)};
   }
   [[nodiscard]] bool isZero(const Value& value) const { return value.residue == 0; }
+  void subtract(Value& a, const Value& b) const {
+    a.residue = m_prime.subtract(a.residue, b.residue);
+    a.number = a.residue == 0 ? 0 : a.number - b.number;
+  }
   void subtractProduct(Value& a, const Value& b, const Value& c) const {
     a.residue = m_prime.subtract(a.residue, m_prime.multiply(b.residue, c.residue));
     a.number = a.residue == 0 ? 0 : a.number - b.number * c.number;
@@ -58,7 +63,7 @@ class FusedField {
  private:
   /// Trains have few different tooth counts, so a small table answers nearly all.
   [[nodiscard]] PrimeField::Residue inverse(PrimeField::Residue a) const {
-    Remembered& place = m_inverses[(a * 0x9e3779b97f4a7c15U) >> 55U];
+    Remembered& place = m_inverses[(a * 0x9e3779b97f4a7c15U) >> 56U];
     if (place.of != a) place = {a, m_prime.inverse(a)};
     return place.inverse;
   }
@@ -69,7 +74,7 @@ class FusedField {
   };
 
   PrimeField m_prime;
-  mutable std::array<Remembered, 512> m_inverses{};
+  mutable std::array<Remembered, 256> m_inverses{};
 };
 
 /// Exact fractions.
@@ -80,6 +85,7 @@ class RationalField {
   [[nodiscard]] Value one() const { return 1; }
   [[nodiscard]] Value fromInteger(std::int64_t value) const { return value; }
   [[nodiscard]] bool isZero(const Value& value) const { return value.isZero(); }
+  void subtract(Value& a, const Value& b) const { a -= b; }
   void subtractProduct(Value& a, const Value& b, const Value& c) const {
     fmpq_submul(a.flint(), b.flint(), c.flint());
   }
@@ -105,6 +111,7 @@ class RationalFunctionField {
     return RationalFunction::fromInteger(m_ring, value);
   }
   [[nodiscard]] bool isZero(const Value& value) const { return value.isZero(); }
+  void subtract(Value& a, const Value& b) const { a -= b; }
   void subtractProduct(Value& a, const Value& b, const Value& c) const {
     if (m_mostTerms > 0 && (a.termCount() > m_mostTerms || b.termCount() * c.termCount() > 8 * m_mostTerms)) {
       m_enough.request_stop();

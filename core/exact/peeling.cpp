@@ -1,5 +1,7 @@
 #include "core/exact/peeling.h"
 
+#include <algorithm>
+
 namespace geargraph {
 namespace {
 
@@ -8,22 +10,18 @@ namespace {
 class Peeler {
  public:
   Peeler(const SparsePattern& pattern, int unknowns, Peeling& result)
-      : m_pattern(pattern), m_unknowns(unknowns), m_result(result) {
-    const auto rows = static_cast<std::size_t>(pattern.rows());
-    const auto columns = static_cast<std::size_t>(unknowns);
-    m_rowCount.assign(rows, 0);
-    m_rowKey.assign(rows, 0);
-    m_columnCount.assign(columns, 0);
-    m_columnKey.assign(columns, 0);
-    m_rowGone.assign(rows, 0);
-    m_result.solved.assign(columns, 0);
+      : m_pattern(pattern),
+        m_unknowns(unknowns),
+        m_result(result),
+        m_rows(static_cast<std::size_t>(pattern.rows())),
+        m_columns(static_cast<std::size_t>(unknowns)) {
+    m_result.solved.assign(m_columns.size(), 0);
+    m_result.first.reserve(std::min(m_rows.size(), m_columns.size()));
     for (int row = 0; row < pattern.rows(); ++row) {
       for (const int column : pattern.row(row)) {
         if (column >= unknowns) continue;
-        ++m_rowCount[row];
-        m_rowKey[row] ^= column;
-        ++m_columnCount[column];
-        m_columnKey[column] ^= row;
+        m_rows[row].take(column);
+        m_columns[column].take(row);
       }
     }
     fillColumns();
@@ -33,77 +31,94 @@ class Peeler {
     peelRows();
     peelColumns();
     for (int row = 0; row < m_pattern.rows(); ++row) {
-      if (m_rowGone[row] != 0) continue;
-      (m_rowCount[row] == 0 ? m_result.emptyRows : m_result.coreRows).push_back(row);
+      if (m_rows[row].gone) continue;
+      (m_rows[row].count == 0 ? m_result.emptyRows : m_result.coreRows).push_back(row);
     }
   }
 
  private:
-  void fillColumns() {
-    m_columnStart.assign(m_columnCount.size() + 1, 0);
-    for (std::size_t i = 0; i < m_columnCount.size(); ++i) {
-      m_columnStart[i + 1] = m_columnStart[i] + m_columnCount[i];
+  struct Row {
+    int count = 0;
+    int key = 0;
+    bool gone = false;
+    void take(int column) {
+      ++count;
+      key ^= column;
     }
-    m_columnRows.resize(static_cast<std::size_t>(m_columnStart.back()));
-    std::vector<int> next(m_columnStart.begin(), m_columnStart.end() - 1);
+  };
+  struct Column {
+    int count = 0;
+    int key = 0;
+    int begin = 0;  ///< of its rows in m_columnRows
+    int end = 0;
+    void take(int row) {
+      ++count;
+      key ^= row;
+    }
+  };
+
+  void fillColumns() {
+    int end = 0;
+    for (Column& column : m_columns) {
+      column.begin = column.end = end;
+      end += column.count;
+    }
+    m_columnRows.resize(static_cast<std::size_t>(end));
     for (int row = 0; row < m_pattern.rows(); ++row) {
       for (const int column : m_pattern.row(row)) {
-        if (column < m_unknowns) m_columnRows[next[column]++] = row;
+        if (column < m_unknowns) m_columnRows[m_columns[column].end++] = row;
       }
     }
   }
 
   void peelRows() {
-    std::vector<int> queue;
+    m_queue.reserve(m_rows.size());
     for (int row = 0; row < m_pattern.rows(); ++row) {
-      if (m_rowCount[row] == 1) queue.push_back(row);
+      if (m_rows[row].count == 1) m_queue.push_back(row);
     }
-    for (std::size_t at = 0; at < queue.size(); ++at) {
-      const int row = queue[at];
-      if (m_rowCount[row] != 1) continue;  // another row was quicker
-      const int column = m_rowKey[row];
+    for (std::size_t at = 0; at < m_queue.size(); ++at) {
+      const int row = m_queue[at];
+      if (m_rows[row].count != 1) continue;  // another row was quicker
+      const int column = m_rows[row].key;
       m_result.first.push_back({row, column});
       m_result.solved[column] = 1;
-      m_rowGone[row] = 1;
-      for (int i = m_columnStart[column]; i < m_columnStart[column + 1]; ++i) {
-        const int other = m_columnRows[i];
-        m_rowKey[other] ^= column;
-        if (--m_rowCount[other] == 1) queue.push_back(other);
+      m_rows[row].gone = true;
+      for (int i = m_columns[column].begin; i < m_columns[column].end; ++i) {
+        Row& other = m_rows[m_columnRows[i]];
+        other.key ^= column;
+        if (--other.count == 1) m_queue.push_back(m_columnRows[i]);
       }
     }
   }
 
   void peelColumns() {
-    std::vector<int> queue;
+    m_queue.clear();
     for (int column = 0; column < m_unknowns; ++column) {
-      if (m_columnCount[column] == 1 && m_result.solved[column] == 0) queue.push_back(column);
+      if (m_columns[column].count == 1 && m_result.solved[column] == 0) m_queue.push_back(column);
     }
-    for (std::size_t at = 0; at < queue.size(); ++at) {
-      const int column = queue[at];
-      if (m_columnCount[column] != 1) continue;
-      const int row = m_columnKey[column];
+    for (std::size_t at = 0; at < m_queue.size(); ++at) {
+      const int column = m_queue[at];
+      if (m_columns[column].count != 1) continue;
+      const int row = m_columns[column].key;
       m_result.last.push_back({row, column});
       m_result.solved[column] = 1;
-      m_rowGone[row] = 1;
+      m_rows[row].gone = true;
       for (const int other : m_pattern.row(row)) {
         if (other >= m_unknowns || m_result.solved[other] != 0) continue;
-        m_columnKey[other] ^= row;
-        if (--m_columnCount[other] == 1) queue.push_back(other);
+        m_columns[other].key ^= row;
+        if (--m_columns[other].count == 1) m_queue.push_back(other);
       }
-      m_columnCount[column] = 0;
+      m_columns[column].count = 0;
     }
   }
 
   const SparsePattern& m_pattern;
   int m_unknowns;
   Peeling& m_result;
-  std::vector<int> m_rowCount;
-  std::vector<int> m_rowKey;
-  std::vector<int> m_columnCount;
-  std::vector<int> m_columnKey;
-  std::vector<int> m_columnStart;
+  std::vector<Row> m_rows;
+  std::vector<Column> m_columns;
   std::vector<int> m_columnRows;
-  std::vector<char> m_rowGone;
+  std::vector<int> m_queue;
 };
 
 }  // namespace

@@ -30,7 +30,8 @@ class PrimeField {
   [[nodiscard]] Residue fromInteger(std::int64_t value) const {
     const std::uint64_t magnitude =
         value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
-    const Residue residue = multiply(magnitude % m_prime, m_square);
+    // Whole numbers of a document are far below the prime: no division.
+    const Residue residue = multiply(magnitude < m_prime ? magnitude : magnitude % m_prime, m_square);
     return value < 0 ? negate(residue) : residue;
   }
   /// Nothing where the prime divides the denominator.

@@ -34,8 +34,9 @@ class Planner {
 
   BodyPlan plan() {
     placeCups();
-    for (const int link : m_tree.order) placeLink(link);
-    for (const int link : m_tree.order) {
+    const std::vector<int> links = m_tree.breadthFirst();
+    for (const int link : links) placeLink(link);
+    for (const int link : links) {
       if (link != 0) addShaft(m_placement.classes->classOfLink(m_tree, link), link);
     }
     addFixedHubs();

@@ -44,6 +44,15 @@ class Digraph {
     return std::span(m_edges).subspan(static_cast<std::size_t>(m_turningCount));
   }
 
+  /// By turning joint: the position of its axis in the document.
+  [[nodiscard]] std::span<const int> axisOf() const { return m_axisOf; }
+  /// The turning edges at a node, ascending.
+  [[nodiscard]] std::span<const int> turningEdgesAt(int node) const {
+    const auto at = static_cast<std::size_t>(node);
+    const auto first = static_cast<std::size_t>(m_start[at]);
+    return std::span(m_around).subspan(first, static_cast<std::size_t>(m_start[at + 1]) - first);
+  }
+
   /// The paper's labels: 0..n of the nodes, n+1..n+t+c of the edges.
   [[nodiscard]] int nodeLabel(int node) const { return node; }
   [[nodiscard]] int edgeLabel(int ordinal) const { return n() + 1 + ordinal; }
@@ -55,9 +64,14 @@ class Digraph {
   [[nodiscard]] int nodeOf(LinkId link) const { return m_nodeOf.at(link); }
 
  private:
+  void collectTurningEdges(const Mechanism& mechanism);
+
   std::vector<LinkId> m_nodes;
   std::vector<DigraphEdge> m_edges;  ///< turning edges first
   std::vector<ElementId> m_edgeIds;
+  std::vector<int> m_axisOf;  ///< by joint
+  std::vector<int> m_start;   ///< by node, and one behind: where its turning edges begin in m_around
+  std::vector<int> m_around;
   int m_turningCount = 0;
   PositionIndex<LinkTag> m_nodeOf;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <mutex>
 
 #include "core/base/contract.h"
 
@@ -24,11 +25,36 @@ Heading cycleHeading(const Digraph& graph, int mesh) {
   return heading;
 }
 
-/// Γ⁰, or Γ where the ground's row is left out.
+/// Γ⁰, or Γ where the ground's row is left out. Rows are collected when the first one is asked for.
 class Incidence final : public IntegerMatrix {
  public:
   Incidence(DigraphPtr graph, MatrixKind kind)
-      : m_graph(std::move(graph)), m_kind(kind), m_firstNode(kind == MatrixKind::incidence ? 0 : 1) {
+      : m_graph(std::move(graph)), m_kind(kind), m_firstNode(kind == MatrixKind::incidence ? 0 : 1) {}
+
+  [[nodiscard]] MatrixKind kind() const override { return m_kind; }
+  [[nodiscard]] int rows() const override { return m_graph->nodeCount() - m_firstNode; }
+  [[nodiscard]] int columns() const override { return m_graph->edgeCount(); }
+  [[nodiscard]] Heading rowHeading(int row) const override {
+    return nodeHeading(*m_graph, row + m_firstNode);
+  }
+  [[nodiscard]] Heading columnHeading(int column) const override { return edgeHeading(*m_graph, column); }
+  [[nodiscard]] int entry(int row, int column) const override {
+    const DigraphEdge& edge = m_graph->edge(column);
+    const int node = row + m_firstNode;
+    return (edge.head == node ? 1 : 0) - (edge.tail == node ? 1 : 0);
+  }
+  void rowEntries(int row, std::vector<MatrixEntry>& entries) const override {
+    std::call_once(m_collected, [this] { collect(); });
+    const auto node = static_cast<std::size_t>(row + m_firstNode);
+    entries.assign(m_edges.begin() + m_start[node], m_edges.begin() + m_start[node + 1]);
+  }
+  [[nodiscard]] std::optional<int> partition() const override {
+    if (m_kind == MatrixKind::incidence) return std::nullopt;
+    return m_graph->t();
+  }
+
+ private:
+  void collect() const {
     m_start.assign(static_cast<std::size_t>(m_graph->nodeCount()) + 1, 0);
     for (int e = 0; e < m_graph->edgeCount(); ++e) {
       ++startBehind(m_graph->edge(e).tail);
@@ -45,36 +71,14 @@ class Incidence final : public IntegerMatrix {
       put(m_graph->edge(e).head, e, +1);
     }
   }
-
-  [[nodiscard]] MatrixKind kind() const override { return m_kind; }
-  [[nodiscard]] int rows() const override { return m_graph->nodeCount() - m_firstNode; }
-  [[nodiscard]] int columns() const override { return m_graph->edgeCount(); }
-  [[nodiscard]] Heading rowHeading(int row) const override {
-    return nodeHeading(*m_graph, row + m_firstNode);
-  }
-  [[nodiscard]] Heading columnHeading(int column) const override { return edgeHeading(*m_graph, column); }
-  [[nodiscard]] int entry(int row, int column) const override {
-    const DigraphEdge& edge = m_graph->edge(column);
-    const int node = row + m_firstNode;
-    return (edge.head == node ? 1 : 0) - (edge.tail == node ? 1 : 0);
-  }
-  void rowEntries(int row, std::vector<MatrixEntry>& entries) const override {
-    const auto node = static_cast<std::size_t>(row + m_firstNode);
-    entries.assign(m_edges.begin() + m_start[node], m_edges.begin() + m_start[node + 1]);
-  }
-  [[nodiscard]] std::optional<int> partition() const override {
-    if (m_kind == MatrixKind::incidence) return std::nullopt;
-    return m_graph->t();
-  }
-
- private:
-  int& startBehind(int node) { return m_start[static_cast<std::size_t>(node) + 1]; }
+  int& startBehind(int node) const { return m_start[static_cast<std::size_t>(node) + 1]; }
 
   DigraphPtr m_graph;
   MatrixKind m_kind;
   int m_firstNode;
-  std::vector<int> m_start;  ///< by node: where its edges begin in m_edges
-  std::vector<MatrixEntry> m_edges;
+  mutable std::once_flag m_collected;
+  mutable std::vector<int> m_start;  ///< by node: where its edges begin in m_edges
+  mutable std::vector<MatrixEntry> m_edges;
 };
 
 /// What the four matrices of the tree share.

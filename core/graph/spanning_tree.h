@@ -21,27 +21,24 @@ class SpanningTree {
   /// Cost: O(n).
   [[nodiscard]] static std::optional<SpanningTree> of(const Digraph& graph);
 
-  [[nodiscard]] int nodeCount() const { return static_cast<int>(m_parent.size()); }
+  [[nodiscard]] int nodeCount() const { return m_nodeCount; }
 
-  /// The node next on the walk to the ground, and the turning joint that leads there. @pre node is not the
-  /// ground
-  [[nodiscard]] int parent(int node) const { return m_parent[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] int jointToParent(int node) const { return m_jointToParent[static_cast<std::size_t>(node)]; }
+  /// The node next on the walk to the ground, and the turning joint that leads there; -1 for the ground.
+  [[nodiscard]] int parent(int node) const { return at(Part::parent, node); }
+  [[nodiscard]] int jointToParent(int node) const { return at(Part::jointToParent, node); }
   /// The node of joint e that is farther from the ground.
-  [[nodiscard]] int child(int joint) const { return m_child[static_cast<std::size_t>(joint)]; }
-  [[nodiscard]] int depth(int node) const { return m_depth[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] int child(int joint) const { return at(Part::child, joint); }
+  [[nodiscard]] int depth(int node) const { return at(Part::depth, node); }
 
   /// +1 if the walk from the child to the ground runs along the joint in its direction (head nearer the
   /// ground), -1 if against it (the usual case: drawn from parent to child).
-  [[nodiscard]] int directionToGround(int joint) const {
-    return m_towardsGround[static_cast<std::size_t>(joint)];
-  }
+  [[nodiscard]] int directionToGround(int joint) const { return at(Part::towardsGround, joint); }
 
   /// Is the joint on the walk from the node to the ground? Cost: O(1).
   [[nodiscard]] bool isOnWalk(int joint, int node) const {
-    const auto below = static_cast<std::size_t>(child(joint));
-    const int place = m_preorder[static_cast<std::size_t>(node)];
-    return m_preorder[below] <= place && place < m_subtreeEnd[below];
+    const int below = child(joint);
+    const int place = at(Part::preorder, node);
+    return at(Part::preorder, below) <= place && place < at(Part::subtreeEnd, below);
   }
   /// Entry Z(e, node) of the path matrix, Eq. (3); 0 for the ground. Cost: O(1).
   [[nodiscard]] int pathEntry(int joint, int node) const {
@@ -53,25 +50,42 @@ class SpanningTree {
 
   /// The nodes beyond joint e, seen from the ground, in preorder.
   [[nodiscard]] std::span<const int> below(int joint) const {
-    const auto top = static_cast<std::size_t>(child(joint));
-    const auto first = static_cast<std::size_t>(m_preorder[top]);
-    return std::span(m_order).subspan(first, static_cast<std::size_t>(m_subtreeEnd[top]) - first);
+    const int top = child(joint);
+    const int first = at(Part::preorder, top);
+    return preorder().subspan(static_cast<std::size_t>(first),
+                              static_cast<std::size_t>(at(Part::subtreeEnd, top) - first));
   }
 
   /// Nodes in preorder, the ground first: every node stands behind its parent.
-  [[nodiscard]] std::span<const int> preorder() const { return m_order; }
+  [[nodiscard]] std::span<const int> preorder() const { return part(Part::order); }
+  /// parent(), jointToParent() by node and child() by joint, as arrays.
+  [[nodiscard]] std::span<const int> parents() const { return part(Part::parent); }
+  [[nodiscard]] std::span<const int> jointsToParents() const { return part(Part::jointToParent); }
+  [[nodiscard]] std::span<const int> children() const {
+    return part(Part::child).first(static_cast<std::size_t>(m_nodeCount) - 1);
+  }
 
  private:
-  SpanningTree() = default;
+  /// What is kept, each by node or joint, one behind the other in one array.
+  enum class Part { parent, jointToParent, depth, preorder, subtreeEnd, order, child, towardsGround };
+  static constexpr int kParts = 8;
 
-  std::vector<int> m_parent;         ///< by node; -1 for the ground
-  std::vector<int> m_jointToParent;  ///< by node; -1 for the ground
-  std::vector<int> m_depth;          ///< by node
-  std::vector<int> m_preorder;       ///< by node: its place in m_order
-  std::vector<int> m_subtreeEnd;     ///< by node: the place behind the last node below it
-  std::vector<int> m_order;
-  std::vector<int> m_child;          ///< by joint
-  std::vector<int> m_towardsGround;  ///< by joint: +1 or -1
+  explicit SpanningTree(int nodeCount)
+      : m_nodeCount(nodeCount), m_numbers(static_cast<std::size_t>(nodeCount) * kParts, -1) {}
+
+  [[nodiscard]] std::span<const int> part(Part of) const {
+    const auto size = static_cast<std::size_t>(m_nodeCount);
+    return std::span(m_numbers).subspan(static_cast<std::size_t>(of) * size, size);
+  }
+  [[nodiscard]] std::size_t place(Part of, int index) const {
+    return static_cast<std::size_t>(of) * static_cast<std::size_t>(m_nodeCount) +
+           static_cast<std::size_t>(index);
+  }
+  [[nodiscard]] int at(Part of, int index) const { return m_numbers[place(of, index)]; }
+  int& at(Part of, int index) { return m_numbers[place(of, index)]; }
+
+  int m_nodeCount = 0;
+  std::vector<int> m_numbers;
 };
 
 using SpanningTreePtr = std::shared_ptr<const SpanningTree>;

@@ -74,17 +74,19 @@ class KinematicModel {
     if (rate.parent != 0) rows.add(rate.parent - 1, field.fromInteger(-rate.sign));
   }
 
-  /// The joint's rate, from the phi of all links. @pre phi has a place for every unknown
+  /// The joint's rate, from the phi of all links, `width` solutions side by side as in substitute().
+  /// @pre phi has a place for every unknown
   template <class Field>
   [[nodiscard]] typename Field::Value rateOf(const Field& field, int joint,
-                                             const std::vector<typename Field::Value>& phi) const {
+                                             const std::vector<typename Field::Value>& phi,
+                                             std::size_t width = 1, std::size_t place = 0) const {
     const JointRate& rate = jointRate(joint);
-    typename Field::Value value = field.fromInteger(0);
-    const auto sign = field.fromInteger(rate.sign);
-    if (rate.parent != 0) field.subtractProduct(value, sign, phi[static_cast<std::size_t>(rate.parent) - 1]);
-    const auto minus = field.fromInteger(-rate.sign);
-    field.subtractProduct(value, minus, phi[static_cast<std::size_t>(rate.child) - 1]);
-    return value;
+    const auto at = [&](int link) -> const auto& {
+      return phi[(static_cast<std::size_t>(link) - 1) * width + place];
+    };
+    auto value = at(rate.child);
+    if (rate.parent != 0) field.subtract(value, at(rate.parent));
+    return rate.sign > 0 ? value : field.negated(value);
   }
 
   /// The teeth as a field's numbers, for addMeshRow().

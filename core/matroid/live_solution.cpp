@@ -1,61 +1,133 @@
 #include "core/matroid/live_solution.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
 namespace geargraph {
 namespace {
 
-Elimination<Fused> eliminated(const KinematicModel& model, const FusedField& field,
-                              std::span<const int> inputs, const std::stop_token& stop, bool& stopped) {
-  auto system = eliminate(field, inputRows(model, field, allMeshes(model), inputs, model.teeth(field)),
-                          model.n(), model.n() + static_cast<int>(inputs.size()), stop);
-  stopped = !system.has_value();
-  return stopped ? Elimination<Fused>() : std::move(*system);
+using System = Elimination<Fused>;
+
+std::optional<System> eliminated(const KinematicModel& model, const FusedField& field,
+                                 std::span<const int> inputs, const std::stop_token& stop) {
+  return eliminate(field, inputRows(model, field, allMeshes(model), inputs), model.n(),
+                   model.n() + static_cast<int>(inputs.size()), stop);
 }
 
-/// Do the inputs determine every link, and is no relation forced among them? `x` becomes a motion at random.
-bool isDetermined(const FusedField& field, const Elimination<Fused>& system, std::vector<Fused>& x) {
-  if (!system.freeColumns.empty()) return false;
-  ResidueStream random(field.prime(), 0x696e70757473U);
-  for (int column = system.unknowns; column < system.columns; ++column) x[column] = {0, random.next()};
-  substitute(field, system, x);
+bool checksHold(const FusedField& field, const System& system, const std::vector<Fused>& x,
+                std::size_t width) {
   for (const auto& check : system.checks) {
-    if (!field.isZero(checkValue(field, system, check, x))) return false;
+    for (std::size_t k = 0; k < width; ++k) {
+      if (!field.isZero(checkValue(field, system, check, x, width, k))) return false;
+    }
   }
   return true;
 }
 
-void fillMatrix(const KinematicModel& model, const FusedField& field, const Elimination<Fused>& system,
-                LiveSolution& solution) {
-  const std::size_t columns = solution.inputs.size();
-  if (solution.outputs.size() * columns > LiveSolution::kMostLiveEntries) return;
-  solution.matrix.resize(solution.outputs.size() * columns);
-  std::vector<Fused> x(static_cast<std::size_t>(system.columns));
-  for (std::size_t j = 0; j < columns; ++j) {
-    Fused& given = x[static_cast<std::size_t>(system.unknowns) + j];
-    given = field.one();
-    substitute(field, system, x);
-    given = {};
-    for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
-      solution.matrix[i * columns + j] = model.rateOf(field, solution.outputs[i], x).number;
-    }
-  }
+/// Do the inputs determine every link, and is no relation forced among them? `x` becomes a motion at random.
+bool isDetermined(const FusedField& field, const System& system, std::vector<Fused>& x) {
+  if (!system.freeColumns.empty()) return false;
+  ResidueStream random(field.prime(), 0x696e70757473U);
+  for (int column = system.unknowns; column < system.columns; ++column) x[column] = {0, random.next()};
+  substitute(field, system, x);
+  return checksHold(field, system, x, 1);
 }
 
-/// The rates for the given speeds; a speed stands beside its own residue, so that sums that cancel are exact
-/// zeros.
-void fillRates(const KinematicModel& model, const FusedField& field, const Elimination<Fused>& system,
-               std::span<const Rational> speeds, LiveSolution& solution) {
-  std::vector<Fused> x(static_cast<std::size_t>(system.columns));
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    const auto residue = field.prime().fromRational(speeds[i]);
+/// Speeds beside their own residues, so that sums that cancel are exact zeros.
+std::vector<Fused> fused(const FusedField& field, std::span<const Rational> speeds) {
+  std::vector<Fused> values;
+  values.reserve(speeds.size());
+  for (const Rational& speed : speeds) {
+    const auto residue = field.prime().fromRational(speed);
     // A speed whose denominator the prime divides: any residue but 0 keeps the double alive.
-    x[static_cast<std::size_t>(system.unknowns) + i] = {speeds[i].toDouble(),
-                                                        residue.value_or(field.prime().one())};
+    values.push_back({speed.toDouble(), residue.value_or(field.prime().one())});
   }
-  substitute(field, system, x);
-  solution.rates.resize(static_cast<std::size_t>(model.t()));
-  for (int joint = 0; joint < model.t(); ++joint)
-    solution.rates[joint] = model.rateOf(field, joint, x).number;
+  return values;
 }
+
+/// Fills in a solution from an eliminated system.
+class Solver {
+ public:
+  Solver(const KinematicModel& model, const FusedField& field, const System& system,
+         std::span<const Rational> speeds, LiveSolution& solution)
+      : m_model(model),
+        m_field(field),
+        m_system(system),
+        m_speeds(fused(field, speeds)),
+        m_solution(solution) {
+    m_solution.dead.assign(static_cast<std::size_t>(model.t()), 1);
+  }
+
+  /// One motion for every input, all others at rest, a few at a time: the columns of the matrix. What stands
+  /// still in all of them is dead; the rates are their sum, weighted with the speeds. False where a relation
+  /// among the inputs is forced, or `stop` was requested.
+  bool byColumns(const std::stop_token& stop) {
+    constexpr std::size_t kAtOnce = 4;
+    const std::size_t inputs = m_solution.inputs.size();
+    m_solution.matrix.resize(m_solution.outputs.size() * inputs);
+    m_rates.assign(static_cast<std::size_t>(m_model.t()), Fused());
+    for (std::size_t first = 0; first < inputs; first += kAtOnce) {
+      if (stop.stop_requested()) return false;
+      if (!takeColumns(first, std::min(kAtOnce, inputs - first))) return false;
+    }
+    m_solution.rates.resize(m_rates.size());
+    for (std::size_t joint = 0; joint < m_rates.size(); ++joint)
+      m_solution.rates[joint] = m_rates[joint].number;
+    return true;
+  }
+
+  /// Too large for a matrix: a motion at random, which shows what is dead, beside the one at the given
+  /// speeds.
+  bool byMotions() {
+    std::vector<Fused> x(static_cast<std::size_t>(m_system.columns));
+    if (!isDetermined(m_field, m_system, x)) return false;
+    for (int joint = 0; joint < m_model.t(); ++joint) {
+      if (m_model.rateOf(m_field, joint, x).residue != 0) m_solution.dead[joint] = 0;
+    }
+    std::copy(m_speeds.begin(), m_speeds.end(), x.begin() + m_system.unknowns);
+    substitute(m_field, m_system, x);
+    m_solution.rates.resize(static_cast<std::size_t>(m_model.t()));
+    for (int joint = 0; joint < m_model.t(); ++joint) {
+      m_solution.rates[joint] = m_model.rateOf(m_field, joint, x).number;
+    }
+    return true;
+  }
+
+ private:
+  bool takeColumns(std::size_t first, std::size_t width) {
+    m_x.assign(static_cast<std::size_t>(m_system.columns) * width, Fused());
+    for (std::size_t k = 0; k < width; ++k) {
+      m_x[(static_cast<std::size_t>(m_system.unknowns) + first + k) * width + k] = m_field.one();
+    }
+    substitute(m_field, m_system, m_x, width);
+    if (!checksHold(m_field, m_system, m_x, width)) return false;
+    std::array<Fused, 4> minusSpeeds;
+    for (std::size_t k = 0; k < width; ++k) minusSpeeds[k] = m_field.negated(m_speeds[first + k]);
+    std::size_t row = 0;
+    for (int joint = 0; joint < m_model.t(); ++joint) {
+      const bool isOutput = row < m_solution.outputs.size() && m_solution.outputs[row] == joint;
+      for (std::size_t k = 0; k < width; ++k) {
+        const Fused rate = m_model.rateOf(m_field, joint, m_x, width, k);
+        if (rate.residue != 0) {
+          m_solution.dead[joint] = 0;
+          m_field.subtractProduct(m_rates[joint], minusSpeeds[k], rate);
+        }
+        if (isOutput) m_solution.matrix[row * m_solution.inputs.size() + first + k] = rate.number;
+      }
+      if (isOutput) ++row;
+    }
+    return true;
+  }
+
+  const KinematicModel& m_model;
+  const FusedField& m_field;
+  const System& m_system;
+  std::vector<Fused> m_speeds;
+  LiveSolution& m_solution;
+  std::vector<Fused> m_x;
+  std::vector<Fused> m_rates;  ///< by joint: the sum so far
+};
 
 }  // namespace
 
@@ -63,34 +135,29 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
                                       std::span<const int> inputs, std::span<const Rational> speeds,
                                       const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(inputs.size() == speeds.size());
-  bool stopped = false;
-  const Elimination<Fused> system = eliminated(model, field, inputs, stop, stopped);
-  std::vector<Fused> x(static_cast<std::size_t>(model.n()) + inputs.size());
-  if (stopped || !isDetermined(field, system, x)) return std::nullopt;
-  if (!system.checks.empty()) {
-    const FusedField second(PrimeField::kSecondSeed);
-    const Elimination<Fused> confirming = eliminated(model, second, inputs, stop, stopped);
-    std::vector<Fused> y(x.size());
-    if (stopped || !isDetermined(second, confirming, y)) return std::nullopt;
-  }
+  const std::optional<System> system = eliminated(model, field, inputs, stop);
+  if (!system || !system->freeColumns.empty()) return std::nullopt;
   LiveSolution solution;
   solution.inputs.assign(inputs.begin(), inputs.end());
   solution.outputs = outputsOf(model, inputs);
   solution.rank = model.n() - static_cast<int>(inputs.size());
-  solution.redundant = static_cast<int>(system.checks.size());
-  solution.dead.resize(static_cast<std::size_t>(model.t()));
-  for (int joint = 0; joint < model.t(); ++joint) {
-    solution.dead[joint] = model.rateOf(field, joint, x).residue == 0 ? 1 : 0;
+  solution.redundant = static_cast<int>(system->checks.size());
+  Solver solver(model, field, *system, speeds, solution);
+  const bool small = solution.outputs.size() * inputs.size() <= LiveSolution::kMostLiveEntries;
+  if (!(small ? solver.byColumns(stop) : solver.byMotions())) return std::nullopt;
+  if (!system->checks.empty()) {
+    const FusedField second(PrimeField::kSecondSeed);
+    const std::optional<System> confirming = eliminated(model, second, inputs, stop);
+    std::vector<Fused> x(static_cast<std::size_t>(model.n()) + inputs.size());
+    if (!confirming || !isDetermined(second, *confirming, x)) return std::nullopt;
   }
-  fillRates(model, field, system, speeds, solution);
   if (stop.stop_requested()) return std::nullopt;
-  fillMatrix(model, field, system, solution);
   return solution;
 }
 
 std::vector<int> allMeshes(const KinematicModel& model) {
-  std::vector<int> meshes;
-  for (int mesh = 0; mesh < model.c(); ++mesh) meshes.push_back(mesh);
+  std::vector<int> meshes(static_cast<std::size_t>(model.c()));
+  std::iota(meshes.begin(), meshes.end(), 0);
   return meshes;
 }
 
@@ -98,6 +165,7 @@ std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inp
   std::vector<char> isInput(static_cast<std::size_t>(model.t()), 0);
   for (const int joint : inputs) isInput[joint] = 1;
   std::vector<int> outputs;
+  outputs.reserve(isInput.size() - std::min(isInput.size(), inputs.size()));
   for (int joint = 0; joint < model.t(); ++joint) {
     if (isInput[joint] == 0) outputs.push_back(joint);
   }

@@ -9,21 +9,23 @@
 
 namespace geargraph {
 
-/// The mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination of
-/// it solves the mechanism, and tells whether the inputs are valid.
-template <class Field, class Weights>
+/// Some mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
+/// of it solves the mechanism, and tells whether the inputs are valid.
+template <class Field>
 [[nodiscard]] SparseRows<typename Field::Value> inputRows(const KinematicModel& model, const Field& field,
                                                           std::span<const int> meshes,
-                                                          std::span<const int> inputs,
-                                                          const Weights& weights) {
+                                                          std::span<const int> inputs) {
   SparseRows<typename Field::Value> rows;
+  rows.reserve(meshes.size() + inputs.size(), 3 * (meshes.size() + inputs.size()));
+  const auto weights = model.teeth(field);
   for (const int mesh : meshes) {
     model.addMeshRow(rows, mesh, weights);
     rows.endRow();
   }
+  const auto minus = field.fromInteger(-1);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     model.addRateRow(rows, inputs[i], field);
-    rows.add(model.n() + static_cast<int>(i), field.fromInteger(-1));
+    rows.add(model.n() + static_cast<int>(i), minus);
     rows.endRow();
   }
   return rows;

@@ -31,9 +31,13 @@ class Analyzer {
   void takeInputs() {
     if (!m_mechanism.inputs) return;
     m_result.inputsGiven = true;
-    const PositionIndex<JointTag> position(m_mechanism.turningJoints);
+    constexpr std::size_t kFew = 8;  // found sooner by looking than by an index of all joints
+    const bool few = m_mechanism.inputs->size() <= kFew;
+    const auto index = few ? PositionIndex<JointTag>() : PositionIndex<JointTag>(m_mechanism.turningJoints);
     for (const Input& input : *m_mechanism.inputs) {
-      m_wanted.push_back(position.at(input.joint));
+      m_wanted.push_back(
+          few ? static_cast<int>(m_mechanism.find(input.joint) - m_mechanism.turningJoints.data())
+              : index.at(input.joint));
       m_speeds.push_back(input.speed.exact());
     }
   }
@@ -86,6 +90,7 @@ class Analyzer {
     }
     std::vector<char> redundant(static_cast<std::size_t>(m_model.c()), 0);
     for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.mesh] = 1;
+    m_result.independentMeshes.reserve(static_cast<std::size_t>(m_result.rank));
     for (int mesh = 0; mesh < m_model.c(); ++mesh) {
       if (redundant[mesh] == 0) m_result.independentMeshes.push_back(mesh);
     }

@@ -1,8 +1,6 @@
 #include "core/placement/axis_classes.h"
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -12,30 +10,8 @@
 namespace geargraph {
 namespace {
 
-struct Line {
-  Vector3 point;
-  Vector3 direction;  ///< unit
-};
-
-Vector3 valuesOf(const NumberTriple& triple) {
-  return {triple[0].value(), triple[1].value(), triple[2].value()};
-}
-
-std::vector<std::optional<Line>> linesOf(const Mechanism& mechanism) {
-  std::vector<std::optional<Line>> lines;
-  lines.reserve(mechanism.axes.size());
-  for (const Axis& axis : mechanism.axes) {
-    if (axis.point && axis.direction) {
-      lines.push_back(Line{valuesOf(*axis.point), unit(valuesOf(*axis.direction))});
-    } else {
-      lines.emplace_back();
-    }
-  }
-  return lines;
-}
-
 /// +1 or -1 where the lines coincide, pointing alike or against each other, else 0.
-int coincide(const Line& a, const Line& b) {
+int coincide(const AxisLine& a, const AxisLine& b) {
   if (length(cross(a.direction, b.direction)) > kSameLine) return 0;
   const Vector3 between = b.point - a.point;
   const double size = 1 + length(a.point) + length(b.point);
@@ -46,65 +22,55 @@ int coincide(const Line& a, const Line& b) {
 /// Sets of joints with the sense of each against its set's root.
 class JointSets {
  public:
-  explicit JointSets(std::size_t joints) : m_up(joints), m_sense(joints, 1) {
-    std::iota(m_up.begin(), m_up.end(), 0);
+  struct Member {
+    int up = 0;     ///< towards the root, which is its own
+    int sense = 1;  ///< against `up`
+  };
+
+  explicit JointSets(std::size_t joints) : m_members(joints) {
+    for (std::size_t i = 0; i < joints; ++i) m_members[i].up = static_cast<int>(i);
   }
-  int root(int joint) {
-    compress(joint);
-    return m_up[joint];
-  }
-  int senseToRoot(int joint) {
-    compress(joint);
-    return m_sense[joint];
+  /// The set's root, and the joint's sense against it.
+  Member find(int joint) {
+    // Hangs all joints between this one and its root on the root itself, from the root down.
+    m_walk.clear();
+    for (int at = joint; m_members[at].up != at; at = m_members[at].up) m_walk.push_back(at);
+    for (std::size_t i = m_walk.size(); i-- > 0;) {
+      Member& member = m_members[m_walk[i]];
+      const Member& up = m_members[member.up];
+      if (up.up == member.up) continue;
+      member = {up.up, member.sense * up.sense};
+    }
+    return m_members[joint];
   }
   /// `sense`: of b against a. The smaller root stays the root, so that the first joint gives the direction.
   void unite(int a, int b, int sense) {
-    const int rootA = root(a);
-    const int rootB = root(b);
-    if (rootA == rootB) return;
-    const int between = senseToRoot(a) * senseToRoot(b) * sense;
-    const int high = std::max(rootA, rootB);
-    m_up[high] = std::min(rootA, rootB);
-    m_sense[high] = between;
+    const Member rootA = find(a);
+    const Member rootB = find(b);
+    if (rootA.up == rootB.up) return;
+    const auto [low, high] = std::minmax(rootA.up, rootB.up);
+    m_members[high] = {low, rootA.sense * rootB.sense * sense};
   }
 
  private:
-  /// Hangs all joints between this one and its root on the root itself, from the root down.
-  void compress(int joint) {
-    m_walk.clear();
-    for (int at = joint; m_up[at] != at; at = m_up[at]) m_walk.push_back(at);
-    for (std::size_t i = m_walk.size(); i-- > 0;) {
-      const int at = m_walk[i];
-      const int up = m_up[at];
-      if (m_up[up] == up) continue;
-      m_sense[at] *= m_sense[up];
-      m_up[at] = m_up[up];
-    }
-  }
-
-  std::vector<int> m_up;
-  std::vector<int> m_sense;
+  std::vector<Member> m_members;
   std::vector<int> m_walk;
 };
 
 /// At each link, joins the joints there that lie on one line.
 class Merger {
  public:
-  Merger(const Mechanism& mechanism, const JointTree& tree)
+  Merger(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
       : m_mechanism(mechanism),
         m_tree(tree),
-        m_lines(linesOf(mechanism)),
+        m_lines(lines),
         m_sets(tree.joints.size()),
         m_firstAt(mechanism.axes.size(), -1) {}
 
   JointSets run(Diagnostics& diagnostics) {
-    for (std::size_t link = 0; link + 1 < m_tree.aroundStart.size(); ++link) {
-      const auto first = static_cast<std::size_t>(m_tree.aroundStart[link]);
-      joinAt(std::span(m_tree.around)
-                 .subspan(first, static_cast<std::size_t>(m_tree.aroundStart[link + 1]) - first));
-    }
+    for (int link = 0; link < m_tree.graph->nodeCount(); ++link) joinAt(m_tree.graph->turningEdgesAt(link));
     report(diagnostics);
-    return m_sets;
+    return std::move(m_sets);
   }
 
  private:
@@ -120,7 +86,7 @@ class Merger {
       }
     }
     for (const int joint : m_firstOfAxis) m_firstAt[m_tree.axisOf[joint]] = -1;
-    compareLines();
+    if (m_firstOfAxis.size() > 1) compareLines();
   }
 
   /// Compares the lines that may coincide: those whose keys are close. A key does not depend on the
@@ -129,11 +95,11 @@ class Merger {
     m_keyed.clear();
     double size = 1;
     for (const int joint : m_firstOfAxis) {
-      const auto& line = m_lines[m_tree.axisOf[joint]];
-      if (!line) continue;
-      const Vector3& u = line->direction;
-      const Vector3 foot = line->point - dot(line->point, u) * u;
-      size = std::max(size, 1 + length(line->point));
+      const AxisLine& line = m_lines[m_tree.axisOf[joint]];
+      if (line.automatic) continue;
+      const Vector3& u = line.direction;
+      const Vector3 foot = line.point - dot(line.point, u) * u;
+      size = std::max(size, 1 + length(line.point));
       m_keyed.push_back({dot(foot, Vector3{0.7310, 0.5179, 0.4451}) + 0.6133 * u[0] * u[0] +
                              0.2719 * u[1] * u[1] + 0.3557 * u[0] * u[1] + 0.1931 * u[1] * u[2] +
                              0.4373 * u[2] * u[0],
@@ -151,8 +117,7 @@ class Merger {
   void joinLines(int a, int b) {
     const int axisA = m_tree.axisOf[a];
     const int axisB = m_tree.axisOf[b];
-    if (!m_lines[axisA] || !m_lines[axisB]) return;
-    const int sense = coincide(*m_lines[axisA], *m_lines[axisB]);
+    const int sense = coincide(m_lines[axisA], m_lines[axisB]);
     if (sense == 0) return;
     m_sets.unite(a, b, sense);
     const std::pair<int, int> pair = std::minmax(axisA, axisB);
@@ -184,7 +149,7 @@ class Merger {
 
   const Mechanism& m_mechanism;
   const JointTree& m_tree;
-  std::vector<std::optional<Line>> m_lines;
+  std::span<const AxisLine> m_lines;
   JointSets m_sets;
   std::vector<int> m_firstAt;  ///< by axis: its first joint at the link being treated, or -1
   std::vector<int> m_firstOfAxis;
@@ -192,8 +157,20 @@ class Merger {
   std::vector<Merged> m_merged;
 };
 
+/// Is some axis named by joints of several classes?
+bool anySplit(const JointTree& tree, const AxisClasses& classes, std::size_t axes) {
+  std::vector<int> classOfAxis(axes, -1);
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    int& of = classOfAxis[tree.axisOf[j]];
+    if (of >= 0 && of != classes.classOf[j]) return true;
+    of = classes.classOf[j];
+  }
+  return false;
+}
+
 void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisClasses& classes,
                   Diagnostics& diagnostics) {
+  if (!anySplit(tree, classes, mechanism.axes.size())) return;
   std::vector<std::vector<int>> classesOfAxis(mechanism.axes.size());
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     std::vector<int>& list = classesOfAxis[tree.axisOf[j]];
@@ -221,31 +198,30 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
 
 }  // namespace
 
-AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, Diagnostics& diagnostics) {
-  JointSets sets = Merger(mechanism, tree).run(diagnostics);
-  classOf.assign(tree.joints.size(), -1);
-  sense.assign(tree.joints.size(), 1);
-  std::vector<int> classOfRoot(tree.joints.size(), -1);
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const int joint = static_cast<int>(j);
-    const int root = sets.root(joint);
-    if (classOfRoot[root] < 0) {
-      classOfRoot[root] = static_cast<int>(classes.size());
-      classes.push_back({joint, tree.axisOf[joint], 0, 0});
+AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
+                         Diagnostics& diagnostics) {
+  JointSets sets = Merger(mechanism, tree, lines).run(diagnostics);
+  const int joints = static_cast<int>(tree.joints.size());
+  classOf.resize(tree.joints.size());
+  sense.resize(tree.joints.size());
+  classes.reserve(tree.joints.size());
+  for (int joint = 0; joint < joints; ++joint) {
+    const auto [root, against] = sets.find(joint);  // a root stands before its set's other joints
+    if (root == joint) {
+      classOf[joint] = static_cast<int>(classes.size());
+      classes.push_back({joint, tree.axisOf[joint], -1, 0});
+    } else {
+      classOf[joint] = classOf[root];
     }
-    classOf[j] = classOfRoot[root];
-    sense[j] = sets.senseToRoot(joint);
+    sense[joint] = against;
   }
-  std::vector<char> seen(classes.size(), 0);
   for (const int link : tree.order) {  // parents first: the first parent seen is the top
     if (link == 0) continue;
-    const int of = classOf[tree.joint[link]];
-    if (seen[of] != 0) continue;
-    seen[of] = 1;
-    const int top = tree.parent[link];
-    const int above = classOfLink(tree, top);
-    classes[of].top = top;
-    classes[of].depth = above < 0 ? 0 : classes[above].depth + 1;
+    Class& of = classes[classOf[tree.joint[link]]];
+    if (of.top >= 0) continue;
+    of.top = tree.parent[link];
+    const int above = classOfLink(tree, of.top);
+    of.depth = above < 0 ? 0 : classes[above].depth + 1;
   }
   reportSplits(mechanism, tree, *this, diagnostics);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/placement/axis_line.h"
 #include "core/placement/joint_tree.h"
 
 namespace geargraph {
@@ -28,7 +30,11 @@ struct AxisClasses {
   /// By links of one axis name, then by lines of different names that coincide at a shared link:
   /// `merged-axes`; joints of one name in several classes: `split-axis`. Cost: O(n) but for joints that share
   /// a link and a line.
-  AxisClasses(const Mechanism& mechanism, const JointTree& tree, Diagnostics& diagnostics);
+  /// `lines`: givenLines() of the mechanism.
+  AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
+              Diagnostics& diagnostics);
+  /// Of a mechanism without a tree: none.
+  AxisClasses() = default;
 
   /// The class of the link's joint towards the ground; -1 for the ground.
   [[nodiscard]] int classOfLink(const JointTree& tree, int link) const {

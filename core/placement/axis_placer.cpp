@@ -48,8 +48,8 @@ class AxisPlacer {
     std::vector<AxisLine> lines;
     lines.reserve(m_lines.size());
     for (auto& placed : m_lines) {
-      AxisLine line{placed->point, placed->direction, placed->automatic, {}};
-      if (placed->automatic) line.chosen = std::move(placed->exact);
+      AxisLine line{placed->point, placed->direction, placed->automatic, nullptr};
+      if (placed->automatic) line.chosen = std::make_shared<const ExactLine>(std::move(placed->exact));
       lines.push_back(std::move(line));
     }
     return lines;
@@ -261,16 +261,6 @@ class AxisPlacer {
   Rational m_module = kDefaultModule;
 };
 
-/// The lines where the document gives them all: the usual case, without fractions.
-std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
-  std::vector<AxisLine> lines;
-  lines.reserve(mechanism.axes.size());
-  for (const Axis& axis : mechanism.axes) {
-    lines.push_back({valuesOf(*axis.point), unit(valuesOf(*axis.direction)), false, {}});
-  }
-  return lines;
-}
-
 }  // namespace
 
 ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis) {
@@ -279,11 +269,26 @@ ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis) 
   return {exactOf(*given.point), exactOf(*given.direction)};
 }
 
-std::vector<AxisLine> placedAxes(const Mechanism& mechanism, const AxisClasses& classes,
+std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
+  std::vector<AxisLine> lines;
+  lines.reserve(mechanism.axes.size());
+  for (const Axis& axis : mechanism.axes) {
+    AxisLine& line = lines.emplace_back();
+    line.automatic = !axis.point || !axis.direction;
+    if (line.automatic) continue;
+    line.point = valuesOf(*axis.point);
+    line.direction = unit(valuesOf(*axis.direction));
+  }
+  return lines;
+}
+
+std::vector<AxisLine> placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given,
+                                 const AxisClasses& classes,
                                  const std::vector<std::optional<MeshWord>>& words, Rational& module) {
-  const bool open = std::any_of(mechanism.axes.begin(), mechanism.axes.end(),
-                                [](const Axis& axis) { return !axis.point || !axis.direction; });
-  return open ? AxisPlacer(mechanism, classes, words).run(module) : givenLines(mechanism);
+  // All given is the usual case, and needs no fractions.
+  const bool open =
+      std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });
+  return open ? AxisPlacer(mechanism, classes, words).run(module) : std::move(given);
 }
 
 }  // namespace geargraph

@@ -23,8 +23,9 @@ constexpr int kDefaultModule = 2;
 ///    further along.
 /// 4. Axes that no mesh ties to these start a new group beside them, along z.
 ///
-/// `words`, by mesh: none where a mesh has no carrier.
-[[nodiscard]] std::vector<AxisLine> placedAxes(const Mechanism& mechanism, const AxisClasses& classes,
+/// `given` (givenLines()) tells which ones those are. `words`, by mesh: none where a mesh has no carrier.
+[[nodiscard]] std::vector<AxisLine> placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given,
+                                               const AxisClasses& classes,
                                                const std::vector<std::optional<MeshWord>>& words,
                                                Rational& module);
 

@@ -18,6 +18,10 @@ struct MeshWord {
 /// The path from one link to another as classes. Kept from mesh to mesh, so that walking allocates nothing.
 class ClassPath {
  public:
+  ClassPath() {
+    constexpr std::size_t kUsual = 4;
+    for (auto* list : {&m_classes, &m_changes, &m_headClasses, &m_headChanges}) list->reserve(kUsual);
+  }
   /// Cost: O(axis classes on the path), whatever its length in joints.
   void walk(const AxisClasses& classes, const JointTree& tree, int tail, int head);
 

@@ -104,25 +104,27 @@ void locate(const Mechanism& mechanism, Placement& placement, int mesh, const Me
 }  // namespace
 
 Placement placementOf(const Mechanism& mechanism) {
+  return placementOf(mechanism, JointTree::of(mechanism));
+}
+
+Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree) {
   Placement placement;
+  std::vector<AxisLine> given = givenLines(mechanism);
   placement.meshes.resize(mechanism.gearMeshes.size());
-  placement.tree = JointTree::of(mechanism);
-  std::vector<std::optional<MeshWord>> words(mechanism.gearMeshes.size());
-  if (placement.tree) {
-    placement.classes.emplace(mechanism, *placement.tree, placement.diagnostics);
-    ClassPath path;
-    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-      words[mesh] =
-          meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics);
-    }
-    placement.axes = placedAxes(mechanism, *placement.classes, words, placement.module);
-  } else {
-    Diagnostics none;
-    const JointTree empty;
-    placement.axes = placedAxes(mechanism, AxisClasses(mechanism, empty, none),
-                                std::vector<std::optional<MeshWord>>(), placement.module);
+  if (!tree) {
+    placement.axes = placedAxes(mechanism, std::move(given), AxisClasses(), {}, placement.module);
     return placement;
   }
+  placement.tree = std::move(tree);
+  placement.classes.emplace(mechanism, *placement.tree, given, placement.diagnostics);
+  std::vector<std::optional<MeshWord>> words;
+  words.reserve(mechanism.gearMeshes.size());
+  ClassPath path;
+  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    words.push_back(
+        meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
+  }
+  placement.axes = placedAxes(mechanism, std::move(given), *placement.classes, words, placement.module);
   SideChooser sides(mechanism, placement);
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
     if (words[mesh]) locate(mechanism, placement, mesh, *words[mesh], sides);

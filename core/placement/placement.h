@@ -39,6 +39,8 @@ struct Placement {
 /// Cost: O(n + t + c) and the axis classes on each mesh's path.
 /// @pre the mechanism is well formed
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism);
+/// The same for a mechanism whose tree is known, none where there is none.
+[[nodiscard]] Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree);
 
 /// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
 [[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,

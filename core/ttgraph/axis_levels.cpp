@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 #include <span>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "core/ttgraph/wording.h"
@@ -14,28 +13,24 @@
 namespace geargraph {
 namespace {
 
-// 1. Name each joint's axis by its position in the document.
+// 1. Joints are told apart by the positions of their axes in the document.
 // 2. At each link, take one joint for each of its axes; the others of that axis are united with it.
 // 3. Compare the lines of those few, sorted by a number that equal lines share, and unite what is collinear.
 // 4. Number the levels by their first joints; give senses, names and findings.
 class Classifier {
  public:
   Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
-      : m_mechanism(mechanism), m_graph(graph), m_lines(lines), m_parent(joints()), m_axisOf(joints()) {
+      : m_mechanism(mechanism), m_graph(graph), m_lines(lines), m_parent(joints()), m_axisOf(graph.axisOf()) {
     std::iota(m_parent.begin(), m_parent.end(), 0);
-    std::unordered_map<AxisId, int> position;
-    for (std::size_t i = 0; i < mechanism.axes.size(); ++i) {
-      position.emplace(mechanism.axes[i].id, static_cast<int>(i));
-      if (lines.axes[i]) m_size = std::max(m_size, 1 + length(lines.axes[i]->point));
-    }
-    for (std::size_t j = 0; j < joints(); ++j) {
-      m_axisOf[j] = position.at(mechanism.turningJoints[j].axis);
+    for (const auto& line : lines.axes) {
+      if (line) m_size = std::max(m_size, 1 + length(line->point));
     }
   }
 
   AxisLevels run() {
     uniteAtLinks();
     number();
+    m_levels.sense.reserve(joints());
     for (std::size_t j = 0; j < joints(); ++j) m_levels.sense.push_back(senseOf(j));
     giveNames();
     reportSplits();
@@ -69,24 +64,10 @@ class Classifier {
   }
 
   void uniteAtLinks() {
-    // The joints at each link, in one array.
-    std::vector<std::size_t> starts(static_cast<std::size_t>(m_graph.nodeCount()) + 1, 0);
-    for (const DigraphEdge& edge : m_graph.turningEdges()) {
-      ++starts[static_cast<std::size_t>(edge.tail) + 1];
-      ++starts[static_cast<std::size_t>(edge.head) + 1];
-    }
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<int> jointsAt(starts.back());
-    std::vector<std::size_t> next = starts;
-    for (int j = 0; j < m_graph.t(); ++j) {
-      jointsAt[next[static_cast<std::size_t>(m_graph.turningEdge(j).tail)]++] = j;
-      jointsAt[next[static_cast<std::size_t>(m_graph.turningEdge(j).head)]++] = j;
-    }
     std::vector<int> seenAs(m_mechanism.axes.size(), -1);
     std::vector<Candidate> different;
-    for (std::size_t link = 0; link + 1 < starts.size(); ++link) {
-      const std::span<const int> here =
-          std::span<const int>(jointsAt).subspan(starts[link], starts[link + 1] - starts[link]);
+    for (int link = 0; link < m_graph.nodeCount(); ++link) {
+      const std::span<const int> here = m_graph.turningEdgesAt(link);
       different.clear();
       for (const int joint : here) {
         int& first = seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
@@ -95,9 +76,9 @@ class Classifier {
           continue;
         }
         first = joint;
-        if (lineOf(joint) && !lineOf(joint)->automatic) different.push_back({keyOf(*lineOf(joint)), joint});
+        if (lineOf(joint) && !lineOf(joint)->automatic) different.push_back({0, joint});
       }
-      uniteCollinear(different);
+      if (different.size() > 1) uniteCollinear(different);
       for (const int joint : here) {
         seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])] = -1;
       }
@@ -115,6 +96,7 @@ class Classifier {
 
   void uniteCollinear(std::vector<Candidate>& different) {
     constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
+    for (Candidate& candidate : different) candidate.key = keyOf(*lineOf(candidate.joint));
     std::sort(different.begin(), different.end(),
               [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
     for (std::size_t a = 0; a < different.size(); ++a) {
@@ -129,6 +111,8 @@ class Classifier {
 
   void number() {
     m_levels.ofJoint.resize(joints());
+    m_levels.firstJoint.reserve(joints());
+    m_levels.axis.reserve(joints());
     for (int j = 0; j < static_cast<int>(joints()); ++j) {
       const int root = rootOf(j);
       if (root == j) {
@@ -154,6 +138,7 @@ class Classifier {
   void giveNames() {
     std::unordered_set<std::string> taken;  // needed where an axis splits only
     std::vector<char> used(m_mechanism.axes.size(), 0);
+    m_levels.names.reserve(m_levels.axis.size());
     for (const int axis : m_levels.axis) {
       std::string name = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
       if (used[static_cast<std::size_t>(axis)] != 0) {
@@ -248,9 +233,9 @@ class Classifier {
   const Mechanism& m_mechanism;
   const Digraph& m_graph;
   const ReferenceLines& m_lines;
-  std::vector<int> m_parent;  ///< union-find over joints
-  std::vector<int> m_axisOf;  ///< by joint: its axis, by position
-  double m_size = 1;          ///< how far from the origin the mechanism reaches
+  std::vector<int> m_parent;      ///< union-find over joints
+  std::span<const int> m_axisOf;  ///< by joint: its axis, by position
+  double m_size = 1;              ///< how far from the origin the mechanism reaches
   AxisLevels m_levels;
   std::set<int> m_split;                   ///< axes that fall into several levels
   std::set<std::pair<int, int>> m_joined;  ///< (axis, level of another axis that it lies on)

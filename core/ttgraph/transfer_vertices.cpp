@@ -64,6 +64,9 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
 
 LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels)
     : m_graph(graph), m_tree(tree), m_levels(levels), m_top(static_cast<std::size_t>(graph.nodeCount()), -1) {
+  constexpr std::size_t kUsual = 4;
+  m_up.reserve(kUsual);
+  m_down.reserve(kUsual);
   for (const int node : tree.preorder()) {
     if (node == 0) continue;
     const int parent = tree.parent(node);
@@ -83,35 +86,35 @@ int LevelWalks::topDepth(int node) const {
 // Climb from both gears, stretch by stretch, the one first whose stretch ends lower: so neither passes the
 // node where the walks meet. Where both stand on one level they are joined along it, for a level is one
 // piece.
-std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
+const std::vector<WalkStretch>& LevelWalks::walk(int mesh) {
   auto [tail, head] = m_graph.meshEdge(mesh);
-  std::vector<WalkStretch> up;
-  std::vector<WalkStretch> down;
+  m_up.clear();
+  m_down.clear();
   while (tail != head) {
     if (levelAbove(tail) == levelAbove(head)) {
-      up.push_back({levelAbove(tail), tail, head});
+      m_up.push_back({levelAbove(tail), tail, head});
       break;
     }
     const bool climbTail = topDepth(tail) >= topDepth(head);
     int& node = climbTail ? tail : head;
     const int top = m_top[static_cast<std::size_t>(node)];
     if (climbTail) {
-      up.push_back({levelAbove(node), node, top});
+      m_up.push_back({levelAbove(node), node, top});
     } else {
-      down.push_back({levelAbove(node), top, node});
+      m_down.push_back({levelAbove(node), top, node});
     }
     node = top;
   }
-  up.insert(up.end(), down.rbegin(), down.rend());
-  return up;
+  m_up.insert(m_up.end(), m_down.rbegin(), m_down.rend());
+  return m_up;
 }
 
 TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels) {
   TransferVertices result;
   result.ofMesh.resize(static_cast<std::size_t>(graph.c()));
-  const LevelWalks walks(graph, tree, levels);
+  LevelWalks walks(graph, tree, levels);
   for (int mesh = 0; mesh < graph.c(); ++mesh) {
-    const std::vector<WalkStretch> walk = walks.walk(mesh);
+    const std::vector<WalkStretch>& walk = walks.walk(mesh);
     if (walk.size() == 2) {
       result.ofMesh[static_cast<std::size_t>(mesh)] =
           TransferVertex{walk[0].to, walk[0].level, walk[1].level};

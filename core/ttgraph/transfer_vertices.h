@@ -25,8 +25,8 @@ class LevelWalks {
   /// Cost: O(n). Refers to its arguments.
   LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels);
 
-  /// Cost: O(stretches), however long they are.
-  [[nodiscard]] std::vector<WalkStretch> walk(int mesh) const;
+  /// Valid until the next one is asked for. Cost: O(stretches), however long they are.
+  [[nodiscard]] const std::vector<WalkStretch>& walk(int mesh);
 
  private:
   [[nodiscard]] int levelAbove(int node) const;  ///< of the branch towards the ground; -1 for the ground
@@ -36,6 +36,8 @@ class LevelWalks {
   const SpanningTree& m_tree;
   const AxisLevels& m_levels;
   std::vector<int> m_top;  ///< by node: the ancestor that its level's branches lead to; -1 for the ground
+  std::vector<WalkStretch> m_up;
+  std::vector<WalkStretch> m_down;
 };
 
 /// The carrier arm of a mesh, where its walk changes level, and the axes on either side.

@@ -102,7 +102,7 @@ class TtSystem {
     std::vector<Value> x;
     for (const int joint : m_plan->jointAt) x.push_back(rates[static_cast<std::size_t>(joint)]);
     for (const int mesh : surplusMeshes()) {
-      if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, mesh, -1, x))) return false;
+      if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, mesh, x))) return false;
     }
     return true;
   }

@@ -27,7 +27,9 @@ void live(benchmark::State& state, Family family) {
   }
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK_CAPTURE(live, tree, bench::epicyclicTree)->Arg(7)->RangeMultiplier(10)->Range(100, 10'000);
+BENCHMARK_CAPTURE(live, tree, bench::drivenTree)->Arg(7)->RangeMultiplier(10)->Range(100, 10'000);
+BENCHMARK_CAPTURE(live, coupled, bench::coupledTree)->RangeMultiplier(10)->Range(1'000, 10'000);
+BENCHMARK_CAPTURE(live, undriven, bench::epicyclicTree)->RangeMultiplier(10)->Range(1'000, 10'000);
 BENCHMARK_CAPTURE(live, nested, bench::nestedCarriers)->RangeMultiplier(10)->Range(100, 10'000);
 BENCHMARK_CAPTURE(live, stacks, bench::coaxialStacks)->RangeMultiplier(10)->Range(100, 1'000);
 
@@ -38,18 +40,26 @@ void liveRobot(benchmark::State& state) {
 BENCHMARK(liveRobot);
 
 /// What the live analysis of a mechanism is made of, from its model on: rank, freedom, inputs, speeds.
-void matroidOnly(benchmark::State& state) {
-  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void matroidOf(benchmark::State& state, const MechanismPtr& mechanism) {
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   const LiveKinematics& kinematics = *snapshot->kinematics;
   for (auto _ : state) {
     benchmark::DoNotOptimize(analyzeMatroid(*mechanism, *kinematics.model, kinematics.placement));
   }
 }
-BENCHMARK(matroidOnly)->Arg(1'000)->Arg(10'000);
+void matroidOnly(benchmark::State& state, Family family) {
+  matroidOf(state, shared(family(static_cast<int>(state.range(0)))));
+}
+BENCHMARK_CAPTURE(matroidOnly, tree, bench::drivenTree)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(matroidOnly, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'000);
 
-void exact(benchmark::State& state) {
-  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void matroidRobot(benchmark::State& state) {
+  matroidOf(state, shared(test::robot()));
+}
+BENCHMARK(matroidRobot);
+
+void exact(benchmark::State& state, Family family) {
+  const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   const MatroidAnalysis& matroid = *snapshot->matroid();
   const KinematicModel& model = *snapshot->kinematics->model;
@@ -57,10 +67,11 @@ void exact(benchmark::State& state) {
     benchmark::DoNotOptimize(solveExact(model, matroid.choice.joints, matroid.speeds));
   }
 }
-BENCHMARK(exact)->Arg(1'000);
+BENCHMARK_CAPTURE(exact, tree, bench::drivenTree)->Arg(1'000);
+BENCHMARK_CAPTURE(exact, coupled, bench::coupledTree)->Arg(1'000);
 
-void symbolic(benchmark::State& state) {
-  const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void symbolic(benchmark::State& state, Family family) {
+  const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   const LiveKinematics& kinematics = *snapshot->kinematics;
   const MatroidAnalysis& matroid = *snapshot->matroid();
@@ -70,7 +81,8 @@ void symbolic(benchmark::State& state) {
                                            matroid.independentMeshes, matroid.choice.joints));
   }
 }
-BENCHMARK(symbolic)->Arg(7)->Arg(20)->Arg(80);
+BENCHMARK_CAPTURE(symbolic, tree, bench::drivenTree)->Arg(7)->Arg(20)->Arg(80);
+BENCHMARK_CAPTURE(symbolic, coupled, bench::coupledTree)->Arg(7)->Arg(20)->Arg(80);
 
 void forwardKinematics(benchmark::State& state) {
   const MechanismPtr mechanism = shared(bench::epicyclicTree(static_cast<int>(state.range(0))));

@@ -17,6 +17,7 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
+using Family = Mechanism (*)(int links);
 
 /// A train with its live analysis, and its mesh rows with the inputs' rows below: phi = solution of a square
 /// system.
@@ -33,7 +34,7 @@ struct Problem {
   [[nodiscard]] SparseRows<Fused> rows() const {
     const KinematicModel& model = *snapshot->kinematics->model;
     const FusedField field;
-    return inputRows(model, field, snapshot->matroid()->independentMeshes, inputs(), model.teeth(field));
+    return inputRows(model, field, snapshot->matroid()->independentMeshes, inputs());
   }
 };
 
@@ -73,8 +74,8 @@ SparseMatrix reducedIncidence(const Digraph& graph) {
 
 /// The whole analysis with sparse matrices: Γ, T from a factored G, the square system factored and solved. No
 /// rank.
-void eigenSparse(benchmark::State& state) {
-  const Problem problem(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void eigenSparse(benchmark::State& state, Family family) {
+  const Problem problem(family(static_cast<int>(state.range(0))));
   for (auto _ : state) {
     const Digraph graph(*problem.mechanism);
     const SparseMatrix gamma = reducedIncidence(graph);
@@ -88,7 +89,8 @@ void eigenSparse(benchmark::State& state) {
     benchmark::DoNotOptimize(z.valuePtr());
   }
 }
-BENCHMARK(eigenSparse)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(eigenSparse, tree, bench::drivenTree)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(eigenSparse, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'000);
 
 /// The paper's formulas with dense matrices: Z = -G⁻¹, T = G*ᵀ Zᵀ, P, and P_r⁻¹ P_E.
 void eigenDenseRobot(benchmark::State& state) {
@@ -115,8 +117,8 @@ void eigenDenseRobot(benchmark::State& state) {
 BENCHMARK(eigenDenseRobot);
 
 /// KLU on the finished system: factor and solve, nothing else.
-void kluAlone(benchmark::State& state) {
-  const Problem problem(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void kluAlone(benchmark::State& state, Family family) {
+  const Problem problem(family(static_cast<int>(state.range(0))));
   System system(problem);
   system.matrix.makeCompressed();
   const auto size = static_cast<int>(system.matrix.cols());
@@ -134,11 +136,12 @@ void kluAlone(benchmark::State& state) {
     klu_free_symbolic(&symbolic, &common);
   }
 }
-BENCHMARK(kluAlone)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(kluAlone, tree, bench::drivenTree)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(kluAlone, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'000);
 
 /// FLINT's dense rank and Dixon lifting on the same system.
-void flintDense(benchmark::State& state) {
-  const Problem problem(bench::epicyclicTree(static_cast<int>(state.range(0))));
+void flintDense(benchmark::State& state, Family family) {
+  const Problem problem(family(static_cast<int>(state.range(0))));
   const System system(problem);
   fmpz_mat_t matrix;
   fmpz_mat_t right;
@@ -167,7 +170,8 @@ void flintDense(benchmark::State& state) {
   fmpz_mat_clear(solution);
   fmpz_clear(modulus);
 }
-BENCHMARK(flintDense)->Arg(1'000)->Iterations(1);
+BENCHMARK_CAPTURE(flintDense, tree, bench::drivenTree)->Arg(1'000)->Iterations(1);
+BENCHMARK_CAPTURE(flintDense, coupled, bench::coupledTree)->Arg(1'000)->Iterations(1);
 
 }  // namespace
 }  // namespace geargraph

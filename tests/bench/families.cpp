@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <random>
 
+#include "core/analysis/analysis.h"
+#include "core/base/contract.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph::bench {
@@ -114,6 +116,38 @@ Mechanism epicyclicTree(int links) {
     if (below(2) == 0) carriers.push_back(last);
   }
   return train.mechanism();
+}
+
+Mechanism driven(Mechanism train) {
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(train));
+  GEARGRAPH_REQUIRE(snapshot->matroid() != nullptr);
+  train.inputs.emplace();
+  for (const int joint : snapshot->matroid()->choice.joints) {
+    train.inputs->push_back({train.turningJoints[static_cast<std::size_t>(joint)].id, Number(1), {}});
+  }
+  return train;
+}
+
+Mechanism drivenAtRandom(Mechanism train) {
+  const auto freedoms = driven(train).inputs->size();
+  std::mt19937_64 random(7);
+  for (;;) {
+    train.inputs.emplace();
+    for (std::size_t i = 0; i < freedoms; ++i) {
+      const TurningJoint& joint = train.turningJoints[random() % train.turningJoints.size()];
+      train.inputs->push_back({joint.id, Number(1), {}});
+    }
+    const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(train));
+    if (snapshot->matroid()->solution) return train;
+  }
+}
+
+Mechanism drivenTree(int links) {
+  return driven(epicyclicTree(links));
+}
+
+Mechanism coupledTree(int links) {
+  return drivenAtRandom(epicyclicTree(links));
 }
 
 }  // namespace geargraph::bench

@@ -23,4 +23,14 @@ namespace geargraph::bench {
 /// neighbour on its carrier. Shallow, local, like real gearboxes of any size.
 [[nodiscard]] Mechanism epicyclicTree(int links);
 
+/// The same train with the program's choice of inputs written into it, as a user who drives it has.
+[[nodiscard]] Mechanism driven(Mechanism train);
+/// The same with valid inputs drawn at random: what was nearly triangular hangs together in blocks, and the
+/// solution has more terms.
+[[nodiscard]] Mechanism drivenAtRandom(Mechanism train);
+
+/// epicyclicTree(), driven either way.
+[[nodiscard]] Mechanism drivenTree(int links);
+[[nodiscard]] Mechanism coupledTree(int links);
+
 }  // namespace geargraph::bench

@@ -32,6 +32,9 @@ class Train:
              1 if m.get("kind") == "internal" else -1)
             for m in document["gearMeshes"]
         ]
+        place = {joint["id"]: i for i, joint in enumerate(document["turningJoints"])}
+        self.inputs = sorted(place[i["joint"]] for i in document["inputs"])
+        self.outputs = [j for j in range(len(self.joints)) if j not in set(self.inputs)]
 
 
 def best(function, runs=3):
@@ -84,13 +87,7 @@ def networkx_scipy(train):
             columns.append(joint)
             values.append(value)
     p = sparse.csc_matrix((values, (rows, columns)), (len(train.meshes), t))
-    inputs, outputs = split(train)
-    return cycle_basis, sparse_linalg.spsolve(p[:, outputs], -p[:, inputs])
-
-
-def split(train):
-    """Inputs: the joints that these families leave undriven; found once, outside the clock."""
-    return train.inputs, train.outputs
+    return cycle_basis, sparse_linalg.spsolve(p[:, train.outputs], -p[:, train.inputs])
 
 
 def numpy_dense(train):
@@ -105,25 +102,16 @@ def numpy_dense(train):
     z = -np.linalg.inv(g)
     tree_block = g_star.T @ z.T
     p = tree_block * train.dense_weights
-    inputs, outputs = split(train)
-    return np.linalg.solve(p[:, outputs], -p[:, inputs])
+    return np.linalg.solve(p[:, train.outputs], -p[:, train.inputs])
 
 
 def prepare(train):
-    """What both peers are given for free: the weights as arrays, and a valid split into inputs and outputs."""
+    """What the dense and the symbolic peers are given for free: the weights as arrays."""
     graph = nx.Graph()
     for joint, (tail, head, axis) in enumerate(train.joints):
         graph.add_edge(tail, head, joint=joint, axis=axis, tail=tail)
     t = len(train.joints)
     train.rows = [mesh_row(train, graph, mesh) for mesh in train.meshes]
-    taken, outputs = set(), []
-    for row in train.rows:  # the last joint of a cycle is what its mesh drives
-        joint = max((j for j in row if j not in taken), default=None)
-        if joint is not None:
-            taken.add(joint)
-            outputs.append(joint)
-    train.outputs = sorted(outputs)
-    train.inputs = [j for j in range(t) if j not in taken]
     if t <= 2000:
         train.dense_weights = np.zeros((len(train.meshes), t))
         for i, row in enumerate(train.rows):
@@ -170,18 +158,16 @@ def numpy_poses(train):
 def main():
     folder = pathlib.Path(sys.argv[1])
     result = {}
-    for size in ("1000", "10000"):
-        train = prepare(Train(folder / f"tree-{size}.geargraph"))
-        result[f"networkx+scipy {size}"] = best(lambda: networkx_scipy(train), 3 if size == "1000" else 1)
-        if size == "1000":
-            result["numpy dense 1000"] = best(lambda: numpy_dense(train))
-            result["numpy poses 1000"] = best(lambda: numpy_poses(train))
-    seven = prepare(Train(folder / "tree-7.geargraph"))
-    result["sympy LUsolve 7"] = best(lambda: sympy_lusolve(seven))
-    twenty = prepare(Train(folder / "tree-20.geargraph"))
-    result["sympy LUsolve 20"] = best(lambda: sympy_lusolve(twenty), 1)
-    eighty = prepare(Train(folder / "tree-80.geargraph"))
-    result["sympy linsolve 80"] = best(lambda: sympy_linsolve(eighty), 1)
+    for family in ("tree", "coupled"):
+        trains = {size: prepare(Train(folder / f"{family}-{size}.geargraph")) for size in (7, 20, 80, 1000, 10000)}
+        result[f"networkx+scipy {family} 1000"] = best(lambda: networkx_scipy(trains[1000]))
+        result[f"networkx+scipy {family} 10000"] = best(lambda: networkx_scipy(trains[10000]), 1)
+        result[f"numpy dense {family} 1000"] = best(lambda: numpy_dense(trains[1000]))
+        result[f"sympy LUsolve {family} 7"] = best(lambda: sympy_lusolve(trains[7]))
+        result[f"sympy LUsolve {family} 20"] = best(lambda: sympy_lusolve(trains[20]), 1)
+        result[f"sympy linsolve {family} 80"] = best(lambda: sympy_linsolve(trains[80]), 1)
+        if family == "tree":
+            result["numpy poses 1000"] = best(lambda: numpy_poses(trains[1000]))
     json.dump(result, sys.stdout, indent=1)
 
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
@@ -14,11 +15,16 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: geargraph_bench_trains FOLDER\n");
     return 2;
   }
-  for (const int links : {7, 20, 80, 1000, 10000}) {
-    const std::string path = std::string(arguments[1]) + "/tree-" + std::to_string(links) + ".geargraph";
-    if (const auto error = writeFile(path, writeMechanism(bench::epicyclicTree(links)))) {
-      std::fprintf(stderr, "%s\n", error->message.c_str());
-      return 2;
+  const std::pair<const char*, Mechanism (*)(int)> families[] = {{"tree", &bench::drivenTree},
+                                                                 {"coupled", &bench::coupledTree}};
+  for (const auto& [family, train] : families) {
+    for (const int links : {7, 20, 80, 1000, 10000}) {
+      const std::string path =
+          std::string(arguments[1]) + "/" + family + "-" + std::to_string(links) + ".geargraph";
+      if (const auto error = writeFile(path, writeMechanism(train(links)))) {
+        std::fprintf(stderr, "%s\n", error->message.c_str());
+        return 2;
+      }
     }
   }
   return 0;
