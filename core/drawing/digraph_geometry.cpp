@@ -106,26 +106,67 @@ bool standsAlike(const NodePlace& a, const NodePlace& b) {
          (!a.input || a.badgeCenter == b.badgeCenter);
 }
 
-/// Everything that stands elsewhere than before, at its old and its new place.
+/// What a drawing has, by element.
+class Former {
+ public:
+  explicit Former(const DigraphGeometry& geometry) : m_geometry(geometry) {
+    m_nodes.reserve(geometry.nodes.size());
+    m_edges.reserve(geometry.edges.size());
+    for (const NodePlace& node : geometry.nodes) m_nodes.emplace(node.link, &node);
+    for (const EdgePlace& edge : geometry.edges) m_edges.emplace(edge.element, &edge);
+  }
+  [[nodiscard]] const DigraphGeometry& geometry() const { return m_geometry; }
+  [[nodiscard]] const NodePlace* node(LinkId link) const {
+    const auto found = m_nodes.find(link);
+    return found == m_nodes.end() ? nullptr : found->second;
+  }
+  [[nodiscard]] const EdgePlace* edge(const ElementId& element) const {
+    const auto found = m_edges.find(element);
+    return found == m_edges.end() ? nullptr : found->second;
+  }
+  /// Do the arrows that both have stand in the same order?
+  [[nodiscard]] bool isInOrderOf(const DigraphGeometry& now) const {
+    const EdgePlace* last = nullptr;
+    for (const EdgePlace& edge : now.edges) {
+      const EdgePlace* const here = this->edge(edge.element);
+      if (here == nullptr) continue;
+      if (last != nullptr && here < last) return false;
+      last = here;
+    }
+    return true;
+  }
+
+ private:
+  const DigraphGeometry& m_geometry;
+  std::unordered_map<LinkId, const NodePlace*> m_nodes;
+  std::unordered_map<ElementId, const EdgePlace*> m_edges;
+};
+
+/// Everything that stands elsewhere than before, came or went, at its old and its new place.
 class Changes {
  public:
-  Changes(const Extent& area, const DigraphGeometry& former, const DigraphGeometry& now) : m_grid(area) {
-    for (std::size_t i = 0; i < now.nodes.size(); ++i) {
-      if (standsAlike(former.nodes[i], now.nodes[i])) continue;
-      add(former.nodes[i]);
-      add(now.nodes[i]);
+  Changes(const Extent& area, const Former& former, const DigraphGeometry& now) : m_grid(area) {
+    const Former current(now);
+    for (const NodePlace& node : former.geometry().nodes) {
+      const NodePlace* const is = current.node(node.link);
+      if (is == nullptr || !standsAlike(node, *is)) add(node);
     }
-    for (std::size_t i = 0; i < now.edges.size(); ++i) {
-      if (former.edges[i].curve == now.edges[i].curve) continue;
-      m_grid.addCurve(former.edges[i].curve);
-      m_grid.addCurve(now.edges[i].curve);
+    for (const NodePlace& node : now.nodes) {
+      const NodePlace* const was = former.node(node.link);
+      if (was == nullptr || !standsAlike(*was, node)) add(node);
+    }
+    for (const EdgePlace& edge : former.geometry().edges) {
+      const EdgePlace* const is = current.edge(edge.element);
+      if (is == nullptr || !(is->curve == edge.curve)) m_grid.addCurve(edge.curve);
+      if (is == nullptr) addLabel(edge);
+    }
+    for (const EdgePlace& edge : now.edges) {
+      const EdgePlace* const was = former.edge(edge.element);
+      if (was == nullptr || !(was->curve == edge.curve)) m_grid.addCurve(edge.curve);
     }
   }
 
-  void labelMoved(const EdgePlace& from, const EdgePlace& to) {
-    m_grid.addBox(labelExtent(from));
-    m_grid.addBox(labelExtent(to));
-  }
+  void addLabel(const EdgePlace& edge) { m_grid.addBox(labelExtent(edge)); }
   [[nodiscard]] const ObstacleGrid& grid() const { return m_grid; }
 
  private:
@@ -149,20 +190,28 @@ void placeLabels(DigraphGeometry& geometry, ObstacleGrid& taken) {
 }
 
 /// The same labels as placeLabels(), taken over from `former` where nothing near them has changed.
-void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const DigraphGeometry& former,
-                      Changes changes) {
-  for (std::size_t i = 0; i < geometry.edges.size(); ++i) {
-    EdgePlace& edge = geometry.edges[i];
-    const EdgePlace& before = former.edges[i];
+void placeLabelsAgain(DigraphGeometry& geometry, ObstacleGrid& taken, const Former& former, Changes changes) {
+  for (EdgePlace& edge : geometry.edges) {
     const Extent size = labelExtent(edge);
-    LabelPlace place{before.labelCenter, before.labelCrowded};
-    const bool stays = edge.label == before.label && edge.curve == before.curve &&
-                       isStillBeside(edge.curve, size.halfWidth, size.halfHeight, place, changes.grid());
-    if (!stays) place = placeBeside(edge.curve, size.halfWidth, size.halfHeight, taken);
+    const auto placed = [&] { return placeBeside(edge.curve, size.halfWidth, size.halfHeight, taken); };
+    const EdgePlace* const before = former.edge(edge.element);
+    LabelPlace place;
+    if (before == nullptr) {
+      place = placed();
+    } else {
+      place = {before->labelCenter, before->labelCrowded};
+      const bool sameSize = labelExtent(*before).halfWidth == size.halfWidth;
+      const bool stays = sameSize && edge.curve == before->curve &&
+                         isStillBeside(edge.curve, size.halfWidth, size.halfHeight, place, changes.grid());
+      if (!stays) place = placed();
+      if (!sameSize || !(place.center == before->labelCenter)) changes.addLabel(*before);
+    }
     edge.labelCenter = place.center;
     edge.labelCrowded = place.crowded;
-    if (!(edge.labelCenter == before.labelCenter) || edge.label != before.label)
-      changes.labelMoved(before, edge);
+    if (before == nullptr || !(labelExtent(edge).halfWidth == labelExtent(*before).halfWidth) ||
+        !(place.center == before->labelCenter)) {
+      changes.addLabel(edge);
+    }
     taken.addBox(labelExtent(edge));
   }
 }
@@ -191,55 +240,41 @@ void placeNodes(DigraphGeometry& geometry, const Digraph& graph, const Centers& 
   }
 }
 
-/// Is it the same digraph, seen by ordinals, all of it with places?
-bool isSameDigraph(const DigraphGeometry& former, const Digraph& graph) {
-  if (former.nodes.size() != static_cast<std::size_t>(graph.nodeCount()) ||
-      former.edges.size() != static_cast<std::size_t>(graph.edgeCount())) {
-    return false;
-  }
-  for (int e = 0; e < graph.edgeCount(); ++e) {
-    const EdgePlace& place = former.edges[static_cast<std::size_t>(e)];
-    if (place.tail != graph.edge(e).tail || place.head != graph.edge(e).head) return false;
-  }
-  return true;
-}
-
 /// The places that links have left, or taken, since `former`.
-std::vector<SheetPoint> movedPlaces(const DigraphGeometry& former, const Digraph& graph,
-                                    const Centers& centers) {
-  std::unordered_map<LinkId, SheetPoint> now;
+std::vector<SheetPoint> movedPlaces(const Former& former, const Digraph& graph, const Centers& centers) {
+  std::vector<SheetPoint> places;
+  std::size_t kept = 0;
+  std::vector<char> stays(former.geometry().nodes.size(), 0);
   for (int v = 0; v < graph.nodeCount(); ++v) {
     const auto& center = centers[static_cast<std::size_t>(v)];
-    if (center) now.emplace(graph.nodeId(v), *center);
-  }
-  std::vector<SheetPoint> places;
-  for (const NodePlace& node : former.nodes) {
-    const auto found = now.find(node.link);
-    if (found != now.end() && found->second == node.center) {
-      now.erase(found);
+    if (!center) continue;
+    const NodePlace* const was = former.node(graph.nodeId(v));
+    if (was == nullptr || !(was->center == *center)) {
+      places.push_back(*center);
     } else {
-      places.push_back(node.center);
+      stays[static_cast<std::size_t>(was - former.geometry().nodes.data())] = 1;
+      ++kept;
     }
   }
-  for (const auto& [link, place] : now) places.push_back(place);
+  for (std::size_t i = 0; kept < stays.size() && i < stays.size(); ++i) {
+    if (stays[i] == 0) places.push_back(former.geometry().nodes[i].center);
+  }
   return places;
 }
 
 /// The courses of the arrows, starting from those that `former` has for the same arrows.
-Courses coursesFrom(const DigraphGeometry& former, const Digraph& graph, const Centers& centers,
+Courses coursesFrom(const Former& former, const Digraph& graph, const Centers& centers,
                     const ObstacleGrid& nodes) {
-  std::unordered_map<int, LinkId> formerLinks;
-  for (const NodePlace& node : former.nodes) formerLinks.emplace(node.label, node.link);
-  std::unordered_map<ElementId, const EdgePlace*> formerEdges;
-  for (const EdgePlace& edge : former.edges) formerEdges.emplace(edge.element, &edge);
+  std::unordered_map<int, LinkId> links;  // of the former drawing, by label
+  for (const NodePlace& node : former.geometry().nodes) links.emplace(node.label, node.link);
   Courses courses(static_cast<std::size_t>(graph.edgeCount()));
   for (int e = 0; e < graph.edgeCount(); ++e) {
-    const auto found = formerEdges.find(graph.edgeId(e));
-    if (found == formerEdges.end()) continue;
-    const EdgePlace& edge = *found->second;
-    const bool sameEnds = formerLinks.at(edge.tail) == graph.nodeId(graph.edge(e).tail) &&
-                          formerLinks.at(edge.head) == graph.nodeId(graph.edge(e).head);
-    if (sameEnds) courses[static_cast<std::size_t>(e)] = Course{edge.curve, edge.detoursLooked, edge.height};
+    const EdgePlace* const edge = former.edge(graph.edgeId(e));
+    if (edge == nullptr) continue;
+    const bool sameEnds = links.at(edge->tail) == graph.nodeId(graph.edge(e).tail) &&
+                          links.at(edge->head) == graph.nodeId(graph.edge(e).head);
+    if (sameEnds)
+      courses[static_cast<std::size_t>(e)] = Course{edge->curve, edge->detoursLooked, edge->height};
   }
   return reroutedEdges(graph, centers, nodes, movedPlaces(former, graph, centers), courses);
 }
@@ -288,8 +323,8 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     const auto& center = centers[static_cast<std::size_t>(v)];
     if (center) taken.addCircle(*center, kRim, v);
   }
-  const bool again = isSameDigraph(former, graph);
-  const Courses courses = coursesFrom(former, graph, centers, taken);
+  const Former known(former);
+  const Courses courses = coursesFrom(known, graph, centers, taken);
   for (const auto& course : courses) {
     if (course) taken.addCurve(course->curve);
   }
@@ -310,9 +345,8 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     place.height = course->height;
     geometry.edges.push_back(place);
   }
-  const bool comparable = again && geometry.nodes.size() == former.nodes.size();
-  if (comparable) {
-    placeLabelsAgain(geometry, taken, former, Changes(areaOf(centers), former, geometry));
+  if (!former.edges.empty() && known.isInOrderOf(geometry)) {
+    placeLabelsAgain(geometry, taken, known, Changes(areaOf(centers), known, geometry));
   } else {
     placeLabels(geometry, taken);
   }

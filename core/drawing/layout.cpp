@@ -16,6 +16,7 @@ constexpr int kMostForGraphviz = 300;  ///< nodes; its time grows with their squ
 constexpr int kLongestMesh = 6;        ///< columns, of those that Graphviz is told of
 constexpr double kGrid = 10;
 constexpr double kNodesApart = 75;  ///< centres, at least
+constexpr double kClosest = 80;     ///< columns and rows, of drawings that fill the sheet
 
 using Places = std::vector<SheetPoint>;
 
@@ -160,10 +161,19 @@ Places asTree(const Digraph& graph) {
     order.push_back(node);
   }
   const std::vector<TidyPlace> tree = tidyForest(parent, order);
+  double columns = 0;
+  double rows = 0;
+  for (const TidyPlace& place : tree) {
+    columns = std::max<double>(columns, place.column);
+    rows = std::max(rows, std::abs(place.row - tree.front().row));
+  }
+  // What would reach over the sheet's end is drawn closer, down to where nodes just keep apart.
+  const double column = std::clamp(kSheetEnd / std::max(columns, 1.0), kClosest, kColumn);
+  const double row = std::clamp(kSheetEnd / std::max(rows, 1.0), kClosest, kRow);
   Places places;
   places.reserve(tree.size());
   for (const TidyPlace& place : tree) {
-    places.push_back(onGrid({place.column * kColumn, (place.row - tree.front().row) * kRow}));
+    places.push_back(onGrid({place.column * column, (place.row - tree.front().row) * row}));
   }
   return places;
 }

@@ -4,13 +4,14 @@ namespace geargraph {
 namespace {
 
 constexpr double kSmallestCell = 48;
-constexpr int kMostCellsAcross = 160;
+constexpr double kMostCells = 1 << 19;
 
 }  // namespace
 
 ObstacleGrid::ObstacleGrid(const Extent& area) : m_origin{area.left(), area.top()} {
-  const double longest = 2 * std::max(area.halfWidth, area.halfHeight);
-  m_cell = std::max(kSmallestCell, longest / kMostCellsAcross);
+  // As many cells as memory bears: a drawing of thousands of links is long, and must not crowd into a few.
+  const double sides = 4 * (area.halfWidth + kSmallestCell) * (area.halfHeight + kSmallestCell);
+  m_cell = std::max(kSmallestCell, std::sqrt(sides / kMostCells));
   m_columns = 1 + static_cast<int>(2 * area.halfWidth / m_cell);
   m_rows = 1 + static_cast<int>(2 * area.halfHeight / m_cell);
   m_first.assign(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), -1);

@@ -1,4 +1,5 @@
 // From a mouse event to all views repainted, in a window on a document of 1,000 links. A frame is 16 ms.
+// And how long the window does not answer while a document of 10,000 links comes up.
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
@@ -6,8 +7,13 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <random>
 
 #include "core/analysis/analysis.h"
+#include "core/base/contract.h"
+#include "core/io/file.h"
+#include "core/io/mechanism_file.h"
+#include "core/mechanism/edits.h"
 #include "tests/bench/families.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/main_window.h"
@@ -31,12 +37,44 @@ Mechanism sheetOf(int n) {
   return mechanism;
 }
 
+/// An application that knows its longest event: as long as it takes, the window does not answer.
+class WatchedApplication final : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (m_inside) return QApplication::notify(receiver, event);
+    m_inside = true;
+    const std::string name = receiver->metaObject()->className();
+    const int type = event->type();
+    QElapsedTimer clock;
+    clock.start();
+    const bool handled = QApplication::notify(receiver, event);
+    const double taken = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    m_inside = false;
+    if (taken > m_longest) {
+      m_longest = taken;
+      m_longestName = name + ", event " + std::to_string(type);
+    }
+    return handled;
+  }
+
+  void forget() { m_longest = 0; }
+  [[nodiscard]] double longest() const { return m_longest; }  ///< ms
+  [[nodiscard]] const std::string& longestName() const { return m_longestName; }
+
+ private:
+  bool m_inside = false;
+  double m_longest = 0;
+  std::string m_longestName;
+};
+
 /// The window, once for all benchmarks of a size.
 class Stand {
  public:
-  explicit Stand(int links) {
+  explicit Stand(const Mechanism& mechanism) {
     m_window.resize(1366, 768);
-    m_window.document().replace(sheetOf(links), {});
+    m_window.document().replace(mechanism, {});
     m_window.show();
     settle();
     for (int i = 0; i < 12; ++i) m_window.digraph().zoomIn();
@@ -84,7 +122,7 @@ std::map<int, std::unique_ptr<Stand>>& stands() {
 
 Stand& standOf(int links) {
   auto& stand = stands()[links];
-  if (!stand) stand = std::make_unique<Stand>(links);
+  if (!stand) stand = std::make_unique<Stand>(sheetOf(links));
   return *stand;
 }
 
@@ -163,6 +201,58 @@ void paintingAlone(benchmark::State& state) {
   }
 }
 
+/// A link is added to a drawing whose arrows run criss-cross: all else stays where it is.
+void addALink(benchmark::State& state) {
+  const int links = static_cast<int>(state.range(0));
+  Mechanism tangled = sheetOf(links);
+  std::mt19937 random(3);
+  for (auto& [link, place] : tangled.view.nodes) {
+    std::swap(place, tangled.view.nodes[tangled.links[random() % tangled.links.size()].id]);
+  }
+  Stand stand(tangled);
+  Document& document = stand.window().document();
+  double x = 0;
+  for (auto _ : state) {
+    document.apply({"Add a link", [x](const Mechanism& m) { return withLink(m, {-500, x}); }, 0});
+    x += 100;
+    state.PauseTiming();
+    stand.settle();
+    state.ResumeTiming();
+  }
+}
+
+/// From the file to a window that has all its views: the whole time, and the longest that it does not answer.
+void openALargeDocument(benchmark::State& state) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("large.geargraph");
+  const Mechanism train = bench::drivenTree(static_cast<int>(state.range(0)));
+  GEARGRAPH_REQUIRE(!writeFile(path.toStdString(), writeMechanism(train)));
+  auto* const application = static_cast<WatchedApplication*>(QCoreApplication::instance());
+  double longest = 0;
+  std::string name;
+  for (auto _ : state) {
+    MainWindow window;
+    window.resize(1366, 768);
+    window.show();
+    while (!window.isSettled()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    application->forget();
+    // As from the menu: opening is itself one event.
+    QMetaObject::invokeMethod(
+        &window, [&] { window.openDocument(path); }, Qt::QueuedConnection);
+    QCoreApplication::processEvents();
+    while (!window.isSettled()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    Stand::paint();
+    if (application->longest() > longest) {
+      longest = application->longest();
+      name = application->longestName();
+    }
+  }
+  state.counters["stall_ms"] = longest;
+  state.SetLabel(name);
+}
+
+BENCHMARK(addALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(openALargeDocument)->Arg(10'000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(hoverALink)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(dragALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(drawAMesh)->Arg(1000)->Unit(benchmark::kMillisecond);
@@ -174,7 +264,7 @@ BENCHMARK(paintingAlone)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  QApplication application(argc, argv);
+  geargraph::WatchedApplication application(argc, argv);
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   geargraph::applyTheme(application, geargraph::Theme::light);

@@ -5,6 +5,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/base/contract.h"
+#include "core/matroid/input_sets.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph::bench {
@@ -129,17 +130,22 @@ Mechanism driven(Mechanism train) {
 }
 
 Mechanism drivenAtRandom(Mechanism train) {
-  const auto freedoms = driven(train).inputs->size();
+  train = driven(std::move(train));
   std::mt19937_64 random(7);
-  for (;;) {
-    train.inputs.emplace();
-    for (std::size_t i = 0; i < freedoms; ++i) {
-      const TurningJoint& joint = train.turningJoints[random() % train.turningJoints.size()];
-      train.inputs->push_back({joint.id, Number(1), {}});
-    }
+  // Valid sets are rare among all: from one to the next, an input is exchanged for a joint that may replace
+  // it.
+  const FusedField field;
+  for (int exchange = 0; exchange < 12; ++exchange) {
     const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(train));
-    if (snapshot->matroid()->solution) return train;
+    const std::vector<int>& inputs = snapshot->matroid()->choice.joints;
+    const auto sets = InputSets::of(*snapshot->kinematics->model, field, inputs);
+    const std::size_t place = random() % inputs.size();
+    const std::vector<int> others = sets->replacementsFor(inputs[place]);
+    if (others.empty()) continue;
+    const int joint = others[random() % others.size()];
+    (*train.inputs)[place].joint = train.turningJoints[static_cast<std::size_t>(joint)].id;
   }
+  return train;
 }
 
 Mechanism drivenTree(int links) {

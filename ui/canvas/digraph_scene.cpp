@@ -1,5 +1,7 @@
 #include "ui/canvas/digraph_scene.h"
 
+#include <QTimer>
+#include <algorithm>
 #include <utility>
 
 namespace geargraph {
@@ -26,11 +28,15 @@ bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
 }  // namespace
 
 void DigraphScene::show(const Mechanism& mechanism, NodePositions positions) {
+  auto geometry = std::make_shared<const DigraphGeometry>(digraphGeometry(mechanism, positions, *m_geometry));
+  show(std::move(positions), std::move(geometry));
+}
+
+void DigraphScene::show(NodePositions positions, DigraphGeometryPtr geometry) {
   m_positions = std::move(positions);
-  DigraphGeometry geometry = digraphGeometry(mechanism, m_positions, m_geometry);
-  const DigraphGeometry former = std::exchange(m_geometry, std::move(geometry));
-  if (hasSameOutlines(former, m_geometry)) {
-    drawWhatDiffers(former);
+  const DigraphGeometryPtr former = std::exchange(m_geometry, std::move(geometry));
+  if (isDrawn() && hasSameOutlines(*former, *m_geometry)) {
+    drawWhatDiffers(*former);
     growSheet();
   } else {
     drawAll();
@@ -38,18 +44,43 @@ void DigraphScene::show(const Mechanism& mechanism, NodePositions positions) {
 }
 
 void DigraphScene::drawAll() {
-  std::vector<Outline>& all = editableOutlines();
-  all.clear();
+  constexpr std::size_t kLarge = 4'000;  // elements, which take some 50 ms
+  const std::size_t size = m_geometry->edges.size() + m_geometry->nodes.size();
+  const bool isUnderWay = !isDrawn();
+  editableOutlines().clear();
   beginDrawing();
-  for (const EdgePlace& edge : m_geometry.edges) {
-    const std::vector<Outline> outlines = draw(edge);
+  m_putUp = 0;
+  if (size <= kLarge) {
+    putUp(size);
+  } else if (!isUnderWay) {
+    QTimer::singleShot(0, this, &DigraphScene::putUpSlice);
+  }  // else the next slice comes by itself
+}
+
+void DigraphScene::putUp(std::size_t end) {
+  std::vector<Outline>& all = editableOutlines();
+  const std::size_t edges = m_geometry->edges.size();
+  for (; *m_putUp < end; ++*m_putUp) {
+    const std::size_t at = *m_putUp;
+    const std::vector<Outline> outlines =
+        at < edges ? draw(m_geometry->edges[at]) : draw(m_geometry->nodes[at - edges]);
     all.insert(all.end(), outlines.begin(), outlines.end());
   }
-  for (const NodePlace& node : m_geometry.nodes) {
-    const std::vector<Outline> outlines = draw(node);
-    all.insert(all.end(), outlines.begin(), outlines.end());
-  }
+  if (end < edges + m_geometry->nodes.size()) return;
+  m_putUp.reset();
   endDrawing();
+}
+
+void DigraphScene::putUpSlice() {
+  constexpr std::size_t kSlice = 1'000;  // elements
+  if (isDrawn()) return;                 // a small drawing came in between
+  const std::size_t size = m_geometry->edges.size() + m_geometry->nodes.size();
+  putUp(std::min(*m_putUp + kSlice, size));
+  if (isDrawn()) {
+    emit drawn();
+  } else {
+    QTimer::singleShot(0, this, &DigraphScene::putUpSlice);
+  }
 }
 
 void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
@@ -61,8 +92,8 @@ void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
     }
     for (const Outline& outline : draw(now)) *slot++ = outline;
   };
-  for (std::size_t i = 0; i < former.edges.size(); ++i) update(former.edges[i], m_geometry.edges[i]);
-  for (std::size_t i = 0; i < former.nodes.size(); ++i) update(former.nodes[i], m_geometry.nodes[i]);
+  for (std::size_t i = 0; i < former.edges.size(); ++i) update(former.edges[i], m_geometry->edges[i]);
+  for (std::size_t i = 0; i < former.nodes.size(); ++i) update(former.nodes[i], m_geometry->nodes[i]);
 }
 
 std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
@@ -89,16 +120,16 @@ void DigraphScene::redraw(const ElementId& element, DisplayList drawing, int dep
 }
 
 void DigraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
-  for (const NodePlace& node : m_geometry.nodes) {
+  for (const NodePlace& node : m_geometry->nodes) {
     if (changed.contains(node.link)) draw(node);
   }
-  for (const EdgePlace& edge : m_geometry.edges) {
+  for (const EdgePlace& edge : m_geometry->edges) {
     if (changed.contains(edge.element)) draw(edge);
   }
 }
 
 DisplayList DigraphScene::displayList(const Emphases& emphases) const {
-  return digraphDrawing(m_geometry, emphases);
+  return digraphDrawing(*m_geometry, emphases);
 }
 
 }  // namespace geargraph

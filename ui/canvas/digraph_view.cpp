@@ -6,6 +6,8 @@
 namespace geargraph {
 namespace {
 
+constexpr std::size_t kLarge = 1'500;  ///< links; up to here a frame is enough to place all arrows
+
 bool isMesh(const ElementId& element) {
   return element.kind == ElementKind::gearMesh;
 }
@@ -15,33 +17,72 @@ bool isMesh(const ElementId& element) {
 DigraphView::DigraphView(Document* document, Selection* selection, QWidget* parent)
     : GraphView(document, selection, new DigraphScene, parent),
       m_scene(static_cast<DigraphScene*>(scene())),
-      m_placer(new NodePlacer(this)) {
+      m_placer(new NodePlacer(this)),
+      m_worker([this](const Request& request, const std::stop_token&) { seek(request); }) {
   setAccessibleName(tr("Digraph"));
   connect(m_placer, &NodePlacer::placesFound, this, [this] {
+    m_fitWhenDrawn = true;
     rebuild();
-    updateMessage();
-    fit();
+    tellWhenSettled();
   });
   connect(m_placer, &NodePlacer::laidOut, this, [this](const NodePositions& positions) {
+    m_fitWhenDrawn = true;
     place(positions);
-    fit();
+    tellWhenSettled();
   });
+  connect(m_scene, &DigraphScene::drawn, this, &DigraphView::tellWhenSettled);
   rebuild();
   updateMessage();
 }
 
 void DigraphView::rebuild() {
   const MechanismPtr& now = document().mechanism();
-  m_scene->show(*now, m_placer->placesOf(now));
+  NodePositions places = m_placer->placesOf(now);
+  ++m_wanted;
+  if (now->links.size() > kLarge) {
+    m_worker.request({now, std::move(places), m_scene->geometry(), m_wanted});
+  } else {
+    m_scene->show(*now, std::move(places));
+    m_shown = m_wanted;
+  }
+}
+
+void DigraphView::seek(const Request& request) {
+  auto geometry = std::make_shared<const DigraphGeometry>(
+      digraphGeometry(*request.mechanism, request.places, *request.former));
+  QMetaObject::invokeMethod(
+      this, [this, request, geometry = std::move(geometry)] { arrived(request, geometry); },
+      Qt::QueuedConnection);
+}
+
+void DigraphView::arrived(const Request& request, const DigraphGeometryPtr& geometry) {
+  if (request.number <= m_shown) return;  // of another document, or overtaken
+  m_shown = request.number;
+  m_scene->show(request.places, geometry);
+  tellWhenSettled();
+}
+
+bool DigraphView::isSettled() const {
+  return !m_placer->isSeeking() && m_shown == m_wanted && m_scene->isDrawn();
+}
+
+void DigraphView::tellWhenSettled() {
+  updateMessage();
+  if (!isSettled()) return;
+  if (m_fitWhenDrawn) fit();
+  m_fitWhenDrawn = false;
+  emit settled();
 }
 
 void DigraphView::forgetDocument() {
   m_placer->forget();
   m_wantedCycle = {};
+  m_shown = m_wanted;
+  m_fitWhenDrawn = true;
 }
 
 QString DigraphView::message() const {
-  if (m_placer->isSeeking()) return tr("Laying out %1 links").arg(mechanism().links.size());
+  if (!isSettled()) return tr("Laying out %1 links").arg(mechanism().links.size());
   return GraphView::message();
 }
 

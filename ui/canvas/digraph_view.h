@@ -17,6 +17,11 @@ class DigraphView final : public GraphView {
   /// Shows the fundamental cycle of this mesh as a walk. With an empty id the view decides: the cycle all of
   /// which is hovered (a row of C in the matrices), else that of the mesh that is selected alone.
   void showCycle(MeshId mesh);
+  /// Are all links placed and drawn?
+  [[nodiscard]] bool isSettled() const;
+
+ signals:
+  void settled();
 
  public slots:
   void tidy() override;
@@ -33,11 +38,26 @@ class DigraphView final : public GraphView {
   [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
 
  private:
+  /// What makes a large drawing: placing its arrows and labels takes a thread of its own.
+  struct Request {
+    MechanismPtr mechanism;
+    NodePositions places;
+    DigraphGeometryPtr former;
+    quint64 number = 0;
+  };
+
   [[nodiscard]] std::optional<CycleWalk> shownCycle() const;
+  void seek(const Request& request);
+  void arrived(const Request& request, const DigraphGeometryPtr& geometry);
+  void tellWhenSettled();
 
   DigraphScene* m_scene;
   NodePlacer* m_placer;
   MeshId m_wantedCycle;
+  quint64 m_wanted = 0;  ///< the newest drawing asked for
+  quint64 m_shown = 0;   ///< the newest one that is on the scene
+  bool m_fitWhenDrawn = false;
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph

@@ -228,6 +228,7 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 }
 
 void MainWindow::wireView3D() {
+  connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
   connect(m_stages, &StageService::stageReady, this, [this](const StagePtr& stage) {
     m_view3d->setStage(stage);
     tellWhenSettled();
@@ -235,7 +236,8 @@ void MainWindow::wireView3D() {
 }
 
 bool MainWindow::isSettled() const {
-  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isUpToDate();
+  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isUpToDate() &&
+         m_digraph->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {

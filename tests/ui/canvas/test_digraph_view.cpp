@@ -314,6 +314,39 @@ class TestDigraphView : public QObject {
   }
 
   // --- large documents ---
+  void aLargeDrawingIsPutUpWhileTheWindowAnswers() {
+    Mechanism large = test::randomTree(23, 2400, 1200);
+    const NodePositions places = layoutOf(large);
+    ViewDriver d(large);
+    QVERIFY(!d.view.isSettled());  // no event has been asked to do all of it
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    const auto isDrawnAs = [&](const NodePositions& expected) {
+      const Mechanism& now = d.mechanism();
+      const DisplayList list = digraphDrawing(digraphGeometry(now, expected), {});
+      return d.view.displayList().marks == list.marks && d.view.scene()->items().size() > 4800;
+    };
+    QVERIFY(isDrawnAs(places));
+    QVERIFY(d.view.mapToScene(d.view.viewport()->rect())
+                .boundingRect()
+                .contains(static_cast<DrawingScene*>(d.view.scene())->drawnRect()));
+
+    // Edits while the drawing is being made: the last one is what is seen.
+    NodePositions moved = places;
+    for (int i = 1; i <= 5; ++i) {
+      const LinkId link = d.link(100 * i);
+      const SheetPoint to{37.0 * i, -90.0 * i};
+      moved[link] = to;
+      const auto edit = [&](const Mechanism& m) -> Expected<Mechanism> {
+        Mechanism placed = m;
+        placed.view.nodes = moved;
+        return placed;
+      };
+      QVERIFY(d.document.apply({QStringLiteral("Move"), edit, 0}));
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    QVERIFY(isDrawnAs(moved));
+  }
+
   void largeDocumentsAreLaidOutBesideTheWindowsThread() {
     ViewDriver d;
     d.document.replace(test::randomTree(4, 300, 100), {});
