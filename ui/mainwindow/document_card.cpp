@@ -73,7 +73,10 @@ void DocumentCard::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QSize size = upright ? Thumbnails::kSize : kRowPicture;
   const QRect picture(inside.topLeft(), size);
   const auto image = index.data(kPictureRole).value<QImage>();
-  if (!image.isNull()) painter->drawImage(picture, image);
+  if (!image.isNull()) {
+    const QSize pixels = size * painter->device()->devicePixelRatioF();
+    painter->drawImage(picture, image.scaled(pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  }
 
   QRect words = upright ? inside.adjusted(0, size.height() + 8, 0, 0)
                         : inside.adjusted(size.width() + kPadding, 0, 0, 0);

@@ -135,6 +135,7 @@ class MainWindow : public QMainWindow {
   DockTitles* m_titles = nullptr;
   std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;
+  QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
 };
 

@@ -27,6 +27,9 @@ NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
   m_text = new QLabel(strip);
   m_text->setObjectName(QStringLiteral("noticeText"));
   m_text->setWordWrap(true);
+  // Two lines, whatever the width: a label that wraps would ask for the height of its narrowest form.
+  m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  m_text->setFixedHeight(2 * m_text->fontMetrics().lineSpacing() + 2);
   m_text->setTextFormat(Qt::PlainText);
   m_count = new QLabel(strip);
   m_count->setProperty("look", "hint");
@@ -64,6 +67,7 @@ void NoticeBar::renew() {
   if (m_notices.empty()) return;
   const Notice& notice = m_notices.front();
   m_text->setText(notice.text);
+  m_text->setToolTip(notice.text);
   m_count->setText(m_notices.size() > 1 ? tr("1 of %1").arg(m_notices.size()) : QString());
   for (const Notice::Answer& answer : notice.answers) {
     auto* button = new QPushButton(answer.text, m_text->parentWidget());

@@ -3,6 +3,9 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "ui/mainwindow/thumbnails.h"
+#include "ui/theme/application_theme.h"
+
 namespace geargraph {
 namespace {
 const QString kKey = QStringLiteral("recentFiles");
@@ -37,7 +40,12 @@ void RecentFiles::fill() {
   const QStringList list = paths();
   for (const QString& path : list) {
     QAction* action = addAction(QFileInfo(path).fileName(), this, [this, path] { emit chosen(path); });
-    action->setToolTip(path);
+    const QString picture = Thumbnails::keptPath(path, themeOf(palette()));
+    action->setToolTip(!QFileInfo::exists(picture) ? path
+                                                   : QStringLiteral("<img src=\"%1\" width=\"%2\"><br>%3")
+                                                         .arg(picture)
+                                                         .arg(Thumbnails::kSize.width())
+                                                         .arg(path.toHtmlEscaped()));
   }
   if (!list.isEmpty()) return;
   QAction* none = addAction(tr("No file has been opened yet"));

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTimer>
 #include <algorithm>
 
 #include "ui/mainwindow/document_files.h"
@@ -18,15 +19,22 @@ namespace {
 
 const QString kSession = QStringLiteral("session/windows");
 const QString kRestores = QStringLiteral("session/restore");
-constexpr int kCascade = 32;  ///< px between a window and the one opened from it
+constexpr int kLaidOut = 1000;  ///< ms after which a new window stands as it will
+constexpr int kCascade = 32;    ///< px between a window and the one opened from it
 
 }  // namespace
 
 WindowSet::WindowSet(const QString& folder, QObject* parent)
-    : QObject(parent), m_folder(folder), m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))) {
+    : QObject(parent),
+      m_folder(folder),
+      m_lookSoon(new QTimer(this)),
+      m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))) {
   QDir().mkpath(folder);
   m_lock.setStaleLockTime(0);
   m_ownsSession = m_lock.tryLock(0);
+  m_lookSoon->setSingleShot(true);
+  m_lookSoon->setInterval(kLaidOut);
+  connect(m_lookSoon, &QTimer::timeout, this, &WindowSet::look);
 }
 
 WindowSet::~WindowSet() = default;
@@ -51,6 +59,7 @@ MainWindow& WindowSet::add() {
   window.files().join(this, m_folder);
   connect(&window, &MainWindow::closed, this, [this, &window] { onClosed(&window); });
   connect(&window.files(), &WindowFiles::sourceChanged, this, &WindowSet::remember);
+  m_lookSoon->start();
   return window;
 }
 
@@ -141,10 +150,19 @@ void WindowSet::onClosed(MainWindow* window) {
                                   [&](const auto& each) { return each.get() == window; });
   if (found == m_windows.end()) return;
   const bool wasLast = m_windows.size() == 1;
-  if (wasLast) remember();
+  if (wasLast) look();
+  m_layouts.erase(window);
   found->release()->deleteLater();  // it is the one that tells
   m_windows.erase(found);
   if (!wasLast && !m_quitting) remember();
+}
+
+/// How the windows stand now. A window that was shown just now has no layout yet.
+void WindowSet::look() {
+  for (const auto& window : m_windows) {
+    if (window->isVisible()) m_layouts[window.get()] = {window->saveGeometry(), window->saveState()};
+  }
+  remember();
 }
 
 /// Written at every change: a program that is killed is remembered, too.
@@ -158,14 +176,15 @@ void WindowSet::remember() {
     if (window->files().source().isEmpty()) continue;
     settings.setArrayIndex(index++);
     settings.setValue(QStringLiteral("source"), window->files().source());
-    settings.setValue(QStringLiteral("geometry"), window->saveGeometry());
-    settings.setValue(QStringLiteral("state"), window->saveState());
+    const Layout& layout = m_layouts[window.get()];
+    settings.setValue(QStringLiteral("geometry"), layout.geometry);
+    settings.setValue(QStringLiteral("state"), layout.state);
   }
   settings.endArray();
 }
 
 void WindowSet::quit() {
-  remember();
+  look();
   m_quitting = true;
   for (MainWindow* window : windows()) {
     if (!window->close()) break;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QByteArray>
 #include <QLockFile>
 #include <QObject>
+#include <map>
 #include <memory>
 #include <vector>
 
-class QSettings;
+class QTimer;
 
 namespace geargraph {
 
@@ -45,12 +47,20 @@ class WindowSet : public QObject {
   bool reopenSession();
   void offerLeftBehind();
   void onClosed(MainWindow* window);
+  void look();
   void remember();
 
+  struct Layout {
+    QByteArray geometry;
+    QByteArray state;
+  };
+
   QString m_folder;
+  QTimer* m_lookSoon;
   QLockFile m_lock;
   bool m_ownsSession;
   bool m_quitting = false;
+  std::map<const MainWindow*, Layout> m_layouts;
   std::vector<std::unique_ptr<MainWindow>> m_windows;
 };
 

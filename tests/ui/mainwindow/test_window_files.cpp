@@ -1,3 +1,4 @@
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QListView>
@@ -253,6 +254,20 @@ class WindowFilesTest : public QObject {
     QVERIFY(!set->restoresSession());
     startAgain();
     QVERIFY(first().startPage().isVisible());
+  }
+
+  void theSessionHasItsLayout() {
+    set->start({written(QStringLiteral("one.geargraph"), 1)});
+    QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    const auto width = [this] { return first().findChild<QWidget*>(QStringLiteral("dock.view3d"))->width(); };
+    const int before = width();
+    auto* dock = first().findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
+    first().resizeDocks({dock}, {before - 77}, Qt::Horizontal);
+    QTRY_COMPARE(width(), before - 77);
+    set->quit();
+    startAgain();
+    QVERIFY(QTest::qWaitForWindowExposed(&first()));
+    QTRY_COMPARE(width(), before - 77);
   }
 
   void aSecondProgramLeavesTheSessionAlone() {
