@@ -25,16 +25,21 @@ std::string asJson(const Diagnostics& diagnostics) {
   return sink.take();
 }
 
+Diagnostics diagnosticsOf(const Mechanism& mechanism) {
+  const SnapshotPtr live = analyzeStates(analyzeLive(std::make_shared<const Mechanism>(mechanism)), {false});
+  Diagnostics diagnostics = live->diagnostics;
+  const Diagnostics teeth = toothFindings(*live);
+  diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
+  return diagnostics;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kValidate, "One file is needed.");
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const Diagnostics diagnostics =
-      document
-          ? analyzeStates(analyzeLive(std::make_shared<const Mechanism>(*document)), {false})->diagnostics
-          : document.error();
+  const Diagnostics diagnostics = document ? diagnosticsOf(*document) : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(diagnostics), status);
   return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);

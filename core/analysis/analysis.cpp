@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "core/gears/train.h"
 #include "core/mechanism/validate.h"
 
 namespace geargraph {
@@ -57,6 +58,11 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   return snapshot;
 }
 
+Diagnostics toothFindings(const AnalysisSnapshot& live) {
+  if (!live.kinematics || hasErrors(live.diagnostics)) return {};
+  return gearDiagnostics(*live.mechanism, live.kinematics->placement);
+}
+
 SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
   if (live->mechanism->states.empty() || !live->kinematics || !live->kinematics->model) return live;
   auto states = solveStates(*live->mechanism, *live->kinematics->model, live->kinematics->placement,
@@ -73,6 +79,7 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   if (!withStates) return nullptr;
   auto snapshot = std::make_shared<AnalysisSnapshot>(*withStates);
   snapshot->isComplete = true;
+  append(snapshot->diagnostics, toothFindings(*live));
   const MatroidAnalysis* matroid = live->matroid();
   if (matroid == nullptr || !matroid->solution || hasErrors(live->diagnostics)) return snapshot;
   snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);

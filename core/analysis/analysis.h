@@ -51,13 +51,17 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 [[nodiscard]] SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision = 0,
                                       const std::stop_token& stop = {});
 
+/// What the teeth of a mechanism without errors have to say (gearDiagnostics()). Its share of the second
+/// step.
+[[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live);
+
 /// The states of the document solved, and their findings: the same snapshot with them. Null when `stop` was
 /// requested meanwhile.
 [[nodiscard]] SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options = {},
                                         const std::stop_token& stop = {});
 
-/// The second step: the states, exact fractions by both methods, their agreement, and symbols. The same
-/// snapshot with them. Null when `stop` was requested meanwhile.
+/// The second step: the states, exact fractions by both methods, their agreement, and symbols; what the
+/// teeth have to say. The same snapshot with them. Null when `stop` was requested meanwhile.
 [[nodiscard]] SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options = {},
                                        const std::stop_token& stop = {});
 

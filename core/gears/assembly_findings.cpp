@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -9,53 +9,37 @@
 namespace geargraph {
 namespace {
 
-using std::numbers::pi;
+/// Meshes by gear.
+using MeshesOf = std::vector<std::vector<std::size_t>>;
 
-std::string number(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+int across(const TrainMesh& mesh, int gear) {
+  return mesh.tailGear == gear ? mesh.headGear : mesh.tailGear;
 }
 
 /// The gears and meshes from one gear to another without the mesh that closes the loop.
-class Loop {
- public:
-  Loop(const GearTrain& train, std::size_t closing) : m_train(train) {
+struct Loop {
+  Loop(const GearTrain& train, const MeshesOf& of, std::size_t closing) {
     const TrainMesh& mesh = train.meshes[closing];
-    std::vector<int> from(train.gears.size(), -1);  // mesh that led here
+    std::map<int, std::size_t> from;  // mesh that led to a gear
     std::vector<int> queue{mesh.tailGear};
-    std::vector<bool> seen(train.gears.size(), false);
-    seen[static_cast<std::size_t>(mesh.tailGear)] = true;
-    for (std::size_t q = 0; q < queue.size(); ++q) {
-      for (std::size_t m = 0; m < train.meshes.size(); ++m) {
-        if (m == closing) continue;
-        const int other = across(m, queue[q]);
-        if (other < 0 || seen[static_cast<std::size_t>(other)]) continue;
-        seen[static_cast<std::size_t>(other)] = true;
-        from[static_cast<std::size_t>(other)] = static_cast<int>(m);
+    for (std::size_t q = 0; q < queue.size() && !from.contains(mesh.headGear); ++q) {
+      for (const std::size_t m : of[static_cast<std::size_t>(queue[q])]) {
+        const int other = across(train.meshes[m], queue[q]);
+        if (m == closing || other == mesh.tailGear || !from.emplace(other, m).second) continue;
         queue.push_back(other);
       }
     }
     meshes.push_back(closing);
     for (int gear = mesh.headGear; gear != mesh.tailGear;) {
       gears.push_back(gear);
-      const int m = from[static_cast<std::size_t>(gear)];
-      if (m < 0) return;
-      meshes.push_back(static_cast<std::size_t>(m));
-      gear = across(static_cast<std::size_t>(m), gear);
+      meshes.push_back(from.at(gear));
+      gear = across(train.meshes[from.at(gear)], gear);
     }
     gears.push_back(mesh.tailGear);
   }
 
-  std::vector<int> gears;
-  std::vector<std::size_t> meshes;
-
- private:
-  [[nodiscard]] int across(std::size_t m, int gear) const {
-    const TrainMesh& mesh = m_train.meshes[m];
-    return mesh.tailGear == gear ? mesh.headGear : mesh.headGear == gear ? mesh.tailGear : -1;
-  }
-  const GearTrain& m_train;
+  std::vector<int> gears;           ///< from the head of the closing mesh to its tail
+  std::vector<std::size_t> meshes;  ///< the closing one, then those between the gears in order
 };
 
 /// Two gears on one axis with two planets between them, the loop of an epicyclic train.
@@ -108,47 +92,111 @@ double pitchesPerTurn(const GearTrain& train, const Epicyclic& set) {
   return std::abs(a.teeth * first.sign - axes * b.teeth * second.sign);
 }
 
+/// Planets that mesh with a central gear.
+int planetsOf(const GearTrain& train, int central) {
+  std::set<int> planets;
+  for (const TrainMesh& m : train.meshes) {
+    if (m.tailGear == central || m.headGear == central) planets.insert(across(m, central));
+  }
+  return static_cast<int>(planets.size());
+}
+
+/// What the tooth counts of a ring and a sun allow: the nearest that hold `n` planets at equal distances, and
+/// the nearest other number of planets.
+std::string countAdvice(const TrainGear& sun, const TrainGear& ring, const TrainGear& planet, int n) {
+  if (n < 2) return {};
+  std::string text;
+  for (int step = 1; step <= 2 * n; ++step) {
+    const int change = (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2) * 2;  // +2, -2, +4: the ring stays coaxial
+    const int teeth = ring.spec.teeth + change;
+    if (teeth <= sun.spec.teeth || (sun.spec.teeth + teeth) % n != 0) continue;
+    text = ", or give the ring " + std::to_string(teeth) + " teeth and the planets " +
+           std::to_string((teeth - sun.spec.teeth) / 2) + " (then " + std::to_string(n) +
+           " at equal distances fit)";
+    break;
+  }
+  const double orbit = (planet.pose.translation() - sun.pose.translation())
+                           .cross(Eigen::Vector3d(sun.pose.linear().col(2)))
+                           .norm();
+  for (int step = 1; step < 2 * n; ++step) {
+    const int other = n + (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2);
+    if (other < 2 || (sun.spec.teeth + ring.spec.teeth) % other != 0) continue;
+    if (orbit * std::sin(std::numbers::pi / other) <= nominalTipRadius(planet.spec)) continue;
+    text += ", or use " + std::to_string(other) + " planets at equal distances";
+    break;
+  }
+  return text;
+}
+
 std::string planetAdvice(const Mechanism& mechanism, const GearTrain& train, const Epicyclic& set,
                          double residual) {
   const double perTurn = pitchesPerTurn(train, set);
   if (perTurn == 0) return {};
   const TrainGear& planet = Epicyclic::gear(train, set.planet);
-  std::string text = " Planets fit at multiples of 360/" + number(perTurn, 0) + " = " +
-                     number(360 / perTurn, 3) + " degrees: move that of link " +
-                     std::to_string(mechanism.linkLabel(planet.link)) + " by " +
-                     number(std::abs(residual) * 360 / perTurn, 3) + " degrees";
-  const TrainGear* sun = &Epicyclic::gear(train, set.centralA);
-  const TrainGear* ring = &Epicyclic::gear(train, set.centralB);
-  if (sun->spec.kind == GearKind::internal) std::swap(sun, ring);
-  if (sun->spec.kind == GearKind::external && ring->spec.kind == GearKind::internal) {
-    std::set<int> planets;
-    for (const TrainMesh& m : train.meshes) {
-      if (&train.gears[static_cast<std::size_t>(m.tailGear)] == sun) planets.insert(m.headGear);
-      if (&train.gears[static_cast<std::size_t>(m.headGear)] == sun) planets.insert(m.tailGear);
-    }
-    const int n = static_cast<int>(planets.size());
-    for (int step = 1; n > 1 && step <= 2 * n; ++step) {
-      const int change =
-          (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2) * 2;  // +2, -2, +4: the ring stays coaxial
-      const int teeth = ring->spec.teeth + change;
-      if (teeth <= sun->spec.teeth || (sun->spec.teeth + teeth) % n != 0) continue;
-      text += ", or give the ring " + std::to_string(teeth) + " teeth and the planets " +
-              std::to_string((teeth - sun->spec.teeth) / 2) + " (then " + std::to_string(n) +
-              " at equal distances fit)";
-      break;
+  const std::string text = " Planets fit at multiples of 360/" + fixedText(perTurn, 0) + " = " +
+                           fixedText(360 / perTurn, 3) + " degrees: move that of link " +
+                           std::to_string(mechanism.linkLabel(planet.link)) + " by " +
+                           fixedText(std::abs(residual) * 360 / perTurn, 3) + " degrees";
+  int sun = set.centralA;
+  int ring = set.centralB;
+  if (Epicyclic::gear(train, sun).spec.kind == GearKind::internal) std::swap(sun, ring);
+  const TrainGear& inner = Epicyclic::gear(train, sun);
+  const TrainGear& outer = Epicyclic::gear(train, ring);
+  if (inner.spec.kind != GearKind::external || outer.spec.kind != GearKind::internal) return text + ".";
+  return text + countAdvice(inner, outer, planet, planetsOf(train, sun)) + ".";
+}
+
+/// How far a loop's teeth miss each other when one of its gears has another number of them, in the same
+/// directions.
+double residualWith(const GearTrain& train, const Loop& loop, std::size_t changed, int teeth) {
+  std::vector<PhaseWheel> wheels;
+  for (const int g : loop.gears) wheels.push_back(phaseWheel(Epicyclic::gear(train, g)));
+  wheels[changed].teeth = teeth;
+  std::vector<PhaseMesh> meshes;
+  const int last = static_cast<int>(loop.gears.size()) - 1;
+  for (int i = 0; i < last; ++i) {
+    meshes.push_back({i, i + 1, train.meshes[loop.meshes[static_cast<std::size_t>(i) + 1]].pitchPoint});
+  }
+  meshes.push_back({last, 0, train.meshes[loop.meshes.front()].pitchPoint});
+  double worst = 0;
+  for (const double residual : solvePhases(wheels, meshes).residuals)
+    worst = std::max(worst, std::abs(residual));
+  return worst;
+}
+
+/// The nearest tooth counts with which the loop closes in the same directions, one gear changed at a time.
+std::string toothAdvice(const GearTrain& train, const Loop& loop) {
+  constexpr int kFarthest = 8;
+  constexpr int kMostProposals = 2;
+  std::string text;
+  int proposals = 0;
+  for (int step = 1; step <= 2 * kFarthest && proposals < kMostProposals; ++step) {
+    const int change = (step % 2 == 1 ? -1 : 1) * ((step + 1) / 2);
+    for (std::size_t i = 0; i < loop.gears.size() && proposals < kMostProposals; ++i) {
+      const TrainGear& gear = Epicyclic::gear(train, loop.gears[i]);
+      const int teeth = gear.spec.teeth + change;
+      if (teeth < kFewestGearTeeth || residualWith(train, loop, i, teeth) > kPhaseFits) continue;
+      text += (proposals == 0 ? " It fits with " : ", or with ") + std::to_string(teeth) + " instead of " +
+              std::to_string(gear.spec.teeth) + " teeth on gear " + gear.name;
+      ++proposals;
     }
   }
-  return text + ".";
+  return (text.empty() ? " Change tooth counts of the loop, or move one of its axes" : text) + ".";
 }
 
 }  // namespace
 
 Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
   Diagnostics found;
+  MeshesOf of(train.gears.size());
+  for (std::size_t m = 0; m < train.meshes.size(); ++m) {
+    of[static_cast<std::size_t>(train.meshes[m].tailGear)].push_back(m);
+    of[static_cast<std::size_t>(train.meshes[m].headGear)].push_back(m);
+  }
   for (std::size_t m = 0; m < train.meshes.size(); ++m) {
     const double residual = train.meshes[m].residual;
     if (std::abs(residual) <= kPhaseFits) continue;
-    const Loop loop(train, m);
+    const Loop loop(train, of, m);
     Diagnostic d;
     d.code = Code::assembly;
     std::string labels;
@@ -161,10 +209,10 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
     }
     d.message = "The loop of meshes " + labels + " cannot be assembled as drawn: at mesh " +
                 std::to_string(mechanism.meshLabel(train.meshes[m].mesh)) + " the teeth miss each other by " +
-                number(residual, 3) + " of a pitch.";
+                fixedText(residual, 3) + " of a pitch.";
     const Epicyclic set(train, loop);
-    d.message += set.found ? planetAdvice(mechanism, train, set, residual)
-                           : std::string(" Change a tooth count of the loop, or move one of its axes.");
+    const std::string advice = set.found ? planetAdvice(mechanism, train, set, residual) : std::string();
+    d.message += advice.empty() ? toothAdvice(train, loop) : advice;
     found.push_back(std::move(d));
   }
   return found;

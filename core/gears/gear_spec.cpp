@@ -94,10 +94,11 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
                 "pressure angle between 5 and 35 degrees, shift and heights at most 3 modules.")};
   }
   Diagnostics found;
-  const int fewest = spec.kind == GearKind::internal ? 12 : 4;
+  const bool ring = spec.kind == GearKind::internal;
+  const int fewest = ring ? kFewestRingTeeth : kFewestGearTeeth;
   if (spec.teeth < fewest) {
     found.push_back(refused(std::to_string(spec.teeth) + " teeth are too few for " +
-                            (fewest == 4 ? "a gear" : "a ring") + " that a rack can generate; use at least " +
+                            (ring ? "a ring" : "a gear") + " that a rack can generate; use at least " +
                             std::to_string(fewest) + "."));
   } else if (spec.kind == GearKind::bevel) {
     if (!(spec.coneAngle > 0.01 && spec.coneAngle < pi - 0.3)) {
@@ -107,7 +108,7 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
                               " runs into the apex: make it shorter than " +
                               oneDecimal(coneDistance(spec) / 3) + ", a third of the cone distance."));
     }
-  } else if (spec.kind == GearKind::external && nominalRootRadius(spec) < 0.3 * spec.module) {
+  } else if (spec.kind == GearKind::external && nominalRootRadius(spec) < 0.2 * spec.module) {
     found.push_back(refused(std::to_string(spec.teeth) +
                             " teeth leave no body below the roots; use more, or a larger "
                             "profile shift."));

@@ -56,6 +56,11 @@ struct GearSpec {
 [[nodiscard]] double nominalTipRadius(const GearSpec& spec);
 [[nodiscard]] double nominalRootRadius(const GearSpec& spec);
 
+/// Fewest teeth of a gear, and of a ring, which has more than its pinion. Two teeth would leave no body below
+/// the roots.
+constexpr int kFewestGearTeeth = 3;
+constexpr int kFewestRingTeeth = 4;
+
 /// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
 /// ...
 [[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);

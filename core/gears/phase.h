@@ -53,8 +53,9 @@ struct PhaseSolution {
 };
 
 /// Angles that put the teeth of all meshes into the spaces, as far as loops allow: a spanning forest of the
-/// meshes in their order, each tree from the first of its wheels at angle 0. What is left over of the others
-/// is their residual; the set can be assembled as drawn exactly if all are 0. Cost: O(wheels + meshes).
+/// meshes in their order, each tree from the first of its wheels at angle 0, or, where a loop is locked, at
+/// the angle at which that loop's teeth fit. What is left over of the others is their residual; the set can
+/// be assembled as drawn exactly if all are 0. Cost: O(wheels + meshes).
 [[nodiscard]] PhaseSolution solvePhases(std::span<const PhaseWheel> wheels,
                                         std::span<const PhaseMesh> meshes);
 

@@ -10,12 +10,10 @@ namespace {
 
 /// How far a ring's tip may be lowered before it is worth a word, in modules.
 constexpr double kNoticedShortening = 0.3;
-
-std::string number(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
+/// Fewer pairs in contact than this at a time: the drive is rough, or interrupted (gears.md 2.9).
+constexpr double kLeastContactRatio = 1.1;
+/// Findings ask for the ends of the flanks only, which do not depend on the tolerance.
+constexpr double kFindingTolerance = 0.2;
 
 std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear) {
   std::vector<ElementId> elements;
@@ -26,82 +24,149 @@ std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear)
   return elements;
 }
 
-Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements) {
-  Diagnostic d;
-  d.code = code;
-  d.message = std::move(message);
-  d.elements = std::move(elements);
-  return d;
+HalfTooth toothOf(const GearSpec& spec) {
+  switch (spec.kind) {
+    case GearKind::internal:
+      return ringTooth(spec, kFindingTolerance);
+    case GearKind::bevel:
+      return bevelTooth(spec, kFindingTolerance);
+    case GearKind::external:
+      break;
+  }
+  return externalTooth(spec, kFindingTolerance);
 }
 
-void addToothForm(const Mechanism& mechanism, const TrainGear& gear, Diagnostics& found) {
+class ToothFinder {
+ public:
+  ToothFinder(const Mechanism& mechanism, const GearTrain& train) : m_mechanism(mechanism), m_train(train) {
+    for (const TrainGear& gear : train.gears) addGear(gear);
+    for (const TrainMesh& mesh : train.meshes) addMesh(mesh);
+  }
+
+  Diagnostics found;
+
+ private:
+  void add(Code code, std::string message, std::vector<ElementId> elements) {
+    found.push_back(finding(code, std::move(message), std::move(elements)));
+  }
+  void addGear(const TrainGear& gear);
+  void addMesh(const TrainMesh& mesh);
+  void addRing(const GearSpec& pinion, const GearSpec& ring, double distance, const ElementId& mesh);
+  void addContact(double ratio, const std::string& pair, const ElementId& mesh);
+  void addFace(const GearSpec& spec, const std::string& pair, const ElementId& mesh);
+  [[nodiscard]] double distanceOf(const TrainGear& a, const TrainGear& b) const {
+    const Eigen::Vector3d axis = a.pose.linear().col(2);
+    return (a.pose.translation() - b.pose.translation()).cross(axis).norm() / a.spec.module;
+  }
+
+  const Mechanism& m_mechanism;
+  const GearTrain& m_train;
+  std::vector<std::optional<HalfTooth>> m_teeth;  ///< by gear; none where no tooth can be made
+};
+
+void ToothFinder::addGear(const TrainGear& gear) {
   const GearSpec& spec = gear.spec;
   const std::string who = "Gear " + gear.name + " (" + std::to_string(spec.teeth) + " teeth)";
   const Diagnostics impossible = specDiagnostics(spec);
   if (!impossible.empty()) {
-    found.push_back(finding(Code::interference,
-                            who + " is drawn as a plain wheel: " + impossible.front().message,
-                            blamed(mechanism, gear)));
+    m_teeth.emplace_back();
+    add(Code::interference, who + " has no solid: " + impossible.front().message, blamed(m_mechanism, gear));
     return;
   }
-  if (spec.kind == GearKind::internal) return;
-  const HalfTooth tooth = spec.kind == GearKind::bevel ? bevelTooth(spec, 0.05) : externalTooth(spec, 0.05);
+  m_teeth.emplace_back(toothOf(spec));
+  const HalfTooth& tooth = *m_teeth.back();
   if (tooth.undercut) {
-    found.push_back(finding(Code::undercut,
-                            who + " is undercut: at a profile shift of " + number(spec.profileShift, 2) +
-                                " a rack needs " + number(fewestTeethWithoutUndercut(spec), 1) +
-                                " teeth or more. Use more teeth, or a shift of at least " +
-                                number(leastShiftWithoutUndercut(spec), 2) + ".",
-                            blamed(mechanism, gear)));
+    add(Code::undercut,
+        who + " is undercut: at a profile shift of " + fixedText(spec.profileShift, 2) + " a rack needs " +
+            fixedText(fewestTeethWithoutUndercut(spec), 1) +
+            " teeth or more. Use more teeth, or a shift of " + "at least " +
+            fixedText(leastShiftWithoutUndercut(spec), 2) + ".",
+        blamed(m_mechanism, gear));
   }
   if (tooth.shortened) {
-    found.push_back(finding(Code::interference,
-                            who + " would have pointed teeth: its tips were lowered to keep a land of " +
-                                number(kNarrowestLand, 1) + " modules. Use a smaller profile shift than " +
-                                number(spec.profileShift, 2) + ".",
-                            blamed(mechanism, gear)));
+    add(Code::interference,
+        who + " would have pointed teeth: its tips were lowered to keep a land of " +
+            fixedText(kNarrowestLand, 1) + " modules. Use a smaller profile shift than " +
+            fixedText(spec.profileShift, 2) + ".",
+        blamed(m_mechanism, gear));
   }
 }
 
-void addRingPair(const Mechanism& mechanism, const GearTrain& train, const TrainMesh& mesh,
-                 Diagnostics& found) {
-  const TrainGear* ring = &train.gears[static_cast<std::size_t>(mesh.tailGear)];
-  const TrainGear* pinion = &train.gears[static_cast<std::size_t>(mesh.headGear)];
-  if (pinion->spec.kind == GearKind::internal) std::swap(ring, pinion);
-  if (ring->spec.kind != GearKind::internal || pinion->spec.kind != GearKind::external) return;
-  if (!specDiagnostics(ring->spec).empty() || !specDiagnostics(pinion->spec).empty()) return;
-  const Eigen::Vector3d axis = ring->pose.linear().col(2);
-  const double distance =
-      (ring->pose.translation() - pinion->pose.translation()).cross(axis).norm() / ring->spec.module;
-  const std::string pair =
-      std::to_string(pinion->spec.teeth) + " teeth in a ring of " + std::to_string(ring->spec.teeth);
-  const std::vector<ElementId> elements{mechanism.gearMeshes[static_cast<std::size_t>(mesh.mesh)].id};
-  const double margin = trochoidMargin(pinion->spec, ring->spec, distance);
-  if (margin < 0) {
-    found.push_back(finding(
-        Code::interference,
-        pair + ": their tips collide outside of the mesh, by " + number(-margin * ring->spec.teeth / 2, 3) +
-            " modules. Use a difference of more teeth, or a larger profile shift of the ring.",
-        elements));
+void ToothFinder::addMesh(const TrainMesh& mesh) {
+  const auto t = static_cast<std::size_t>(mesh.tailGear);
+  const auto h = static_cast<std::size_t>(mesh.headGear);
+  if (!m_teeth[t] || !m_teeth[h]) return;
+  const TrainGear& tail = m_train.gears[t];
+  const TrainGear& head = m_train.gears[h];
+  const ElementId id = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh.mesh)].id;
+  const std::string pair = "Mesh " + std::to_string(m_mechanism.meshLabel(mesh.mesh)) + ", " +
+                           std::to_string(tail.spec.teeth) + " and " + std::to_string(head.spec.teeth) +
+                           " teeth";
+  const double distance = distanceOf(tail, head);
+  if (const auto ratio = contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance)) {
+    addContact(*ratio, pair, id);
   }
-  const double standard = ring->spec.teeth / 2.0 - ring->spec.addendum + ring->spec.profileShift;
-  if (ring->spec.tipRadius > standard + kNoticedShortening) {
-    found.push_back(finding(Code::interference,
-                            pair +
-                                ": the ring's tips would run into the pinion's fillets and were lowered by " +
-                                number(ring->spec.tipRadius - standard, 2) +
-                                " modules. Use a pinion of more teeth, or with a larger profile shift.",
-                            elements));
+  if (tail.spec.kind == GearKind::bevel) {
+    addFace(tail.spec, pair, id);
+  } else if (tail.spec.kind == GearKind::internal) {
+    addRing(head.spec, tail.spec, distance, id);
+  } else if (head.spec.kind == GearKind::internal) {
+    addRing(tail.spec, head.spec, distance, id);
+  }
+}
+
+void ToothFinder::addContact(double ratio, const std::string& pair, const ElementId& mesh) {
+  if (ratio >= kLeastContactRatio) return;
+  const std::string what = ratio < 1 ? "one pair of teeth lets go before the next takes over"
+                                     : "that leaves nothing for errors of the teeth";
+  add(Code::interference,
+      pair + ": a contact ratio of " + fixedText(std::max(ratio, 0.0), 2) + ", " + what +
+          ". Use more teeth, or " + "profile shifts that leave longer flanks, for " +
+          fixedText(kLeastContactRatio, 1) + " or more.",
+      {mesh});
+}
+
+void ToothFinder::addFace(const GearSpec& spec, const std::string& pair, const ElementId& mesh) {
+  const double most = coneDistance(spec) / 3;
+  if (spec.faceWidth <= most * (1 + 1e-6)) return;
+  add(Code::interference,
+      pair + ": a face width of " + fixedText(spec.faceWidth, 1) +
+          " is more than a third of the cone distance, so that the small ends of the teeth are too weak to "
+          "bear " +
+          "load. Use " + fixedText(most, 1) + " or less.",
+      {mesh});
+}
+
+void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double distance,
+                          const ElementId& mesh) {
+  const std::string pair = std::to_string(pinion.teeth) + " teeth in a ring of " + std::to_string(ring.teeth);
+  const double margin = trochoidMargin(pinion, ring, distance);
+  if (margin < 0) {
+    add(Code::interference,
+        pair + ": their tips collide outside of the mesh, by " + fixedText(-margin * ring.teeth / 2, 3) +
+            " modules. Use a difference of more teeth, or a larger profile shift of the ring.",
+        {mesh});
+  }
+  const double standard = ring.teeth / 2.0 - ring.addendum + ring.profileShift;
+  if (ring.tipRadius > standard + kNoticedShortening) {
+    add(Code::interference,
+        pair + ": the ring's tips would run into the pinion's fillets and were lowered by " +
+            fixedText(ring.tipRadius - standard, 2) +
+            " modules. Use a pinion of more teeth, or with a larger profile shift.",
+        {mesh});
   }
 }
 
 }  // namespace
 
+std::string fixedText(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
 Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
-  Diagnostics found;
-  for (const TrainGear& gear : train.gears) addToothForm(mechanism, gear, found);
-  for (const TrainMesh& mesh : train.meshes) addRingPair(mechanism, train, mesh, found);
-  return found;
+  return ToothFinder(mechanism, train).found;
 }
 
 }  // namespace geargraph

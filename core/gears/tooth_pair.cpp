@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "core/gears/half_tooth.h"
 #include "core/gears/involute.h"
 
 namespace geargraph {
@@ -16,6 +16,36 @@ double squareOfSine(const GearSpec& spec) {
 /// Pressure angle of the involute at a radius in modules.
 double angleAt(const GearSpec& spec, double rad) {
   return std::acos(std::min(spec.teeth / 2.0 * std::cos(spec.pressureAngle) / rad, 1.0));
+}
+
+/// Where a tooth's flank begins and ends, as lengths on the line of action from the base circle (bevels: arcs
+/// of the great circle from the base cone).
+struct ActiveFlank {
+  double form = 0;
+  double tip = 0;
+};
+
+ActiveFlank planeFlank(const GearSpec& spec, const HalfTooth& tooth) {
+  const double base = spec.teeth / 2.0 * std::cos(spec.pressureAngle);
+  const auto roll = [&](double rad) { return std::sqrt(std::max(rad * rad - base * base, 0.0)); };
+  return {roll(tooth.formRad), roll(tooth.tipRad)};
+}
+
+std::optional<double> bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                                        const HalfTooth& toothB) {
+  if (std::max(a.coneAngle, b.coneAngle) > std::numbers::pi / 2 - 0.02) return std::nullopt;
+  const auto baseCosine = [](const GearSpec& spec) {
+    const double sine = std::sin(spec.coneAngle) * std::cos(spec.pressureAngle);
+    return std::sqrt(1 - sine * sine);
+  };
+  const auto arc = [&](const GearSpec& spec, double colatitude) {
+    return std::acos(std::min(std::cos(colatitude) / baseCosine(spec), 1.0));
+  };
+  const double line = arc(a, a.coneAngle) + arc(b, b.coneAngle);
+  const double begin = std::max(arc(a, toothA.formRad), line - arc(b, toothB.tipRad));
+  const double end = std::min(arc(a, toothA.tipRad), line - arc(b, toothB.formRad));
+  const double basePitch = 2 * std::numbers::pi * std::sin(a.coneAngle) * std::cos(a.pressureAngle) / a.teeth;
+  return (end - begin) / basePitch;
 }
 
 }  // namespace
@@ -54,6 +84,21 @@ double trochoidMargin(const GearSpec& pinion, const GearSpec& ring, double dista
                        involute(angleAt(pinion, tip1)) - involute(working);
   const double turn2 = std::acos((distance * distance + tip2 * tip2 - tip1 * tip1) / (2 * distance * tip2));
   return turn1 * pinion.teeth / ring.teeth + involute(working) - involute(angleAt(ring, tip2)) - turn2;
+}
+
+std::optional<double> contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                                   const HalfTooth& toothB, double distance) {
+  if (a.kind == GearKind::bevel) return bevelContactRatio(a, toothA, b, toothB);
+  if (a.kind == GearKind::internal) return contactRatio(b, toothB, a, toothA, distance);
+  const bool inRing = b.kind == GearKind::internal;
+  const double working =
+      workingPressureAngle(inRing ? b.teeth - a.teeth : a.teeth + b.teeth, distance, a.pressureAngle);
+  const double line = distance * std::sin(working);  // between the points where it leaves the base circles
+  const ActiveFlank pinion = planeFlank(a, toothA);
+  const ActiveFlank wheel = planeFlank(b, toothB);
+  const double begin = std::max(pinion.form, inRing ? wheel.tip - line : line - wheel.tip);
+  const double end = std::min(pinion.tip, inRing ? wheel.form - line : line - wheel.form);
+  return (end - begin) / (std::numbers::pi * std::cos(a.pressureAngle));
 }
 
 }  // namespace geargraph

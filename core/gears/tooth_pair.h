@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "core/gears/gear_spec.h"
+#include "core/gears/half_tooth.h"
 
 namespace geargraph {
 
@@ -22,5 +25,12 @@ namespace geargraph {
 /// Room between a pinion's tip and a ring's tip where they pass each other outside of the mesh (trochoid
 /// interference), as an angle of the ring: below 0 they collide. gears.md, section 1.
 [[nodiscard]] double trochoidMargin(const GearSpec& pinion, const GearSpec& ring, double distance);
+
+/// Mean number of pairs in contact: the path between the ends of the flanks along the line of action (bevels:
+/// along its great circle), in base pitches. Below 1 the drive is interrupted. `distance`
+/// of the axes in modules, unused for bevels. Crown gears and internal cones have none here. The teeth are
+/// those of the specs.
+[[nodiscard]] std::optional<double> contactRatio(const GearSpec& a, const HalfTooth& toothA,
+                                                 const GearSpec& b, const HalfTooth& toothB, double distance);
 
 }  // namespace geargraph

@@ -9,15 +9,20 @@
 namespace geargraph {
 namespace {
 
-std::string nameOf(const Mechanism& mechanism, const TrainWheels& train, std::size_t w) {
-  const TrainWheel& wheel = train.wheels[w];
-  if (wheel.id) return wheel.id->text();
-  const int mesh = wheel.meshes.front();
+/// The wheels' ids in the document, else "15:tail" by the first mesh of each.
+std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& train) {
+  std::vector<std::string> names(train.wheels.size());
+  const auto name = [&](int w, int mesh, const char* side) {
+    const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
+    if (wheel.meshes.front() != mesh) return;
+    names[static_cast<std::size_t>(w)] =
+        wheel.id ? wheel.id->text() : std::to_string(mechanism.meshLabel(mesh)) + side;
+  };
   for (const TrainPair& pair : train.pairs) {
-    if (pair.mesh != mesh) continue;
-    return std::to_string(mechanism.meshLabel(mesh)) + (pair.tail == static_cast<int>(w) ? ":tail" : ":head");
+    name(pair.tail, pair.mesh, ":tail");
+    name(pair.head, pair.mesh, ":head");
   }
-  return {};
+  return names;
 }
 
 PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>& frames) {
@@ -31,36 +36,51 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
   return solvePhases(wheels, meshes);
 }
 
-}  // namespace
-
-GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
+/// Wheels and their meshes, each turned into the others' spaces; no bodies.
+GearTrain toothed(const Mechanism& mechanism, const TrainWheels& wheels) {
   GearTrain train;
-  if (!placement.tree || !placement.classes) return train;
-  TrainWheels wheels = wheelsOf(mechanism, placement);
-  shapeWheels(mechanism, wheels);
-  stackWheels(wheels);
   std::vector<Eigen::Isometry3d> frames;
   const PhaseSolution phases = phasesOf(wheels, frames);
+  const std::vector<std::string> names = namesOf(mechanism, wheels);
   for (std::size_t w = 0; w < wheels.wheels.size(); ++w) {
-    TrainWheel& wheel = wheels.wheels[w];
-    TrainGear gear{nameOf(mechanism, wheels, w),
-                   wheel.link,
-                   wheel.axisClass,
-                   wheel.meshes,
-                   wheel.id,
-                   wheel.spec,
-                   frames[w] * Eigen::AngleAxisd(phases.angles[w], Eigen::Vector3d::UnitZ())};
-    train.gears.push_back(std::move(gear));
+    const TrainWheel& wheel = wheels.wheels[w];
+    train.gears.push_back({names[w], wheel.link, wheel.axisClass, wheel.meshes, wheel.id, wheel.spec,
+                           frames[w] * Eigen::AngleAxisd(phases.angles[w], Eigen::Vector3d::UnitZ())});
   }
   for (std::size_t p = 0; p < wheels.pairs.size(); ++p) {
     const TrainPair& pair = wheels.pairs[p];
     train.meshes.push_back({pair.mesh, pair.tail, pair.head, pair.pitchPoint, phases.residuals[p]});
   }
-  addBodies(mechanism, placement, train);
-  train.diagnostics = toothDiagnostics(mechanism, train);
-  const Diagnostics loops = assemblyDiagnostics(mechanism, train);
-  train.diagnostics.insert(train.diagnostics.end(), loops.begin(), loops.end());
   return train;
+}
+
+Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
+  Diagnostics found = toothDiagnostics(mechanism, train);
+  for (const Diagnostics& more :
+       {neighbourDiagnostics(mechanism, placement, train), assemblyDiagnostics(mechanism, train)}) {
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  return found;
+}
+
+}  // namespace
+
+GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
+  if (!placement.tree || !placement.classes) return {};
+  TrainWheels wheels = wheelsOf(mechanism, placement);
+  shapeWheels(mechanism, wheels);
+  stackWheels(wheels);
+  GearTrain train = toothed(mechanism, wheels);
+  addBodies(mechanism, placement, train);
+  train.diagnostics = findingsOf(mechanism, placement, train);
+  return train;
+}
+
+Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement) {
+  if (!placement.tree || !placement.classes) return {};
+  TrainWheels wheels = wheelsOf(mechanism, placement);
+  shapeWheels(mechanism, wheels);
+  return findingsOf(mechanism, placement, toothed(mechanism, wheels));
 }
 
 }  // namespace geargraph

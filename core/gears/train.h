@@ -72,4 +72,9 @@ struct GearTrain {
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
 
+/// The diagnostics of trainOf() alone, without stacking wheels and making bodies, for the analysis.
+/// Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp).
+/// @pre as trainOf
+[[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement);
+
 }  // namespace geargraph

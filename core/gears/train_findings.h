@@ -5,10 +5,26 @@
 
 namespace geargraph {
 
-/// `undercut` and `interference` of the train's gears, with the numbers that say how to mend them.
+/// `undercut` and `interference` of the train's gears and pairs, with the numbers that say how to mend them.
 [[nodiscard]] Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train);
+
+/// `interference` of wheels beside each other round one gear whose tips meet: planets of one carrier, where
+/// 2 a sin(angle / 2) is less than both tip radii together. Cost: O(meshes log meshes).
+[[nodiscard]] Diagnostics neighbourDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                               const GearTrain& train);
 
 /// `assembly` for every mesh whose residual does not fit, with the nearest positions or tooth counts that do.
 [[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train);
+
+/// A number for a sentence, with so many digits behind the point.
+[[nodiscard]] std::string fixedText(double value, int digits);
+
+[[nodiscard]] inline Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements) {
+  Diagnostic d;
+  d.code = code;
+  d.message = std::move(message);
+  d.elements = std::move(elements);
+  return d;
+}
 
 }  // namespace geargraph

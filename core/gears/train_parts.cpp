@@ -1,0 +1,24 @@
+#include "core/gears/train_parts.h"
+
+namespace geargraph {
+
+TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
+                      double tolerance) {
+  TrainParts result;
+  for (std::size_t g = 0; g < train.gears.size(); ++g) {
+    const TrainGear& gear = train.gears[g];
+    auto solid = cache.solid(gear.spec, tolerance);
+    if (solid) {
+      result.parts.push_back({gear.link, gear.name, gear.pose, *std::move(solid), static_cast<int>(g)});
+    } else {
+      result.diagnostics.insert(result.diagnostics.end(), solid.error().begin(), solid.error().end());
+    }
+  }
+  for (const LinkBody& body : train.bodies) {
+    result.parts.push_back({body.link, "body of link " + std::to_string(mechanism.linkLabel(body.link)),
+                            Eigen::Isometry3d::Identity(), body.solid});
+  }
+  return result;
+}
+
+}  // namespace geargraph
