@@ -12,11 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// The module in the middle of all: an edit of one wheel seldom changes it, so that the others keep their
+/// bores.
 double middleModule(const GearTrain& train) {
   if (train.gears.empty()) return kDefaultModule;
-  double sum = 0;
-  for (const TrainGear& gear : train.gears) sum += gear.spec.module;
-  return sum / static_cast<double>(train.gears.size());
+  std::vector<double> modules;
+  for (const TrainGear& gear : train.gears) modules.push_back(gear.spec.module);
+  const auto middle = modules.begin() + static_cast<std::ptrdiff_t>(modules.size() / 2);
+  std::nth_element(modules.begin(), middle, modules.end());
+  return *middle;
 }
 
 void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {

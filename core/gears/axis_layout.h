@@ -20,6 +20,8 @@ struct Bearing {
   int parent = 0;
   int child = 0;
   double at = 0;  ///< coordinate along the class's line
+  bool placed = false;
+  bool pinned = false;  ///< the child turns on a pin of the parent's; `at` is where the pin's collar stands
 };
 
 /// What stands where along the line of an axis class. Coordinates run along the line from its point.

@@ -191,7 +191,9 @@ class RingFillet {
 
   void addTo(HalfTooth& tooth, double tolerance) const {
     const double gap = m_rack.halfPitch - m_centre.gam;
-    const int roots = gap > 1e-9 ? chordsOfArc(gap, std::sin(m_rack.root), tolerance) : 0;
+    const int roots = gap * std::sin(m_rack.root) > kShortestArc * m_rack.mu
+                          ? chordsOfArc(gap, std::sin(m_rack.root), tolerance)
+                          : 0;
     for (int i = 0; i < roots; ++i)
       tooth.points.push_back({m_rack.root, m_rack.halfPitch - gap * i / roots, 1, 0});
     const ProfilePoint end = m_rack.flank(m_psi);
@@ -235,7 +237,8 @@ class RingFillet {
 /// Root arc and trochoid, up to the flank that begins at psiF.
 void addTrochoid(const CrownRack& r, double wF, double tolerance, HalfTooth& tooth) {
   const double arc = r.halfPitch - r.lamC / r.sinDelta;
-  const int roots = arc > 1e-9 ? chordsOfArc(arc, std::sin(r.root), tolerance) : 0;
+  const int roots =
+      arc * std::sin(r.root) > kShortestArc * r.mu ? chordsOfArc(arc, std::sin(r.root), tolerance) : 0;
   for (int i = 0; i < roots; ++i) tooth.points.push_back({r.root, r.halfPitch - arc * i / roots, 1, 0});
   const auto fillet = [&](double w) { return r.trochoid(w); };
   for (const double w : equalSagitta(pi / 2, wF, tolerance, developed(r, fillet))) {
@@ -278,7 +281,8 @@ HalfTooth bevelTooth(const GearSpec& spec, double tolerance) {
   }
   const ProfilePoint corner = tooth.points.back();
   const int tips = chordsOfArc(corner.gam, std::sin(corner.rad), chord);
-  for (int i = 0; i <= tips; ++i) tooth.points.push_back({corner.rad, corner.gam * (tips - i) / tips, 1, 0});
+  for (int i = 0; i <= tips; ++i)
+    tooth.points.push_back({corner.rad, corner.gam * (static_cast<double>(tips - i) / tips), 1, 0});
   tooth.rootRad = r.root;
   tooth.tipRad = corner.rad;
   tooth.tipHalfAngle = corner.gam;

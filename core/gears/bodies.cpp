@@ -82,22 +82,127 @@ void addArc(std::vector<OutlineNode>& outline, const Eye& eye, double base, doub
   }
 }
 
-/// The outline's wall, from the nodes in order and back to the first. Normals are smooth: the hull has no
-/// corner.
-void addOuterWall(ShellBuilder& builder, const std::vector<OutlineNode>& outline, double from, double to) {
-  std::vector<std::uint32_t> low;
-  std::vector<std::uint32_t> high;
-  for (const OutlineNode& node : outline) {
-    const Vector3d normal(node.normal.x(), node.normal.y(), 0);
-    low.push_back(builder.addVertex({node.position.x(), node.position.y(), from}, normal));
-    high.push_back(builder.addVertex({node.position.x(), node.position.y(), to}, normal));
-  }
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const std::size_t next = (i + 1) % outline.size();
-    builder.addTriangle(low[i], low[next], high[next]);
-    builder.addTriangle(low[i], high[next], high[i]);
+/// A strip of wall from the first node to the last.
+void addWall(ShellBuilder& builder, std::span<const OutlineNode> strip, double from, double to) {
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  for (std::size_t i = 0; i < strip.size(); ++i) {
+    const Vector3d normal(strip[i].normal.x(), strip[i].normal.y(), 0);
+    const auto add = [&](double z) {
+      return builder.addVertex({strip[i].position.x(), strip[i].position.y(), z}, normal);
+    };
+    const std::uint32_t nextLow = add(from);
+    const std::uint32_t nextHigh = add(to);
+    if (i > 0) {
+      builder.addTriangle(low, nextLow, nextHigh);
+      builder.addTriangle(low, nextHigh, high);
+    }
+    low = nextLow;
+    high = nextHigh;
   }
 }
+
+/// A bar of a spider: where its sides leave the hub and run into the eye.
+struct Bar {
+  Eye eye;
+  double angle = 0;  ///< about the hub
+  double half = 0;   ///< of its width
+  Vector2d rootLow = Vector2d::Zero();
+  Vector2d rootHigh = Vector2d::Zero();
+};
+
+Vector2d onCircle(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// The bars in the order of their angles; none where they would run into each other at the hub.
+std::vector<Bar> barsOf(const Eye& hub, std::span<const Eye> ends) {
+  std::vector<Bar> bars;
+  for (const Eye& end : ends) {
+    const Vector2d line = end.centre - hub.centre;
+    Bar bar;
+    bar.eye = end;
+    bar.angle = std::atan2(line.y(), line.x());
+    bars.push_back(bar);
+  }
+  std::sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return a.angle < b.angle; });
+  double spacing = pi;
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const double next = i + 1 < bars.size() ? bars[i + 1].angle : bars.front().angle + 2 * pi;
+    spacing = std::min(spacing, next - bars[i].angle);
+  }
+  const double keep = hub.hole + 0.15 * (hub.radius - hub.hole);  // what the bars' roots leave round the hole
+  const double most = std::min(std::sqrt(hub.radius * hub.radius - keep * keep),
+                               hub.radius * std::sin(std::min(0.45 * spacing, pi / 2)));
+  for (Bar& bar : bars) {
+    bar.half = std::min(0.95 * most, bar.eye.radius);
+    const double reach = (bar.eye.centre - hub.centre).norm() -
+                         std::sqrt(bar.eye.radius * bar.eye.radius - bar.half * bar.half) -
+                         std::sqrt(hub.radius * hub.radius - bar.half * bar.half);
+    if (bar.half < 0.3 * bar.eye.radius || reach < 0.1 * hub.radius) return {};
+    const double root = std::asin(bar.half / hub.radius);
+    bar.rootLow = hub.centre + hub.radius * onCircle(bar.angle - root);
+    bar.rootHigh = hub.centre + hub.radius * onCircle(bar.angle + root);
+  }
+  return bars;
+}
+
+/// An arc of nodes about an eye, its ends where the neighbours have theirs.
+std::vector<OutlineNode> arcBetween(const Eye& eye, double from, double to, const Vector2d& first,
+                                    const Vector2d& last, double tolerance) {
+  std::vector<OutlineNode> arc;
+  addArc(arc, eye, 0, from, to, tolerance);
+  arc.front().position = first;
+  arc.back().position = last;
+  return arc;
+}
+
+class SpiderMaker {
+ public:
+  SpiderMaker(const Eye& hub, std::vector<Bar> bars, double from, double to, double tolerance)
+      : m_hub(hub), m_bars(std::move(bars)), m_from(from), m_to(to), m_tolerance(tolerance) {}
+
+  Solid make() {
+    std::vector<OutlineNode> round;
+    for (std::size_t i = 0; i < m_bars.size(); ++i) {
+      const Bar& bar = m_bars[i];
+      const Bar& next = m_bars[(i + 1) % m_bars.size()];
+      const double turn = i + 1 < m_bars.size() ? 0 : 2 * pi;
+      const auto arc = arcBetween(m_hub, bar.angle + std::asin(bar.half / m_hub.radius),
+                                  next.angle + turn - std::asin(next.half / m_hub.radius), bar.rootHigh,
+                                  next.rootLow, m_tolerance);
+      addWall(m_builder, arc, m_from, m_to);
+      round.insert(round.end(), arc.begin(), arc.end());
+      addBar(bar);
+    }
+    ArmHalf(m_builder, m_hub, m_from, m_to, m_tolerance).add(round);
+    return std::move(m_solid);
+  }
+
+ private:
+  void addBar(const Bar& bar) {
+    const double open = std::asin(std::min(bar.half / bar.eye.radius, 1.0));
+    const double back = bar.angle + pi;
+    const Vector2d low = bar.eye.centre + bar.eye.radius * onCircle(back + open);
+    const Vector2d high = bar.eye.centre + bar.eye.radius * onCircle(back - open);
+    const auto arc =
+        arcBetween(bar.eye, bar.angle - pi + open, bar.angle + pi - open, low, high, m_tolerance);
+    addWall(m_builder, arc, m_from, m_to);
+    const Vector2d across = onCircle(bar.angle + pi / 2);
+    addWall(m_builder, std::vector<OutlineNode>{{bar.rootLow, -across}, {low, -across}}, m_from, m_to);
+    addWall(m_builder, std::vector<OutlineNode>{{high, across}, {bar.rootHigh, across}}, m_from, m_to);
+    std::vector<OutlineNode> outline{{bar.rootLow, -across}};
+    outline.insert(outline.end(), arc.begin(), arc.end());
+    outline.push_back({bar.rootHigh, across});
+    ArmHalf(m_builder, bar.eye, m_from, m_to, m_tolerance).add(outline);
+  }
+
+  const Eye& m_hub;
+  std::vector<Bar> m_bars;
+  double m_from, m_to, m_tolerance;
+  Solid m_solid;
+  ShellBuilder m_builder{m_solid};
+};
 
 }  // namespace
 
@@ -162,6 +267,7 @@ Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) 
   wall.push_back(lower);
   wall.insert(wall.end(), aroundB.begin(), aroundB.end());
   wall.push_back(upper);
+  wall.push_back(aroundA.front());
   aroundA.push_back(lower);
   aroundA.push_back(upper);
   aroundB.push_back(upper);
@@ -171,8 +277,23 @@ Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) 
   ShellBuilder builder(solid);
   ArmHalf(builder, a, from, to, tolerance).add(aroundA);
   ArmHalf(builder, b, from, to, tolerance).add(aroundB);
-  addOuterWall(builder, wall, from, to);
+  addWall(builder, wall, from, to);  // its normals are smooth: the hull has no corner
   return solid;
+}
+
+Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to, double tolerance) {
+  if (ends.empty()) return tube(hub.radius, hub.hole, from, to, tolerance);
+  if (ends.size() == 1) return arm(hub, ends.front(), from, to, tolerance);
+  std::vector<Bar> bars = barsOf(hub, ends);
+  if (!bars.empty()) return SpiderMaker(hub, std::move(bars), from, to, tolerance).make();
+  Solid pieces;
+  double part = 1;  // no two of them have a vertex in common
+  for (const Eye& end : ends) {
+    append(pieces,
+           arm({hub.centre, part * hub.radius, part * hub.hole}, end, part * from, part * to, tolerance));
+    part *= 0.985;
+  }
+  return pieces;
 }
 
 }  // namespace geargraph

@@ -31,4 +31,10 @@ struct Eye {
 /// @pre neither eye lies inside the other
 [[nodiscard]] Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance);
 
+/// Flat arms from one eye, the hub, to others, in one piece: a single one as arm() makes it, several as bars
+/// from a round hub, as wide as there is room for them. Arms too close for that overlap each other as pieces
+/// of their own.
+[[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
+                           double tolerance);
+
 }  // namespace geargraph

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/gears/gear_body.h"
 #include "core/gears/gear_obstacles.h"
@@ -11,6 +12,8 @@ namespace geargraph {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
 
 class Planner {
  public:
@@ -40,6 +43,7 @@ class Planner {
       if (link != 0) addShaft(m_placement.classes->classOfLink(m_tree, link), link);
     }
     addFixedHubs();
+    for (const PinPlan& pin : m_plan.pins) addShaft(pin.axisClass, pin.link);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) nestShafts(static_cast<int>(c));
     return std::move(m_plan);
   }
@@ -51,13 +55,18 @@ class Planner {
   void placeCrossing(int link, int home, Bearing& bearing);
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
-  [[nodiscard]] bool fits(int home, const std::vector<int>& involved, double level) const;
+  [[nodiscard]] bool fits(int home, const std::vector<Bearing*>& round, double level) const;
+  [[nodiscard]] bool nests(const Bearing& bearing, double at) const;
+  [[nodiscard]] std::optional<Stretch> wheelsOn(int axisClass, int link) const;
+  [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
+  [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
   void addShaft(int axisClass, int link);
   void addArm(const ArmPlan& arm) {
     m_armsOf[static_cast<std::size_t>(arm.link)].push_back(m_plan.arms.size());
     m_plan.arms.push_back(arm);
   }
+  [[nodiscard]] std::optional<double> heldLevel(int axisClass, int link) const;
   void addFixedHubs();
   void nestShafts(int axisClass);
   [[nodiscard]] double boreRoom(int axisClass, int link) const;
@@ -137,8 +146,43 @@ void Planner::placeLink(int link) {
   }
 }
 
-/// Is a level free on all these parallel axes, and can straight arms reach them from the link's own?
-bool Planner::fits(int home, const std::vector<int>& involved, double level) const {
+/// What the wheels of a link span on an axis.
+std::optional<Stretch> Planner::wheelsOn(int axisClass, int link) const {
+  std::optional<Stretch> span;
+  for (const Stretch& s : axis(axisClass).wheels) {
+    if (s.link != link) continue;
+    if (!span) span = s;
+    span->low = std::min(span->low, s.low);
+    span->high = std::max(span->high, s.high);
+  }
+  return span;
+}
+
+/// A shaft that passes the wheels of another has to come out at the end of that one's, too: is that so for a
+/// bearing at this place and the bearings that have theirs?
+bool Planner::nests(const Bearing& bearing, double at) const {
+  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const auto own = wheelsOn(c, bearing.child);
+  const auto& bearings = axis(c).bearings;
+  return std::none_of(bearings.begin(), bearings.end(), [&](const Bearing& other) {
+    const auto passed = wheelsOn(c, other.child);
+    if (!other.placed || !passed || other.child == bearing.child || other.child == bearing.parent)
+      return false;
+    const double middle = (passed->low + passed->high) / 2;
+    const double side = other.at < middle ? -1 : 1;
+    const bool beyond = side * at > side * middle;
+    const bool through = !own || side * (own->low + own->high) / 2 < side * middle;
+    return beyond && through && side * at < side * other.at;
+  });
+}
+
+/// Is a level free on the axes of all these bearings, and can straight arms reach them from the link's own?
+bool Planner::fits(int home, const std::vector<Bearing*>& round, double level) const {
+  std::vector<int> involved{home};
+  for (const Bearing* b : round) {
+    involved.push_back(m_placement.classes->classOf[static_cast<std::size_t>(b->joint)]);
+    if (!nests(*b, carried(home, level, involved.back()))) return false;
+  }
   for (const int c : involved) {
     if (!axis(c).slotIsFree(carried(home, level, c))) return false;
   }
@@ -186,7 +230,7 @@ double Planner::commonLevel(int link, int home, const std::vector<Bearing*>& rou
   candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
   constexpr std::size_t kTries = 40;
   for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
-    if (fits(home, involved, candidates[i])) return candidates[i];
+    if (fits(home, round, candidates[i])) return candidates[i];
   }
   const auto outmost = std::max_element(candidates.begin(), candidates.end(),
                                         [&](double a, double b) { return side * a < side * b; });
@@ -199,6 +243,7 @@ void Planner::placeParallel(int link, int home, const std::vector<Bearing*>& rou
   for (Bearing* b : round) {
     const int c = m_placement.classes->classOf[static_cast<std::size_t>(b->joint)];
     b->at = carried(home, level, c);
+    b->placed = true;
     if (c == home) continue;
     axis(c).take(b->at, link);
     addArm({link, home, level, c, b->at, b->child});
@@ -212,7 +257,68 @@ int Planner::armHits(const ArmPlan& arm) const {
   const Vector3d end = axis(arm.to).at(arm.at);
   const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
   const double margin = 0.5 * from.width() + 0.3 * from.module;
-  return m_obstacles.hits(arm.link, start, foot, margin) + m_obstacles.hits(arm.link, end, foot, margin);
+  return m_obstacles.hits(arm.link, start, foot, margin) + m_obstacles.hits(arm.link, end, foot, margin) +
+         shaftHits(arm);
+}
+
+/// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing.
+int Planner::shaftHits(const ArmPlan& arm) const {
+  const AxisLayout& from = axis(arm.from);
+  const AxisLayout& to = axis(arm.to);
+  const Vector3d start = from.at(arm.level);
+  const Vector3d end = to.at(arm.at);
+  const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  double low = arm.at - to.width() / 2;
+  double high = arm.at + to.width() / 2;
+  if (const auto wheels = wheelsOn(arm.to, arm.child)) {
+    low = std::min(low, wheels->low);
+    high = std::max(high, wheels->high);
+  }
+  const double reach = kShaftRadius * to.module + 0.5 * from.width();
+  const auto isInShaft = [&](const Vector3d& p) {
+    const double along = to.coordinate(p);
+    return along > low && along < high && (p - to.at(along)).norm() < reach;
+  };
+  constexpr int kPlaces = 24;
+  int count = 0;
+  for (int i = 1; i <= kPlaces; ++i) {
+    const double part = static_cast<double>(i) / kPlaces;
+    const Vector3d onPost = end + part * (foot - end);
+    const bool inBearing = std::abs(to.coordinate(onPost) - arm.at) <= to.width() / 2;
+    count += isInShaft(start + part * (foot - start)) ? 1 : 0;
+    count += !inBearing && isInShaft(onPost) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Where axes meet, a link can hold out a pin along the other from its own shaft, for wheels that all stand
+/// on one side; nobody else's wheels or shafts may be in the way.
+std::optional<PinPlan> Planner::pinFor(int link, int home, const Bearing& bearing) const {
+  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const AxisLayout& own = axis(home);
+  const AxisLayout& target = axis(c);
+  const auto wheels = wheelsOn(c, bearing.child);
+  const Vector3d across = own.direction.cross(target.direction);
+  const Vector3d apart = target.point - own.point;
+  if (!wheels || std::abs(apart.dot(across)) > 0.01 * own.module * across.norm()) return std::nullopt;
+  PinPlan pin{link, home, apart.cross(target.direction).dot(across) / across.squaredNorm(), c};
+  pin.from = target.coordinate(own.at(pin.level));
+  if (wheels->low < pin.from && wheels->high > pin.from) return std::nullopt;
+  const double end = 2 * target.gap();
+  pin.to = wheels->low >= pin.from ? wheels->high + end : wheels->low - end;
+  const auto inTheWay = [&](const Stretch& s) {
+    return s.link >= 0 && s.link != bearing.child && s.low < std::max(pin.from, pin.to) &&
+           s.high > std::min(pin.from, pin.to);
+  };
+  if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
+  for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
+    if (other.child == link || other.pinned) continue;
+    const auto span = wheelsOn(home, other.child);
+    const double low = std::min(other.at, span ? span->low : other.at);
+    const double high = std::max(other.at, span ? span->high : other.at);
+    if (low < pin.level && high > pin.level) return std::nullopt;
+  }
+  return pin;
 }
 
 /// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
@@ -236,13 +342,16 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
     standing.push_back(m_plan.arms[a].level);
   ArmPlan best;
   double bestCost = 1e300;
+  int bestHits = 0;
   const auto consider = [&](double at, double level, double extra) {
     const ArmPlan arm{link, home, level, c, at, bearing.child};
-    const double cost = 100 * own.module * armHits(arm) + std::abs(at - bearing.at) +
+    const int hits = armHits(arm);
+    const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
                         std::abs(level - own.coordinate(target.at(at))) + extra;
     if (cost < bestCost - 1e-9) {
       best = arm;
       bestCost = cost;
+      bestHits = hits;
     }
   };
   for (const double at : places) {
@@ -252,10 +361,37 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
       if (own.slotIsFree(level)) consider(at, level, 6 * own.module);
     }
   }
+  bearing.placed = true;
+  if (const auto pin = bestHits > 0 ? pinFor(link, home, bearing) : std::nullopt) {
+    bearing.pinned = true;
+    bearing.at = pin->to;
+    m_plan.pins.push_back(*pin);
+    return;
+  }
   bearing.at = best.at;
   target.take(best.at, link);
   if (std::find(standing.begin(), standing.end(), best.level) == standing.end()) own.take(best.level, link);
   addArm(best);
+}
+
+/// A frame has no shaft of its own: its arms begin about the shaft of the one link that it holds on their
+/// axis, where nobody else's wheels are in between.
+std::optional<double> Planner::heldLevel(int axisClass, int link) const {
+  const AxisLayout& layout = axis(axisClass);
+  if (layout.bearings.size() != 1 || layout.bearings.front().child != link) return std::nullopt;
+  const Bearing& bearing = layout.bearings.front();
+  if (bearing.parent != 0) return std::nullopt;
+  for (const std::size_t a : m_armsOf[0]) {
+    const ArmPlan& arm = m_plan.arms[a];
+    if (arm.from != axisClass || arm.level == bearing.at) continue;
+    const double low = std::min(arm.level, bearing.at);
+    const double high = std::max(arm.level, bearing.at);
+    const bool blocked = std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+      return s.link != link && s.link != 0 && s.low < high && s.high > low;
+    });
+    if (!blocked) return arm.level;
+  }
+  return std::nullopt;
 }
 
 /// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
@@ -278,13 +414,20 @@ void Planner::addShaft(int axisClass, int link) {
     const ArmPlan& arm = m_plan.arms[a];
     if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
   }
+  if (const auto level = heldLevel(axisClass, link)) shaft.include(*level - half, *level + half);
   for (const CupPlan& cup : m_plan.cups) {
     const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
     if (gear.link == link && gear.axisClass == axisClass) shaft.include(cup.plate - half, cup.plate + half);
   }
+  for (const PinPlan& pin : m_plan.pins) {
+    if (pin.link == link && pin.home == axisClass) shaft.include(pin.level, pin.level);
+    if (pin.link == link && pin.axisClass == axisClass)
+      shaft.include(std::min(pin.from, pin.to), std::max(pin.from, pin.to));
+  }
   const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
   const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
   for (const Bearing& b : layout.bearings) {
+    if (b.pinned) continue;
     if (b.parent == link && (nearest == nullptr || away(b) < away(*nearest))) nearest = &b;
     if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
   }
@@ -338,7 +481,7 @@ void Planner::nestShafts(int axisClass) {
       if (over) inside = std::max(inside, shafts[k]->outer);
     }
     shaft.inner = inside > 0 ? inside + 0.12 * module : 0;
-    shaft.outer = inside > 0 ? inside + 1.0 * module : 1.8 * module;
+    shaft.outer = inside > 0 ? inside + 1.0 * module : kShaftRadius * module;
     scale = std::min(scale, boreRoom(axisClass, shaft.link) / shaft.outer);
   }
   for (ShaftPlan* shaft : shafts) {
@@ -348,22 +491,6 @@ void Planner::nestShafts(int axisClass) {
 }
 
 }  // namespace
-
-const ShaftPlan* BodyPlan::shaftOf(int axisClass, int link) const {
-  for (const std::size_t s : shaftsOn[static_cast<std::size_t>(axisClass)]) {
-    if (shafts[s].link == link) return &shafts[s];
-  }
-  return nullptr;
-}
-
-double BodyPlan::shaftAt(int axisClass, double coordinate, int link) const {
-  double radius = 0;
-  for (const std::size_t i : shaftsOn[static_cast<std::size_t>(axisClass)]) {
-    const ShaftPlan& s = shafts[i];
-    if (s.low <= coordinate && coordinate <= s.high && s.link != link) radius = std::max(radius, s.outer);
-  }
-  return radius;
-}
 
 BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
   return Planner(mechanism, placement, train).plan();

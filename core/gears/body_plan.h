@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/gears/axis_layout.h"
@@ -31,6 +32,16 @@ struct ShaftPlan {
   }
 };
 
+/// A pin that a link holds out along an axis that crosses its own, for a child that turns on it.
+struct PinPlan {
+  int link = 0;
+  int home = 0;      ///< the link's axis class
+  double level = 0;  ///< coordinate of the crossing along it
+  int axisClass = 0;
+  double from = 0;  ///< of the crossing along the pin's axis
+  double to = 0;    ///< behind the child's last wheel
+};
+
 /// The plate and wall that carry a ring on its link's shaft.
 struct CupPlan {
   int gear = 0;
@@ -44,11 +55,24 @@ struct BodyPlan {
   std::vector<ArmPlan> arms;
   std::vector<ShaftPlan> shafts;
   std::vector<CupPlan> cups;
+  std::vector<PinPlan> pins;
   std::vector<std::vector<std::size_t>> shaftsOn;  ///< shafts by axis class
 
-  [[nodiscard]] const ShaftPlan* shaftOf(int axisClass, int link) const;
+  [[nodiscard]] const ShaftPlan* shaftOf(int axisClass, int link) const {
+    for (const std::size_t s : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+      if (shafts[s].link == link) return &shafts[s];
+    }
+    return nullptr;
+  }
   /// Outer radius of the widest shaft at a place of an axis, of links other than `link`; 0: none.
-  [[nodiscard]] double shaftAt(int axisClass, double coordinate, int link) const;
+  [[nodiscard]] double shaftAt(int axisClass, double coordinate, int link) const {
+    double radius = 0;
+    for (const std::size_t i : shaftsOn[static_cast<std::size_t>(axisClass)]) {
+      const ShaftPlan& s = shafts[i];
+      if (s.low <= coordinate && coordinate <= s.high && s.link != link) radius = std::max(radius, s.outer);
+    }
+    return radius;
+  }
 };
 
 /// Plans the bodies. Greedy, links nearest the ground first; deterministic.

@@ -90,7 +90,7 @@ bool shortenTip(Generation& g, double formRad) {
 void addRoot(const Generation& g, double wF, double tolerance, HalfTooth& tooth) {
   const double rootAngle = g.xiC / g.rp;
   const double arc = pi / g.teeth - rootAngle;
-  if (arc > 1e-9) {
+  if (arc * g.rf > kShortestArc) {
     const int n = chordsOfArc(arc, g.rf, tolerance);
     for (int i = 0; i < n; ++i) tooth.points.push_back({g.rf, pi / g.teeth - arc * i / n, 1, 0});
   }
@@ -149,7 +149,8 @@ HalfTooth externalTooth(const GearSpec& spec, double tolerance) {
 
   const ProfilePoint corner = tooth.points.back();
   const int n = chordsOfArc(corner.gam, corner.rad, tolerance);
-  for (int i = 0; i <= n; ++i) tooth.points.push_back({corner.rad, corner.gam * (n - i) / n, 1, 0});
+  for (int i = 0; i <= n; ++i)
+    tooth.points.push_back({corner.rad, corner.gam * (static_cast<double>(n - i) / n), 1, 0});
   tooth.rootRad = g.rf;
   tooth.tipRad = corner.rad;
   tooth.tipHalfAngle = corner.gam;

@@ -44,6 +44,7 @@ class ToothPattern {
   void seedWalls();
   void seedFaces();
   void ladder();
+  void sewTip(std::size_t top, std::size_t corner, std::size_t last);
   [[nodiscard]] std::size_t firstRung() const;
   [[nodiscard]] bool rungsStep(std::size_t from, std::size_t to) const;
 
@@ -132,23 +133,45 @@ void ToothPattern::ladder() {
   const std::size_t first = firstRung();
   std::size_t corner = first;
   while (corner < last && rungsStep(corner, corner + 1)) ++corner;
-  // A ring's tip arc bulges back into the tooth, a bevel's lies across its cone: it is fanned from a rung
-  // below.
-  const std::size_t top = corner == last ? last - 1 : std::max(corner, first + 1) - 1;
+  // A ring's tip arc bulges back into the tooth, a bevel's lies across its cone: the ladder ends at a rung
+  // that lies below all of it, and either half of what is left is sewn from the corner.
+  std::size_t top = corner == last ? last - 1 : std::max(corner, first + 1) - 1;
+  while (top > first && m_reach[top] >= m_reach[last]) --top;
   for (std::size_t u = first; u < top; ++u) {
     faceTriangles.push_back({right(u), right(u + 1), left(u + 1)});
     faceTriangles.push_back({right(u), left(u + 1), left(u)});
   }
   faceTriangles.push_back({right(top), right(last), left(top)});
-  for (std::size_t u = top; u + 1 < last; ++u) {
-    faceTriangles.push_back({right(top), right(u + 1), right(u + 2)});
-    faceTriangles.push_back({left(top), left(u + 2), left(u + 1)});
-  }
+  if (top + 1 < last) sewTip(top, std::max(corner, top + 1), last);
   for (std::size_t u = 0; u <= first; ++u) base.push_back(right(u));
   for (std::size_t u = first; u > 0; --u) base.push_back(left(u));
   if (first == 0) base.resize(1);
   for (const Index v : base)
     baseAngles.push_back(std::atan2(faceTop[v].position.y(), faceTop[v].position.x()));
+}
+
+/// Sews the flank between a rung and the tip's corner to the tip between the corner and its middle, on both
+/// sides: both bend towards each other, so that the shorter diagonal lies within.
+void ToothPattern::sewTip(std::size_t top, std::size_t corner, std::size_t last) {
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    faceTriangles.push_back({right(a), right(b), right(c)});
+    faceTriangles.push_back({left(a), left(c), left(b)});
+  };
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    return (m_blank.half[m_unique[a]].top - m_blank.half[m_unique[b]].top).squaredNorm();
+  };
+  std::size_t flank = corner - 1;
+  std::size_t tip = corner + 1;
+  add(flank, corner, tip);
+  while (flank > top || tip < last) {
+    if (tip == last || (flank > top && apart(flank - 1, tip) < apart(flank, tip + 1))) {
+      add(flank - 1, flank, tip);
+      --flank;
+    } else {
+      add(flank, tip, tip + 1);
+      ++tip;
+    }
+  }
 }
 
 /// Vertices of a usual circle of a body; only a guess at the room that vectors need.

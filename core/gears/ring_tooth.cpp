@@ -50,7 +50,7 @@ RingSpace::RingSpace(const GearSpec& spec) {
 }
 
 void addFillet(const RingSpace& s, double halfPitch, double tolerance, HalfTooth& tooth) {
-  const int roots = s.filletAngle > 1e-9 ? chordsOfArc(s.filletAngle, s.rf, tolerance) : 0;
+  const int roots = s.filletAngle * s.rf > kShortestArc ? chordsOfArc(s.filletAngle, s.rf, tolerance) : 0;
   for (int i = 0; i < roots; ++i) {
     tooth.points.push_back({s.rf, halfPitch - s.filletAngle * i / roots, -1, 0});
   }
@@ -94,7 +94,8 @@ HalfTooth ringTooth(const GearSpec& spec, double tolerance) {
   }
   const ProfilePoint corner = tooth.points.back();
   const int tips = chordsOfArc(corner.gam, corner.rad, tolerance);
-  for (int i = 0; i <= tips; ++i) tooth.points.push_back({corner.rad, corner.gam * (tips - i) / tips, -1, 0});
+  for (int i = 0; i <= tips; ++i)
+    tooth.points.push_back({corner.rad, corner.gam * (static_cast<double>(tips - i) / tips), -1, 0});
   tooth.rootRad = s.rf;
   tooth.formRad = s.rb * std::sqrt(1 + s.tangent * s.tangent);
   tooth.tipRad = corner.rad;

@@ -9,6 +9,9 @@ namespace geargraph {
 /// Flanks are cut finer than the tolerance: in a mesh the errors of both gears add up, as transmission error.
 constexpr double kFlankShare = 0.5;
 
+/// Arcs shorter than this (modules) get no points of their own: rounded to floats they could fall together.
+constexpr double kShortestArc = 1e-4;
+
 /// Number of chords for an arc so that none is farther than `tolerance` from it.
 [[nodiscard]] inline int chordsOfArc(double angle, double radius, double tolerance) {
   if (radius <= tolerance) return std::max(1, static_cast<int>(std::ceil(angle)));

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -22,15 +23,15 @@ class BodyBuilder {
 
   std::vector<Solid> build() {
     for (const ShaftPlan& shaft : m_plan.shafts) addShaft(shaft);
-    for (const ArmPlan& arm : m_plan.arms) addArm(arm);
-    for (const ArmPlan& a : m_plan.arms) {
-      const bool parallel = axis(a.from).direction.cross(axis(a.to).direction).norm() < 1e-6;
-      if (parallel) m_eyes.insert({a.to, a.link, a.child});
-    }
+    addArms();
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
-        if (!isEyeOfArm(static_cast<int>(c), b)) addBearing(static_cast<int>(c), b);
+        if (b.pinned) {
+          addCollar(static_cast<int>(c), b);
+        } else if (!isEyeOfArm(static_cast<int>(c), b)) {
+          addBearing(static_cast<int>(c), b);
+        }
       }
     }
     return std::move(m_solids);
@@ -58,9 +59,29 @@ class BodyBuilder {
            frameAlong(layout.point, layout.direction));
   }
 
-  /// An arm in the plane of the bearing has its eye there already.
+  /// An arm in the plane of the bearing has its eye there already, at either end.
   [[nodiscard]] bool isEyeOfArm(int c, const Bearing& bearing) const {
-    return m_eyes.count({c, bearing.parent, bearing.child}) > 0;
+    return std::any_of(m_plan.arms.begin(), m_plan.arms.end(), [&](const ArmPlan& arm) {
+      if (arm.link != bearing.parent) return false;
+      const bool parallel = axis(arm.from).direction.cross(axis(arm.to).direction).norm() < 1e-6;
+      if (parallel && arm.to == c && arm.child == bearing.child) return true;
+      return arm.from == c && std::abs(arm.level - bearing.at) < 1e-9 * axis(c).module &&
+             m_plan.shaftOf(c, arm.link) == nullptr;
+    });
+  }
+
+  /// The end of a pin, which keeps what turns on it.
+  void addCollar(int c, const Bearing& bearing) {
+    const AxisLayout& layout = axis(c);
+    const ShaftPlan* held = m_plan.shaftOf(c, bearing.child);
+    const ShaftPlan* pin = m_plan.shaftOf(c, bearing.parent);
+    if (held == nullptr || pin == nullptr) return;
+    const double side = bearing.at < (held->low + held->high) / 2 ? -1 : 1;
+    const double near = side < 0 ? held->low - 0.2 * layout.gap() : held->high + 0.2 * layout.gap();
+    const double far = near + side * 0.5 * layout.width();
+    append(of(bearing.parent),
+           tube(held->outer, 0.5 * pin->outer, std::min(near, far), std::max(near, far), tolerance(layout)),
+           frameAlong(layout.point, layout.direction));
   }
 
   void addBearing(int c, const Bearing& bearing) {
@@ -72,46 +93,80 @@ class BodyBuilder {
            frameAlong(layout.point, layout.direction));
   }
 
-  void addArm(const ArmPlan& plan);
+  [[nodiscard]] Eye footOf(const ArmPlan& plan) const;
+  [[nodiscard]] Eye endOf(const ArmPlan& plan) const;
+  void addArms();
+  void addSpider(std::span<const ArmPlan* const> arms);
+  void addPost(const ArmPlan& plan);
   void addCup(const CupPlan& cup);
 
   const BodyPlan& m_plan;
   const GearTrain& m_train;
   std::vector<Solid> m_solids;
-  std::set<std::tuple<int, int, int>>
-      m_eyes;  ///< (axis class, parent, child) of bearings that arms bring along
 };
 
-void BodyBuilder::addArm(const ArmPlan& plan) {
+/// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
+/// both hold together and no face of one lies on one of the other.
+Eye BodyBuilder::footOf(const ArmPlan& plan) const {
+  const ShaftPlan* own = m_plan.shaftOf(plan.from, plan.link);
+  Eye eye;
+  eye.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan.from, plan.level, plan.link);
+  eye.radius = (own != nullptr ? own->outer : eye.hole) + wall(axis(plan.from));
+  return eye;
+}
+
+/// The other end, in the frame that has its x axis along the base frame's nearest direction across the arm's
+/// axis.
+Eye BodyBuilder::endOf(const ArmPlan& plan) const {
   const AxisLayout& from = axis(plan.from);
   const AxisLayout& to = axis(plan.to);
-  const Vector3d start = from.at(plan.level);
-  const Vector3d end = to.at(plan.at);
-  const double rise = (end - start).dot(from.direction);
-  const Vector3d foot = end - rise * from.direction;  // in the plane of the arm
-  const double length = (foot - start).norm();
   const bool parallel = from.direction.cross(to.direction).norm() < 1e-6;
-  const double half = 0.5 * from.width();
+  const Vector3d local = frame(plan.from, plan.level, Vector3d::UnitX()).inverse() * to.at(plan.at);
+  Eye eye;
+  eye.hole = parallel ? holeFor(plan.to, plan.at, plan.link) : 0;
+  eye.radius = parallel ? eye.hole + wall(to) : 1.5 * from.module;
+  eye.centre = local.head<2>();
+  return eye;
+}
 
-  const ShaftPlan* own = m_plan.shaftOf(plan.from, plan.link);
-  Eye a;
-  a.hole = own != nullptr ? own->inner : holeFor(plan.from, plan.level, plan.link);
-  a.radius = (own != nullptr ? own->outer : a.hole) + wall(from);
-  Eye b;
-  b.hole = parallel ? holeFor(plan.to, plan.at, plan.link) : 0;
-  b.radius = parallel ? b.hole + wall(to) : 1.5 * from.module;
-  b.centre = {length, 0};
-  const Vector3d towards = length > 1e-6 * from.module ? Vector3d(foot - start) : Vector3d::UnitX();
-  if (length > std::abs(a.radius - b.radius) + 1e-6 * from.module) {
-    append(of(plan.link), arm(a, b, -half, half, tolerance(from)), frame(plan.from, plan.level, towards));
+/// Arms of a link that start at one place are one part.
+void BodyBuilder::addArms() {
+  std::map<std::tuple<int, int, long long>, std::vector<const ArmPlan*>> together;
+  for (const ArmPlan& plan : m_plan.arms) {
+    const double step = 1e-6 * axis(plan.from).module;
+    together[{plan.link, plan.from, std::llround(plan.level / step)}].push_back(&plan);
   }
-  if (parallel) return;
-  // A post from the arm to the bearing, as far as the bearing's wall.
-  const double hole = holeFor(plan.to, plan.at, plan.link);
-  const double reach = std::abs(rise) - hole - 0.5 * wall(to);
+  for (const auto& [place, arms] : together) addSpider(arms);
+  for (const ArmPlan& plan : m_plan.arms) addPost(plan);
+}
+
+void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
+  const ArmPlan& first = *arms.front();
+  const AxisLayout& from = axis(first.from);
+  const Eye hub = footOf(first);
+  std::vector<Eye> ends;
+  for (const ArmPlan* plan : arms) {
+    const Eye end = endOf(*plan);
+    if (end.centre.norm() > std::abs(hub.radius - end.radius) + 1e-6 * from.module) ends.push_back(end);
+  }
+  const double half = 0.5 * from.width();
+  append(of(first.link), spider(hub, ends, -half, half, tolerance(from)),
+         frame(first.from, first.level, Vector3d::UnitX()));
+}
+
+/// A post from an arm to the bearing on a crossing axis, as far as the bearing's wall.
+void BodyBuilder::addPost(const ArmPlan& plan) {
+  const AxisLayout& from = axis(plan.from);
+  const AxisLayout& to = axis(plan.to);
+  if (from.direction.cross(to.direction).norm() < 1e-6) return;
+  const Vector3d end = to.at(plan.at);
+  const double rise = (end - from.at(plan.level)).dot(from.direction);
+  const Vector3d foot = end - rise * from.direction;  // in the plane of the arm
+  const double half = 0.5 * from.width();
+  const double reach = std::abs(rise) - holeFor(plan.to, plan.at, plan.link) - 0.5 * wall(to);
   if (reach <= half) return;
   const double sense = rise < 0 ? -1 : 1;
-  append(of(plan.link), tube(b.radius, 0, -half * 0.9, reach, tolerance(from)),
+  append(of(plan.link), tube(endOf(plan).radius, 0, -half * 0.9, reach, tolerance(from)),
          frameAlong(foot, sense * from.direction));
 }
 
@@ -121,11 +176,14 @@ void BodyBuilder::addCup(const CupPlan& cup) {
   const AxisLayout& layout = axis(gear.axisClass);
   const ShaftPlan* own = m_plan.shaftOf(gear.axisClass, gear.link);
   if (own == nullptr) return;
-  const double face = layout.coordinate(gear.pose.translation()) + cup.side * gear.spec.faceWidth / 2;
+  // The wall reaches a little into the ring and stays a little behind its rim: no face of one lies on the
+  // other's.
+  const double face = layout.coordinate(gear.pose.translation()) +
+                      cup.side * (gear.spec.faceWidth / 2 - 0.2 * gear.spec.module);
   const double half = 0.5 * layout.width();
   const double nearSide = cup.plate - cup.side * half;
   const double farSide = cup.plate + cup.side * half;
-  const double rim = rimDiameter(gear.spec) / 2;
+  const double rim = rimDiameter(gear.spec) / 2 - 0.05 * gear.spec.module;
   const double root = nominalRootRadius(gear.spec) + 0.4 * gear.spec.module;
   const double hole = std::max(own->inner, 0.5 * own->outer);
   std::vector<Circle> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},

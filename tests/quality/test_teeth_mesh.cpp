@@ -7,6 +7,7 @@
 #include "core/gears/gear_mesher.h"
 #include "core/gears/gear_solid.h"
 #include "core/gears/half_tooth.h"
+#include "core/gears/tooth_pair.h"
 #include "core/gears/train.h"
 #include "core/graph/digraph.h"
 #include "core/io/mechanism_file.h"
@@ -168,6 +169,36 @@ class TestTeethMesh : public QObject {
     QVERIFY2(r.interpenetration <= 0.002, qPrintable(words(r)));
     QVERIFY2(r.phaseError <= 0.005, qPrintable(words(r)));
     QVERIFY2(std::abs(r.leastBacklash - 0.04) <= 0.01, qPrintable(words(r)));
+  }
+
+  /// The same pinion with the shift that spares it the undercut, its mate with the opposite: one pair is
+  /// always in contact, and the drive is even. Without the shift it is not, and the contact ratio says so.
+  void theShiftedPinionOfEightDrivesEvenly() {
+    const auto pair = [](const char* shift) {
+      test::TrainSketch sketch(2);
+      sketch.joint(0, 1, "a").joint(0, 2, "b").mesh(1, 2, 8, 40, MeshKind::external);
+      Mechanism mechanism = sketch.build();
+      for (const auto& [id, link, sign] : {std::tuple{"p", "1", ""}, std::tuple{"w", "2", "-"}}) {
+        Wheel wheel;
+        wheel.id = WheelId(id);
+        wheel.link = LinkId(link);
+        wheel.profileShift = *Number::fromText(std::string(sign) + shift);
+        mechanism.wheels.push_back(wheel);
+      }
+      mechanism.gearMeshes.front().tailWheel = WheelId("p");
+      mechanism.gearMeshes.front().headWheel = WheelId("w");
+      return trainOf(mechanism);
+    };
+    compareToBars(Measured(pair("0.53")).report(0));
+    const auto ratioOf = [](const GearTrain& train) {
+      const GearSpec& a = train.gears[0].spec;
+      const GearSpec& b = train.gears[1].spec;
+      return *contactRatio(a, externalTooth(a, 0.01), b, externalTooth(b, 0.01), 24);
+    };
+    QVERIFY(ratioOf(pair("0.53")) > 1.2);
+    QVERIFY(ratioOf(pair("0")) < 1);
+    const double error = Measured(pair("0")).report(0).transmissionError;
+    QVERIFY2(error > 0.004 && error < 0.1, qPrintable(QString::number(error)));
   }
 
   /// At a wider distance the shifts that fit keep play and contact.

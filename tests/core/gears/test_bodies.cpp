@@ -61,6 +61,37 @@ class TestBodies : public QObject {
     }
   }
 
+  /// A hub with several bars in one piece, as wide as they find room; area by hand for three of them.
+  void spidersAreOneClosedPiece() {
+    for (const int n : {2, 3, 4, 5, 6}) {
+      for (const double turn : {0.0, 0.4}) {
+        std::vector<Eye> ends;
+        for (int i = 0; i < n; ++i) {
+          const double angle = turn + 2 * pi * i / n;
+          ends.push_back({25 * Eigen::Vector2d(std::cos(angle), std::sin(angle)), 2, 1});
+        }
+        compareShell(spider({{0, 0}, 4, 2}, ends, -1, 2, 0.01), n + 1);
+      }
+    }
+    const Eye end{{20, 0}, 1, 0};
+    const Eye other{{-20, 0}, 1, 0};
+    const Solid bar = spider({{0, 0}, 3, 0}, std::vector{end, other}, 0, 1, 1e-4);
+    const double cap = 9 * std::asin(1.0 / 3) - std::sqrt(8.0);  // of the hub, inside a bar
+    const double area = 9 * pi - 2 * cap + 2 * (2 * (20 - std::sqrt(8.0)) + pi / 2);
+    QVERIFY2(std::abs(signedVolume(bar) / area - 1) < 1e-3,
+             qPrintable(QString::number(signedVolume(bar) / area)));
+  }
+
+  /// Arms with no room for bars side by side still have no vertex in common.
+  void crowdedSpidersAreClosedPieces() {
+    const Solid part = spider({{0, 0}, 4, 2},
+                              std::vector<Eye>{{{20, 0}, 2, 1}, {{19, 3}, 2, 1}, {{5, 0}, 3, 1}}, 0, 3, 0.01);
+    const test::Topology topology = test::topologyOf(part);
+    QVERIFY(topology.closed && topology.manifold);
+    QCOMPARE(topology.degenerate, 0);
+    QCOMPARE(topology.pieces, 3);
+  }
+
   void framesAreRightHandedWithZAlongTheAxis() {
     for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, -1),
                                         Eigen::Vector3d(1, 2, 3).normalized().eval()}) {

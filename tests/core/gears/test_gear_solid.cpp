@@ -50,8 +50,14 @@ class TestGearSolid : public QObject {
     QTest::newRow("spur 40 without bore") << 0 << 40 << 0.0 << 0.0 << 0;
     QTest::newRow("pinion 8") << 0 << 8 << 0.0 << 3.0 << 1;
     QTest::newRow("pinion 5") << 0 << 5 << 0.0 << 0.0 << 0;
+    QTest::newRow("pinion 3") << 0 << 3 << 0.0 << 0.0 << 0;
+    QTest::newRow("ring 4") << 1 << 4 << 0.0 << 0.0 << 1;
+    QTest::newRow("ring 7") << 1 << 7 << 0.0 << 0.0 << 1;
+    QTest::newRow("ring 11") << 1 << 11 << 0.0 << 0.0 << 1;
+    QTest::newRow("bevel 6 at 14") << 2 << 6 << 14.0 << 0.0 << 0;
     QTest::newRow("wheel 317") << 0 << 317 << 0.0 << 30.0 << 1;
     QTest::newRow("ring 60") << 1 << 60 << 0.0 << 0.0 << 1;
+    QTest::newRow("ring 13") << 1 << 13 << 0.0 << 0.0 << 1;
     QTest::newRow("ring 20") << 1 << 20 << 0.0 << 0.0 << 1;
     QTest::newRow("ring 240") << 1 << 240 << 0.0 << 0.0 << 1;
     QTest::newRow("bevel 20 at 27") << 2 << 20 << 26.565 << 8.0 << 1;
@@ -81,6 +87,22 @@ class TestGearSolid : public QObject {
       if (tolerance == kExportTolerance) {
         const double worst = test::worstNormalDegrees(*solid, 1e-3);
         QVERIFY2(worst < 20, qPrintable(QString::number(worst)));
+      }
+    }
+  }
+
+  /// Corners that two rules reach must come out as one position, for every tooth count.
+  void everyToothCountGivesAManifold() {
+    for (const GearKind kind : {GearKind::external, GearKind::internal, GearKind::bevel}) {
+      for (int teeth = kind == GearKind::internal ? 4
+                       : kind == GearKind::bevel  ? 6
+                                                  : 3;
+           teeth <= 45; ++teeth) {
+        GearSpec spec = gear(static_cast<int>(kind), teeth, 40, 0);
+        spec.thinning = 0.02;
+        const test::Topology topology = test::topologyOf(*gearSolid(spec, kScreenTolerance));
+        QVERIFY2(topology.closed && topology.manifold && topology.degenerate == 0,
+                 qPrintable(QString("kind %1, %2 teeth").arg(static_cast<int>(kind)).arg(teeth)));
       }
     }
   }
@@ -178,7 +200,7 @@ class TestGearSolid : public QObject {
     QTest::addColumn<double>("bore");
     QTest::newRow("two teeth") << 0 << 2 << 0.0 << 0.0;
     QTest::newRow("bore past the roots") << 0 << 20 << 0.0 << 36.0;
-    QTest::newRow("ring of six") << 1 << 6 << 0.0 << 0.0;
+    QTest::newRow("ring of three") << 1 << 3 << 0.0 << 0.0;
     QTest::newRow("no cone") << 2 << 20 << 0.0 << 0.0;
   }
   void impossibleGearsAreRefusedWithASentence() {
