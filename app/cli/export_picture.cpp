@@ -100,7 +100,7 @@ int exportPicture(const Arguments& arguments) {
       analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   GearCache cache;
-  const StagePtr stage = trainStage(*snapshot->mechanism, cache);
+  const StagePtr stage = trainStage(*snapshot, cache);
   if (stage->scene.instances.empty()) {
     std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
     return kMechanismErrors;

@@ -98,7 +98,7 @@ std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Argumen
                                         MeshFormat format, double tolerance, double seconds) {
   const PlacedTrain placed = loaded.placed();
   GearCache cache;
-  TrainParts made = trainParts(placed, cache, tolerance);
+  TrainParts made = trainParts(placed.mechanism, placed.train, cache, tolerance);
   if (!made.diagnostics.empty()) {
     std::cerr << diagnosticLines(arguments.files.front(), made.diagnostics);
     return static_cast<int>(kMechanismErrors);

@@ -7,18 +7,11 @@
 #include <vector>
 
 #include "core/base/rational.h"
+#include "core/gears/train_parts.h"
 #include "core/meshfile/mesh_writer.h"
 #include "core/pose/forward_kinematics.h"
 
 namespace geargraph {
-
-/// A solid that rides on a link.
-struct LinkPart {
-  int link = 0;  ///< its position in the document
-  std::string name;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to the base frame, reference pose
-  std::shared_ptr<const Solid> solid;
-};
 
 /// A mechanism with its solids. All of it must live as long as the call that takes it.
 struct LinkSceneSource {

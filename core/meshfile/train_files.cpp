@@ -99,24 +99,6 @@ PlacedTrain::PlacedTrain(const Mechanism& aMechanism, const SpanningTree& aTree,
       train(aTrain),
       kinematics(aTree, turningLines(aPlacement)) {}
 
-TrainParts trainParts(const PlacedTrain& placed, GearCache& cache, double tolerance) {
-  TrainParts result;
-  for (const TrainGear& gear : placed.train.gears) {
-    auto solid = cache.solid(gear.spec, tolerance);
-    if (solid) {
-      result.parts.push_back({gear.link, gear.name, gear.pose, *std::move(solid)});
-    } else {
-      result.diagnostics.insert(result.diagnostics.end(), solid.error().begin(), solid.error().end());
-    }
-  }
-  for (const LinkBody& body : placed.train.bodies) {
-    result.parts.push_back({body.link,
-                            "body of link " + std::to_string(placed.mechanism.linkLabel(body.link)),
-                            Eigen::Isometry3d::Identity(), body.solid});
-  }
-  return result;
-}
-
 double expectedTriangles(const GearTrain& train, double tolerance) {
   constexpr double kTrianglesPerTooth = 130;  // at export tolerance, spur gears and bevels alike
   double triangles = 0;

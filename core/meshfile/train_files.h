@@ -24,14 +24,6 @@ struct PlacedTrain {
               const GearTrain& train);
 };
 
-struct TrainParts {
-  std::vector<LinkPart> parts;
-  Diagnostics diagnostics;  ///< gears that could not be made, which are left out
-};
-
-/// Solids of all gears, then of all bodies, as parts of their links. `tolerance` in modules.
-[[nodiscard]] TrainParts trainParts(const PlacedTrain& placed, GearCache& cache, double tolerance);
-
 /// About how many triangles the solids of the gears will have, within a factor of 3 (bodies not counted): so
 /// that a limit can be kept before they are made.
 [[nodiscard]] double expectedTriangles(const GearTrain& train, double tolerance);

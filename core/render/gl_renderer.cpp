@@ -53,7 +53,10 @@ class GlRenderer final : public Renderer {
   }
   /// Visits what may be seen through this clip matrix.
   template <class Visit>
-  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) const;
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit);
+  /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
+  [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
+                                        double radius);
 
   void drawGround(const Frame& frame);
   void drawShadow(const Frame& frame);
@@ -90,7 +93,12 @@ void GlRenderer::setScene(const Scene& scene) {
     std::unique_ptr<GlSolid>& place = solids[solid.get()];
     const auto known = m_solids.find(solid.get());
     if (place == nullptr && known != m_solids.end()) place = std::move(known->second);
-    if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, *solid);
+  }
+  for (const DetailLevels& level : scene.levels) {
+    for (const auto& solid : {level.far, level.close}) {
+      const auto known = m_solids.find(solid.get());
+      if (known != m_solids.end() && known->second) solids[solid.get()] = std::move(known->second);
+    }
   }
   m_solids = std::move(solids);
   m_scene = scene;  // keeps the solids alive, so that their addresses stay theirs
@@ -106,14 +114,31 @@ void GlRenderer::setScene(const Scene& scene) {
   }
 }
 
+const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
+                                    double radius) {
+  const std::shared_ptr<const Solid>* solid = &m_scene.solids[shape];
+  if (shape < m_scene.levels.size()) {
+    const DetailLevels& levels = m_scene.levels[shape];
+    const double nearest = (middle - frame.camera.eye()).dot(frame.camera.forward()) - radius;
+    const double pixelsAtTarget = levels.unit / frame.camera.millimetresPerPixel(frame.viewport);
+    const double pixels =
+        pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance());
+    solid = &levels.chosen(*solid, pixels);
+  }
+  std::unique_ptr<GlSolid>& place = m_solids[solid->get()];
+  if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, **solid);
+  return *place;
+}
+
 template <class Visit>
-void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) const {
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) {
   const Frustum frustum(clip);
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
     const std::size_t shape = m_scene.instances[i].solid;
     const Ball& ball = m_balls[shape];
-    if (!frustum.mayShow(pose(frame, i) * ball.centre, ball.radius)) continue;
-    const GlSolid& solid = *m_solids.at(m_scene.solids[shape].get());
+    const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
+    if (!frustum.mayShow(middle, ball.radius)) continue;
+    const GlSolid& solid = detailed(frame, shape, middle, ball.radius);
     solid.bind();
     visit(i, solid);
   }

@@ -2,6 +2,14 @@
 
 namespace geargraph {
 
+const std::shared_ptr<const Solid>& DetailLevels::chosen(const std::shared_ptr<const Solid>& own,
+                                                         double pixels) const {
+  constexpr double kInvisible = 1.0 / 3;  // of a pixel
+  if (far && farError * pixels <= kInvisible) return far;
+  if (close && error * pixels > kInvisible) return close;
+  return own;
+}
+
 std::vector<Eigen::Vector3d> cornersOf(const Scene& scene) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const auto& solid : scene.solids) boxes.push_back(boundsOf(*solid));

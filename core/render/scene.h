@@ -36,11 +36,26 @@ struct Instance {
   bool castsShadow = true;
 };
 
+/// A solid made coarser and finer, for when it is small on the screen and when it is seen from close by.
+struct DetailLevels {
+  double unit = 0;  ///< mm: a gear's module
+  std::shared_ptr<const Solid> far;
+  std::shared_ptr<const Solid> close;
+  double error = 0;     ///< of the scene's own solid, in units
+  double farError = 0;  ///< of the coarser one
+
+  /// Which to paint where a unit has this many pixels: the coarsest whose chords stay within a third of a
+  /// pixel of the exact form, else the finest.
+  [[nodiscard]] const std::shared_ptr<const Solid>& chosen(const std::shared_ptr<const Solid>& own,
+                                                           double pixels) const;
+};
+
 /// What is to be seen. Solids are immutable and shared: equal gears are stored once, and a renderer that has
 /// seen a solid does not take it up again.
 struct Scene {
   std::vector<std::shared_ptr<const Solid>> solids;
   std::vector<Instance> instances;
+  std::vector<DetailLevels> levels = {};  ///< by solid, as far as there are any
 };
 
 struct Bounds {

@@ -4,7 +4,6 @@
 
 #include "core/base/contract.h"
 #include "core/matroid/exact_solution.h"
-#include "core/matroid/matroid_analysis.h"
 #include "core/pose/period.h"
 
 namespace geargraph {
@@ -32,14 +31,11 @@ void JointMotion::angles(std::span<const double> inputAngles, std::span<double> 
   }
 }
 
-std::optional<JointMotion> jointMotion(const Mechanism& mechanism, const DigraphPtr& graph,
-                                       const SpanningTreePtr& tree, const Placement& placement) {
-  const auto model = KinematicModel::of(mechanism, graph, tree, placement);
-  if (!model) return std::nullopt;
-  const auto analysis = analyzeMatroid(mechanism, *model, placement);
-  if (!analysis || !analysis->solution) return std::nullopt;
+std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot) {
+  const MatroidAnalysis* analysis = snapshot.matroid();
+  if (analysis == nullptr || !analysis->solution) return std::nullopt;
   const LiveSolution& solution = *analysis->solution;
-  const std::size_t columns = solution.inputs.size(), joints = static_cast<std::size_t>(graph->t());
+  const std::size_t columns = solution.inputs.size(), joints = static_cast<std::size_t>(snapshot.graph->t());
   if (columns == 0 || solution.matrix.size() != solution.outputs.size() * columns) return std::nullopt;
 
   JointMotion motion;
@@ -53,7 +49,8 @@ std::optional<JointMotion> jointMotion(const Mechanism& mechanism, const Digraph
       motion.gains[output * columns + k] = solution.matrix[row * columns + k];
     }
   }
-  if (motion.gains.size() <= kMostExactGains) motion.period = periodOf(*model, *analysis);
+  if (motion.gains.size() <= kMostExactGains)
+    motion.period = periodOf(*snapshot.kinematics->model, *analysis);
   return motion;
 }
 

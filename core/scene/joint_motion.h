@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/graph/matrices.h"
-#include "core/placement/placement.h"
+#include "core/analysis/analysis.h"
 
 namespace geargraph {
 
@@ -21,11 +20,10 @@ struct JointMotion {
   void angles(std::span<const double> inputAngles, std::span<double> jointAngles) const;
 };
 
-/// By the matroid method: for the document's inputs, or the set that the program chooses where it names none.
-/// Nothing where the inputs are not valid, nothing can move, or a mesh has no geometry.
-/// Cost: that of the live solution and, for mechanisms of up to some hundred links, of the exact one.
-/// @pre graph, tree and placement are the mechanism's
-[[nodiscard]] std::optional<JointMotion> jointMotion(const Mechanism& mechanism, const DigraphPtr& graph,
-                                                     const SpanningTreePtr& tree, const Placement& placement);
+/// Of the live solution, for its inputs. Nothing where they are not valid, nothing can move, or a mesh has no
+/// geometry.
+/// Cost: O(joints * inputs) and, for mechanisms of up to some hundred links, an exact solution for the
+/// period.
+[[nodiscard]] std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot);
 
 }  // namespace geargraph

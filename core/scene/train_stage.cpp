@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/drawing/palette.h"
-#include "core/gears/train.h"
+#include "core/gears/train_parts.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
 
 namespace geargraph {
 namespace {
 
+constexpr int kMostCloseMeshes = 100;
 constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to come round
 
 Rgb colourOf(int link) {
@@ -34,9 +35,10 @@ class StageBuilder {
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
 
  private:
-  Instance& add(int link, std::shared_ptr<const Solid> solid, const Pose& pose);
-  void addGear(const TrainGear& gear);
-  void addBody(const LinkBody& body);
+  Instance& add(const LinkPart& part);
+  void addGear(const TrainGear& gear, const LinkPart& part);
+  void addLevels(std::size_t solid, const GearSpec& spec);
+  void addBody(const LinkPart& body);
   void addLabels();
 
   const Mechanism& m_mechanism;
@@ -47,24 +49,37 @@ class StageBuilder {
   std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
 };
 
-Instance& StageBuilder::add(int link, std::shared_ptr<const Solid> solid, const Pose& pose) {
+Instance& StageBuilder::add(const LinkPart& part) {
   auto& solids = m_stage->scene.solids;
-  const auto known = std::find(solids.begin(), solids.end(), solid);
+  const auto known = std::find(solids.begin(), solids.end(), part.solid);
   Instance instance;
   instance.solid = static_cast<std::size_t>(known - solids.begin());
-  if (known == solids.end()) solids.push_back(std::move(solid));
-  instance.pose = pose;
-  instance.colour = colourOf(link);
-  instance.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
-  m_links.push_back(link);
+  if (known == solids.end()) solids.push_back(part.solid);
+  instance.pose = part.pose;
+  instance.colour = colourOf(part.link);
+  instance.element = m_mechanism.links[static_cast<std::size_t>(part.link)].id;
+  m_links.push_back(part.link);
   return m_stage->scene.instances.emplace_back(std::move(instance));
 }
 
+/// Large trains get no finer solids: whoever sees one of their wheels from close by sees few of them, and all
+/// would have to be made.
+void StageBuilder::addLevels(std::size_t solid, const GearSpec& spec) {
+  auto& levels = m_stage->scene.levels;
+  if (levels.size() <= solid) levels.resize(solid + 1);
+  DetailLevels& level = levels[solid];
+  if (level.far) return;
+  level.unit = spec.module;
+  level.error = kScreenTolerance;
+  level.farError = kFarTolerance;
+  level.far = *m_cache.solid(spec, kFarTolerance);
+  if (m_mechanism.c() <= kMostCloseMeshes) level.close = *m_cache.solid(spec, kExportTolerance);
+}
+
 // The link's number stands beside its largest wheel.
-void StageBuilder::addGear(const TrainGear& gear) {
-  auto solid = m_cache.solid(gear.spec, kScreenTolerance);
-  if (!solid) return;  // a shape that cannot be made; the train's diagnostics say why
-  Instance& instance = add(gear.link, *std::move(solid), gear.pose);
+void StageBuilder::addGear(const TrainGear& gear, const LinkPart& part) {
+  Instance& instance = add(part);
+  addLevels(instance.solid, gear.spec);
   for (const int mesh : gear.meshes) {
     instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   }
@@ -77,8 +92,8 @@ void StageBuilder::addGear(const TrainGear& gear) {
   label.place = middleOf(gear.spec);
 }
 
-void StageBuilder::addBody(const LinkBody& body) {
-  Instance& instance = add(body.link, body.solid, Pose::Identity());
+void StageBuilder::addBody(const LinkPart& body) {
+  Instance& instance = add(body);
   const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
   if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
   StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
@@ -103,8 +118,14 @@ void StageBuilder::addLabels() {
 std::shared_ptr<Stage> StageBuilder::build() {
   const GearTrain train = trainOf(m_mechanism, m_placement);
   m_labelOf.resize(m_mechanism.links.size());
-  for (const TrainGear& gear : train.gears) addGear(gear);
-  for (const LinkBody& body : train.bodies) addBody(body);
+  // Gears that cannot be made are left out; the train's diagnostics say why.
+  for (const LinkPart& part : trainParts(m_mechanism, train, m_cache, kScreenTolerance).parts) {
+    if (part.gear >= 0) {
+      addGear(train.gears[static_cast<std::size_t>(part.gear)], part);
+    } else {
+      addBody(part);
+    }
+  }
   addLabels();
   return m_stage;
 }
@@ -146,25 +167,23 @@ std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree)
 
 }  // namespace
 
-StagePtr trainStage(const Mechanism& mechanism, GearCache& cache) {
-  if (mechanism.n() > kMostStageLinks) return std::make_shared<const Stage>();
-  const auto graph = std::make_shared<const Digraph>(mechanism);
-  const auto found = SpanningTree::of(*graph);
-  const Placement placement = placementOf(mechanism);
-  if (!found || !placement.tree) return std::make_shared<const Stage>();
-  const auto tree = std::make_shared<const SpanningTree>(*found);
+StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
+  const Placement& placement = snapshot.kinematics->placement;
+  const SpanningTree& tree = *snapshot.tree;
   StageBuilder builder(mechanism, placement, cache);
   const std::shared_ptr<Stage> stage = builder.build();
-  const auto motion = jointMotion(mechanism, graph, tree, placement);
+  const auto motion = jointMotion(snapshot);
   if (!motion) return stage;
   std::vector<Pose> reference;
   for (const Instance& instance : stage->scene.instances) reference.push_back(instance.pose);
   stage->inputSpeeds = motion->speeds;
   stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
   const auto mover =
-      std::make_shared<const Mover>(Mover{ForwardKinematics(*tree, turningLines(placement)), *motion,
+      std::make_shared<const Mover>(Mover{ForwardKinematics(tree, turningLines(placement)), *motion,
                                           builder.linkOfInstance(), std::move(reference)});
-  stage->handles = handlesOf(*mover, *tree);
+  stage->handles = handlesOf(*mover, tree);
   stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
   return stage;
 }

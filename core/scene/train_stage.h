@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/gears/gear_solid.h"
-#include "core/mechanism/mechanism.h"
 #include "core/render/stage.h"
 
 namespace geargraph {
@@ -17,8 +17,8 @@ constexpr int kMostStageLinks = 2'000;
 /// A part selects its link. Wheels light up with their meshes too, shafts with their joints.
 ///
 /// `cache` keeps solids from one edit to the next, so that only what changed is made again.
-/// Cost: O(n + t + c), the solution, and what new solids cost.
-/// @pre the mechanism is well formed
-[[nodiscard]] StagePtr trainStage(const Mechanism& mechanism, GearCache& cache);
+/// Placement and motion are those of the snapshot's live part; nothing is solved again.
+/// Cost: O(n + t + c), and what new solids cost.
+[[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache);
 
 }  // namespace geargraph

@@ -16,9 +16,11 @@
 #include "core/mechanism/edits.h"
 #include "tests/bench/families.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 namespace {
@@ -187,6 +189,32 @@ void drawAMesh(benchmark::State& state) {
   stand.window().digraph().setTool(ToolKind::select);
 }
 
+/// From a changed tooth count of the paper's robot to the stage with the new solids in the 3D view. Every
+/// count is new, so that nothing is in the cache.
+void toothCountToStage(benchmark::State& state) {
+  MainWindow window;
+  window.openDocument(robotExamplePath());
+  window.show();
+  while (!window.isSettled()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  int teeth = 18;
+  double shown = 0;
+  QElapsedTimer clock;
+  for (auto _ : state) {
+    ++teeth;
+    const StagePtr before = window.view3d().stage();
+    clock.start();
+    window.document().apply(
+        {QStringLiteral("Change teeth"),
+         [teeth](const Mechanism& mechanism) { return withTeeth(mechanism, MeshId("15"), teeth, 2 * teeth); },
+         0});
+    while (window.view3d().stage() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    shown += static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    if (teeth > 200) teeth = 18;
+  }
+  constexpr double kFrame = 1000.0 / 60;
+  state.counters["frames"] = benchmark::Counter(shown / kFrame, benchmark::Counter::kAvgIterations);
+}
+
 void analysisAlone(benchmark::State& state) {
   const auto mechanism = std::make_shared<const Mechanism>(sheetOf(static_cast<int>(state.range(0))));
   for (auto _ : state) benchmark::DoNotOptimize(analyzeLive(mechanism));
@@ -256,6 +284,7 @@ BENCHMARK(openALargeDocument)->Arg(10'000)->Unit(benchmark::kMillisecond)->UseRe
 BENCHMARK(hoverALink)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(dragALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(drawAMesh)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(toothCountToStage)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(analysisAlone)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(paintingAlone)->Arg(1000)->Unit(benchmark::kMillisecond);
 

@@ -249,7 +249,6 @@ void MainWindow::onDocumentChanged() {
   m_selection->keepOnly([&](const ElementId& element) { return labelOf(*mechanism, element).has_value(); });
   m_status->clearRefusal();
   m_service->request(mechanism, m_document->revision());
-  m_stages->request(mechanism);
   renewActions();
 }
 
@@ -261,6 +260,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
+  m_stages->request(snapshot);
   WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
                               tr("This matrix needs the turning joints to be a spanning tree."));
   tellWhenSettled();

@@ -16,16 +16,16 @@ bool sameStage(const Mechanism& a, const Mechanism& b) {
 StageService::StageService(QObject* parent)
     : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { make(request); }) {}
 
-void StageService::request(const MechanismPtr& mechanism) {
-  const bool same = m_mechanism && sameStage(*m_mechanism, *mechanism);
-  m_mechanism = mechanism;
+void StageService::request(const SnapshotPtr& snapshot) {
+  const bool same = m_mechanism && sameStage(*m_mechanism, *snapshot->mechanism);
+  m_mechanism = snapshot->mechanism;
   if (same) return;
   ++m_wanted;
-  m_worker.request({mechanism, m_wanted});
+  m_worker.request({snapshot, m_wanted});
 }
 
 void StageService::make(const Request& request) {
-  const StagePtr stage = trainStage(*request.mechanism, m_cache);
+  const StagePtr stage = trainStage(*request.snapshot, m_cache);
   QMetaObject::invokeMethod(
       this, [this, stage, number = request.number] { arrived(stage, number); }, Qt::QueuedConnection);
 }

@@ -2,22 +2,22 @@
 
 #include <QObject>
 
+#include "core/analysis/analysis.h"
 #include "core/base/request_worker.h"
-#include "core/mechanism/mechanism.h"
 #include "core/scene/train_stage.h"
 
 namespace geargraph {
 
-/// Makes the stages of the 3D view on a thread of its own; the newest request wins, and a stale stage never
-/// reaches a view. Solids are kept from one edit to the next. A request that changes nothing of the stage (a
-/// node moved, a link renamed) is answered at once with the stage there is.
+/// Makes the stages of the 3D view from snapshots, on a thread of its own; the newest request wins, and a
+/// stale stage never reaches a view. Solids are kept from one edit to the next. A request that changes
+/// nothing of the stage (a node moved, a link renamed) is answered at once with the stage there is.
 class StageService : public QObject {
   Q_OBJECT
 
  public:
   explicit StageService(QObject* parent = nullptr);
 
-  void request(const MechanismPtr& mechanism);
+  void request(const SnapshotPtr& snapshot);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Has the newest request been answered?
   [[nodiscard]] bool isUpToDate() const { return m_arrived == m_wanted; }
@@ -27,7 +27,7 @@ class StageService : public QObject {
 
  private:
   struct Request {
-    MechanismPtr mechanism;
+    SnapshotPtr snapshot;
     quint64 number = 0;
   };
 
@@ -38,7 +38,7 @@ class StageService : public QObject {
   quint64 m_arrived = 0;
   MechanismPtr m_mechanism;  ///< of the newest request
   StagePtr m_stage;
-  GearCache m_cache;                ///< of the worker's thread
+  GearCache m_cache{1024};          ///< of the worker's thread; three details a wheel, and the last edits'
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 

@@ -15,6 +15,10 @@ using namespace geargraph::test;
 
 namespace {
 
+StagePtr stageOf(const Mechanism& mechanism, GearCache& cache) {
+  return trainStage(*analyzeLive(std::make_shared<const Mechanism>(mechanism)), cache);
+}
+
 /// An example of the program with its gears and the rates of its joints.
 struct Example {
   Mechanism mechanism;
@@ -187,7 +191,7 @@ class TestTrainFiles : public QObject {
   void partsStandWhereTheTrainHasThem() {
     const Example robot("robot");
     GearCache cache;
-    const TrainParts made = trainParts(robot.placed(), cache, kScreenTolerance);
+    const TrainParts made = trainParts(robot.mechanism, robot.train, cache, kScreenTolerance);
     QVERIFY(made.diagnostics.empty());
     QCOMPARE(made.parts.size(), robot.train.gears.size() + robot.train.bodies.size());
     for (std::size_t i = 0; i < robot.train.gears.size(); ++i) {
@@ -205,7 +209,7 @@ class TestTrainFiles : public QObject {
   void framesAreThoseOfTheWindow() {
     const Example robot("robot");
     GearCache cache;
-    const StagePtr stage = trainStage(robot.mechanism, cache);
+    const StagePtr stage = stageOf(robot.mechanism, cache);
     const Assembly assembly = robot.assembly(robot.rates);
     const auto times = frameTimes(pitchRates(robot.placed(), robot.rates), kFewestFrames);
     for (std::size_t frame = 0; frame < times.size(); ++frame) {
@@ -240,7 +244,7 @@ class TestTrainFiles : public QObject {
     const Example robot("robot");
     const PlacedTrain placed = robot.placed();
     GearCache cache;
-    const TrainParts made = trainParts(placed, cache, kFarTolerance);
+    const TrainParts made = trainParts(placed.mechanism, placed.train, cache, kFarTolerance);
     const LinkSceneSource source{robot.mechanism, *robot.tree, placed.kinematics, made.parts, [](int) {
                                    return Float3{0.5F, 0.5F, 0.5F};
                                  }};

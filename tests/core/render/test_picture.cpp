@@ -332,6 +332,29 @@ class TestPicture : public QObject {
     }
   }
 
+  /// The same place in three details: boxes of three sizes tell which is painted, and which is picked.
+  void theDetailIsThatOfTheSizeOnTheScreen() {
+    const auto box = [](double half) {
+      return std::make_shared<const Solid>(boxSolid({-half, -half, -half}, {half, half, half}));
+    };
+    Scene scene = cubeScene();
+    DetailLevels levels;
+    levels.far = box(6);
+    levels.close = box(14);
+    levels.error = 0.01;
+    levels.farError = 0.03;
+    Frame frame = frameOf(scene, bare());
+    const double pixel = frame.camera.millimetresPerPixel(kView);
+    for (const auto& [pixels, half] : {std::pair{2.0, 6.0}, {22.0, 10.0}, {80.0, 14.0}, {2.0, 6.0}}) {
+      levels.unit = pixels * pixel;
+      scene.levels = {levels};
+      m_host->setScene(scene);
+      QVERIFY(std::abs(coverage(m_host->picture(frame)) - boxCoverage(frame, half)) < 0.01);
+      const auto hit = m_host->pick(frame, 160, 120);
+      QVERIFY(hit && std::abs(hit->point.cwiseAbs().maxCoeff() - half) < 0.1);
+    }
+  }
+
   void anEmptySceneIsGroundOnly() {
     m_host->setScene(Scene{});
     Frame frame;

@@ -4,6 +4,7 @@
 #include "core/render/feature_edges.h"
 #include "core/render/image.h"
 #include "core/render/primitives.h"
+#include "core/render/scene.h"
 
 using namespace geargraph;
 
@@ -11,6 +12,25 @@ class TestSolids : public QObject {
   Q_OBJECT
 
  private slots:
+  void theCoarsestDetailWithoutVisibleChordsIsChosen() {
+    const auto solid = [] { return std::make_shared<const Solid>(boxSolid({0, 0, 0}, {1, 1, 1})); };
+    DetailLevels levels;
+    levels.far = solid();
+    levels.close = solid();
+    levels.error = 0.01;
+    levels.farError = 0.03;
+    const auto own = solid();
+    QCOMPARE(levels.chosen(own, 1), levels.far);  // 0.03 of a pixel
+    QCOMPARE(levels.chosen(own, 11), levels.far);
+    QCOMPARE(levels.chosen(own, 12), own);
+    QCOMPARE(levels.chosen(own, 33), own);
+    QCOMPARE(levels.chosen(own, 34), levels.close);
+    levels.close = nullptr;
+    QCOMPARE(levels.chosen(own, 500), own);
+    levels.far = nullptr;
+    QCOMPARE(levels.chosen(own, 1), own);
+  }
+
   void aBoxHasTwelveEdgesAndItsVolume() {
     const Solid box = boxSolid({-1, -2, -3}, {2, 2, 3});
     QCOMPARE(featureEdges(box).size(), 24U);

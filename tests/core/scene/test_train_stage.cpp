@@ -20,6 +20,10 @@
 namespace geargraph {
 namespace {
 
+StagePtr stageOf(const Mechanism& mechanism, GearCache& cache) {
+  return trainStage(*analyzeLive(std::make_shared<const Mechanism>(mechanism)), cache);
+}
+
 Mechanism paperRobot() {
   const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", 1 << 20);
   return readMechanism(std::get<std::string>(bytes)).value();
@@ -87,7 +91,7 @@ class TestTrainStage : public QObject {
     QCOMPARE(linkAndTeeth, (std::multiset<std::pair<int, int>>{
                                {1, 36}, {2, 30}, {3, 24}, {4, 18}, {5, 20}, {6, 24}, {7, 16}, {7, 18}}));
     GearCache cache;
-    const StagePtr stage = trainStage(robot, cache);
+    const StagePtr stage = stageOf(robot, cache);
     for (const Instance& instance : stage->scene.instances) {
       const std::size_t link = std::stoul(instance.element.id.text());
       const Color color = linkColor(static_cast<int>(link));
@@ -96,10 +100,27 @@ class TestTrainStage : public QObject {
     }
   }
 
+  /// Every wheel comes in three details, each of the parameters' own tolerance; equal wheels share them.
+  void wheelsComeInThreeDetails() {
+    GearCache cache;
+    const StagePtr stage = stageOf(paperRobot(), cache);
+    std::size_t wheels = 0;
+    for (std::size_t i = 0; i < stage->scene.levels.size(); ++i) {
+      const DetailLevels& level = stage->scene.levels[i];
+      if (!level.far) continue;
+      ++wheels;
+      QVERIFY(std::abs(level.unit - 2) < 1e-9);
+      QVERIFY(level.far->triangles.size() < stage->scene.solids[i]->triangles.size());
+      QVERIFY(level.close->triangles.size() > stage->scene.solids[i]->triangles.size());
+    }
+    QCOMPARE(wheels, std::size_t{8});
+    QCOMPARE(cache.size(), std::size_t{24});
+  }
+
   void meshingWheelsHaveOneVelocityWhereTheyTouch() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
-      const StagePtr stage = trainStage(mechanism, cache);
+      const StagePtr stage = stageOf(mechanism, cache);
       QVERIFY(stage->place);
       const Placement placement = placementOf(mechanism);
       constexpr double kStep = 1e-5;
@@ -131,7 +152,7 @@ class TestTrainStage : public QObject {
   void handlesTellHowPartsTurnAgainstWhatCarriesThem() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
-      const StagePtr stage = trainStage(mechanism, cache);
+      const StagePtr stage = stageOf(mechanism, cache);
       const Placement placement = placementOf(mechanism);
       QCOMPARE(stage->handles.size(), stage->scene.instances.size());
       std::vector<double> angles;
@@ -161,7 +182,7 @@ class TestTrainStage : public QObject {
   void afterOnePeriodEverythingIsWhereItWas() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
-      const StagePtr stage = trainStage(mechanism, cache);
+      const StagePtr stage = stageOf(mechanism, cache);
       QVERIFY(stage->period > 0);
       std::vector<double> angles;
       for (const double speed : stage->inputSpeeds) angles.push_back(speed * stage->period);
@@ -175,7 +196,7 @@ class TestTrainStage : public QObject {
   void everyLinkButTheGroundHasItsNumber() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
-      const StagePtr stage = trainStage(mechanism, cache);
+      const StagePtr stage = stageOf(mechanism, cache);
       QCOMPARE(static_cast<int>(stage->labels.size()), mechanism.n());
       for (std::size_t i = 0; i < stage->labels.size(); ++i) {
         QCOMPARE(stage->labels[i].text, std::to_string(i + 1));
@@ -188,7 +209,7 @@ class TestTrainStage : public QObject {
   void wheelsLightUpWithTheirMeshesAndShaftsWithTheirJoints() {
     GearCache cache;
     const Mechanism robot = paperRobot();
-    const StagePtr stage = trainStage(robot, cache);
+    const StagePtr stage = stageOf(robot, cache);
     const auto& instances = stage->scene.instances;
     for (const GearMesh& mesh : robot.gearMeshes) {
       for (const LinkId link : {mesh.tail, mesh.head}) {
@@ -211,7 +232,7 @@ class TestTrainStage : public QObject {
   void allPartsAreClosedAndTurnedOutwards() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
-      const StagePtr stage = trainStage(mechanism, cache);
+      const StagePtr stage = stageOf(mechanism, cache);
       for (const auto& solid : stage->scene.solids) QVERIFY(signedVolume(*solid) > 0);
     }
   }
@@ -219,8 +240,8 @@ class TestTrainStage : public QObject {
   void anEditMakesOnlyWhatChangedAnew() {
     GearCache cache;
     const Mechanism robot = paperRobot();
-    const StagePtr before = trainStage(robot, cache);
-    const StagePtr after = trainStage(withOffset(robot, JointId("14"), Number(-44)).value(), cache);
+    const StagePtr before = stageOf(robot, cache);
+    const StagePtr after = stageOf(withOffset(robot, JointId("14"), Number(-44)).value(), cache);
     int kept = 0;
     for (const auto& solid : after->scene.solids) {
       kept += std::count(before->scene.solids.begin(), before->scene.solids.end(), solid) != 0;
@@ -230,7 +251,7 @@ class TestTrainStage : public QObject {
 
   void everyWheelOfTheRobotCanBePickedWhereItIs() {
     GearCache cache;
-    const StagePtr stage = trainStage(paperRobot(), cache);
+    const StagePtr stage = stageOf(paperRobot(), cache);
     auto host = EglHost::create();
     QVERIFY(host.has_value());
     (*host)->setScene(stage->scene);
@@ -261,7 +282,7 @@ class TestTrainStage : public QObject {
 
   void aPictureShowsTheTrainAtItsTime() {
     GearCache cache;
-    const StagePtr stage = trainStage(paperRobot(), cache);
+    const StagePtr stage = stageOf(paperRobot(), cache);
     PictureOptions options;
     options.size = {300, 200};
     const auto light = stagePicture(*stage, options);
@@ -292,25 +313,25 @@ class TestTrainStage : public QObject {
 
   void trainsTooLargeForAPictureHaveNone() {
     GearCache cache;
-    QVERIFY(trainStage(test::randomTree(1, kMostStageLinks + 1, 10), cache)->scene.instances.empty());
-    QVERIFY(!trainStage(test::planetary(24, 18, 3), cache)->scene.instances.empty());
+    QVERIFY(stageOf(test::randomTree(1, kMostStageLinks + 1, 10), cache)->scene.instances.empty());
+    QVERIFY(!stageOf(test::planetary(24, 18, 3), cache)->scene.instances.empty());
   }
 
   void whatIsNoTrainYetIsStillShownOrEmpty() {
     GearCache cache;
-    QVERIFY(trainStage(emptyMechanism(), cache)->scene.instances.empty());
+    QVERIFY(stageOf(emptyMechanism(), cache)->scene.instances.empty());
     Mechanism loose = paperRobot();
     loose.turningJoints.pop_back();
-    QVERIFY(trainStage(loose, cache)->scene.instances.empty());
+    QVERIFY(stageOf(loose, cache)->scene.instances.empty());
     Mechanism undriven = paperRobot();
     undriven.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}};
-    const StagePtr still = trainStage(undriven, cache);
+    const StagePtr still = stageOf(undriven, cache);
     QVERIFY(!still->scene.instances.empty());
     QVERIFY(!still->place);
     undriven.inputs.reset();  // then the program chooses
-    QCOMPARE(trainStage(undriven, cache)->inputSpeeds.size(), std::size_t{3});
+    QCOMPARE(stageOf(undriven, cache)->inputSpeeds.size(), std::size_t{3});
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      const StagePtr stage = trainStage(test::randomTree(seed, static_cast<int>(seed % 12), 3), cache);
+      const StagePtr stage = stageOf(test::randomTree(seed, static_cast<int>(seed % 12), 3), cache);
       for (const auto& solid : stage->scene.solids) {
         for (const Float3& p : solid->positions) QVERIFY(std::isfinite(p[0] + p[1] + p[2]));
       }
