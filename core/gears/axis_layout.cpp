@@ -100,6 +100,44 @@ double AxisLayout::outerSlot() const {
   return outer;
 }
 
+std::optional<Stretch> AxisLayout::wheelsOf(int link) const {
+  std::optional<Stretch> span;
+  for (const Stretch& s : wheels) {
+    if (s.link != link) continue;
+    if (!span) span = s;
+    span->low = std::min(span->low, s.low);
+    span->high = std::max(span->high, s.high);
+  }
+  return span;
+}
+
+bool AxisLayout::nests(const Bearing& bearing, double at) const {
+  const auto own = wheelsOf(bearing.child);
+  return std::none_of(bearings.begin(), bearings.end(), [&](const Bearing& other) {
+    const auto passed = wheelsOf(other.child);
+    if (!other.placed || !passed || other.child == bearing.child || other.child == bearing.parent)
+      return false;
+    const double middle = (passed->low + passed->high) / 2;
+    const double side = other.at < middle ? -1 : 1;
+    const bool beyond = side * at > side * middle;
+    const bool through = !own || side * (own->low + own->high) / 2 < side * middle;
+    return beyond && through && side * at < side * other.at;
+  });
+}
+
+bool AxisLayout::emerges(int link, double level) const {
+  const auto own =
+      std::find_if(bearings.begin(), bearings.end(), [&](const Bearing& b) { return b.child == link; });
+  if (own == bearings.end() || !own->placed) return true;
+  return std::none_of(bearings.begin(), bearings.end(), [&](const Bearing& other) {
+    const auto passed = wheelsOf(other.child);
+    if (!other.placed || !passed || other.child == link) return false;
+    const double low = std::min(passed->low, other.at);
+    const double high = std::max(passed->high, other.at);
+    return low < level && level < high && (own->at < low || own->at > high);
+  });
+}
+
 std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
                                     const GearTrain& train) {
   const AxisClasses& classes = *placement.classes;

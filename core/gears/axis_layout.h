@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/gears/train.h"
@@ -47,6 +48,14 @@ struct AxisLayout {
   [[nodiscard]] std::vector<double> slotCandidates() const;
   /// The free slot nearest to `wanted`; outside of everything on the bearing side where there is none.
   [[nodiscard]] double freeSlot(double wanted) const;
+  /// What the wheels of a link span.
+  [[nodiscard]] std::optional<Stretch> wheelsOf(int link) const;
+  /// A shaft that passes the wheels of another has to come out at the end of that one's, too: is that so for
+  /// a bearing at this place and the bearings that have theirs?
+  [[nodiscard]] bool nests(const Bearing& bearing, double at) const;
+  /// Does the link's shaft come to light here? Not within what another spans from its wheels to its bearing,
+  /// unless its own bearing stands within that, too.
+  [[nodiscard]] bool emerges(int link, double level) const;
   /// The first free slot outside of everything on the bearing side.
   [[nodiscard]] double outerSlot() const;
 };

@@ -56,8 +56,6 @@ class Planner {
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
   [[nodiscard]] bool fits(int home, const std::vector<Bearing*>& round, double level) const;
-  [[nodiscard]] bool nests(const Bearing& bearing, double at) const;
-  [[nodiscard]] std::optional<Stretch> wheelsOn(int axisClass, int link) const;
   [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
   [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
@@ -146,46 +144,17 @@ void Planner::placeLink(int link) {
   }
 }
 
-/// What the wheels of a link span on an axis.
-std::optional<Stretch> Planner::wheelsOn(int axisClass, int link) const {
-  std::optional<Stretch> span;
-  for (const Stretch& s : axis(axisClass).wheels) {
-    if (s.link != link) continue;
-    if (!span) span = s;
-    span->low = std::min(span->low, s.low);
-    span->high = std::max(span->high, s.high);
-  }
-  return span;
-}
-
-/// A shaft that passes the wheels of another has to come out at the end of that one's, too: is that so for a
-/// bearing at this place and the bearings that have theirs?
-bool Planner::nests(const Bearing& bearing, double at) const {
-  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
-  const auto own = wheelsOn(c, bearing.child);
-  const auto& bearings = axis(c).bearings;
-  return std::none_of(bearings.begin(), bearings.end(), [&](const Bearing& other) {
-    const auto passed = wheelsOn(c, other.child);
-    if (!other.placed || !passed || other.child == bearing.child || other.child == bearing.parent)
-      return false;
-    const double middle = (passed->low + passed->high) / 2;
-    const double side = other.at < middle ? -1 : 1;
-    const bool beyond = side * at > side * middle;
-    const bool through = !own || side * (own->low + own->high) / 2 < side * middle;
-    return beyond && through && side * at < side * other.at;
-  });
-}
-
 /// Is a level free on the axes of all these bearings, and can straight arms reach them from the link's own?
 bool Planner::fits(int home, const std::vector<Bearing*>& round, double level) const {
   std::vector<int> involved{home};
   for (const Bearing* b : round) {
     involved.push_back(m_placement.classes->classOf[static_cast<std::size_t>(b->joint)]);
-    if (!nests(*b, carried(home, level, involved.back()))) return false;
+    if (!axis(involved.back()).nests(*b, carried(home, level, involved.back()))) return false;
   }
   for (const int c : involved) {
     if (!axis(c).slotIsFree(carried(home, level, c))) return false;
   }
+  if (!round.empty() && !axis(home).emerges(round.front()->parent, level)) return false;
   const AxisLayout& own = axis(home);
   const Vector3d start = own.at(level);
   const auto gears = m_obstacles.inPlane(start, own.direction, own.width() / 2 + own.gap() / 2);
@@ -270,11 +239,13 @@ int Planner::shaftHits(const ArmPlan& arm) const {
   const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
   double low = arm.at - to.width() / 2;
   double high = arm.at + to.width() / 2;
-  if (const auto wheels = wheelsOn(arm.to, arm.child)) {
+  if (const auto wheels = to.wheelsOf(arm.child)) {
     low = std::min(low, wheels->low);
     high = std::max(high, wheels->high);
   }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
+  const double sine = std::max(from.direction.cross(to.direction).norm(), 0.1);
+  const double postEnd = (reach + 0.5 * to.module) / sine;  // nearer to the shaft the post does not come
   const auto isInShaft = [&](const Vector3d& p) {
     const double along = to.coordinate(p);
     return along > low && along < high && (p - to.at(along)).norm() < reach;
@@ -284,7 +255,8 @@ int Planner::shaftHits(const ArmPlan& arm) const {
   for (int i = 1; i <= kPlaces; ++i) {
     const double part = static_cast<double>(i) / kPlaces;
     const Vector3d onPost = end + part * (foot - end);
-    const bool inBearing = std::abs(to.coordinate(onPost) - arm.at) <= to.width() / 2;
+    const bool inBearing =
+        std::abs(to.coordinate(onPost) - arm.at) <= to.width() / 2 || (onPost - end).norm() < postEnd;
     count += isInShaft(start + part * (foot - start)) ? 1 : 0;
     count += !inBearing && isInShaft(onPost) ? 1 : 0;
   }
@@ -297,7 +269,7 @@ std::optional<PinPlan> Planner::pinFor(int link, int home, const Bearing& bearin
   const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
   const AxisLayout& own = axis(home);
   const AxisLayout& target = axis(c);
-  const auto wheels = wheelsOn(c, bearing.child);
+  const auto wheels = target.wheelsOf(bearing.child);
   const Vector3d across = own.direction.cross(target.direction);
   const Vector3d apart = target.point - own.point;
   if (!wheels || std::abs(apart.dot(across)) > 0.01 * own.module * across.norm()) return std::nullopt;
@@ -313,7 +285,7 @@ std::optional<PinPlan> Planner::pinFor(int link, int home, const Bearing& bearin
   if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
   for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
     if (other.child == link || other.pinned) continue;
-    const auto span = wheelsOn(home, other.child);
+    const auto span = own.wheelsOf(other.child);
     const double low = std::min(other.at, span ? span->low : other.at);
     const double high = std::max(other.at, span ? span->high : other.at);
     if (low < pin.level && high > pin.level) return std::nullopt;
@@ -345,7 +317,8 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
   int bestHits = 0;
   const auto consider = [&](double at, double level, double extra) {
     const ArmPlan arm{link, home, level, c, at, bearing.child};
-    const int hits = armHits(arm);
+    constexpr int kInside = 20;  // an arm that cannot come out weighs as much as so many places in gears
+    const int hits = armHits(arm) + (own.emerges(link, level) ? 0 : kInside);
     const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
                         std::abs(level - own.coordinate(target.at(at))) + extra;
     if (cost < bestCost - 1e-9) {

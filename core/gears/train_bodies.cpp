@@ -163,10 +163,15 @@ void BodyBuilder::addPost(const ArmPlan& plan) {
   const double rise = (end - from.at(plan.level)).dot(from.direction);
   const Vector3d foot = end - rise * from.direction;  // in the plane of the arm
   const double half = 0.5 * from.width();
-  const double reach = std::abs(rise) - holeFor(plan.to, plan.at, plan.link) - 0.5 * wall(to);
+  const double radius = endOf(plan).radius;
+  const double sine = from.direction.cross(to.direction).norm();
+  const double cosine =
+      std::abs(from.direction.dot(to.direction));  // an oblique post's edge comes near first
+  const double hole = holeFor(plan.to, plan.at, plan.link);
+  const double reach = std::abs(rise) - (hole + 0.5 * wall(to) + radius * cosine) / sine;
   if (reach <= half) return;
   const double sense = rise < 0 ? -1 : 1;
-  append(of(plan.link), tube(endOf(plan).radius, 0, -half * 0.9, reach, tolerance(from)),
+  append(of(plan.link), tube(radius, 0, -half * 0.9, reach, tolerance(from)),
          frameAlong(foot, sense * from.direction));
 }
 

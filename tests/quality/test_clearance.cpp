@@ -177,7 +177,7 @@ class TestClearance : public QObject {
     for (const char* name :
          {"robot", "spur-pair", "three-planets", "planetary-ring-held", "redundant-planetary",
           "bevel-differential", "bevel-wrist", "humpage-reduction", "locked-train", "ravigneaux", "simpson",
-          "ferguson-paradox", "reverted-train", "three-roll-wrist", "eight-speed-gearbox"}) {
+          "ferguson-paradox", "reverted-train", "three-roll-wrist"}) {
       QTest::newRow(name) << QString(name);
     }
   }
