@@ -16,40 +16,21 @@ bool sameDrawing(const Mechanism& a, const Mechanism& b) {
 }  // namespace
 
 SchematicService::SchematicService(QObject* parent)
-    : QObject(parent), m_thread([this](const std::stop_token& quit) { run(quit); }) {}
-
-SchematicService::~SchematicService() {
-  m_thread.request_stop();
-  m_thread.join();  // before what its deliveries touch goes
-}
+    : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { make(request); }) {}
 
 void SchematicService::request(const MechanismPtr& mechanism) {
   const bool same = m_mechanism && sameDrawing(*m_mechanism, *mechanism);
   m_mechanism = mechanism;
   if (same) return;
   ++m_wanted;
-  {
-    const std::lock_guard lock(m_mutex);
-    m_next = Request{mechanism, m_wanted};
-  }
-  m_wake.notify_one();
+  m_worker.request({mechanism, m_wanted});
 }
 
-void SchematicService::run(const std::stop_token& quit) {
-  while (true) {
-    Request request;
-    {
-      std::unique_lock lock(m_mutex);
-      if (!m_wake.wait(lock, quit, [this] { return m_next.has_value(); })) return;
-      request = std::move(*m_next);
-      m_next.reset();
-    }
-    auto schematic = std::make_shared<const SchematicGeometry>(schematicGeometry(*request.mechanism));
-    QMetaObject::invokeMethod(
-        this,
-        [this, schematic = std::move(schematic), number = request.number] { arrived(schematic, number); },
-        Qt::QueuedConnection);
-  }
+void SchematicService::make(const Request& request) {
+  auto schematic = std::make_shared<const SchematicGeometry>(schematicGeometry(*request.mechanism));
+  QMetaObject::invokeMethod(
+      this, [this, schematic = std::move(schematic), number = request.number] { arrived(schematic, number); },
+      Qt::QueuedConnection);
 }
 
 void SchematicService::arrived(const SchematicPtr& schematic, quint64 number) {

@@ -1,12 +1,9 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 
+#include "core/base/request_worker.h"
 #include "core/schematic/schematic.h"
 
 namespace geargraph {
@@ -20,7 +17,6 @@ class SchematicService : public QObject {
 
  public:
   explicit SchematicService(QObject* parent = nullptr);
-  ~SchematicService() override;
 
   void request(const MechanismPtr& mechanism);
   /// Has the newest request been answered?
@@ -35,16 +31,13 @@ class SchematicService : public QObject {
     quint64 number = 0;
   };
 
-  void run(const std::stop_token& quit);
+  void make(const Request& request);
   void arrived(const SchematicPtr& schematic, quint64 number);
 
   quint64 m_wanted = 0;
   quint64 m_arrived = 0;
-  MechanismPtr m_mechanism;  ///< of the newest request
-  std::mutex m_mutex;
-  std::condition_variable_any m_wake;
-  std::optional<Request> m_next;  ///< guarded by m_mutex
-  std::jthread m_thread;          ///< last: it starts when all else is there
+  MechanismPtr m_mechanism;         ///< of the newest request
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph
