@@ -140,7 +140,7 @@ def sympy_lusolve(train):
 def sympy_linsolve(train):
     outputs, inputs = sympy_matrix(train)
     unknowns = sympy.symbols(f"q0:{outputs.shape[1]}")
-    right = -inputs * sympy.ones(inputs.shape[1], 1)
+    right = -inputs * sympy.Matrix(sympy.symbols(f"u0:{inputs.shape[1]}"))  # a column for every input, as ours
     return sympy.linsolve((outputs, right), *unknowns)
 
 
