@@ -16,6 +16,8 @@ constexpr double kOnLine = 40;  ///< a px along a line
 constexpr double kBeside = 4;   ///< a px beside one
 constexpr double kLaneStep = 11;
 constexpr double kLeastLane = 4;  ///< lanes that nobody asked for keep this apart
+constexpr double kLeastLaneInLarge = 12;
+constexpr std::size_t kLarge = 300;  ///< lines
 
 double apart(const LinkLine& line, SheetPoint from, SheetPoint to) {
   const Extent box = Extent::spanning(from, to);
@@ -40,7 +42,7 @@ double tollOf(const LinkLine& line, SheetPoint from, SheetPoint to) {
 }
 
 /// Sorted lanes; `exact` ones stay where they are, others give way to them.
-std::vector<double> lanes(std::vector<double> exact, const std::vector<double>& wished) {
+std::vector<double> lanes(std::vector<double> exact, const std::vector<double>& wished, double apart) {
   const auto tidy = [](std::vector<double>& values, double least) {
     std::sort(values.begin(), values.end());
     std::vector<double> kept;
@@ -52,14 +54,14 @@ std::vector<double> lanes(std::vector<double> exact, const std::vector<double>& 
   tidy(exact, 1e-6);
   std::vector<double> all = exact;
   for (const double v : wished) {
-    const auto near = std::lower_bound(exact.begin(), exact.end(), v - kLeastLane);
-    if (near == exact.end() || *near > v + kLeastLane) all.push_back(v);
+    const auto near = std::lower_bound(exact.begin(), exact.end(), v - apart);
+    if (near == exact.end() || *near > v + apart) all.push_back(v);
   }
   std::sort(all.begin(), all.end());
   std::vector<double> kept;
   for (const double v : all) {
     const bool isExact = std::binary_search(exact.begin(), exact.end(), v);
-    if (kept.empty() || isExact || v - kept.back() > kLeastLane) kept.push_back(v);
+    if (kept.empty() || isExact || v - kept.back() > apart) kept.push_back(v);
   }
   return kept;
 }
@@ -96,8 +98,9 @@ ArmRouter::ArmRouter(const std::vector<LinkLine>& lines, const std::vector<Sheet
     exactX.push_back(p.x);
     exactY.push_back(p.y);
   }
-  m_xs = lanes(exactX, wishedX);
-  m_ys = lanes(exactY, wishedY);
+  const double least = lines.size() > kLarge ? kLeastLaneInLarge : kLeastLane;
+  m_xs = lanes(exactX, wishedX, least);
+  m_ys = lanes(exactY, wishedY, least);
   m_level.resize(m_xs.size() * m_ys.size());
   m_upright.resize(m_xs.size() * m_ys.size());
   for (const LinkLine& line : lines) addLine(line);

@@ -243,6 +243,18 @@ void cutInHalf(SheetLayout& layout, const Placement& placement, int root) {
   layout.axes[at(root)].half = central && alone;
 }
 
+/// From the root to the first axis that lies beside it; x, else y, where there is none.
+Vector3 sideways(const SheetLayout& layout) {
+  const SheetAxis& root = layout.axes[at(layout.root)];
+  const auto across = [&](const Vector3& v) { return v - dot(v, root.direction) * root.direction; };
+  for (const SheetAxis& axis : layout.axes) {
+    const Vector3 apart = across(axis.base - root.base);
+    if (length(apart) > 1e-6 * (1 + length(axis.base))) return unit(apart);
+  }
+  const Vector3 x = across({1, 0, 0});
+  return unit(length(x) > 0.5 ? x : across({0, 1, 0}));
+}
+
 }  // namespace
 
 void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement) {
@@ -254,6 +266,9 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   std::vector<double> along;
   for (const TrainWheel& wheel : train.wheels) along.push_back(first.spaceCoordinate(narrow(wheel.origin)));
   setPlanes(layout, along);
+  layout.root = std::max(root, 0);
+  layout.right = first.direction;
+  layout.up = sideways(layout);
   const double ground = root >= 0 ? system.heights[at(root)] : 0;
   for (std::size_t c = 0; c < layout.axes.size(); ++c) {
     SheetAxis& axis = layout.axes[c];
@@ -263,6 +278,7 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   }
   for (std::size_t w = 0; w < layout.wheels.size(); ++w) {
     SheetWheel& wheel = layout.wheels[w];
+    wheel.space = along[w];
     wheel.at = layout.stretched(along[w]);
     wheel.radius = system.wheels[w].radius * layout.scale + (wheel.isRing() ? kBarGap : -kBarGap);
     wheel.barFrom = {wheel.at - kBarHalf, wheel.radius};

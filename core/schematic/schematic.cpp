@@ -40,13 +40,18 @@ class SectionSearch {
   SectionSearch(const DrawnPart& part, const Placement& placement, SheetLayout& layout)
       : m_part(part), m_placement(placement), m_layout(layout), m_stacker(part, placement, layout) {}
 
-  Section best() {
-    constexpr std::size_t kMostMoved = 6;
-    m_stacker.search();
+  Section best(const std::stop_token& stop) {
+    constexpr std::size_t kMostMoved = 4;
+    constexpr std::size_t kMostLines = 160;  ///< a larger drawing is not done several times
+    m_stacker.search(stop);
     if (m_layout.parallel) m_stacker.squeeze();
     Section section = sectionOf(m_part, m_placement, m_layout, m_stacker.plan());
-    if (m_layout.parallel || section.crossing.size() > kMostMoved) return section;
-    for (const int joint : std::vector<int>(section.crossing)) move(joint, section);
+    if (m_layout.parallel || section.crossing.size() > kMostMoved || section.lines.size() > kMostLines) {
+      return section;
+    }
+    for (const int joint : std::vector<int>(section.crossing)) {
+      if (!stop.stop_requested()) move(joint, section);
+    }
     return section;
   }
 
@@ -57,7 +62,7 @@ class SectionSearch {
 
   /// The places that cost least by themselves.
   [[nodiscard]] std::vector<std::pair<double, double>> places(int joint) {
-    constexpr std::size_t kMostTried = 10;
+    constexpr std::size_t kMostTried = 8;
     const double now = m_stacker.placeOf(joint);
     std::vector<std::pair<double, double>> places;
     for (const double place : m_stacker.placesOf(joint)) {
@@ -93,14 +98,18 @@ class SectionSearch {
 
 }  // namespace
 
-SchematicGeometry schematicGeometry(const Mechanism& mechanism) {
+SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_token& stop) {
   SchematicGeometry geometry;
+  geometry.isTooLarge = mechanism.links.size() > kMostDrawnLinks;
+  if (geometry.isTooLarge) return geometry;
   const DrawnPart part = drawnPart(mechanism);
   const Placement placement = placementOf(part.mechanism);
   if (!placement.tree) return geometry;
   SheetLayout layout = sheetLayout(part, placement);
   if (layout.axes.empty()) return geometry;
-  Section section = SectionSearch(part, placement, layout).best();
+  Section section = SectionSearch(part, placement, layout).best(stop);
+  if (stop.stop_requested()) return geometry;
+  geometry.frame = sheetFrame(part, layout);
   SectionLabels labels = sectionLabels(part, layout, section);
   geometry.notes = sectionNotes(part, layout);
   geometry.alike = part.alike;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/drawing/emphasis.h"
@@ -15,6 +16,8 @@ struct SchematicGeometry {
   std::vector<Outline> outlines;
   std::vector<DrawnPart::Alike> alike;  ///< elements that another one stands for
   std::vector<std::string> notes;
+  SheetFrame frame;         ///< for drawing on it
+  bool isTooLarge = false;  ///< more links than can be drawn: there is nothing else then
 
   [[nodiscard]] bool isEmpty() const { return marks.empty(); }
 };
@@ -22,9 +25,13 @@ struct SchematicGeometry {
 /// Draws what the mechanism has so far: axes, and the links that turning joints tie to the ground. Axes that
 /// do not lie in one plane are unfolded, and a note says so.
 ///
-/// Cost: 10 links in a few milliseconds, 1,000 in some seconds: not for the thread of the windows.
+/// Cost: milliseconds for 15 links, some tenths of a second for kMostDrawnLinks: not for the thread of the
+/// windows. When `stop` is requested meanwhile, what comes back is of no use.
 /// @pre the mechanism is well formed
-[[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism);
+[[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
+                                                  const std::stop_token& stop = {});
+/// A section of more links would not be a drawing that anybody reads.
+constexpr std::size_t kMostDrawnLinks = 60;
 
 /// The drawing with what stands out: halos behind what is hovered, accent on what is selected. Equal planets
 /// stand out together.

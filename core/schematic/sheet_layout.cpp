@@ -69,4 +69,26 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement) {
   return layout;
 }
 
+SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
+  SheetFrame frame;
+  const SheetAxis& root = layout.axes[static_cast<std::size_t>(layout.root)];
+  frame.right = layout.right;
+  frame.up = layout.up;
+  frame.base = root.base;
+  frame.origin = root.origin;
+  frame.scale = layout.scale;
+  for (const SheetAxis& axis : layout.axes) {
+    frame.axes.push_back(
+        {part.mechanism.axes[static_cast<std::size_t>(axis.axis)].id, axis.origin, axis.along});
+  }
+  if (!layout.parallel) return frame;
+  for (const SheetWheel& wheel : layout.wheels) frame.stops.emplace_back(wheel.at, wheel.space);
+  std::sort(frame.stops.begin(), frame.stops.end());
+  const auto same = [](const auto& a, const auto& b) {
+    return b.first - a.first < 1 || b.second <= a.second;
+  };
+  frame.stops.erase(std::unique(frame.stops.begin(), frame.stops.end(), same), frame.stops.end());
+  return frame;
+}
+
 }  // namespace geargraph

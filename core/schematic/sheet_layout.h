@@ -7,6 +7,7 @@
 #include "core/drawing/planar.h"
 #include "core/gears/train_wheels.h"
 #include "core/schematic/drawn_part.h"
+#include "core/schematic/sheet_frame.h"
 
 namespace geargraph {
 
@@ -39,6 +40,7 @@ struct SheetWheel {
   int axis = 0;  ///< of the layout
   GearKind kind = GearKind::external;
   std::vector<int> meshes;
+  double space = 0;    ///< where along the axis it stands in space
   double at = 0;       ///< where its body meets the axis
   double radius = 0;   ///< height of the body's end: the middle of the pitch line
   SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
@@ -65,9 +67,12 @@ struct SheetLayout {
   std::vector<SheetAxis> axes;  ///< axis classes first, in their order
   std::vector<SheetWheel> wheels;
   std::vector<SheetPair> pairs;
-  double scale = 1;            ///< px a unit of length, at right angles to parallel axes
-  bool parallel = true;        ///< all axes lie horizontally, where along them is not to scale
-  bool otherRadii = false;     ///< radii were changed so that wheels touch on the sheet
+  double scale = 1;         ///< px a unit of length, at right angles to parallel axes
+  bool parallel = true;     ///< all axes lie horizontally, where along them is not to scale
+  bool otherRadii = false;  ///< radii were changed so that wheels touch on the sheet
+  Vector3 right{0, 0, 1};   ///< unit vectors: what lies to the right and upward on the sheet
+  Vector3 up{1, 0, 0};
+  int root = 0;                ///< the axis that the others are laid out from
   std::vector<double> planes;  ///< parallel: where along the axes wheels stand, in space, ascending
 
   /// px along an axis of a place in space.
@@ -78,6 +83,10 @@ struct SheetLayout {
   /// Parallel: px along the axes of a coordinate in space.
   [[nodiscard]] double stretched(double coordinate) const;
 };
+
+/// What places on the sheet mean in space, wheels standing where they stand now.
+/// @pre the layout has an axis
+[[nodiscard]] SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout);
 
 /// Where planes of wheels stand apart before things are put between them, px.
 constexpr double kPlaneDistance = 150;

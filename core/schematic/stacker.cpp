@@ -14,8 +14,11 @@ constexpr int kStepsOutside = 10;  ///< and beyond all of them
 constexpr double kCrossing = 100;  ///< cost of two things in one place
 constexpr double kEnclosed = 45;
 constexpr double kArmHalf = 3;
-constexpr std::size_t kMostPlaces = 64;
 constexpr int kRounds = 4;
+// Large trains are searched less: nobody follows every line of them.
+constexpr std::size_t kLarge = 50;  ///< joints
+constexpr std::size_t kMostPlaces = 64;
+constexpr std::size_t kMostPlacesInLarge = 16;
 
 std::size_t at(int position) {
   return static_cast<std::size_t>(position);
@@ -28,6 +31,26 @@ Stacker::Stacker(const DrawnPart& part, const Placement& placement, SheetLayout&
   addFixedPieces();
   addCups();
   addBearings();
+  indexByAxis();
+}
+
+void Stacker::indexByAxis() {
+  m_on.resize(m_layout.axes.size());
+  m_reachesAcross.resize(m_part.mechanism.links.size());
+  for (const SheetBearing& bearing : m_bearings) {
+    const int home = axisOfLink(m_placement, bearing.parent);
+    if (bearing.axis != home && !bearing.straightArm) m_reachesAcross[at(bearing.parent)] = true;
+  }
+  for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) {
+    m_on[at(m_layout.wheels[w].axis)].wheels.push_back(static_cast<int>(w));
+  }
+  for (std::size_t k = 0; k < m_cups.size(); ++k) {
+    m_on[at(m_layout.wheels[at(m_cups[k].wheel)].axis)].cups.push_back(static_cast<int>(k));
+  }
+  for (const SheetBearing& bearing : m_bearings) {
+    m_on[at(bearing.axis)].bearings.push_back(bearing.joint);
+    if (bearing.straightArm) m_on[at(axisOfLink(m_placement, bearing.parent))].arms.push_back(bearing.joint);
+  }
 }
 
 bool Stacker::areParallel(int a, int b) const {
@@ -83,11 +106,13 @@ std::vector<double> Stacker::placesOn(int axis, double wanted) const {
   }
   const auto nearer = [&](double x, double y) { return std::abs(x - wanted) < std::abs(y - wanted) - 1e-9; };
   std::stable_sort(places.begin(), places.end(), nearer);
+  const bool isLarge = m_placement.tree->joints.size() > kLarge;
+  const std::size_t most = isLarge ? kMostPlacesInLarge : kMostPlaces;
   std::vector<double> kept;
   for (const double place : places) {
     const bool known =
         std::any_of(kept.begin(), kept.end(), [&](double k) { return std::abs(k - place) < 6; });
-    if (!known && kept.size() < kMostPlaces) kept.push_back(place);
+    if (!known && kept.size() < most) kept.push_back(place);
   }
   return kept;
 }
@@ -177,36 +202,30 @@ std::vector<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
 
 std::vector<int> Stacker::linksOn(int axis) const {
   std::set<int> links;
-  for (const SheetBearing& bearing : m_bearings) {
-    if (bearing.axis == axis) links.insert(bearing.child);
-  }
-  for (const SheetWheel& wheel : m_layout.wheels) {
-    if (wheel.axis == axis && !isInFrame(wheel)) links.insert(wheel.link);
+  for (const int joint : m_on[at(axis)].bearings) links.insert(m_bearings[at(joint)].child);
+  for (const int w : m_on[at(axis)].wheels) {
+    if (!isInFrame(m_layout.wheels[at(w)])) links.insert(m_layout.wheels[at(w)].link);
   }
   return {links.begin(), links.end()};
 }
 
-/// Does the link hold axes that are not parallel to its own? Its arms go round what is between.
-bool Stacker::reachesAcross(int link) const {
-  const int home = axisOfLink(m_placement, link);
-  return std::any_of(m_bearings.begin(), m_bearings.end(), [&](const SheetBearing& bearing) {
-    return bearing.parent == link && bearing.axis != home && !bearing.straightArm;
-  });
-}
-
 std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
+  const OnAxis& on = m_on[at(axis)];
   std::vector<Column> columns;
-  for (const SheetWheel& wheel : m_layout.wheels) {
-    if (wheel.axis == axis && !wheel.isRing() && !isInFrame(wheel))
-      columns.push_back({wheel.at, wheel.link, wheel.link != 0});
+  for (const int w : on.wheels) {
+    const SheetWheel& wheel = m_layout.wheels[at(w)];
+    if (!wheel.isRing() && !isInFrame(wheel)) columns.push_back({wheel.at, wheel.link, wheel.link != 0});
   }
-  for (const SheetCup& cup : m_cups) {
-    const SheetWheel& wheel = m_layout.wheels[at(cup.wheel)];
-    if (wheel.axis == axis) columns.push_back({cup.at, wheel.link, true});
+  for (const int k : on.cups) {
+    const SheetCup& cup = m_cups[at(k)];
+    columns.push_back({cup.at, m_layout.wheels[at(cup.wheel)].link, true});
   }
-  for (const SheetBearing& bearing : m_bearings) {
-    if (bearing.axis == axis) columns.push_back({bearing.at, bearing.child, reachesAcross(bearing.child)});
-    if (!bearing.straightArm || axisOfLink(m_placement, bearing.parent) != axis) continue;
+  for (const int joint : on.bearings) {
+    const SheetBearing& bearing = m_bearings[at(joint)];
+    columns.push_back({bearing.at, bearing.child, m_reachesAcross[at(bearing.child)]});
+  }
+  for (const int joint : on.arms) {
+    const SheetBearing& bearing = m_bearings[at(joint)];
     const SheetPoint end = m_layout.axes[at(bearing.axis)].at(bearing.at, 0);
     columns.push_back({m_layout.axes[at(axis)].coordinateOf(end), bearing.parent, true});
   }
@@ -219,8 +238,8 @@ Stacker::Range Stacker::rangeOf(int axis, int link) const {
     if (column.link == link) range.include(column.at, column.at);
   }
   const bool own = link != 0 && axisOfLink(m_placement, link) == axis;
-  for (const SheetBearing& bearing : m_bearings) {
-    if (bearing.axis != axis) continue;
+  for (const int joint : m_on[at(axis)].bearings) {
+    const SheetBearing& bearing = m_bearings[at(joint)];
     if (bearing.child == link) {
       range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
       if (bearing.driven) {
@@ -308,45 +327,54 @@ double Stacker::enclosure(const SheetBearing& bearing) const {
   return kEnclosed * std::min(below, above);
 }
 
-double Stacker::cost(std::size_t index) const {
-  const Item& item = m_items[index];
+Stacker::Scene Stacker::sceneWithout(std::size_t item) const {
+  Scene scene;
+  scene.pieces = m_fixed;
+  scene.axisOf.assign(m_fixed.size(), -1);
+  for (std::size_t i = 0; i < m_items.size(); ++i) {
+    if (i == item) continue;
+    for (const Piece& piece : piecesOf(m_items[i])) {
+      scene.pieces.push_back(piece);
+      scene.axisOf.push_back(axisOf(m_items[i]));
+    }
+  }
+  for (const SheetBearing& bearing : m_bearings) {
+    const Range range = rangeOf(bearing.axis, bearing.child);
+    scene.tubes.push_back({boxOn(bearing.axis, range.low, range.high, -2, 2), bearing.child, bearing.axis});
+  }
+  return scene;
+}
+
+/// What stands in one place, arms across shafts on other axes, and shafts that cannot be nested.
+double Stacker::cost(const Item& item, const Scene& scene) const {
   double sum = compactness(item);
   if (!item.isCup) sum += enclosure(m_bearings[at(item.index)]);
-  const std::vector<Piece> own = piecesOf(item);
-  const auto meets = [&](const Piece& other) {
-    for (const Piece& piece : own) {
-      if (piece.owner != other.owner && piece.box.meets(other.box)) sum += kCrossing;
-    }
-  };
-  for (const Piece& piece : m_fixed) meets(piece);
-  for (std::size_t i = 0; i < m_items.size(); ++i) {
-    if (i == index) continue;
-    for (const Piece& piece : piecesOf(m_items[i])) meets(piece);
-  }
-  // Arms across shafts on other axes; those on the same axis are the lanes' business.
   const int axis = axisOf(item);
+  for (const Piece& own : piecesOf(item)) {
+    for (const Piece& other : scene.pieces) {
+      if (own.owner != other.owner && own.box.meets(other.box)) sum += kCrossing;
+    }
+    for (const Scene::Tube& tube : scene.tubes) {
+      if (tube.axis != axis && own.owner != tube.link && own.box.meets(tube.box)) sum += kCrossing;
+    }
+  }
   for (const auto& [tubeAxis, range] : tubesTouchedBy(item)) {
     const Extent tube = boxOn(tubeAxis, range.low, range.high, -2, 2);
     const int link = item.isCup ? m_layout.wheels[at(m_cups[at(item.index)].wheel)].link
                                 : (tubeAxis == axis ? m_bearings[at(item.index)].child
                                                     : m_bearings[at(item.index)].parent);
-    for (std::size_t i = 0; i < m_items.size(); ++i) {
-      if (i == index || axisOf(m_items[i]) == tubeAxis) continue;
-      for (const Piece& piece : piecesOf(m_items[i])) {
-        if (piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
-      }
+    for (std::size_t k = m_fixed.size(); k < scene.pieces.size(); ++k) {
+      const Piece& piece = scene.pieces[k];
+      if (scene.axisOf[k] != tubeAxis && piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
     }
     sum += 1.3 * kCrossing * conflictsOn(tubeAxis);
   }
-  for (const SheetBearing& other : m_bearings) {
-    if (other.axis == axis) continue;
-    const Range range = rangeOf(other.axis, other.child);
-    const Extent tube = boxOn(other.axis, range.low, range.high, -2, 2);
-    for (const Piece& piece : own) {
-      if (piece.owner != other.child && piece.box.meets(tube)) sum += kCrossing;
-    }
-  }
   return sum;
+}
+
+double Stacker::costOf(int joint) const {
+  const std::size_t item = itemOf(joint);
+  return cost(m_items[item], sceneWithout(item));
 }
 
 std::size_t Stacker::itemOf(int joint) const {
@@ -373,16 +401,20 @@ std::vector<double> Stacker::candidatesOf(const Item& item) const {
   return candidates;
 }
 
-void Stacker::search() {
-  for (int round = 0; round < kRounds; ++round) {
+void Stacker::search(const std::stop_token& stop) {
+  const int rounds = m_bearings.size() > kLarge ? 1 : kRounds;
+  for (int round = 0; round < rounds; ++round) {
     bool changed = false;
     for (std::size_t i = 0; i < m_items.size(); ++i) {
-      double& place = atOf(m_items[i]);
+      if (stop.stop_requested()) return;
+      const Item& item = m_items[i];
+      const Scene scene = sceneWithout(i);
+      double& place = atOf(item);
       double best = place;
-      double least = cost(i);
-      for (const double candidate : candidatesOf(m_items[i])) {
+      double least = cost(item, scene);
+      for (const double candidate : candidatesOf(item)) {
         place = candidate;
-        const double found = cost(i);
+        const double found = cost(item, scene);
         if (found >= least - 1e-6) continue;
         least = found;
         best = candidate;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/schematic/shaft_plan.h"
@@ -15,7 +16,8 @@ class Stacker {
  public:
   Stacker(const DrawnPart& part, const Placement& placement, SheetLayout& layout);
 
-  void search();
+  /// Gives up early when `stop` is requested.
+  void search(const std::stop_token& stop = {});
   /// Moves everything together along the axes. @pre the layout is parallel
   void squeeze();
   [[nodiscard]] ShaftPlan plan() const;
@@ -24,7 +26,7 @@ class Stacker {
   [[nodiscard]] std::vector<double> placesOf(int joint) const;
   [[nodiscard]] double placeOf(int joint) const { return m_bearings[static_cast<std::size_t>(joint)].at; }
   void move(int joint, double to) { m_bearings[static_cast<std::size_t>(joint)].at = to; }
-  [[nodiscard]] double costOf(int joint) const { return cost(itemOf(joint)); }
+  [[nodiscard]] double costOf(int joint) const;
 
  private:
   /// A bearing or a cup.
@@ -65,12 +67,24 @@ class Stacker {
   [[nodiscard]] int axisOf(const Item& item) const;
   [[nodiscard]] std::vector<double> candidatesOf(const Item& item) const;
   [[nodiscard]] std::vector<Piece> piecesOf(const Item& item) const;
-  [[nodiscard]] double cost(std::size_t item) const;
+  /// All that an item can get in the way of.
+  struct Scene {
+    struct Tube {
+      Extent box;
+      int link = 0;
+      int axis = 0;
+    };
+    std::vector<Piece> pieces;
+    std::vector<int> axisOf;  ///< by piece: where it stands; -1 for wheels
+    std::vector<Tube> tubes;
+  };
+  [[nodiscard]] Scene sceneWithout(std::size_t item) const;
+  [[nodiscard]] double cost(const Item& item, const Scene& scene) const;
+  void indexByAxis();
   [[nodiscard]] std::size_t itemOf(int joint) const;
   [[nodiscard]] double enclosure(const SheetBearing& bearing) const;
   [[nodiscard]] double compactness(const Item& item) const;
   [[nodiscard]] std::vector<int> linksOn(int axis) const;
-  [[nodiscard]] bool reachesAcross(int link) const;
   [[nodiscard]] std::vector<Column> columnsOn(int axis) const;
   [[nodiscard]] Range rangeOf(int axis, int link) const;
   [[nodiscard]] double freeEndOf(const SheetBearing& bearing) const;
@@ -86,6 +100,17 @@ class Stacker {
   std::vector<SheetCup> m_cups;
   std::vector<Item> m_items;
   std::vector<Piece> m_fixed;
+
+  /// What stands on an axis, by position.
+  struct OnAxis {
+    std::vector<int> wheels;
+    std::vector<int> cups;
+    std::vector<int> bearings;
+    std::vector<int> arms;  ///< bearings elsewhere that straight arms from here hold
+  };
+  std::vector<OnAxis> m_on;
+  /// By link: does it hold axes that are not parallel to its own? Its arms go round what is between.
+  std::vector<bool> m_reachesAcross;
 };
 
 }  // namespace geargraph

@@ -57,6 +57,9 @@ class Unfolder {
   void unfold() {
     const int first = root();
     m_plane = bestPlane(first);
+    m_layout.root = first;
+    m_layout.right = m_plane.right;
+    m_layout.up = m_plane.up;
     SheetAxis& axis = m_layout.axes[at(first)];
     axis.along = unit(m_plane.onSheet(axis.direction));
     axis.up = {axis.along.y, -axis.along.x};

@@ -16,7 +16,8 @@ bool sameDrawing(const Mechanism& a, const Mechanism& b) {
 }  // namespace
 
 SchematicService::SchematicService(QObject* parent)
-    : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { make(request); }) {}
+    : QObject(parent),
+      m_worker([this](const Request& request, const std::stop_token& stop) { draw(request, stop); }) {}
 
 void SchematicService::request(const MechanismPtr& mechanism) {
   const bool same = m_mechanism && sameDrawing(*m_mechanism, *mechanism);
@@ -26,11 +27,12 @@ void SchematicService::request(const MechanismPtr& mechanism) {
   m_worker.request({mechanism, m_wanted});
 }
 
-void SchematicService::make(const Request& request) {
-  auto schematic = std::make_shared<const SchematicGeometry>(schematicGeometry(*request.mechanism));
+void SchematicService::draw(const Request& request, const std::stop_token& stop) {
+  const auto schematic =
+      std::make_shared<const SchematicGeometry>(schematicGeometry(*request.mechanism, stop));
+  if (stop.stop_requested()) return;
   QMetaObject::invokeMethod(
-      this, [this, schematic = std::move(schematic), number = request.number] { arrived(schematic, number); },
-      Qt::QueuedConnection);
+      this, [this, schematic, number = request.number] { arrived(schematic, number); }, Qt::QueuedConnection);
 }
 
 void SchematicService::arrived(const SchematicPtr& schematic, quint64 number) {

@@ -31,7 +31,7 @@ class SchematicService : public QObject {
     quint64 number = 0;
   };
 
-  void make(const Request& request);
+  void draw(const Request& request, const std::stop_token& stop);
   void arrived(const SchematicPtr& schematic, quint64 number);
 
   quint64 m_wanted = 0;

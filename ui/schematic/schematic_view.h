@@ -2,11 +2,15 @@
 
 #include "ui/canvas/drawing_view.h"
 #include "ui/schematic/schematic_service.h"
+#include "ui/tools/section_tool.h"
 
 namespace geargraph {
 
 /// The functional schematic of the document [AU, Figs. 1 and 3]. The program lays it out, on a thread of its
 /// own, whenever the document changes; until then the last drawing stands.
+///
+/// The tools draw in it: Link a shaft, on an axis that is there or on a new one; Turning joint a shaft that a
+/// link carries; Gear mesh two wheels in mesh, or a wheel and a ring.
 class SchematicView : public DrawingView {
   Q_OBJECT
 
@@ -15,6 +19,7 @@ class SchematicView : public DrawingView {
 
   /// Is the document as it is now drawn?
   [[nodiscard]] bool isUpToDate() const { return m_service->isUpToDate(); }
+  void setTool(ToolKind tool) override;
 
  signals:
   /// The document as it is now is drawn.
@@ -27,13 +32,25 @@ class SchematicView : public DrawingView {
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
   /// An axis has its places among the properties of its joints.
   void openElement(const ElementId& element) override;
+  void pressed(const Pointer& pointer) override;
+  void moved(const Pointer& pointer) override { step(Moved{meant(pointer)}); }
+  void released(const Pointer& pointer) override { step(Released{meant(pointer)}); }
+  [[nodiscard]] bool isIdle() const override { return m_state.index() == 0; }
+  bool cancel() override;
 
  private:
   void showDrawing(const SchematicPtr& schematic);
+  void step(const ToolEvent& event);
+  /// A bearing stands for the shaft in it, as far as tools go.
+  [[nodiscard]] Pointer meant(Pointer pointer) const;
+  void addShaft(const section_tool::AddShaft& shaft);
+  void meshLinks(const section_tool::MeshLinks& mesh);
+  void showState();
 
   SchematicService* m_service;
   DrawingScene* m_sheet;
   SchematicPtr m_schematic;
+  section_tool::State m_state;
   bool m_fitNext = true;  ///< the next drawing is another document's
 };
 

@@ -195,7 +195,7 @@ class TestSchematic : public QObject {
       QVERIFY2(labelsInTheWay(geometry).isEmpty(), qPrintable(QString::fromStdString(train.name)));
       QCOMPARE(missing(train.mechanism, geometry).join(", "), QString());
     }
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       const Mechanism mechanism =
           test::randomTrain(seed, 3 + static_cast<int>(seed % 12), 2 + static_cast<int>(seed % 7));
       const SchematicGeometry geometry = schematicGeometry(mechanism);
@@ -289,6 +289,18 @@ class TestSchematic : public QObject {
     QVERIFY(says(schematicGeometry(mechanism), "Link 3 is not drawn"));
     QVERIFY(says(schematicGeometry(example("robot-to-mend")), "closes a loop"));
     QVERIFY(schematicGeometry(emptyMechanism()).isEmpty());
+  }
+
+  void aTrainTooLargeForASheetIsNotDrawn() {
+    const int most = static_cast<int>(kMostDrawnLinks);
+    QVERIFY(schematicGeometry(test::randomTrain(3, most, 5)).isTooLarge);
+    QVERIFY(!schematicGeometry(example("robot")).isTooLarge);
+  }
+
+  void aDrawingThatNobodyWantsAnyMoreIsGivenUp() {
+    std::stop_source source;
+    source.request_stop();
+    QVERIFY(schematicGeometry(example("robot"), source.get_token()).isEmpty());
   }
 
   void anAxisWithoutJointsIsDrawn() {

@@ -127,6 +127,52 @@ class TestSchematicView : public QObject {
     QCOMPARE(spy.count(), 1);
     QCOMPARE(spy.front().front().value<ElementId>(), ElementId(JointId("13")));
   }
+
+  void aPlanetarySetIsDrawnFromAnEmptySheet() {
+    Driver driver(emptyMechanism());
+    const auto drag = [&](ToolKind tool, QPoint from, QPoint to) {
+      driver.view.setTool(tool);
+      QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, from);
+      QTest::mouseMove(driver.view.viewport(), (from + to) / 2);
+      QTest::mouseMove(driver.view.viewport(), to);
+      QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, to);
+      driver.wait();
+    };
+    const auto mechanism = [&]() -> const Mechanism& { return *driver.document.mechanism(); };
+    const auto link = [&](int label) {
+      return driver.label(mechanism().links[static_cast<std::size_t>(label)].id);
+    };
+    const QPoint middle = driver.view.viewport()->rect().center();
+    drag(ToolKind::link, middle, middle + QPoint(80, 0));  // the sun
+    const auto onAxis = [&](int axis) {
+      const QPoint name = driver.label(mechanism().axes[static_cast<std::size_t>(axis)].id);
+      return name - QPoint(25, 0);
+    };
+    drag(ToolKind::link, onAxis(0), onAxis(0) + QPoint(40, 0));  // the carrier
+    QCOMPARE(mechanism().axes.size(), std::size_t{1});
+    drag(ToolKind::turningJoint, link(2), link(2) - QPoint(0, 140));  // the planet
+    QCOMPARE(mechanism().turningJoints.back().tail, mechanism().links[2].id);
+    drag(ToolKind::gearMesh, link(1), link(3));
+    drag(ToolKind::gearMesh, link(3), QPoint(link(3).x(), 4));  // the ring, in the frame
+    QCOMPARE(mechanism().c(), 2);
+    QCOMPARE(mechanism().gearMeshes[1].kind, std::optional(MeshKind::internal));
+    QCOMPARE(driver.document.undoStack().count(), 5);
+    QVERIFY(placementOf(mechanism()).diagnostics.empty());
+    const Mechanism drawn = mechanism();
+    while (driver.document.undoStack().canUndo()) driver.document.undoStack().undo();
+    QCOMPARE(mechanism(), emptyMechanism());
+    while (driver.document.undoStack().canRedo()) driver.document.undoStack().redo();
+    QCOMPARE(mechanism(), drawn);
+  }
+
+  void escapeGivesADragUp() {
+    Driver driver(example("spur-pair"));
+    driver.view.setTool(ToolKind::link);
+    QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, {10, 10});
+    QTest::keyClick(&driver.view, Qt::Key_Escape);
+    QTest::mouseRelease(driver.view.viewport(), Qt::LeftButton, {}, {80, 10});
+    QCOMPARE(driver.document.undoStack().count(), 0);
+  }
 };
 
 QTEST_MAIN(TestSchematicView)

@@ -1,0 +1,73 @@
+#include <QtTest>
+
+#include "ui/tools/section_tool.h"
+
+using namespace geargraph;
+using namespace geargraph::section_tool;
+
+namespace {
+
+Pointer at(double x, double y, std::optional<ElementId> on = {}) {
+  Pointer pointer;
+  pointer.at = {x, y};
+  pointer.on = std::move(on);
+  return pointer;
+}
+const ElementId kOne = LinkId("1");
+const ElementId kTwo = LinkId("2");
+
+/// A drag, event by event.
+Step dragged(ToolKind tool, const Pointer& from, const Pointer& to) {
+  Step step = on(Idle{}, Pressed{from}, tool);
+  step = on(step.next, Moved{to}, tool);
+  return on(step.next, Released{to}, tool);
+}
+
+}  // namespace
+
+/// The diagram of section_tool.h read aloud.
+class TestSectionTool : public QObject {
+  Q_OBJECT
+ private slots:
+  void linkDragged_addsAShaft() {
+    const Step step = dragged(ToolKind::link, at(0, 0), at(80, 2));
+    QVERIFY(std::holds_alternative<Idle>(step.next));
+    QCOMPARE(std::get<AddShaft>(step.proposal.value()), (AddShaft{{0, 0}, {80, 2}, {}}));
+  }
+  void jointDraggedFromALink_addsAShaftThatItCarries() {
+    const Step step = dragged(ToolKind::turningJoint, at(0, 0, kTwo), at(0, -90));
+    QCOMPARE(std::get<AddShaft>(step.proposal.value()), (AddShaft{{0, -90}, {0, -90}, LinkId("2")}));
+  }
+  void jointPressedOnNothing_staysIdle() {
+    QVERIFY(std::holds_alternative<Idle>(on(Idle{}, Pressed{at(0, 0)}, ToolKind::turningJoint).next));
+  }
+  void meshDraggedToALink_meshesBoth() {
+    const Step step = dragged(ToolKind::gearMesh, at(0, 0, kOne), at(0, -90, kTwo));
+    QCOMPARE(std::get<MeshLinks>(step.proposal.value()),
+             (MeshLinks{LinkId("1"), LinkId("2"), {0, 0}, {0, -90}}));
+  }
+  void meshDraggedToNothing_isWithTheGround() {
+    const Step step = dragged(ToolKind::gearMesh, at(0, 0, kOne), at(0, -90));
+    QVERIFY(std::get<MeshLinks>(step.proposal.value()).head.empty());
+  }
+  void aClickOrTheSameLink_proposesNothing() {
+    QVERIFY(!dragged(ToolKind::gearMesh, at(0, 0, kOne), at(1, 1, kOne)).proposal);
+    QVERIFY(!dragged(ToolKind::gearMesh, at(0, 0, kOne), at(50, 0, kOne)).proposal);
+    QVERIFY(!dragged(ToolKind::turningJoint, at(0, 0, kOne), at(1, 1, kOne)).proposal);
+  }
+  void escapeFromAnyState_isIdle() {
+    for (const State& state : {State(Idle{}), State(Shaft{}), State(Carried{}), State(Meshing{})}) {
+      QVERIFY(std::holds_alternative<Idle>(on(state, Escaped{}, ToolKind::link).next));
+    }
+  }
+  void theDraftFollowsTheMouse() {
+    const Step pressed = on(Idle{}, Pressed{at(5, 5)}, ToolKind::link);
+    const Step moved = on(pressed.next, Moved{at(50, 6)}, ToolKind::link);
+    QCOMPARE(draft(moved.next)->to, (SheetPoint{50, 6}));
+    QVERIFY(!draft(Idle{}).has_value());
+    QVERIFY(hint(Idle{}, ToolKind::link) != hint(moved.next, ToolKind::link));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestSectionTool)
+#include "test_section_tool.moc"

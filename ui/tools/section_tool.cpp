@@ -1,0 +1,96 @@
+#include "ui/tools/section_tool.h"
+
+#include <cmath>
+
+namespace geargraph::section_tool {
+namespace {
+
+LinkId linkUnder(const Pointer& pointer) {
+  const bool isLink = pointer.on && pointer.on->kind == ElementKind::link;
+  return isLink ? LinkId(pointer.on->id) : LinkId();
+}
+
+bool wandered(SheetPoint from, const Pointer& pointer) {
+  return std::hypot(pointer.at.x - from.x, pointer.at.y - from.y) > pointer.slop;
+}
+
+/// What a drawing that is under way does; it moves with the mouse.
+template <class Drawn>
+Step drawnTo(Drawn state, const Moved& event) {
+  state.to = event.pointer.at;
+  return {state, {}};
+}
+
+struct Transition {
+  ToolKind tool;
+
+  Step operator()(const Idle& idle, const Pressed& event) const {
+    const Pointer& pointer = event.pointer;
+    if (tool == ToolKind::link) return {Shaft{pointer.at, pointer.at}, {}};
+    const LinkId link = linkUnder(pointer);
+    if (link.empty()) return {idle, {}};
+    if (tool == ToolKind::turningJoint) return {Carried{link, pointer.at, pointer.at}, {}};
+    if (tool == ToolKind::gearMesh) return {Meshing{link, pointer.at, pointer.at}, {}};
+    return {idle, {}};
+  }
+  Step operator()(const Shaft& state, const Moved& event) const { return drawnTo(state, event); }
+  Step operator()(const Carried& state, const Moved& event) const { return drawnTo(state, event); }
+  Step operator()(const Meshing& state, const Moved& event) const { return drawnTo(state, event); }
+  Step operator()(const Shaft& state, const Released& event) const {
+    return {Idle{}, AddShaft{state.from, event.pointer.at, {}}};
+  }
+  Step operator()(const Carried& state, const Released& event) const {
+    if (!wandered(state.from, event.pointer)) return {Idle{}, {}};
+    return {Idle{}, AddShaft{event.pointer.at, event.pointer.at, state.carrier}};
+  }
+  Step operator()(const Meshing& state, const Released& event) const {
+    const LinkId head = linkUnder(event.pointer);
+    if (!wandered(state.from, event.pointer) || head == state.tail) return {Idle{}, {}};
+    return {Idle{}, MeshLinks{state.tail, head, state.from, event.pointer.at}};
+  }
+  template <class AnyState>
+  Step operator()(const AnyState&, const Escaped&) const {
+    return {Idle{}, {}};
+  }
+  template <class AnyState, class AnyEvent>
+  Step operator()(const AnyState& state, const AnyEvent&) const {
+    return {state, {}};
+  }
+};
+
+}  // namespace
+
+Step on(const State& state, const ToolEvent& event, ToolKind tool) {
+  return std::visit(Transition{tool}, state, event);
+}
+
+std::string_view hint(const State& state, ToolKind tool) {
+  const bool idle = std::holds_alternative<Idle>(state);
+  switch (tool) {
+    case ToolKind::link:
+      return idle ? "Shaft: drag along an axis, or on empty ground for a new axis"
+                  : "Shaft: release where it ends. Esc cancels";
+    case ToolKind::turningJoint:
+      return idle ? "Carried shaft: drag from the link that carries it to where it shall be"
+                  : "Carried shaft: release where its axis shall be. Esc cancels";
+    case ToolKind::gearMesh:
+      return idle ? "Gear mesh: drag from a shaft to the one it drives"
+                  : "Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels";
+    case ToolKind::input:
+      return "Input: click a turning joint, or the link it carries, to drive it or not";
+    case ToolKind::pan:
+      return "Drag to move the sheet";
+    case ToolKind::select:
+      return "Click to select. The program lays the drawing out";
+  }
+  return {};
+}
+
+std::optional<Draft> draft(const State& state) {
+  if (const auto* shaft = std::get_if<Shaft>(&state)) return Draft{shaft->from, shaft->to, true};
+  if (const auto* carried = std::get_if<Carried>(&state)) return Draft{carried->from, carried->to, false};
+  if (const auto* meshing = std::get_if<Meshing>(&state)) return Draft{meshing->from, meshing->to, false};
+  return std::nullopt;
+}
+
+}  // namespace geargraph::section_tool
