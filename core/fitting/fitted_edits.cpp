@@ -12,6 +12,7 @@ namespace geargraph {
 namespace {
 
 bool hasGeometry(const Placement& placement) {
+  if (placement.meshes.size() > kMostFittedMeshes) return false;
   return placement.tree && std::all_of(placement.meshes.begin(), placement.meshes.end(),
                                        [](const auto& mesh) { return mesh.has_value(); });
 }

@@ -14,6 +14,28 @@ int directionSign(const Placement& placement, int oneClass, int otherClass) {
   return dot(one, other) < 0 ? -1 : 1;
 }
 
+std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<const Rational> rates, int link) {
+  const JointTree& tree = *placement.tree;
+  std::vector<SpeedAbout> speeds;
+  while (link != 0) {
+    const auto joint = static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)]);
+    const int parent = tree.parent[static_cast<std::size_t>(link)];
+    const int at = placement.classes->classOf[joint];
+    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->sense[joint];
+    auto known = speeds.begin();
+    while (known != speeds.end() && directionSign(placement, known->axisClass, at) == 0) ++known;
+    if (known == speeds.end()) {
+      known = speeds.insert(known, SpeedAbout{at, 0});
+    } else {
+      sense *= directionSign(placement, known->axisClass, at);
+    }
+    known->speed += Rational(sense) * rates[joint];
+    link = parent;
+  }
+  std::erase_if(speeds, [](const SpeedAbout& about) { return about.speed.isZero(); });
+  return speeds;
+}
+
 RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int to) {
   const AxisClasses& classes = *placement.classes;
   ClassPath path;

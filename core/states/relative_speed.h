@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/exact/sparse_rows.h"
@@ -37,6 +38,18 @@ struct RelativeSpeed {
   /// whose speeds depend on the pose.
   [[nodiscard]] bool closesWithoutLinkage() const { return stretches <= 3; }
 };
+
+/// A part of an absolute angular velocity: so much about the line of a class.
+struct SpeedAbout {
+  int axisClass = 0;
+  Rational speed;
+};
+
+/// The absolute angular velocity of a link as sums about pairwise different directions, those that are 0 left
+/// out; nothing left: it stands still. Cost: O(joints to the ground).
+/// @pre the placement has a tree; a rate for every joint
+[[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
+                                                    std::span<const Rational> rates, int link);
 
 /// +1 where the lines of two classes point the same way, -1 where opposite ways, 0 where they are not
 /// parallel.

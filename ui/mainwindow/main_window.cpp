@@ -149,7 +149,9 @@ QWidget* MainWindow::makeInputsAndResults() {
   auto* layout = new QVBoxLayout(both);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(new InputsPanel(m_document, m_selection, both));
+  m_inputs = new InputsPanel(m_document, m_selection, both);
+  connect(m_results, &ResultsPanel::inputsWanted, m_inputs, &InputsPanel::drive);
+  layout->addWidget(m_inputs);
   auto* rule = new QFrame(both);
   rule->setProperty("look", "rule");
   rule->setFixedHeight(1);
@@ -258,6 +260,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);
   m_gearbox->setSnapshot(snapshot);
+  m_inputs->setSnapshot(snapshot);
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));

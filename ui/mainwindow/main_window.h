@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
   PropertiesPanel* m_properties = nullptr;
   ResultsPanel* m_results = nullptr;
   GearboxPanel* m_gearbox = nullptr;
+  InputsPanel* m_inputs = nullptr;
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;

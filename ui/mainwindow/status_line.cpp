@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/models/freedom_text.h"
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
@@ -89,6 +90,10 @@ void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
   // Without a tree, or with a mesh that has no geometry, there is no coefficient matrix to take a rank of.
   const MatroidAnalysis* matroid = snapshot->matroid();
   m_rank->setText(matroid != nullptr ? tr("rank %1").arg(matroid->rank) : tr("rank –"));
+  const QString freedom =
+      freedomText(*snapshot).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
+  m_freedom->setToolTip(tipOf(Term::degreesOfFreedom) +
+                        (freedom.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(freedom)));
   m_freedom->setText(matroid != nullptr ? tr("DOF %1").arg(matroid->dof) : tr("DOF –"));
 }
 

@@ -1,5 +1,7 @@
 #include "ui/models/results_model.h"
 
+#include <algorithm>
+
 namespace geargraph {
 namespace {
 
@@ -94,11 +96,45 @@ QString ResultsModel::coefficient(int row, int input) const {
   return printedNumber(solution()->matrix[at(row, input)]);
 }
 
+void ResultsModel::setUnit(const SpeedUnit& unit) {
+  beginResetModel();
+  m_unit = unit;
+  endResetModel();
+}
+
+int ResultsModel::referenceJoint() const {
+  if (m_unit.kind != SpeedUnit::Kind::ratio) return -1;
+  const auto& joints = m_snapshot->mechanism->turningJoints;
+  const auto found = std::find_if(joints.begin(), joints.end(),
+                                  [this](const TurningJoint& joint) { return joint.id == m_unit.reference; });
+  return found == joints.end() ? -1 : static_cast<int>(found - joints.begin());
+}
+
 QString ResultsModel::rateNow(int row, bool asDecimal) const {
   const auto joint = static_cast<std::size_t>(solution()->outputs[static_cast<std::size_t>(row)]);
-  const bool exact = m_snapshot->solved && m_snapshot->solved->exact;
-  if (exact && !asDecimal) return printedFraction(m_snapshot->solved->exact->rates[joint]);
-  return printedNumber(solution()->rates[joint]);
+  const int reference = referenceJoint();
+  if (m_snapshot->solved && m_snapshot->solved->exact && !asDecimal) {
+    const std::vector<Rational>& rates = m_snapshot->solved->exact->rates;
+    return speedText(
+        rates[joint], m_unit,
+        reference < 0 ? std::nullopt : std::optional(rates[static_cast<std::size_t>(reference)]));
+  }
+  const std::vector<double>& rates = solution()->rates;
+  return speedText(rates[joint], asDecimal ? SpeedUnit() : m_unit,
+                   reference < 0 ? std::nullopt : std::optional(rates[static_cast<std::size_t>(reference)]));
+}
+
+QString ResultsModel::headOfRates() const {
+  switch (m_unit.kind) {
+    case SpeedUnit::Kind::rpm:
+      return tr("rpm");
+    case SpeedUnit::Kind::ratio: {
+      const int reference = referenceJoint();
+      return reference < 0 ? tr("ratio") : tr("to %1").arg(m_snapshot->graph->edgeLabel(reference));
+    }
+    default:
+      return tr("now");
+  }
 }
 
 QVariant ResultsModel::data(const QModelIndex& index, int role) const {
@@ -134,7 +170,7 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
   const int input = section - 1;
   if (section < 0 || section >= columnCount()) return {};
   if (input < 0) return tr("joint");
-  if (input == inputCount()) return tr("now");
+  if (input == inputCount()) return headOfRates();
   return QString::fromStdString(labelOf(*m_snapshot->mechanism, inputAt(input)).value());
 }
 

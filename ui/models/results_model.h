@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 
 #include "core/analysis/analysis.h"
+#include "ui/models/speed_unit.h"
 
 namespace geargraph {
 
@@ -27,6 +28,8 @@ class ResultsModel : public QAbstractTableModel {
   void setSnapshot(const SnapshotPtr& snapshot);
   void setSymbolic(bool symbolic);
   [[nodiscard]] bool isSymbolic() const { return m_symbolic; }
+  /// Of the rates now; the coefficients are pure numbers.
+  void setUnit(const SpeedUnit& unit);
   /// Are there symbols to be shown?
   [[nodiscard]] bool hasSymbols() const;
 
@@ -50,9 +53,13 @@ class ResultsModel : public QAbstractTableModel {
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
   [[nodiscard]] QString coefficient(int row, int input) const;
   [[nodiscard]] QString rateNow(int row, bool asDecimal) const;
+  /// The joint that ratios are taken to, by ordinal; -1: none.
+  [[nodiscard]] int referenceJoint() const;
+  [[nodiscard]] QString headOfRates() const;
   [[nodiscard]] bool isZero(int row, int input) const;
 
   SnapshotPtr m_snapshot;
+  SpeedUnit m_unit;
   bool m_symbolic = true;
 };
 

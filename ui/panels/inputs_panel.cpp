@@ -3,10 +3,13 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
+#include "core/matroid/input_roles.h"
 #include "core/mechanism/edits.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"
@@ -42,14 +45,19 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   m_empty->setProperty("look", "empty");
   m_empty->setWordWrap(true);
   m_empty->setAlignment(Qt::AlignCenter);
-  m_grid->setContentsMargins(16, 12, 16, 8);
+  m_choose = new QToolButton(this);
+  m_choose->setObjectName(QStringLiteral("chooseInputs"));
+  m_choose->setProperty("look", "flat");
+  connect(m_choose, &QToolButton::clicked, this, [this] { drive(m_snapshot->matroid()->choice.joints); });
+  m_grid->setContentsMargins(16, 8, 16, 4);
   m_grid->setHorizontalSpacing(10);
-  m_grid->setVerticalSpacing(8);
+  m_grid->setVerticalSpacing(4);
   m_grid->setColumnStretch(2, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(m_grid);
   layout->addWidget(m_empty);
+  layout->addWidget(m_choose, 0, Qt::AlignHCenter);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   connect(document, &Document::changed, this, &InputsPanel::renew);
@@ -110,7 +118,7 @@ InputsPanel::Row InputsPanel::makeRow(const Mechanism& mechanism, const Input& i
   row.field->setAlignment(Qt::AlignCenter);
   auto* unit = new QLabel(tr("rad/s"), this);
   unit->setProperty("look", "hint");
-  row.widgets = {dot, name, row.slider, row.field, unit};
+  row.widgets = {dot, name, row.slider, row.field, unit, makeExchange(input.joint)};
   int column = 0;
   for (QWidget* widget : row.widgets) {
     m_grid->addWidget(widget, line, column++);
@@ -129,6 +137,96 @@ InputsPanel::Row InputsPanel::makeRow(const Mechanism& mechanism, const Input& i
     if (speed) setSpeed(id, *speed);
   });
   return row;
+}
+
+QToolButton* InputsPanel::makeExchange(JointId joint) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QStringLiteral("exchange.") +
+                        shownText(labelOf(*m_document->mechanism(), joint).value()));
+  button->setText(QStringLiteral("⇄"));
+  button->setProperty("look", "flat");
+  button->setToolTip(tr("Drive another joint instead; the motion stays as it is"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  button->setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, joint] {
+    menu->clear();
+    fillExchange(*menu, joint);
+  });
+  return button;
+}
+
+/// Every other joint: those that leave the set valid can be chosen, the others say what stands against it.
+void InputsPanel::fillExchange(QMenu& menu, JointId input) {
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  const bool isFresh = m_snapshot && m_snapshot->revision == m_document->revision();
+  if (!isFresh || matroid == nullptr || !matroid->solution || matroid->solution->matrix.empty()) {
+    menu.addAction(tr("Nothing is solved yet"))->setEnabled(false);
+    return;
+  }
+  const LiveSolution& solution = *matroid->solution;
+  const Digraph& graph = *m_snapshot->graph;
+  const auto place = std::find_if(solution.inputs.begin(), solution.inputs.end(),
+                                  [&](int joint) { return graph.edgeId(joint) == ElementId(input); });
+  if (place == solution.inputs.end()) return;
+  const QString label = QString::number(graph.edgeLabel(*place));
+  for (const int output : solution.outputs) {
+    const std::vector<int> commanders = commandersOf(solution, output);
+    const QString name = QString::number(graph.edgeLabel(output));
+    if (std::find(commanders.begin(), commanders.end(), *place) != commanders.end()) {
+      std::vector<int> joints = solution.inputs;
+      joints[static_cast<std::size_t>(place - solution.inputs.begin())] = output;
+      QAction* action = menu.addAction(tr("Joint %1 instead of %2").arg(name, label), this,
+                                       [this, joints] { drive(joints); });
+      connect(action, &QAction::hovered, this, [this, id = graph.edgeId(output)] { m_selection->hover(id); });
+      continue;
+    }
+    QStringList others;
+    for (const int commander : commanders) others << QString::number(graph.edgeLabel(commander));
+    menu.addAction(others.isEmpty() ? tr("Joint %1 never turns").arg(name)
+                                    : tr("Joint %1 does not depend on %2; it could replace %3")
+                                          .arg(name, label, others.join(tr(" or "))))
+        ->setEnabled(false);
+  }
+}
+
+void InputsPanel::drive(const std::vector<int>& joints) {
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  if (matroid == nullptr) return;
+  std::vector<Input> inputs;
+  for (const int joint : joints) {
+    Number speed(1);
+    if (m_snapshot->solved && m_snapshot->solved->exact) {
+      speed = Number(m_snapshot->solved->exact->rates[static_cast<std::size_t>(joint)]);
+    } else if (matroid->solution) {
+      speed = Number::fromDouble(matroid->solution->rates[static_cast<std::size_t>(joint)]);
+    }
+    inputs.push_back({JointId(m_snapshot->graph->edgeId(joint).id), speed, {}});
+  }
+  m_selection->unhover();
+  m_document->apply(
+      {tr("Choose inputs"), [inputs](const Mechanism& before) { return withInputs(before, inputs); }, 0});
+}
+
+void InputsPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  renewChoice();
+}
+
+/// A valid set is one click away where there is none.
+void InputsPanel::renewChoice() {
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  const bool needed = matroid != nullptr && !matroid->choice.joints.empty() &&
+                      (!matroid->inputsGiven || !matroid->choice.wantedIsValid());
+  m_choose->setVisible(needed);
+  if (!needed) return;
+  constexpr std::size_t kMostNames = 8;
+  QStringList names;
+  for (std::size_t i = 0; i < matroid->choice.joints.size() && i < kMostNames; ++i)
+    names << QString::number(m_snapshot->graph->edgeLabel(matroid->choice.joints[i]));
+  if (matroid->choice.joints.size() > kMostNames) names << QStringLiteral("…");
+  m_choose->setText(names.size() == 1 ? tr("Drive joint %1").arg(names.front())
+                                      : tr("Drive joints %1").arg(names.join(QStringLiteral(", "))));
 }
 
 void InputsPanel::showSpeed(Row& row, const Number& speed) {

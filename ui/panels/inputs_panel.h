@@ -9,18 +9,28 @@
 
 class QGridLayout;
 class QLabel;
+class QMenu;
+class QToolButton;
 
 namespace geargraph {
 
 class NumberField;
 class SpeedSlider;
 
-/// The driven joints with their speeds: a slider and a number each. A drag of a slider is one undo step.
+/// The driven joints with their speeds: a slider and a number each. A drag of a slider is one undo step. Each
+/// can be exchanged for another joint with one click where that leaves the set valid; the motion stays as it
+/// is.
 class InputsPanel : public QWidget {
   Q_OBJECT
 
  public:
   InputsPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+
+ public slots:
+  /// Drives these joints (ordinals of the snapshot's digraph) at the speeds that they have now.
+  void drive(const std::vector<int>& joints);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,11 +49,16 @@ class InputsPanel : public QWidget {
   Row makeRow(const Mechanism& mechanism, const Input& input, int line);
   void showSpeed(Row& row, const Number& speed);
   void setSpeed(JointId joint, const Number& speed);
+  QToolButton* makeExchange(JointId joint);
+  void fillExchange(QMenu& menu, JointId input);
+  void renewChoice();
 
   Document* m_document;
   Selection* m_selection;
   QGridLayout* m_grid;
   QLabel* m_empty;
+  QToolButton* m_choose;
+  SnapshotPtr m_snapshot;
   std::vector<Row> m_rows;
   std::vector<std::string> m_shownTitles;
   quint64 m_gesture = 0;

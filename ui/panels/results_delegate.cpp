@@ -1,9 +1,11 @@
 #include "ui/panels/results_delegate.h"
 
 #include <QFontMetricsF>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QtMath>
 
+#include "ui/models/link_speeds_model.h"
 #include "ui/models/results_model.h"
 #include "ui/panels/rate_label.h"
 #include "ui/panels/ratio_text.h"
@@ -91,10 +93,58 @@ int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const 
   return kGap + qCeil(metrics.horizontalAdvance(text));
 }
 
+LinkSpeedsDelegate::LinkSpeedsDelegate(Selection* selection, QObject* parent)
+    : QStyledItemDelegate(parent), m_selection(selection) {}
+
+void LinkSpeedsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const {
+  const auto* model = static_cast<const LinkSpeedsModel*>(index.model());
+  const Theme theme = themeOf(option.palette);
+  const ElementId link = model->linkAt(index.row());
+  const QRectF cell(option.rect);
+  painter->save();
+  if (m_selection->isHovered(link) || m_selection->isSelected(link)) {
+    QColor band = qColor(ColorRole::halo, theme);
+    band.setAlphaF(0.35F);
+    painter->fillRect(option.rect, band);
+  }
+  QFont font = option.font;
+  font.setBold(index.column() == LinkSpeedsModel::aboutColumn);
+  painter->setFont(font);
+  painter->setPen(
+      qColor(index.column() > LinkSpeedsModel::aboutColumn ? ColorRole::secondary : ColorRole::ink, theme));
+  const int left = index.column() == LinkSpeedsModel::linkColumn ? kMargin + kDotRoom : kGap / 2;
+  if (index.column() == LinkSpeedsModel::linkColumn) {
+    paintLinkDot(*painter, {cell.left() + kMargin + 5, cell.center().y()},
+                 index.data(LinkSpeedsModel::LinkLabelRole).toInt());
+  }
+  painter->drawText(cell.adjusted(left, 0, -kGap / 2, 0), index.data(Qt::TextAlignmentRole).toInt(),
+                    index.data().toString());
+  painter->restore();
+}
+
+QSize LinkSpeedsDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  QFont bold = option.font;
+  bold.setBold(true);
+  const int room = index.column() == LinkSpeedsModel::linkColumn ? kMargin + kDotRoom + kGap : kGap;
+  return {room + QFontMetrics(bold).horizontalAdvance(index.data().toString()), 23};
+}
+
 ResultsHeader::ResultsHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
   setSectionResizeMode(QHeaderView::Fixed);
   setHighlightSections(false);
-  setFixedHeight(26);
+  setFixedHeight(24);
+  setMouseTracking(true);
+}
+
+void ResultsHeader::mouseMoveEvent(QMouseEvent* event) {
+  QHeaderView::mouseMoveEvent(event);
+  emit sectionHovered(logicalIndexAt(event->pos()));
+}
+
+void ResultsHeader::leaveEvent(QEvent* event) {
+  QHeaderView::leaveEvent(event);
+  emit sectionHovered(-1);
 }
 
 void ResultsHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {

@@ -29,8 +29,26 @@ class ResultsHeader : public QHeaderView {
  public:
   explicit ResultsHeader(QWidget* parent);
 
+ signals:
+  void sectionHovered(int section);  ///< -1: none
+
  protected:
   void paintSection(QPainter* painter, const QRect& rect, int section) const override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+};
+
+/// Paints the absolute velocities: the link's disc before its name.
+class LinkSpeedsDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  LinkSpeedsDelegate(Selection* selection, QObject* parent);
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  Selection* m_selection;
 };
 
 /// A disc in the colour that the link has in every view.

@@ -4,11 +4,13 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/matroid/input_roles.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
@@ -25,18 +27,25 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
       m_selection(selection),
       m_model(new ResultsModel(this)),
       m_table(new QTableView(this)),
+      m_linkModel(new LinkSpeedsModel(this)),
+      m_links(new QTableView(this)),
+      m_frame(new QToolButton(this)),
+      m_unit(new QToolButton(this)),
+      m_motors(new QToolButton(this)),
       m_symbols(new QToolButton(this)),
       m_pages(new QStackedWidget(this)),
       m_empty(new QLabel(this)),
       m_note(new QLabel(this)),
       m_verdict(new QLabel(this)) {
   makeTable();
+  makeLinkTable();
   m_empty->setProperty("look", "empty");
   m_empty->setAlignment(Qt::AlignCenter);
   m_empty->setWordWrap(true);
   m_empty->setObjectName(QStringLiteral("noResults"));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);
+  m_pages->addWidget(m_links);
   m_note->setProperty("look", "hint");
   m_note->setWordWrap(true);
   m_note->setContentsMargins(16, 0, 16, 0);
@@ -54,8 +63,9 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   foot->addWidget(m_verdict, 1);
   foot->addWidget(m_symbols);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 10);
-  layout->setSpacing(6);
+  layout->setContentsMargins(0, 0, 0, 8);
+  layout->setSpacing(4);
+  layout->addLayout(makeStrip());
   layout->addWidget(m_note);
   layout->addWidget(m_pages, 1);
   layout->addLayout(foot);
@@ -71,7 +81,7 @@ void ResultsPanel::makeTable() {
   auto* header = new ResultsHeader(m_table);
   m_table->setHorizontalHeader(header);
   m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(25);
+  m_table->verticalHeader()->setDefaultSectionSize(23);
   m_table->setShowGrid(false);
   m_table->setMouseTracking(true);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
@@ -80,6 +90,7 @@ void ResultsPanel::makeTable() {
   m_table->setFrameShape(QFrame::NoFrame);
   m_table->setContentsMargins(8, 0, 8, 0);
   m_table->viewport()->installEventFilter(this);
+  connect(header, &ResultsHeader::sectionHovered, this, &ResultsPanel::hoverHead);
   connect(m_table, &QTableView::entered, this, &ResultsPanel::hoverRow);
   connect(m_table, &QTableView::clicked, this,
           [this](const QModelIndex& index) { m_selection->select({m_model->outputAt(index.row())}); });
@@ -88,9 +99,142 @@ void ResultsPanel::makeTable() {
   connect(m_selection, &Selection::selectionChanged, m_table, repaint);
 }
 
+void ResultsPanel::makeLinkTable() {
+  m_links->setModel(m_linkModel);
+  m_links->setObjectName(QStringLiteral("linkSpeeds"));
+  m_links->verticalHeader()->hide();
+  m_links->verticalHeader()->setDefaultSectionSize(23);
+  m_links->setShowGrid(false);
+  m_links->setMouseTracking(true);
+  m_links->setSelectionMode(QAbstractItemView::NoSelection);
+  m_links->setFrameShape(QFrame::NoFrame);
+  m_links->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_links->setItemDelegate(new LinkSpeedsDelegate(m_selection, m_links));
+  m_links->horizontalHeader()->setHighlightSections(false);
+  m_links->horizontalHeader()->setFixedHeight(24);
+  m_links->viewport()->installEventFilter(this);
+  connect(m_links, &QTableView::entered, this,
+          [this](const QModelIndex& index) { m_selection->hover(m_linkModel->linkAt(index.row())); });
+  connect(m_links, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { m_selection->select({m_linkModel->linkAt(index.row())}); });
+  const auto repaint = [this] { m_links->viewport()->update(); };
+  connect(m_selection, &Selection::hoverChanged, m_links, repaint);
+  connect(m_selection, &Selection::selectionChanged, m_links, repaint);
+}
+
+QLayout* ResultsPanel::makeStrip() {
+  auto* strip = new QHBoxLayout;
+  strip->setContentsMargins(10, 2, 10, 0);
+  strip->setSpacing(2);
+  for (QToolButton* button : {m_frame, m_unit, m_motors}) button->setProperty("look", "flat");
+  m_frame->setObjectName(QStringLiteral("speedFrame"));
+  m_unit->setObjectName(QStringLiteral("speedUnit"));
+  m_motors->setObjectName(QStringLiteral("readMotors"));
+  m_frame->setToolTip(tr("Relative: joint by joint. Absolute: the angular velocity vectors of the links."));
+  m_unit->setToolTip(tr("The unit of the speeds, or the member they are taken as ratio to"));
+  m_motors->setText(tr("Read the motors ▾"));
+  m_motors->setToolTip(
+      tr("Give the speeds of a link's own chain of joints and read what the motors have to do"));
+  for (QToolButton* button : {m_unit, m_motors}) {
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    button->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu, button] {
+      menu->clear();
+      button == m_unit ? fillUnits(*menu) : fillMotors(*menu);
+    });
+  }
+  connect(m_frame, &QToolButton::clicked, this, [this] { setAbsolute(!m_absolute); });
+  strip->addWidget(m_frame);
+  strip->addWidget(m_unit);
+  strip->addStretch(1);
+  strip->addWidget(m_motors);
+  setAbsolute(false);
+  setUnit({});
+  return strip;
+}
+
+void ResultsPanel::setAbsolute(bool absolute) {
+  m_absolute = absolute;
+  m_frame->setText(absolute ? tr("absolute speeds") : tr("relative speeds"));
+  renew();
+}
+
+void ResultsPanel::setUnit(const SpeedUnit& unit) {
+  m_model->setUnit(unit);
+  m_linkModel->setUnit(unit);
+  QString text = unit.kind == SpeedUnit::Kind::rpm ? tr("rpm") : tr("rad/s");
+  if (unit.kind == SpeedUnit::Kind::ratio && m_snapshot)
+    text = tr("ratio to %1").arg(shownText(labelOf(*m_snapshot->mechanism, unit.reference).value_or("?")));
+  m_unit->setText(text + QStringLiteral(" ▾"));
+  renew();
+}
+
+void ResultsPanel::fillUnits(QMenu& menu) {
+  menu.addAction(tr("rad/s"), this, [this] { setUnit({}); });
+  menu.addAction(tr("rpm, turns a minute"), this, [this] { setUnit({SpeedUnit::Kind::rpm, {}}); });
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  if (matroid == nullptr || !matroid->solution) return;
+  menu.addSeparator();
+  const Mechanism& mechanism = *m_snapshot->mechanism;
+  for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
+    if (matroid->solution->rates[joint] == 0) continue;
+    const JointId id = mechanism.turningJoints[joint].id;
+    const int link = m_snapshot->kinematics->placement.tree->child[joint];
+    menu.addAction(
+        tr("Ratio to joint %1 (link %2)").arg(mechanism.jointLabel(static_cast<int>(joint))).arg(link), this,
+        [this, id] {
+          setUnit({SpeedUnit::Kind::ratio, id});
+        });
+  }
+}
+
+/// For every link that carries no other: its chain of joints as inputs, where that is a valid choice.
+void ResultsPanel::fillMotors(QMenu& menu) {
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  if (matroid == nullptr || !matroid->solution) {
+    menu.addAction(tr("Nothing is solved yet"))->setEnabled(false);
+    return;
+  }
+  const SpanningTree& tree = *m_snapshot->tree;
+  std::vector<char> carries(static_cast<std::size_t>(m_snapshot->graph->n()) + 1, 0);
+  for (int link = 1; link <= m_snapshot->graph->n(); ++link)
+    carries[static_cast<std::size_t>(tree.parent(link))] = 1;
+  for (int link = 1; link <= m_snapshot->graph->n(); ++link) {
+    const std::vector<int> chain = chainTo(tree, link);
+    if (carries[static_cast<std::size_t>(link)] != 0 || chain.size() < 2) continue;
+    QStringList labels;
+    for (const int joint : chain) labels << QString::number(m_snapshot->graph->edgeLabel(joint));
+    const auto inputs = inputsWith(*m_snapshot->kinematics->model, chain, matroid->choice.joints);
+    QString text = tr("Give the joints of link %1: %2").arg(link).arg(labels.join(QStringLiteral(", ")));
+    if (!inputs) text += tr(" (they are not independent)");
+    QAction* action = menu.addAction(text);
+    action->setEnabled(inputs.has_value());
+    if (inputs)
+      connect(action, &QAction::triggered, this, [this, joints = *inputs] { emit inputsWanted(joints); });
+  }
+  if (menu.isEmpty()) menu.addAction(tr("Every link turns on the ground"))->setEnabled(false);
+}
+
+/// The head of an input lights up what it commands.
+void ResultsPanel::hoverHead(int section) {
+  const int input = section - 1;
+  const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
+  if (input < 0 || input >= m_model->inputCount() || matroid->solution->matrix.empty()) {
+    m_selection->unhover();
+    return;
+  }
+  const int joint = matroid->solution->inputs[static_cast<std::size_t>(input)];
+  std::set<ElementId> elements{m_model->inputAt(input)};
+  for (const int commanded : commandedBy(*matroid->solution, joint))
+    elements.insert(m_snapshot->graph->edgeId(commanded));
+  m_selection->hover(std::move(elements));
+}
+
 void ResultsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   m_snapshot = snapshot;
   m_model->setSnapshot(snapshot);
+  m_linkModel->setSnapshot(snapshot);
   renew();
 }
 
@@ -105,8 +249,13 @@ void ResultsPanel::hoverRow(const QModelIndex& index) {
 void ResultsPanel::renew() {
   const bool solved = m_model->columnCount() > 0;
   m_empty->setText(whyNone());
-  m_pages->setCurrentIndex(solved && m_model->rowCount() > 0 ? 0 : 1);
-  m_symbols->setVisible(m_model->hasSymbols());
+  const bool hasLinks = m_absolute && m_linkModel->rowCount() > 0;
+  m_pages->setCurrentIndex(hasLinks ? 2 : (solved && m_model->rowCount() > 0 ? 0 : 1));
+  if (hasLinks) {
+    m_links->resizeColumnsToContents();
+    m_links->horizontalHeader()->setStretchLastSection(false);
+  }
+  m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
   QString note;
   const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;

@@ -2,11 +2,13 @@
 
 #include <QWidget>
 
+#include "ui/models/link_speeds_model.h"
 #include "ui/models/results_model.h"
 #include "ui/selection/selection.h"
 
 class QFrame;
 class QLabel;
+class QMenu;
 class QStackedWidget;
 class QTableView;
 class QToolButton;
@@ -14,7 +16,8 @@ class QToolButton;
 namespace geargraph {
 
 /// What the inputs make of all other joints: their rates for one unit of each input, their rates now, and
-/// whether both methods say the same.
+/// whether both methods say the same; or the absolute velocities of the links. Speeds in rad/s, rpm or as
+/// ratio.
 class ResultsPanel : public QWidget {
   Q_OBJECT
 
@@ -24,6 +27,13 @@ class ResultsPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
   [[nodiscard]] ResultsModel& model() { return *m_model; }
   [[nodiscard]] QString verdict() const;
+  /// The absolute velocities of the links instead of the relative ones of the joints.
+  void setAbsolute(bool absolute);
+  void setUnit(const SpeedUnit& unit);
+
+ signals:
+  /// These joints are to be driven (ordinals of the snapshot's digraph), the motion staying as it is.
+  void inputsWanted(const std::vector<int>& joints);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -31,6 +41,11 @@ class ResultsPanel : public QWidget {
 
  private:
   void makeTable();
+  void makeLinkTable();
+  QLayout* makeStrip();
+  void fillUnits(QMenu& menu);
+  void fillMotors(QMenu& menu);
+  void hoverHead(int section);
   void hoverRow(const QModelIndex& index);
   void renew();
   void fitColumns();
@@ -41,6 +56,12 @@ class ResultsPanel : public QWidget {
   ResultsModel* m_model;
   SnapshotPtr m_snapshot;
   QTableView* m_table;
+  LinkSpeedsModel* m_linkModel;
+  QTableView* m_links;
+  QToolButton* m_frame;
+  QToolButton* m_unit;
+  QToolButton* m_motors;
+  bool m_absolute = false;
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
   QLabel* m_empty;

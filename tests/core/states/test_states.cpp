@@ -1,7 +1,9 @@
 #include <QtTest>
 #include <map>
 
+#include "core/matroid/exact_solution.h"
 #include "core/mechanism/edits.h"
+#include "core/states/relative_speed.h"
 #include "core/states/state_solution.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/matroid_fixture.h"
@@ -277,6 +279,22 @@ class TestStates : public QObject {
         };
         QVERIFY(length(slip(mesh.tail, mesh.tailClass) - slip(mesh.head, mesh.headClass)) < 1e-9);
       }
+    }
+  }
+
+  void absoluteSpeedsAddUpToTheVelocityVectors() {
+    Mechanism mechanism = robot();
+    mechanism.inputs = std::vector<Input>{
+        {JointId("8"), Number(1), {}}, {JointId("9"), Number(-2), {}}, {JointId("11"), Number(3), {}}};
+    const Worked worked(mechanism);
+    const auto exact = solveExact(worked.model, worked.analysis.choice.joints, worked.analysis.speeds);
+    for (int link = 0; link <= worked.mechanism.n(); ++link) {
+      Vector3 sum{};
+      for (const SpeedAbout& about : absoluteSpeed(worked.placement, exact->rates, link)) {
+        QVERIFY(!about.speed.isZero());
+        sum = sum + about.speed.toDouble() * worked.placement.lineOfClass(about.axisClass).direction;
+      }
+      QVERIFY(length(sum - worked.analysis.linkVelocities[static_cast<std::size_t>(link)]) < 1e-12);
     }
   }
 

@@ -1,0 +1,151 @@
+#include <QAbstractItemModelTester>
+#include <QMenu>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/core/support/trains.h"
+#include "ui/models/freedom_text.h"
+#include "ui/panels/inputs_panel.h"
+#include "ui/panels/results_delegate.h"
+#include "ui/panels/results_panel.h"
+
+namespace geargraph {
+
+class InputsAndResultsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Document> document;
+  Selection selection;
+  std::unique_ptr<InputsPanel> inputs;
+  std::unique_ptr<ResultsPanel> results;
+  SnapshotPtr snapshot;
+
+  void settle() {
+    snapshot = analyze(document->mechanism(), document->revision());
+    inputs->setSnapshot(snapshot);
+    results->setSnapshot(snapshot);
+  }
+  static QMenu& menuOf(QWidget& panel, const char* button) {
+    QMenu* menu = panel.findChild<QToolButton*>(QLatin1String(button))->menu();
+    emit menu->aboutToShow();
+    return *menu;
+  }
+  static QAction* entry(const QMenu& menu, const QString& text) {
+    for (QAction* action : menu.actions()) {
+      if (action->text().contains(text)) return action;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] QStringList inputLabels() const {
+    QStringList labels;
+    for (const Input& input : *document->mechanism()->inputs)
+      labels << QString::fromStdString(input.joint.text());
+    return labels;
+  }
+  QString cell(int row, int column) { return results->model().index(row, column).data().toString(); }
+
+ private slots:
+  void init() {
+    selection.clear();
+    document = std::make_unique<Document>();
+    Mechanism robot = test::robot();
+    robot.inputs = std::vector<Input>{
+        {JointId("8"), Number(1), {}}, {JointId("9"), Number(1), {}}, {JointId("11"), Number(1), {}}};
+    document->replace(std::move(robot), {});
+    inputs = std::make_unique<InputsPanel>(document.get(), &selection);
+    results = std::make_unique<ResultsPanel>(&selection);
+    connect(results.get(), &ResultsPanel::inputsWanted, inputs.get(), &InputsPanel::drive);
+    settle();
+  }
+  void cleanup() {
+    inputs.reset();
+    results.reset();
+  }
+
+  void oneClickExchangesAnInputAndTheMotionStays() {
+    const std::vector<Rational> before = snapshot->solved->exact->rates;
+    QAction* exchange = entry(menuOf(*inputs, "exchange.9"), QStringLiteral("Joint 13 instead of 9"));
+    QVERIFY(exchange != nullptr && exchange->isEnabled());
+    exchange->trigger();
+    QCOMPARE(inputLabels(), (QStringList{"8", "13", "11"}));
+    QCOMPARE(document->undoStack().count(), 1);
+    settle();
+    QCOMPARE(snapshot->solved->exact->rates, before);
+  }
+
+  void anExchangeThatIsNotValidSaysWhatItCouldReplace() {
+    QAction* other = entry(menuOf(*inputs, "exchange.11"), QStringLiteral("Joint 12 does not depend on 11"));
+    QVERIFY(other != nullptr && !other->isEnabled());
+    QVERIFY(other->text().contains(QStringLiteral("it could replace 8 or 9")));
+  }
+
+  void theEndEffectorsJointsAreGivenAndTheMotorsRead() {
+    const std::vector<Rational> before = snapshot->solved->exact->rates;
+    QAction* chain = entry(menuOf(*results, "readMotors"), QStringLiteral("joints of link 3: 10, 12, 14"));
+    QVERIFY(chain != nullptr && chain->isEnabled());
+    chain->trigger();
+    QCOMPARE(inputLabels(), (QStringList{"10", "12", "14"}));
+    settle();
+    QCOMPARE(snapshot->solved->exact->rates, before);
+  }
+
+  void speedsAreToldInRpmAndAsRatios() {
+    QCOMPARE(cell(0, 4), QStringLiteral("−1/2"));
+    results->setUnit({SpeedUnit::Kind::rpm, {}});
+    QCOMPARE(cell(0, 4), QStringLiteral("−4.77465"));
+    QCOMPARE(results->model().headerData(4, Qt::Horizontal).toString(), QStringLiteral("rpm"));
+    QAction* ratio = entry(menuOf(*results, "speedUnit"), QStringLiteral("Ratio to joint 12"));
+    QVERIFY(ratio != nullptr);
+    ratio->trigger();
+    QCOMPARE(cell(1, 4), QStringLiteral("1"));
+    QCOMPARE(cell(0, 4), QStringLiteral("1/2"));  // -1/2 over -1
+  }
+
+  void absoluteSpeedsAreSumsAboutAxesAndVectors() {
+    const QAbstractItemModelTester tester(
+        results->findChild<QTableView*>(QStringLiteral("linkSpeeds"))->model(),
+        QAbstractItemModelTester::FailureReportingMode::QtTest);
+    results->setAbsolute(true);
+    const auto* model = results->findChild<QTableView*>(QStringLiteral("linkSpeeds"))->model();
+    QCOMPARE(model->rowCount(), 7);
+    QCOMPARE(model->index(0, 1).data().toString(), QStringLiteral("−1/2 about b"));
+    QCOMPARE(model->index(3, 1).data().toString(), QStringLiteral("1 about a"));
+    QCOMPARE(model->index(3, 4).data().toString(), QStringLiteral("1"));
+    // Link 2 turns about b with link 1, and about c on it.
+    QCOMPARE(model->index(1, 1).data().toString(), QStringLiteral("−1 about c, −1/2 about b"));
+  }
+
+  void theHeadOfAnInputLightsUpWhatItCommands() {
+    auto* header = results->findChild<ResultsHeader*>();
+    emit header->sectionHovered(3);  // joint 11
+    QVERIFY(selection.isHovered(ElementId(JointId("13"))) && selection.isHovered(ElementId(JointId("14"))));
+    QVERIFY(!selection.isHovered(ElementId(JointId("12"))));
+    emit header->sectionHovered(-1);
+    QVERIFY(selection.hovered().empty());
+  }
+
+  void freedomIsToldInWords() {
+    const QString text = freedomText(*snapshot);
+    QVERIFY(text.contains(QStringLiteral("Joint 11 commands 13, 14.")));
+    QVERIFY(text.contains(QStringLiteral("Joints 8, 10 turn together")));
+  }
+
+  void aValidSetIsOneClickAwayWhereThereIsNone() {
+    Mechanism open = *document->mechanism();
+    open.inputs.reset();
+    document->replace(std::move(open), {});
+    settle();
+    auto* choose = inputs->findChild<QToolButton*>(QStringLiteral("chooseInputs"));
+    QCOMPARE(choose->text(), QStringLiteral("Drive joints 8, 9, 11"));
+    choose->click();
+    QCOMPARE(inputLabels(), (QStringList{"8", "9", "11"}));
+    settle();
+    QVERIFY(choose->isHidden());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::InputsAndResultsTest)
+#include "test_inputs_and_results.moc"

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "core/analysis/analysis.h"
+#include "ui/models/speed_unit.h"
+
+namespace geargraph {
+
+/// The absolute angular velocities of the links, in the reference pose: about which axes and how fast,
+/// exactly, and as a vector in the base frame.
+class LinkSpeedsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    LinkLabelRole = Qt::UserRole,  ///< int
+  };
+  enum Column { linkColumn, aboutColumn, xColumn, yColumn, zColumn, columnTotal };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  void setUnit(const SpeedUnit& unit);
+  [[nodiscard]] ElementId linkAt(int row) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role = Qt::DisplayRole) const override;
+
+ private:
+  [[nodiscard]] const std::vector<Rational>* exactRates() const;
+  /// The speed that ratios are taken to; none where the unit is no ratio, or that link stands or tumbles.
+  [[nodiscard]] std::optional<Rational> referenceSpeed() const;
+  [[nodiscard]] QString aboutText(int link) const;
+  [[nodiscard]] QString componentText(int link, int component) const;
+
+  SnapshotPtr m_snapshot;
+  SpeedUnit m_unit;
+};
+
+}  // namespace geargraph
