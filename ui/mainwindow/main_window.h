@@ -19,6 +19,7 @@ class DrawingView;
 class SchematicView;
 class GearboxPanel;
 class InputsPanel;
+class InsertSetDialog;
 class MatricesPanel;
 class NoticeBar;
 class ProblemsPanel;
@@ -107,6 +108,8 @@ class MainWindow : public QMainWindow {
   void renewActions();
   void renewTitle();
   void makeGround();
+  void makePlanets(int total);
+  void showInsertSet();
   void chooseTheme(bool dark);
 
   void chooseAndExport(const IntegerMatrixPtr& matrix);
@@ -128,6 +131,7 @@ class MainWindow : public QMainWindow {
   ResultsPanel* m_results = nullptr;
   GearboxPanel* m_gearbox = nullptr;
   InputsPanel* m_inputs = nullptr;
+  InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
   NoticeBar* m_notices = nullptr;

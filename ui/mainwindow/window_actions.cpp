@@ -107,6 +107,17 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   makeGround = make("mechanism.ground", words("Make &ground"), words("The selected link stands still"), {});
   drive = make("mechanism.drive", words("Dri&ve"), words("Drive the selected joints, or stop driving them"),
                {QKeySequence(QStringLiteral("Ctrl+I"))}, QStringLiteral("input"));
+  insertSet =
+      make("mechanism.insertSet", words("&Insert set…"),
+           words("A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist"),
+           {QKeySequence(QStringLiteral("Ctrl+Shift+I"))});
+  for (std::size_t i = 0; i < planets.size(); ++i) {
+    const QString count = QString::number(i + 2);
+    planets[i] =
+        make("", words("%1 planets").arg(count),
+             words("Copies of the selected planet, evenly spread, until there are %1").arg(count), {});
+    planets[i]->setObjectName(QStringLiteral("mechanism.planets") + count);
+  }
   tidy = make("mechanism.tidy", words("&Tidy the drawing"), words("Lay the digraph out anew"),
               {QKeySequence(QStringLiteral("Ctrl+L"))});
 

@@ -45,6 +45,8 @@ struct WindowActions {
   QAction* makeGround;
   QAction* drive;
   QAction* tidy;
+  QAction* insertSet;
+  std::array<QAction*, 5> planets{};  ///< 2 to 6 of the selected one
 
   QAction* fit;
   QAction* zoomIn;

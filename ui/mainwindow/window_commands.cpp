@@ -14,6 +14,8 @@
 
 #include "core/derivation/matrix_text.h"
 #include "core/mechanism/edits.h"
+#include "core/synthesis/insertion.h"
+#include "core/synthesis/planets.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
@@ -21,6 +23,7 @@
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
 
 namespace geargraph {
@@ -73,6 +76,10 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addActions({a.flip, a.drive, a.makeGround});
   mechanism->addSeparator();
+  mechanism->addAction(a.insertSet);
+  QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
+  for (QAction* count : a.planets) planets->addAction(count);
+  mechanism->addSeparator();
   mechanism->addAction(a.tidy);
 
   menu(tr("&Help"))->addAction(a.about);
@@ -113,6 +120,11 @@ void MainWindow::wireActions() {
   connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });
   connect(a.tidy, &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a.makeGround, &QAction::triggered, this, &MainWindow::makeGround);
+  connect(a.insertSet, &QAction::triggered, this, &MainWindow::showInsertSet);
+  for (std::size_t i = 0; i < a.planets.size(); ++i) {
+    connect(a.planets[i], &QAction::triggered, this,
+            [this, total = static_cast<int>(i) + 2] { makePlanets(total); });
+  }
   connect(a.fit, &QAction::triggered, this, [this] { drawing().fit(); });
   connect(a.zoomIn, &QAction::triggered, this, [this] { drawing().zoomIn(); });
   connect(a.zoomOut, &QAction::triggered, this, [this] { drawing().zoomOut(); });
@@ -191,6 +203,8 @@ void MainWindow::renewActions() {
   WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));
   WindowActions::setAvailable(a.drive, joints + links > 0 && !onlyGround,
                               tr("Select a turning joint, or the link it carries."));
+  for (QAction* planets : a.planets)
+    WindowActions::setAvailable(planets, links == 1 && !onlyGround, tr("Select one planet."));
   WindowActions::setAvailable(a.makeGround, links == 1 && !selected.contains(ground),
                               selected.contains(ground) ? tr("This link is the ground already.")
                                                         : tr("Select one link to make it the ground."));
@@ -212,6 +226,35 @@ void MainWindow::makeGround() {
          [link = LinkId(element.id)](const Mechanism& before) { return withGround(before, link); }, 0});
     return;
   }
+}
+
+void MainWindow::makePlanets(int total) {
+  for (const ElementId& element : m_selection->selected()) {
+    if (element.kind != ElementKind::link) continue;
+    m_document->apply({tr("Make %1 planets").arg(total),
+                       [planet = LinkId(element.id), total](const Mechanism& before) {
+                         return withPlanets(before, planet, total);
+                       },
+                       0});
+    return;
+  }
+}
+
+void MainWindow::showInsertSet() {
+  if (m_insertSet == nullptr) {
+    m_insertSet = new InsertSetDialog(this);
+    connect(m_insertSet, &InsertSetDialog::insertWanted, this, [this](const Mechanism& set) {
+      m_document->apply({tr("Insert %1").arg(QString::fromStdString(set.name).toLower()),
+                         [set](const Mechanism& before) -> Expected<Mechanism> {
+                           return withInserted(before, set, freePlace(before));
+                         },
+                         0});
+      drawing().fit();
+    });
+  }
+  m_insertSet->show();
+  m_insertSet->raise();
+  m_insertSet->activateWindow();
 }
 
 void MainWindow::chooseAndExport(const IntegerMatrixPtr& matrix) {

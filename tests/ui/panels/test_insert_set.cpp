@@ -1,0 +1,95 @@
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+
+#include "ui/panels/insert_set_dialog.h"
+#include "ui/panels/number_field.h"
+
+namespace geargraph {
+
+class InsertSetTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<InsertSetDialog> dialog;
+  std::optional<Mechanism> inserted;
+
+  template <class Widget>
+  Widget* visible(const char* name) {
+    for (auto* found : dialog->findChildren<Widget*>(QLatin1String(name))) {
+      if (found->isVisible()) return found;
+    }
+    return nullptr;
+  }
+  void type(const char* field, const QString& text) {
+    auto* into = visible<NumberField>(field);
+    into->selectAll();
+    QTest::keyClicks(into, text);
+  }
+  void choose(int kind) { dialog->findChild<QListWidget*>(QStringLiteral("kinds"))->setCurrentRow(kind); }
+  QString summary() { return dialog->findChild<QLabel*>(QStringLiteral("summary"))->text(); }
+  QPushButton& insert() { return *dialog->findChild<QPushButton*>(QStringLiteral("insert")); }
+
+ private slots:
+  void init() {
+    inserted.reset();
+    dialog = std::make_unique<InsertSetDialog>();
+    connect(dialog.get(), &InsertSetDialog::insertWanted, this,
+            [this](const Mechanism& set) { inserted = set; });
+    dialog->show();
+    QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
+  }
+  void cleanup() { dialog.reset(); }
+
+  void thePlanetarySetOfAWishedRatioIsTwoClicksAway() {
+    type("wishedRatio", QStringLiteral("4"));
+    auto* choices = visible<QTableWidget>("choices");
+    QCOMPARE(choices->item(0, 3)->text(), QStringLiteral("4"));
+    QCOMPARE(choices->item(0, 4)->text(), QStringLiteral("exact"));
+    const int sun = choices->item(0, 0)->text().toInt();
+    insert().click();
+    QVERIFY(inserted.has_value());
+    QCOMPARE(inserted->n(), 6);
+    QCOMPARE(inserted->gearMeshes[0].tailTeeth, sun);
+    QVERIFY(!dialog->isVisible());
+  }
+
+  void anotherChoiceIsTakenFromTheTable() {
+    auto* choices = visible<QTableWidget>("choices");
+    choices->selectRow(2);
+    const int planet = choices->item(2, 1)->text().toInt();
+    insert().click();
+    QCOMPARE(inserted->gearMeshes[0].headTeeth, planet);
+  }
+
+  void whatCannotBeIsSaidAndNotInserted() {
+    choose(2);
+    type("pinions", QStringLiteral("5"));
+    QVERIFY(summary().contains(QStringLiteral("multiple of 5")));
+    QVERIFY(!insert().isEnabled());
+    type("pinions", QStringLiteral("4"));
+    QVERIFY(insert().isEnabled());
+    choose(0);
+    type("wishedRatio", QStringLiteral("-4"));
+    QVERIFY(!insert().isEnabled());
+  }
+
+  void everyKindCanBeInserted() {
+    const int links[] = {6, 3, 5, 10, 10, 6};
+    for (int kind = 0; kind < 6; ++kind) {
+      inserted.reset();
+      dialog->show();
+      choose(kind);
+      QVERIFY(insert().isEnabled());
+      insert().click();
+      QCOMPARE(inserted->n(), links[kind]);
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::InsertSetTest)
+#include "test_insert_set.moc"

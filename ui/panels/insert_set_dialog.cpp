@@ -1,0 +1,143 @@
+#include "ui/panels/insert_set_dialog.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "core/synthesis/bevel_sets.h"
+#include "core/synthesis/shifting_sets.h"
+#include "ui/panels/set_forms.h"
+#include "ui/panels/set_preview.h"
+#include "ui/panels/term_tips.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+using Counts = std::vector<int>;
+
+SetForm* differentialForm() {
+  return new TeethForm({{InsertSetDialog::tr("Side wheels"), "side", 24},
+                        {InsertSetDialog::tr("Pinions' teeth"), "pinion", 18},
+                        {InsertSetDialog::tr("Pinions"), "pinions", 2, 1, 8}},
+                       [](const Counts& c) { return bevelDifferentialSet(c[0], c[1], c[2]); });
+}
+
+SetForm* ravigneauxForm() {
+  return new TeethForm({{InsertSetDialog::tr("Small sun"), "smallSun", 30},
+                        {InsertSetDialog::tr("Large sun"), "largeSun", 36},
+                        {InsertSetDialog::tr("Short planet"), "shortPlanet", 20},
+                        {InsertSetDialog::tr("Long planet"), "longPlanet", 18},
+                        {InsertSetDialog::tr("Pairs of planets"), "pairs", 3, 1, 6}},
+                       [](const Counts& c) {
+                         return ravigneauxSet({c[0], c[1], c[2], c[3]}, c[4]);
+                       });
+}
+
+SetForm* simpsonForm() {
+  return new TeethForm({{InsertSetDialog::tr("Suns"), "sun", 33},
+                        {InsertSetDialog::tr("Planets' teeth"), "planet", 21},
+                        {InsertSetDialog::tr("Planets a set"), "planets", 3, 1, 8}},
+                       [](const Counts& c) {
+                         return simpsonSet({c[0], c[1]}, c[2]);
+                       });
+}
+
+SetForm* wristForm() {
+  return new TeethForm({{InsertSetDialog::tr("Bend shaft"), "bendShaft", 20},
+                        {InsertSetDialog::tr("Bend"), "bend", 30},
+                        {InsertSetDialog::tr("Roll shaft"), "rollShaft", 25},
+                        {InsertSetDialog::tr("Idler"), "idler", 40},
+                        {InsertSetDialog::tr("Idler's pinion"), "idlerPinion", 24},
+                        {InsertSetDialog::tr("Tool"), "tool", 18}},
+                       [](const Counts& c) -> Expected<Mechanism> {
+                         return bevelWrist({c[0], c[1], c[2], c[3], c[4], c[5]});
+                       });
+}
+
+}  // namespace
+
+InsertSetDialog::InsertSetDialog(QWidget* parent)
+    : QDialog(parent),
+      m_kinds(new QListWidget(this)),
+      m_forms(new QStackedWidget(this)),
+      m_preview(new SetPreview(this)),
+      m_summary(new QLabel(this)),
+      m_insert(new QPushButton(tr("Insert"), this)) {
+  setWindowTitle(tr("Insert a set"));
+  setObjectName(QStringLiteral("insertSet"));
+  m_kinds->setObjectName(QStringLiteral("kinds"));
+  m_kinds->setFixedWidth(150);
+  m_kinds->setSpacing(3);
+  addKind(tr("Planetary set"), new PlanetaryForm);
+  addKind(tr("Reverted train"), new RevertedForm);
+  addKind(tr("Bevel differential"), differentialForm());
+  addKind(tr("Ravigneaux set"), ravigneauxForm());
+  addKind(tr("Simpson set"), simpsonForm());
+  addKind(tr("Bevel wrist"), wristForm());
+  m_summary->setWordWrap(true);
+  m_summary->setObjectName(QStringLiteral("summary"));
+  m_insert->setObjectName(QStringLiteral("insert"));
+  m_insert->setDefault(true);
+  auto* close = new QPushButton(tr("Close"), this);
+  close->setAutoDefault(false);
+
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(14);
+  middle->addWidget(m_kinds);
+  middle->addWidget(m_forms, 1);
+  middle->addWidget(m_preview, 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(m_summary, 1);
+  foot->addWidget(close);
+  foot->addWidget(m_insert);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(middle, 1);
+  layout->addLayout(foot);
+  resize(860, 480);
+
+  connect(m_kinds, &QListWidget::currentRowChanged, this, [this](int row) {
+    m_forms->setCurrentIndex(row);
+    renew();
+  });
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  connect(m_insert, &QPushButton::clicked, this, [this] {
+    const auto set = form().set();
+    if (!set) return;
+    emit insertWanted(*set);
+    accept();
+  });
+  m_kinds->setCurrentRow(0);
+}
+
+void InsertSetDialog::addKind(const QString& name, SetForm* form) {
+  m_kinds->addItem(name);
+  m_forms->addWidget(form);
+  connect(form, &SetForm::changed, this, &InsertSetDialog::renew);
+}
+
+const SetForm& InsertSetDialog::form() const {
+  return static_cast<const SetForm&>(*m_forms->currentWidget());
+}
+
+void InsertSetDialog::renew() {
+  if (m_kinds->currentRow() < 0) return;
+  const auto set = form().set();
+  m_insert->setEnabled(set.has_value());
+  const ColorRole role = set ? ColorRole::secondary : ColorRole::error;
+  m_summary->setStyleSheet(QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+  if (!set) {
+    m_summary->setText(shownText(set.error().front().message));
+    m_preview->setMechanism(emptyMechanism());
+    return;
+  }
+  QString text = tr("%1 links, %2 joints, %3 meshes").arg(set->n()).arg(set->t()).arg(set->c());
+  if (!set->states.empty())
+    text += tr("; %1 couplings and %2 states").arg(set->couplings.size()).arg(set->states.size());
+  m_summary->setText(text);
+  m_preview->setMechanism(*set);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QDialog>
+
+#include "core/mechanism/mechanism.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QStackedWidget;
+
+namespace geargraph {
+
+class SetForm;
+class SetPreview;
+
+/// Whole sets in one step: choose a kind, say what is wanted, see it, insert it. Not modal.
+class InsertSetDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit InsertSetDialog(QWidget* parent = nullptr);
+
+ signals:
+  void insertWanted(const geargraph::Mechanism& set);
+
+ private:
+  void addKind(const QString& name, SetForm* form);
+  void renew();
+  [[nodiscard]] const SetForm& form() const;
+
+  QListWidget* m_kinds;
+  QStackedWidget* m_forms;
+  SetPreview* m_preview;
+  QLabel* m_summary;
+  QPushButton* m_insert;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "core/base/expected.h"
+#include "core/mechanism/mechanism.h"
+
+class QComboBox;
+class QFormLayout;
+class QTableWidget;
+
+namespace geargraph {
+
+class NumberField;
+
+/// What somebody says about one kind of set, and the set that follows.
+class SetForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SetForm(QWidget* parent = nullptr);
+
+  /// The set, or why there is none.
+  [[nodiscard]] virtual Expected<Mechanism> set() const = 0;
+
+ signals:
+  void changed();
+
+ protected:
+  NumberField* addWhole(const QString& label, const char* name, int value, int least, int most);
+  [[nodiscard]] static int wholeOf(const NumberField* field);
+  [[nodiscard]] QFormLayout& form() { return *m_form; }
+
+ private:
+  QFormLayout* m_form;
+};
+
+/// Sets of stated tooth counts.
+class TeethForm : public SetForm {
+  Q_OBJECT
+
+ public:
+  struct Count {
+    QString label;
+    const char* name;
+    int value;
+    int least = 4;
+    int most = 400;
+  };
+  using Make = std::function<Expected<Mechanism>(const std::vector<int>&)>;
+
+  TeethForm(const std::vector<Count>& counts, Make make, QWidget* parent = nullptr);
+  [[nodiscard]] Expected<Mechanism> set() const override;
+
+ private:
+  std::vector<NumberField*> m_fields;
+  Make m_make;
+};
+
+/// Sets for a wished ratio: the best tooth counts, of which one is chosen.
+class ChoiceForm : public SetForm {
+  Q_OBJECT
+
+ public:
+  [[nodiscard]] Expected<Mechanism> set() const override;
+
+ protected:
+  struct Choice {
+    QStringList teeth;
+    Rational ratio;
+    double error = 0;
+    std::function<Mechanism()> make;
+  };
+
+  ChoiceForm(const QStringList& teethHeads, const Rational& ratio, QWidget* parent);
+  [[nodiscard]] virtual std::vector<Choice> choices(const Rational& ratio) const = 0;
+  /// To be called once the form is complete, and when the wish changes.
+  void renew();
+  void addTable();
+
+ private:
+  NumberField* m_ratio;
+  QTableWidget* m_table;
+  std::vector<Choice> m_choices;
+};
+
+class PlanetaryForm : public ChoiceForm {
+  Q_OBJECT
+
+ public:
+  explicit PlanetaryForm(QWidget* parent = nullptr);
+
+ protected:
+  [[nodiscard]] std::vector<Choice> choices(const Rational& ratio) const override;
+
+ private:
+  QComboBox* m_use;
+  NumberField* m_planets;
+  NumberField* m_fewest;
+  NumberField* m_most;
+};
+
+class RevertedForm : public ChoiceForm {
+  Q_OBJECT
+
+ public:
+  explicit RevertedForm(QWidget* parent = nullptr);
+
+ protected:
+  [[nodiscard]] std::vector<Choice> choices(const Rational& ratio) const override;
+
+ private:
+  NumberField* m_fewest;
+  NumberField* m_most;
+};
+
+}  // namespace geargraph

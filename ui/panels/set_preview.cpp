@@ -1,0 +1,118 @@
+#include "ui/panels/set_preview.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/results_delegate.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kNameRows = 8;
+constexpr int kNameHeight = 18;
+
+/// The point on the other side of the axis.
+Vector3 mirrored(const Vector3& point, const AxisLine& line) {
+  const Vector3 foot = line.point + dot(point - line.point, line.direction) * line.direction;
+  return foot + (foot - point);
+}
+
+}  // namespace
+
+SetPreview::SetPreview(QWidget* parent) : QWidget(parent), m_mechanism(emptyMechanism()) {
+  setMinimumSize(240, 260);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+}
+
+void SetPreview::setMechanism(const Mechanism& mechanism) {
+  m_mechanism = mechanism;
+  m_placement = placementOf(mechanism);
+  m_across = std::any_of(m_placement.meshes.begin(), m_placement.meshes.end(),
+                         [](const auto& mesh) { return mesh && mesh->kind == MeshKind::bevel; });
+  update();
+}
+
+QPointF SetPreview::projected(const Vector3& point) const {
+  return m_across ? QPointF(point[1], -point[2]) : QPointF(point[0], -point[1]);
+}
+
+QRectF SetPreview::extent() const {
+  QRectF all;
+  for (const auto& mesh : m_placement.meshes) {
+    if (!mesh) continue;
+    for (const bool tail : {true, false}) {
+      const AxisLine& line = m_placement.lineOfClass(tail ? mesh->tailClass : mesh->headClass);
+      const QPointF a = projected(mesh->pitchPoint);
+      const QPointF b = projected(mirrored(mesh->pitchPoint, line));
+      const double radius = std::abs(tail ? mesh->tailRadius : mesh->headRadius);
+      const QPointF centre = (a + b) / 2;
+      all = all.united(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius));
+    }
+  }
+  return all;
+}
+
+void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail) const {
+  const int link = tail ? mesh.tail : mesh.head;
+  const AxisLine& line = m_placement.lineOfClass(tail ? mesh.tailClass : mesh.headClass);
+  const double radius = std::abs(tail ? mesh.tailRadius : mesh.headRadius);
+  const QPointF a = projected(mesh.pitchPoint);
+  const QPointF b = projected(mirrored(mesh.pitchPoint, line));
+  QPen pen(qColor(linkColor(m_mechanism.linkLabel(link))), 2.5);
+  pen.setCosmetic(true);
+  painter.setPen(pen);
+  const bool isRing =
+      mesh.kind == MeshKind::internal && radius > std::abs(tail ? mesh.headRadius : mesh.tailRadius);
+  QColor fill = pen.color();
+  fill.setAlphaF(isRing || mesh.kind == MeshKind::bevel ? 0.0F : 0.12F);
+  painter.setBrush(fill);
+  if (mesh.kind != MeshKind::bevel) {
+    painter.drawEllipse((a + b) / 2, radius, radius);
+    return;
+  }
+  painter.drawLine(a, b);
+  pen.setWidthF(1);
+  painter.setPen(pen);
+  const AxisLine& other = m_placement.lineOfClass(tail ? mesh.headClass : mesh.tailClass);
+  const QPointF apex =
+      projected(apexOf(GearPair<double>{line.point, line.direction, other.point, other.direction, 1, 1}));
+  painter.drawLine(apex, a);
+  painter.drawLine(apex, b);
+}
+
+void SetPreview::paintNames(QPainter& painter) const {
+  painter.setPen(qColor(ColorRole::ink, themeOf(palette())));
+  const int count = std::min(m_mechanism.n(), kNameRows);
+  for (int link = 1; link <= count; ++link) {
+    const int column = (link - 1) % 2;
+    const double y = height() - 12 - ((count + 1) / 2 - 1 - (link - 1) / 2) * kNameHeight;
+    const double x = 14 + column * width() / 2.0;
+    paintLinkDot(painter, {x, y}, link);
+    const QString name = QString::fromStdString(m_mechanism.links[static_cast<std::size_t>(link)].name);
+    painter.drawText(QPointF(x + 12, y + 4), QStringLiteral("%1 %2").arg(link).arg(name));
+  }
+}
+
+void SetPreview::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF all = extent();
+  if (all.isEmpty()) return;
+  paintNames(painter);
+  const int names = (std::min(m_mechanism.n(), kNameRows) + 1) / 2 * kNameHeight;
+  const QRectF room = QRectF(rect()).adjusted(12, 12, -12, -20 - names);
+  const double scale = std::min(room.width() / all.width(), room.height() / all.height());
+  painter.translate(room.center());
+  painter.scale(scale, scale);
+  painter.translate(-all.center());
+  for (const auto& mesh : m_placement.meshes) {
+    if (!mesh) continue;
+    paintWheel(painter, *mesh, true);
+    paintWheel(painter, *mesh, false);
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/mechanism/mechanism.h"
+#include "core/placement/placement.h"
+
+namespace geargraph {
+
+/// A small picture of a set: the pitch circles of wheels on parallel axes seen along them, the pitch lines of
+/// bevels seen across, in the colours of the links, and the links' names.
+class SetPreview : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SetPreview(QWidget* parent = nullptr);
+
+  /// An empty mechanism shows nothing.
+  void setMechanism(const Mechanism& mechanism);
+  [[nodiscard]] QSize sizeHint() const override { return {300, 320}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] QPointF projected(const Vector3& point) const;
+  [[nodiscard]] QRectF extent() const;
+  void paintWheel(QPainter& painter, const MeshGeometry& mesh, bool tail) const;
+  void paintNames(QPainter& painter) const;
+
+  Mechanism m_mechanism;
+  Placement m_placement;
+  bool m_across = false;  ///< bevels: seen along x
+};
+
+}  // namespace geargraph
