@@ -1,6 +1,7 @@
 #include "core/derivation/glossary.h"
 
 #include "core/base/contract.h"
+#include "core/derivation/quantity_table.h"
 
 namespace geargraph {
 
@@ -92,6 +93,18 @@ const std::vector<Definition>& glossary() {
        "A mesh and the path through the tree that leads back from its head to its tail.", 5},
       {Term::label, "", "Label",
        "The paper's number of a link, joint or mesh. It follows from the order of the elements.", 0},
+      {Term::screw, "û", "Screw",
+       "A joint's axis as seen from a pitch point: its unit direction (L M N) and its moment (P Q R), the "
+       "velocity that the point gets for one unit of speed.",
+       6},
+      {Term::coefficientMatrix, "P", "Coefficient matrix",
+       "A row for each mesh: the moment of each joint of its cycle about the pitch point, times T. "
+       "P θ̇ = 0 holds for every motion; divided by the head's radius a row holds only ratios and ones.",
+       18},
+      {Term::solution, "θ̇", "Solution",
+       "The rate of every other joint for one unit of each input: minus the inverse of P's output part times "
+       "its input part.",
+       23},
   };
   return definitions;
 }
@@ -116,6 +129,18 @@ Term termOf(MatrixKind kind) {
       return Term::cycleBasisMatrix;
     case MatrixKind::cutset:
       return Term::cutsetMatrix;
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+Term termOf(QuantityKind kind) {
+  switch (kind) {
+    case QuantityKind::screws:
+      return Term::screw;
+    case QuantityKind::coefficients:
+      return Term::coefficientMatrix;
+    case QuantityKind::solution:
+      return Term::solution;
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -7,6 +7,8 @@
 
 namespace geargraph {
 
+enum class QuantityKind;
+
 /// The words and symbols of the field that the program shows.
 enum class Term {
   movingLinks,
@@ -38,6 +40,9 @@ enum class Term {
   spanningTree,
   cycle,
   label,
+  screw,
+  coefficientMatrix,
+  solution,
 };
 
 struct Definition {
@@ -52,5 +57,6 @@ struct Definition {
 [[nodiscard]] const std::vector<Definition>& glossary();
 [[nodiscard]] const Definition& definitionOf(Term term);
 [[nodiscard]] Term termOf(MatrixKind kind);
+[[nodiscard]] Term termOf(QuantityKind kind);
 
 }  // namespace geargraph

@@ -1,5 +1,7 @@
 #include "ui/models/matrix_model.h"
 
+#include <algorithm>
+
 namespace geargraph {
 namespace {
 
@@ -37,9 +39,42 @@ MatrixModel::MatrixModel(QObject* parent) : QAbstractTableModel(parent) {
 }
 
 void MatrixModel::setKind(MatrixKind kind) {
-  if (kind == m_kind) return;
+  if (kind == m_kind && !m_quantityKind) return;
   m_kind = kind;
+  m_quantityKind.reset();
   show(false);
+}
+
+void MatrixModel::setQuantity(QuantityKind kind, EntryForm form) {
+  if (m_quantityKind == kind && m_form == form) return;
+  m_quantityKind = kind;
+  m_form = form;
+  show(false);
+}
+
+/// A quantity needs the mechanism as it is, not as it would be.
+void MatrixModel::showQuantity() {
+  beginResetModel();
+  m_matrix.reset();
+  m_before.reset();
+  m_quantity.reset();
+  m_rowAsked = -1;
+  const std::vector<EntryForm> forms =
+      m_snapshot ? formsOf(*m_snapshot, *m_quantityKind) : std::vector<EntryForm>();
+  if (!forms.empty()) {
+    const bool there = std::find(forms.begin(), forms.end(), m_form) != forms.end();
+    m_quantity = quantityTable(m_snapshot, *m_quantityKind, there ? m_form : forms.back());
+  }
+  endResetModel();
+  emit matrixChanged();
+}
+
+Heading MatrixModel::rowHeading(int row) const {
+  return m_quantity ? m_quantity->rowHeading(row) : m_matrix->rowHeading(row);
+}
+
+Heading MatrixModel::columnHeading(int column) const {
+  return m_quantity ? m_quantity->columnHeading(column) : m_matrix->columnHeading(column);
 }
 
 void MatrixModel::setSnapshot(const SnapshotPtr& snapshot) {
@@ -51,7 +86,7 @@ void MatrixModel::setSnapshot(const SnapshotPtr& snapshot) {
 void MatrixModel::setPreview(std::optional<PreviewSnapshot> preview) {
   if (!preview && !m_preview) return;
   m_preview = std::move(preview);
-  show(false);
+  if (!m_quantityKind) show(false);
 }
 
 const AnalysisSnapshot* MatrixModel::shown() const {
@@ -60,6 +95,8 @@ const AnalysisSnapshot* MatrixModel::shown() const {
 }
 
 void MatrixModel::show(bool glow) {
+  if (m_quantityKind) return showQuantity();
+  m_quantity.reset();
   const AnalysisSnapshot* source = shown();
   const IntegerMatrixPtr next = source != nullptr ? source->matrix(m_kind) : nullptr;
   const IntegerMatrixPtr before = m_matrix;
@@ -86,12 +123,15 @@ void MatrixModel::show(bool glow) {
 }
 
 std::set<ElementId> MatrixModel::elementsOfRow(int row) const {
+  if (m_quantity) return m_quantity->elementsOfRow(row);
   const AnalysisSnapshot& source = *shown();
   return geargraph::elementsOfRow(m_kind, *source.graph, source.tree.get(), row);
 }
 
 std::set<ElementId> MatrixModel::elementsOfCell(int row, int column) const {
   std::set<ElementId> elements = elementsOfRow(row);
+  if (m_quantity && m_quantity->headsAreRates()) elements.insert(columnElement(column));
+  if (m_quantity) return elements;
   const bool pair =
       m_kind == MatrixKind::incidence || m_kind == MatrixKind::reducedIncidence || m_kind == MatrixKind::path;
   if (pair) elements.insert(columnElement(column));
@@ -99,26 +139,31 @@ std::set<ElementId> MatrixModel::elementsOfCell(int row, int column) const {
 }
 
 CellExplanation MatrixModel::explanation(const QModelIndex& index) const {
+  if (m_quantity) return m_quantity->explanation(index.row(), index.column());
   const AnalysisSnapshot& source = *shown();
   return explainCell(m_kind, *source.graph, source.tree.get(), index.row(), index.column());
 }
 
 int MatrixModel::partition() const {
+  if (m_quantity) return m_quantity->partition().value_or(-1);
   return m_matrix ? m_matrix->partition().value_or(-1) : -1;
 }
 
 int MatrixModel::rowCount(const QModelIndex& parent) const {
-  return m_matrix && !parent.isValid() ? m_matrix->rows() : 0;
+  if (parent.isValid() || !isThere()) return 0;
+  return m_quantity ? m_quantity->rows() : m_matrix->rows();
 }
 
 int MatrixModel::columnCount(const QModelIndex& parent) const {
-  return m_matrix && !parent.isValid() ? m_matrix->columns() : 0;
+  if (parent.isValid() || !isThere()) return 0;
+  return m_quantity ? m_quantity->columns() : m_matrix->columns();
 }
 
 QVariant MatrixModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const int row = index.row();
   const int column = index.column();
+  if (m_quantity) return quantityData(row, column, role);
   switch (role) {
     case Qt::DisplayRole:
       return shownText(printedEntry(m_matrix->entry(row, column)));
@@ -137,15 +182,44 @@ QVariant MatrixModel::data(const QModelIndex& index, int role) const {
   }
 }
 
+QVariant MatrixModel::quantityData(int row, int column, int role) const {
+  if (m_rowAsked != row) {
+    m_rowEntries = m_quantity->row(row);
+    m_rowAsked = row;
+  }
+  const auto entry = std::find_if(m_rowEntries.begin(), m_rowEntries.end(),
+                                  [column](const QuantityEntry& e) { return e.column == column; });
+  const bool zero = entry == m_rowEntries.end();
+  const bool formula = !zero && entry->isFormula;
+  switch (role) {
+    case Qt::DisplayRole:
+      if (zero) return QStringLiteral("0");
+      return formula ? shownText(entry->text)
+                     : shownText(entry->text).replace(QLatin1Char('-'), QStringLiteral("−"));
+    case Qt::TextAlignmentRole:
+      return int(Qt::AlignCenter);
+    case Qt::AccessibleTextRole:
+      return shownText(m_quantity->explanation(row, column).title);
+    case ValueRole:
+      return zero ? 0 : (entry->value > 0 ? 1 : -1);
+    case FormulaRole:
+      return formula;
+    default:
+      return {};
+  }
+}
+
 QVariant MatrixModel::headerData(int section, Qt::Orientation orientation, int role) const {
   const bool across = orientation == Qt::Horizontal;
-  if (!m_matrix || section < 0 || section >= (across ? columnCount() : rowCount())) return {};
-  const Heading heading = across ? m_matrix->columnHeading(section) : m_matrix->rowHeading(section);
+  if (!isThere() || section < 0 || section >= (across ? columnCount() : rowCount())) return {};
+  const Heading heading = across ? columnHeading(section) : rowHeading(section);
   switch (role) {
     case Qt::DisplayRole:
       return shownText(heading.text);
     case GhostRole:
-      return m_preview && heading.element == m_preview->ghost;
+      return !m_quantity && m_preview && heading.element == m_preview->ghost;
+    case RateRole:
+      return m_quantity && m_quantity->headsAreRates();
     default:
       return {};
   }

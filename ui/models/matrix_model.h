@@ -8,12 +8,14 @@
 
 #include "core/analysis/analysis.h"
 #include "core/derivation/cell_explanation.h"
+#include "core/derivation/quantity_table.h"
 #include "ui/models/joint_preview.h"
 
 namespace geargraph {
 
-/// One matrix of the newest snapshot as a table. Entries are asked for when they are shown, so a matrix of
-/// 10,000 rows costs what is on the screen.
+/// One matrix of the newest snapshot as a table: one of whole numbers, or a quantity (screws, P, solution) in
+/// decimals, fractions or symbols. Entries are asked for when they are shown, so a matrix of 10,000 rows
+/// costs what is on the screen.
 ///
 /// While an arrow is being drawn the matrix is the one that it would make; the joint to be is the ghost.
 class MatrixModel : public QAbstractTableModel {
@@ -21,9 +23,11 @@ class MatrixModel : public QAbstractTableModel {
 
  public:
   enum Role {
-    ValueRole = Qt::UserRole,  ///< int: the entry
+    ValueRole = Qt::UserRole,  ///< int: the entry, of a quantity its sign
     ChangedRole,               ///< bool: the last edit changed the entry, less than 0.6 s ago
     GhostRole,                 ///< bool: the cell, row or column of the joint to be
+    FormulaRole,               ///< bool: the text is a formula in the gear ratios
+    RateRole,                  ///< bool, of headings: the text names the rate of that joint
   };
   static constexpr int kGlowMilliseconds = 600;
 
@@ -31,16 +35,25 @@ class MatrixModel : public QAbstractTableModel {
 
   [[nodiscard]] MatrixKind kind() const { return m_kind; }
   void setKind(MatrixKind kind);
+  /// Shows a quantity, in this form or, where there is none such yet, in the nearest.
+  void setQuantity(QuantityKind kind, EntryForm form);
+  [[nodiscard]] std::optional<QuantityKind> quantityKind() const { return m_quantityKind; }
+  [[nodiscard]] EntryForm wantedForm() const { return m_form; }
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);
 
-  /// The matrix that is shown; null where there is none (no snapshot yet, or no spanning tree).
+  /// The quantity that is shown; null where there is none, or a matrix of whole numbers is shown.
+  [[nodiscard]] const QuantityTablePtr& quantity() const { return m_quantity; }
+  [[nodiscard]] bool isThere() const { return m_matrix || m_quantity; }
+  /// The matrix that is shown; null where there is none (no snapshot yet, or no spanning tree), or a quantity
+  /// is shown.
   [[nodiscard]] const IntegerMatrixPtr& matrix() const { return m_matrix; }
   /// The newest snapshot without the preview; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
 
-  [[nodiscard]] ElementId rowElement(int row) const { return m_matrix->rowHeading(row).element; }
-  [[nodiscard]] ElementId columnElement(int column) const { return m_matrix->columnHeading(column).element; }
+  /// What a heading stands for; its id is empty where nothing does (a component of a screw).
+  [[nodiscard]] ElementId rowElement(int row) const { return rowHeading(row).element; }
+  [[nodiscard]] ElementId columnElement(int column) const { return columnHeading(column).element; }
   /// What lights up for a row: for T and C the whole cycle.
   [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const;
   /// What lights up for a cell: the row of a cycle or cutset as a whole, else the two elements that meet in
@@ -63,12 +76,21 @@ class MatrixModel : public QAbstractTableModel {
  private:
   [[nodiscard]] const AnalysisSnapshot* shown() const;
   void show(bool glow);
+  void showQuantity();
+  [[nodiscard]] Heading rowHeading(int row) const;
+  [[nodiscard]] Heading columnHeading(int column) const;
+  [[nodiscard]] QVariant quantityData(int row, int column, int role) const;
   [[nodiscard]] bool isGhost(int row, int column) const;
   [[nodiscard]] bool hasChanged(int row, int column) const;
 
   MatrixKind m_kind = MatrixKind::cycleBasis;
   SnapshotPtr m_snapshot;
   std::optional<PreviewSnapshot> m_preview;
+  std::optional<QuantityKind> m_quantityKind;
+  EntryForm m_form = EntryForm::symbols;
+  QuantityTablePtr m_quantity;
+  mutable int m_rowAsked = -1;  ///< whose entries are kept: a view asks cell by cell
+  mutable std::vector<QuantityEntry> m_rowEntries;
   IntegerMatrixPtr m_matrix;
   IntegerMatrixPtr m_before;  ///< while cells glow: the matrix before the edit, else null
   std::unordered_map<ElementId, int> m_rowsBefore;

@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QToolTip>
+#include <algorithm>
 
 #include "core/derivation/matrix_text.h"
 #include "ui/panels/matrix_view.h"
@@ -20,6 +21,19 @@ namespace {
 
 constexpr int kCardWidth = 176;
 constexpr int kWidthForCard = 560;
+constexpr int kFirstQuantity = 100;  // of the chips' ids; before it, those of MatrixKind
+
+QString formName(EntryForm form) {
+  switch (form) {
+    case EntryForm::decimals:
+      return MatricesPanel::tr("decimals");
+    case EntryForm::fractions:
+      return MatricesPanel::tr("fractions");
+    case EntryForm::symbols:
+      return MatricesPanel::tr("symbols");
+  }
+  return {};
+}
 
 QToolButton* flatButton(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -66,25 +80,27 @@ QWidget* MatricesPanel::makeBar() {
   layout->setSpacing(5);
   m_chips = new QButtonGroup(this);
   for (const MatrixKind kind : allMatrixKinds()) {
-    auto* chip = new QToolButton(bar);
-    chip->setText(shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')));
-    chip->setObjectName(QStringLiteral("chip.") + shownText(matrixCommandName(kind)));
-    chip->setToolTip(tipOf(termOf(kind)));
-    chip->setCheckable(true);
-    chip->setChecked(kind == m_model->kind());
-    chip->setProperty("look", "chip");
-    m_chips->addButton(chip, static_cast<int>(kind));
-    layout->addWidget(chip);
+    addChip(layout, shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')),
+            shownText(matrixCommandName(kind)), termOf(kind), static_cast<int>(kind));
   }
-  connect(m_chips, &QButtonGroup::idClicked, this,
-          [this](int id) { showMatrix(static_cast<MatrixKind>(id)); });
+  for (const QuantityKind kind : allQuantityKinds()) {
+    addChip(layout, shownText(quantitySymbol(kind)), shownText(quantityCommandName(kind)), termOf(kind),
+            kFirstQuantity + static_cast<int>(kind));
+  }
+  m_chips->button(static_cast<int>(m_model->kind()))->setChecked(true);
+  connect(m_chips, &QButtonGroup::idClicked, this, [this](int id) {
+    if (id < kFirstQuantity) return showMatrix(static_cast<MatrixKind>(id));
+    showQuantity(static_cast<QuantityKind>(id - kFirstQuantity));
+  });
   layout->addStretch(1);
 
+  m_form = makeFormButton();
+  layout->addWidget(m_form);
   m_copy = makeCopyButton();
   layout->addWidget(m_copy);
   m_export = flatButton(tr("CSV…"), tr("Export the matrix with its labels to a CSV file"), bar);
   m_export->setObjectName(QStringLiteral("exportCsv"));
-  connect(m_export, &QToolButton::clicked, this, [this] { emit exportWanted(m_model->matrix()); });
+  connect(m_export, &QToolButton::clicked, this, &MatricesPanel::wantExport);
   layout->addWidget(m_export);
   auto* zeros = flatButton(tr("zeros ·"), tr("Show zeros as faint dots, or as 0"), bar);
   zeros->setObjectName(QStringLiteral("zerosAsDots"));
@@ -102,18 +118,55 @@ QToolButton* MatricesPanel::makeCopyButton() {
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   using Writer = std::string (*)(const IntegerMatrix&);
-  const std::pair<QString, Writer> formats[] = {{tr("Table (TSV)"), &matrixTsv},
-                                                {QStringLiteral("CSV"), &matrixCsv},
-                                                {QStringLiteral("LaTeX"), &matrixLatex},
-                                                {QStringLiteral("MATLAB"), &matrixMatlab},
-                                                {QStringLiteral("NumPy"), &matrixNumpy}};
-  for (const auto& [name, writer] : formats) {
-    menu->addAction(name, this, [this, write = writer] {
-      if (m_model->matrix()) QApplication::clipboard()->setText(shownText(write(*m_model->matrix())));
+  using QuantityWriter = std::string (*)(const QuantityTable&);
+  struct Format {
+    QString name;
+    Writer matrix;
+    QuantityWriter quantity;
+  };
+  const Format formats[] = {{tr("Table (TSV)"), &matrixTsv, &quantityTsv},
+                            {QStringLiteral("CSV"), &matrixCsv, &quantityCsv},
+                            {QStringLiteral("LaTeX"), &matrixLatex, &quantityLatex},
+                            {QStringLiteral("MATLAB"), &matrixMatlab, &quantityMatlab},
+                            {QStringLiteral("NumPy"), &matrixNumpy, &quantityNumpy}};
+  for (const Format& format : formats) {
+    menu->addAction(format.name, this, [this, format] {
+      if (!m_model->isThere()) return;
+      const std::string text =
+          m_model->quantity() ? format.quantity(*m_model->quantity()) : format.matrix(*m_model->matrix());
+      QApplication::clipboard()->setText(shownText(text));
     });
   }
   button->setMenu(menu);
   return button;
+}
+
+void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id) {
+  auto* chip = new QToolButton(this);
+  chip->setText(text);
+  chip->setObjectName(QStringLiteral("chip.") + name);
+  chip->setToolTip(tipOf(term));
+  chip->setCheckable(true);
+  chip->setProperty("look", "chip");
+  m_chips->addButton(chip, id);
+  layout->addWidget(chip);
+}
+
+QToolButton* MatricesPanel::makeFormButton() {
+  auto* button = flatButton({}, tr("In which numbers the entries are told"), this);
+  button->setObjectName(QStringLiteral("entryForm"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  for (const EntryForm form : {EntryForm::decimals, EntryForm::fractions, EntryForm::symbols}) {
+    QAction* action = menu->addAction(formName(form), this, [this, form] { chooseForm(form); });
+    action->setData(static_cast<int>(form));
+  }
+  button->setMenu(menu);
+  return button;
+}
+
+void MatricesPanel::chooseForm(EntryForm form) {
+  if (m_model->quantityKind()) m_model->setQuantity(*m_model->quantityKind(), form);
 }
 
 QFrame* MatricesPanel::makeCard() {
@@ -144,9 +197,19 @@ void MatricesPanel::setPreview(std::optional<PreviewSnapshot> preview) {
   m_model->setPreview(std::move(preview));
 }
 
+void MatricesPanel::wantExport() {
+  if (m_model->quantity()) return emit quantityExportWanted(m_model->quantity());
+  emit exportWanted(m_model->matrix());
+}
+
 void MatricesPanel::showMatrix(MatrixKind kind) {
   m_chips->button(static_cast<int>(kind))->setChecked(true);
   m_model->setKind(kind);
+}
+
+void MatricesPanel::showQuantity(QuantityKind kind) {
+  m_chips->button(kFirstQuantity + static_cast<int>(kind))->setChecked(true);
+  m_model->setQuantity(kind, m_model->wantedForm());
 }
 
 /// The card tells what the cell under the mouse means; without one, what the matrix is.
@@ -162,14 +225,15 @@ void MatricesPanel::explain(const QModelIndex& index) {
     }
     return;
   }
-  const Definition& definition = definitionOf(termOf(m_model->kind()));
+  const auto quantity = m_model->quantityKind();
+  const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
   m_cardTitle->setText(shownText(definition.name));
   m_cardText->setText(shownText(definition.text) +
                       (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
 }
 
 void MatricesPanel::renew() {
-  const bool there = m_model->matrix() != nullptr;
+  const bool there = m_model->isThere();
   const bool empty = !there || m_model->rowCount() == 0 || m_model->columnCount() == 0;
   m_copy->setEnabled(there);
   m_export->setEnabled(there);
@@ -177,14 +241,36 @@ void MatricesPanel::renew() {
   m_export->setToolTip(there ? tr("Export the matrix with its labels to a CSV file") : why);
   m_copy->setToolTip(there ? tr("Copy the matrix with its labels") : why);
   m_empty->setText(why);
+  renewForm();
   m_pages->setCurrentWidget(empty ? static_cast<QWidget*>(m_empty) : m_view);
   explain({});
+}
+
+void MatricesPanel::renewForm() {
+  m_form->setVisible(m_model->quantityKind().has_value());
+  if (!m_model->quantity()) return m_form->setEnabled(false);
+  m_form->setEnabled(true);
+  m_form->setText(formName(m_model->quantity()->form()) + QStringLiteral(" ▾"));
+  const std::vector<EntryForm> forms = formsOf(*m_model->snapshot(), *m_model->quantityKind());
+  for (QAction* action : m_form->menu()->actions()) {
+    const auto form = static_cast<EntryForm>(action->data().toInt());
+    action->setEnabled(std::find(forms.begin(), forms.end(), form) != forms.end());
+  }
+}
+
+QString MatricesPanel::whyNoQuantity() const {
+  const SnapshotPtr& snapshot = m_model->snapshot();
+  for (const Diagnostic& diagnostic : snapshot->diagnostics) {
+    if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
+  }
+  return tr("The equations are too many to be written out.");
 }
 
 QString MatricesPanel::whyEmpty() const {
   const SnapshotPtr& snapshot = m_model->snapshot();
   if (!snapshot) return tr("The matrices appear as soon as the mechanism is analysed.");
-  if (!m_model->matrix()) {
+  if (m_model->quantityKind() && !m_model->isThere() && snapshot->mechanism->t() > 0) return whyNoQuantity();
+  if (!m_model->isThere()) {
     QString why;
     for (const Diagnostic& diagnostic : snapshot->diagnostics) {
       const bool treeless = diagnostic.code == Code::disconnected || diagnostic.code == Code::turningLoop;

@@ -3,12 +3,14 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/derivation/glossary.h"
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
 
 class QButtonGroup;
 class QFrame;
 class QLabel;
+class QLayout;
 class QStackedWidget;
 class QToolButton;
 
@@ -26,27 +28,39 @@ class MatricesPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
   void setPreview(std::optional<PreviewSnapshot> preview);
   void showMatrix(MatrixKind kind);
+  /// Screws, P or the solution, in the form that was chosen last.
+  void showQuantity(QuantityKind kind);
+
+  /// Asks for the export of what is shown, by one of the two signals.
+  void wantExport();
 
   [[nodiscard]] MatrixModel& model() { return *m_model; }
   [[nodiscard]] MatrixView& view() { return *m_view; }
 
  signals:
   void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
+  void quantityExportWanted(const geargraph::QuantityTablePtr& table);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeBar();
+  void addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id);
   QToolButton* makeCopyButton();
+  QToolButton* makeFormButton();
+  void chooseForm(EntryForm form);
   QFrame* makeCard();
   void explain(const QModelIndex& index);
   void renew();
+  void renewForm();
   [[nodiscard]] QString whyEmpty() const;
+  [[nodiscard]] QString whyNoQuantity() const;
 
   MatrixModel* m_model;
   MatrixView* m_view;
   QButtonGroup* m_chips = nullptr;
+  QToolButton* m_form = nullptr;
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;
   QStackedWidget* m_pages = nullptr;

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "ui/panels/matrix_view.h"
+#include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {
@@ -24,10 +25,12 @@ MatrixHeader::MatrixHeader(Qt::Orientation orientation, MatrixView* view)
 
 QSize MatrixHeader::sizeHint() const {
   if (orientation() == Qt::Horizontal) return {0, 30};
-  const QFontMetrics metrics(font());
   const int rows = count();
   const QString widest = rows == 0 ? QString() : model()->headerData(rows - 1, Qt::Vertical).toString();
-  return {metrics.horizontalAdvance(widest) + 34 + MatrixView::kBracket, 0};
+  const bool rate = rows > 0 && model()->headerData(rows - 1, Qt::Vertical, MatrixModel::RateRole).toBool();
+  const int width = rate ? static_cast<int>(paintRate(nullptr, font(), {}, widest))
+                         : QFontMetrics(font()).horizontalAdvance(widest);
+  return {width + 34 + MatrixView::kBracket, 0};
 }
 
 void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
@@ -43,12 +46,17 @@ void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   painter->setFont(labelFont);
   painter->setPen(qColor(lit ? ColorRole::accent : ColorRole::secondary, theme));
   const QString text = model()->headerData(section, orientation()).toString();
-  if (across) {
-    const bool last = section == count() - 1;
-    painter->drawText(rect.adjusted(0, 0, last ? -MatrixView::kBracket : 0, 0), Qt::AlignCenter, text);
+  const bool last = across && section == count() - 1;
+  const int margin = across ? (last ? MatrixView::kBracket : 0) : MatrixView::kBracket + 8;
+  const QRect room = rect.adjusted(0, 0, -margin, 0);
+  if (model()->headerData(section, orientation(), MatrixModel::RateRole).toBool()) {
+    const double advance = paintRate(nullptr, labelFont, {}, text);
+    const QFontMetricsF metrics(labelFont);
+    const double base = QRectF(room).center().y() + (metrics.ascent() - metrics.descent()) / 2;
+    const double left = across ? QRectF(room).center().x() - advance / 2 : room.right() - advance;
+    paintRate(painter, labelFont, {left, base}, text);
   } else {
-    painter->drawText(rect.adjusted(0, 0, -MatrixView::kBracket - 8, 0), Qt::AlignRight | Qt::AlignVCenter,
-                      text);
+    painter->drawText(room, across ? int(Qt::AlignCenter) : int(Qt::AlignRight | Qt::AlignVCenter), text);
   }
   painter->restore();
 }

@@ -7,10 +7,32 @@
 #include <algorithm>
 
 #include "ui/panels/matrix_header.h"
+#include "ui/panels/ratio_text.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {
 namespace {
+
+constexpr int kRowsMeasured = 200;  // for the widths of columns
+constexpr int kColumnsMeasured = 60;
+constexpr int kPillMargin = 7;
+
+/// The width of an entry's text, and drawing it where there is a painter.
+double putEntry(QPainter* painter, const QFont& font, const QRectF& cell, const QModelIndex& index) {
+  const QString text = index.data().toString();
+  if (!index.data(MatrixModel::FormulaRole).toBool()) {
+    if (painter != nullptr) painter->drawText(cell, Qt::AlignCenter, text);
+    return QFontMetricsF(font).horizontalAdvance(text);
+  }
+  const double advance = paintRatios(nullptr, font, {}, text);
+  if (painter == nullptr) return advance;
+  const QFontMetricsF metrics(font);
+  const double base = cell.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+  painter->setClipRect(cell);
+  paintRatios(painter, font, {std::max(cell.left() + kPillMargin, cell.center().x() - advance / 2), base},
+              text);
+  return advance;
+}
 
 class EntryDelegate : public QStyledItemDelegate {
  public:
@@ -35,7 +57,9 @@ class EntryDelegate : public QStyledItemDelegate {
   void paintEntry(QPainter& painter, const QRectF& cell, const QStyleOptionViewItem& option,
                   const QModelIndex& index, Theme theme) const {
     const int value = index.data(MatrixModel::ValueRole).toInt();
-    QRectF pill(0, 0, std::min(30.0, cell.width() - 3), std::min(21.0, cell.height() - 3));
+    const double wanted =
+        value == 0 ? 30 : std::max(30.0, putEntry(nullptr, option.font, {}, index) + 2 * kPillMargin);
+    QRectF pill(0, 0, std::min(wanted, cell.width() - 3), std::min(21.0, cell.height() - 3));
     pill.moveCenter(cell.center());
     if (index.data(MatrixModel::ChangedRole).toBool()) {
       painter.setPen(Qt::NoPen);
@@ -60,7 +84,11 @@ class EntryDelegate : public QStyledItemDelegate {
     painter.setFont(font);
     painter.setPen(qColor(ink, theme));
     const bool dot = value == 0 && m_view->zerosAsDots();
-    painter.drawText(cell, Qt::AlignCenter, dot ? QStringLiteral("·") : index.data().toString());
+    if (dot) {
+      painter.drawText(cell, Qt::AlignCenter, QStringLiteral("·"));
+    } else {
+      putEntry(&painter, font, cell, index);
+    }
   }
 
   MatrixView* m_view;
@@ -100,7 +128,7 @@ void MatrixView::setUpHeaders() {
   across->setDefaultSectionSize(kColumnWidth);
   down->setDefaultSectionSize(kRowHeight);
   connect(across, &MatrixHeader::sectionHovered, this, [this](int column) {
-    if (column < 0) return m_selection->unhover();
+    if (column < 0 || m_model->columnElement(column).id.empty()) return m_selection->unhover();
     m_selection->hover(m_model->columnElement(column));
   });
   connect(down, &MatrixHeader::sectionHovered, this, [this](int row) {
@@ -108,8 +136,9 @@ void MatrixView::setUpHeaders() {
     if (row < 0) return m_selection->unhover();
     m_selection->hover(m_model->elementsOfRow(row));
   });
-  connect(across, &QHeaderView::sectionClicked, this,
-          [this](int column) { m_selection->select({m_model->columnElement(column)}); });
+  connect(across, &QHeaderView::sectionClicked, this, [this](int column) {
+    if (!m_model->columnElement(column).id.empty()) m_selection->select({m_model->columnElement(column)});
+  });
   connect(down, &QHeaderView::sectionClicked, this,
           [this](int row) { m_selection->select({m_model->rowElement(row)}); });
 }
@@ -126,12 +155,33 @@ void MatrixView::fitSections() {
   const int cellHeight = high / rows >= kLowest ? std::min(high / rows, kRowHeight) : kRowHeight;
   verticalHeader()->setDefaultSectionSize(cellHeight);
   horizontalHeader()->setDefaultSectionSize(cellWidth);
+  const std::vector<int> widths = widthsOfQuantity();
   for (int column = 0; column < columns; ++column) {
-    const int size = cellWidth + (column == columns - 1 ? kBracket : 0);
+    const int entry = widths.empty() ? cellWidth : widths[std::min(widths.size() - 1, std::size_t(column))];
+    const int size = entry + (column == columns - 1 ? kBracket : 0);
     if (horizontalHeader()->sectionSize(column) != size) horizontalHeader()->resizeSection(column, size);
   }
   updateGeometries();
   viewport()->update();
+}
+
+/// By column, as wide as its entries; the last one for all columns behind. Empty for whole numbers.
+std::vector<int> MatrixView::widthsOfQuantity() const {
+  if (!m_model->quantity()) return {};
+  const int rows = std::min(m_model->rowCount(), kRowsMeasured);
+  const int columns = std::min(m_model->columnCount(), kColumnsMeasured);
+  std::vector<int> widths(static_cast<std::size_t>(columns), kNarrowest + 5);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const QModelIndex index = m_model->index(row, column);
+      if (index.data(MatrixModel::ValueRole).toInt() == 0) continue;
+      int& width = widths[static_cast<std::size_t>(column)];
+      width = std::max(width, static_cast<int>(putEntry(nullptr, font(), {}, index)) + 2 * kPillMargin + 8);
+    }
+  }
+  for (int& width : widths) width = std::min(width, kWidest);
+  if (m_model->columnCount() > columns) widths.push_back(*std::max_element(widths.begin(), widths.end()));
+  return widths;
 }
 
 void MatrixView::resizeEvent(QResizeEvent* event) {
@@ -151,11 +201,11 @@ void MatrixView::setEntryPixels(int pixels) {
 }
 
 bool MatrixView::isRowLit(int row) const {
-  return m_model->matrix() && m_lit.contains(m_model->rowElement(row));
+  return m_model->isThere() && m_lit.contains(m_model->rowElement(row));
 }
 
 bool MatrixView::isColumnLit(int column) const {
-  return m_model->matrix() && m_lit.contains(m_model->columnElement(column));
+  return m_model->isThere() && m_lit.contains(m_model->columnElement(column));
 }
 
 bool MatrixView::isColumnTinted(int column) const {
@@ -206,8 +256,10 @@ void MatrixView::hoverCell(const QModelIndex& index) {
 }
 
 void MatrixView::tellCycle(int row) {
+  const auto quantity = m_model->quantityKind();
   const bool cycles =
-      m_model->kind() == MatrixKind::spanningTree || m_model->kind() == MatrixKind::cycleBasis;
+      quantity ? quantity == QuantityKind::coefficients
+               : m_model->kind() == MatrixKind::spanningTree || m_model->kind() == MatrixKind::cycleBasis;
   emit cycleHovered(cycles && row >= 0 ? MeshId(m_model->rowElement(row).id) : MeshId());
 }
 
@@ -219,7 +271,9 @@ void MatrixView::mouseMoveEvent(QMouseEvent* event) {
 void MatrixView::mousePressEvent(QMouseEvent* event) {
   const QModelIndex index = indexAt(event->pos());
   if (!index.isValid()) return m_selection->clear();
-  m_selection->select({m_model->rowElement(index.row()), m_model->columnElement(index.column())});
+  std::set<ElementId> elements{m_model->rowElement(index.row()), m_model->columnElement(index.column())};
+  std::erase_if(elements, [](const ElementId& element) { return element.id.empty(); });
+  m_selection->select(std::move(elements));
 }
 
 void MatrixView::leaveEvent(QEvent* event) {

@@ -18,6 +18,7 @@ class MatrixView : public QTableView {
  public:
   static constexpr int kColumnWidth = 44;  ///< and down to kNarrowest, where the matrix so fits as a whole
   static constexpr int kNarrowest = 31;
+  static constexpr int kWidest = 360;  ///< of a formula; what is longer is cut, and told in full beside
   static constexpr int kRowHeight = 32;
   static constexpr int kLowest = 20;
   static constexpr int kBracket = 12;  ///< room for a bracket, beside the first and the last column
@@ -51,6 +52,7 @@ class MatrixView : public QTableView {
  private:
   void setUpHeaders();
   void fitSections();
+  [[nodiscard]] std::vector<int> widthsOfQuantity() const;
   void hoverCell(const QModelIndex& index);
   void tellCycle(int row);
   void repaintLit();
