@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/base/contract.h"
+#include "core/mechanism/fresh_ids.h"
 #include "core/mechanism/validate.h"
 
 namespace geargraph {
@@ -27,34 +28,6 @@ template <class Element, class ElementIdType>
 Element* findIn(std::vector<Element>& list, ElementIdType id) {
   const auto found = std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id == id; });
   return found == list.end() ? nullptr : &*found;
-}
-
-/// Appends `count` texts: the smallest whole numbers that no element bears as its id.
-std::vector<std::string> freshIds(const Mechanism& mechanism, int count) {
-  std::unordered_set<Atom> taken;
-  for (const auto& e : mechanism.links) taken.insert(e.id.atom());
-  for (const auto& e : mechanism.turningJoints) taken.insert(e.id.atom());
-  for (const auto& e : mechanism.gearMeshes) taken.insert(e.id.atom());
-  std::vector<std::string> fresh;
-  for (int number = 1; static_cast<int>(fresh.size()) < count; ++number) {
-    std::string text = std::to_string(number);
-    if (!taken.contains(Atom(text))) fresh.push_back(std::move(text));
-  }
-  return fresh;
-}
-
-std::string freshId(const Mechanism& mechanism) {
-  return freshIds(mechanism, 1).front();
-}
-
-/// "a", "b", ... "z", "a1", ...: the levels of the T-T graph are lower-case letters.
-AxisId freshAxisId(const Mechanism& mechanism) {
-  for (int round = 0;; ++round) {
-    for (char letter = 'a'; letter <= 'z'; ++letter) {
-      const AxisId id(round == 0 ? std::string(1, letter) : letter + std::to_string(round));
-      if (mechanism.find(id) == nullptr) return id;
-    }
-  }
 }
 
 void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
@@ -91,7 +64,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
     return refusal(Code::selfJoint, "A turning joint needs two different links.", {tail});
   }
   if (axis.empty()) {
-    axis = freshAxisId(mechanism);
+    axis = freshAxisIds(mechanism, 1).front();
     mechanism.axes.push_back({axis, {}, {}, {}});
   } else if (mechanism.find(axis) == nullptr) {
     return unknown(axis);
