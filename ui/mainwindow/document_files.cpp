@@ -44,6 +44,10 @@ std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QStrin
   return reason(file.commit());
 }
 
+std::optional<QString> writeText(const std::string& text, const QString& path) {
+  return reason(writeFile(nativePath(path), text));
+}
+
 QStringList examplePaths() {
   // From the simple to the strange; what is not named here comes last.
   const QDir examples(QStringLiteral(":/examples"));

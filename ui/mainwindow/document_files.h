@@ -21,6 +21,9 @@ namespace geargraph {
 /// Cost: O(rows · columns).
 [[nodiscard]] std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path);
 
+/// A text as a file, whole or not at all. Nothing where all went well, else why not.
+[[nodiscard]] std::optional<QString> writeText(const std::string& text, const QString& path);
+
 /// The examples that come with the program, as paths of its resources: the paper's robot first, then
 /// from the simple to the strange.
 [[nodiscard]] QStringList examplePaths();

@@ -87,6 +87,7 @@ MainWindow::MainWindow(QWidget* parent)
   wireViews();
   wireView3D();
   setAcceptDrops(true);
+  wireMotion();
   setDark(themeOf(QApplication::palette()) == Theme::dark);
   resize(1366, 768);
   onDocumentChanged();
@@ -209,6 +210,8 @@ void MainWindow::wireViews() {
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
   connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
   connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
+  connect(m_matrices, &MatricesPanel::quantityExportWanted, this, &MainWindow::chooseAndExportQuantity);
+  connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
 }
 
 void MainWindow::wireDrawing(DrawingView* drawing) {
@@ -264,9 +267,15 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_problems->setDiagnostics(snapshot->diagnostics);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
-  WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().matrix() != nullptr,
-                              tr("This matrix needs the turning joints to be a spanning tree."));
+  renewExport();
   tellWhenSettled();
+}
+
+void MainWindow::renewExport() {
+  WindowActions::setAvailable(m_actions->exportMatrix, m_matrices->model().isThere(),
+                              m_matrices->model().quantityKind()
+                                  ? tr("This matrix needs a mechanism without errors.")
+                                  : tr("This matrix needs the turning joints to be a spanning tree."));
 }
 
 bool MainWindow::openDocument(const QString& path) {

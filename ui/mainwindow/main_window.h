@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <memory>
 
+#include "core/derivation/quantity_table.h"
 #include "core/graph/integer_matrix.h"
 #include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
@@ -26,6 +27,7 @@ class ProblemsPanel;
 class PropertiesPanel;
 class RecentFiles;
 class ResultsPanel;
+class SearchField;
 class StatusLine;
 class StartPage;
 class View3D;
@@ -101,18 +103,27 @@ class MainWindow : public QMainWindow {
   void wireViews();
   void wireDrawing(DrawingView* drawing);
   void wireView3D();
+  void wireMotion();
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
   void tellWhenSettled();
   void renewActions();
+  void renewExport();
   void renewTitle();
   void makeGround();
   void makePlanets(int total);
   void showInsertSet();
+  bool copySelected();  ///< false, and said, where nothing selected can be copied
+  void cutSelected();
+  void paste();
+  void duplicateSelected();
+  void insert(const Mechanism& fragment, const QString& text);
+  void showElement(const ElementId& element);
   void chooseTheme(bool dark);
 
   void chooseAndExport(const IntegerMatrixPtr& matrix);
+  void chooseAndExportQuantity(const QuantityTablePtr& table);
   void showAbout();
 
   Document* m_document;
@@ -137,6 +148,7 @@ class MainWindow : public QMainWindow {
   NoticeBar* m_notices = nullptr;
   StartPage* m_start = nullptr;
   RecentFiles* m_recent = nullptr;
+  SearchField* m_search = nullptr;
   DockTitles* m_titles = nullptr;
   std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;

@@ -94,6 +94,13 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   redo = make("edit.redo", words("&Redo"), words("Redo"),
               {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
               QStringLiteral("redo"));
+  cut = make("edit.cut", words("Cu&t"), words("Copy what is selected, and delete it"), {QKeySequence::Cut});
+  copy = make("edit.copy", words("&Copy"), words("Copy the selected links and what joins them"),
+              {QKeySequence::Copy});
+  paste = make("edit.paste", words("&Paste"), words("Insert what was copied, in this window or in another"),
+               {QKeySequence::Paste});
+  duplicate = make("edit.duplicate", words("D&uplicate"), words("A second one of what is selected"),
+                   {QKeySequence(QStringLiteral("Ctrl+D"))});
   remove = make("edit.delete", words("&Delete"), words("Delete what is selected, and what needs it"),
                 {QKeySequence(Qt::Key_Delete)}, QStringLiteral("delete"));
   rename =
@@ -133,7 +140,27 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
     themes->addAction(action);
   }
   resetLayout = make("view.reset", words("&Reset the layout"), words("All docks to their places"), {});
+  makeMotion();
+  lookUp = make("learn.lookUp", words("&Look up a term…"), words("What a word of the field means"), {});
+  search = make("help.search", words("&Search…"), words("Find a command, an element or a term"),
+                {QKeySequence(QStringLiteral("Ctrl+K"))});
   about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
+}
+
+void WindowActions::makeMotion() {
+  // Space belongs to the drawings and the 3D view, where a tap plays and holding it pans; it is only named
+  // here, so that elsewhere it still presses the button that has the focus.
+  play = make("motion.play", words("&Play\tSpace"), words("Let the mechanism move, or stop it (Space)"), {});
+  toStart = make("motion.start", words("Back to the &start"), words("The time goes back to 0"),
+                 {QKeySequence(QStringLiteral("Ctrl+Home"))});
+  faster = make("motion.faster", words("&Faster"), words("The motion is shown faster"),
+                {QKeySequence(QStringLiteral("Ctrl+."))});
+  slower = make("motion.slower", words("Slo&wer"), words("The motion is shown more slowly"),
+                {QKeySequence(QStringLiteral("Ctrl+,"))});
+  normalSpeed =
+      make("motion.normal", words("&Normal speed"), words("A second of the motion takes a second"), {});
+  backwards = make("motion.backwards", words("&Backwards"), words("The motion runs back in time"), {});
+  backwards->setCheckable(true);
 }
 
 void WindowActions::setTheme(Theme theme) {

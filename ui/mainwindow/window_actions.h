@@ -34,6 +34,10 @@ struct WindowActions {
 
   QAction* undo;
   QAction* redo;
+  QAction* cut;
+  QAction* copy;
+  QAction* paste;
+  QAction* duplicate;
   QAction* remove;
   QAction* rename;
   QAction* selectAll;
@@ -54,12 +58,23 @@ struct WindowActions {
   QAction* light;
   QAction* dark;
   QAction* resetLayout;
+
+  QAction* play;
+  QAction* toStart;
+  QAction* faster;
+  QAction* slower;
+  QAction* normalSpeed;
+  QAction* backwards;
+
+  QAction* lookUp;
+  QAction* search;
   QAction* about;
 
  private:
   QAction* make(const char* name, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
                 const QString& iconName = {});
   void makeTools();
+  void makeMotion();
 
   QMainWindow* m_window;
   std::vector<std::pair<QAction*, QString>> m_icons;

@@ -9,8 +9,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QToolBar>
-#include <QToolButton>
 
 #include "core/derivation/matrix_text.h"
 #include "core/mechanism/edits.h"
@@ -25,6 +23,8 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/panels/term_tips.h"
+#include "ui/search/search_field.h"
 
 namespace geargraph {
 namespace {
@@ -61,7 +61,9 @@ void MainWindow::makeMenus() {
   QMenu* edit = menu(tr("&Edit"));
   edit->addActions({a.undo, a.redo});
   edit->addSeparator();
-  edit->addActions({a.rename, a.remove, a.selectAll});
+  edit->addActions({a.cut, a.copy, a.paste, a.duplicate, a.remove});
+  edit->addSeparator();
+  edit->addActions({a.rename, a.selectAll});
 
   QMenu* view = menu(tr("&View"));
   view->addActions({a.fit, a.zoomIn, a.zoomOut});
@@ -82,33 +84,26 @@ void MainWindow::makeMenus() {
   mechanism->addSeparator();
   mechanism->addAction(a.tidy);
 
-  menu(tr("&Help"))->addAction(a.about);
-}
+  QMenu* motion = menu(tr("M&otion"));
+  motion->addActions({a.play, a.toStart});
+  motion->addSeparator();
+  motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-void MainWindow::makeToolBar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("toolBar"));
-  bar->setMovable(false);
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  bar->setIconSize({16, 16});
-  for (QAction* tool : m_actions->tools->actions()) {
-    if (tool->data().toInt() != static_cast<int>(ToolKind::pan)) bar->addAction(tool);
-  }
-  bar->addSeparator();
-  bar->addActions({m_actions->undo, m_actions->redo});
-  for (QAction* action : {m_actions->undo, m_actions->redo}) {
-    qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  }
+  menu(tr("&Learn"))->addActions({a.lookUp});
+  menu(tr("&Help"))->addActions({a.search, a.about});
 }
 
 void MainWindow::wireActions() {
   const WindowActions& a = *m_actions;
   QUndoStack& stack = m_document->undoStack();
-  connect(a.exportMatrix, &QAction::triggered, this,
-          [this] { chooseAndExport(m_matrices->model().matrix()); });
+  connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);
+  connect(a.cut, &QAction::triggered, this, &MainWindow::cutSelected);
+  connect(a.copy, &QAction::triggered, this, &MainWindow::copySelected);
+  connect(a.paste, &QAction::triggered, this, &MainWindow::paste);
+  connect(a.duplicate, &QAction::triggered, this, &MainWindow::duplicateSelected);
   connect(a.remove, &QAction::triggered, this, [this] { drawing().deleteSelected(); });
   connect(a.rename, &QAction::triggered, this, [this] { drawing().renameSelected(); });
   connect(a.selectAll, &QAction::triggered, this, [this] { drawing().selectAll(); });
@@ -131,6 +126,8 @@ void MainWindow::wireActions() {
   connect(a.light, &QAction::triggered, this, [this] { chooseTheme(false); });
   connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(true); });
   connect(a.resetLayout, &QAction::triggered, this, &MainWindow::applyDefaultLayout);
+  connect(a.search, &QAction::triggered, this, [this] { m_search->begin(); });
+  connect(a.lookUp, &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
   connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
@@ -197,6 +194,10 @@ void MainWindow::renewActions() {
   WindowActions::setAvailable(a.undo, stack.canUndo(), tr("There is nothing to undo."));
   WindowActions::setAvailable(a.redo, stack.canRedo(), tr("There is nothing to redo."));
   const bool onlyGround = selected.size() == 1 && selected.contains(ground);
+  for (QAction* action : {a.cut, a.copy, a.duplicate}) {
+    WindowActions::setAvailable(action, !selected.empty() && !onlyGround,
+                                onlyGround ? tr("There is one ground in every document.") : nothing);
+  }
   WindowActions::setAvailable(a.remove, !selected.empty() && !onlyGround,
                               onlyGround ? tr("The ground cannot be deleted.") : nothing);
   WindowActions::setAvailable(a.rename, links == 1 && arrows == 0, tr("Select one link to rename it."));
@@ -263,6 +264,16 @@ void MainWindow::chooseAndExport(const IntegerMatrixPtr& matrix) {
   const QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
                                                     tr("CSV files (*.csv);;All files (*)"));
   if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
+}
+
+void MainWindow::chooseAndExportQuantity(const QuantityTablePtr& table) {
+  const QString proposed = shownText(quantityAsciiName(table->kind())) + QStringLiteral(".csv");
+  QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
+                                              tr("CSV files (*.csv);;All files (*)"));
+  if (path.isEmpty()) return;
+  path = withSuffix(path, QStringLiteral(".csv"));
+  if (const auto why = writeText(quantityCsv(*table), path)) return m_status->showRefusal(*why);
+  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
 }
 
 void MainWindow::showAbout() {

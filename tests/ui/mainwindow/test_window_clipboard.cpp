@@ -1,0 +1,205 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
+#include <QTest>
+
+#include "core/io/mechanism_file.h"
+#include "core/mechanism/edits.h"
+#include "core/mechanism/fragment.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+/// Cut, copy, paste and duplicate by their keys, in one window and between two.
+class WindowClipboardTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+
+  static const MechanismPtr& now(MainWindow& of) { return of.document().mechanism(); }
+  const MechanismPtr& now() { return now(*window); }
+  static void press(MainWindow& in, Qt::Key key) { QTest::keyClick(&in.digraph(), key, Qt::ControlModifier); }
+  static std::unique_ptr<MainWindow> opened(const QString& path) {
+    auto made = std::make_unique<MainWindow>();
+    if (!path.isEmpty()) made->openDocument(path);
+    made->show();
+    made->activateWindow();
+    [[maybe_unused]] const bool active = QTest::qWaitForWindowActive(made.get());
+    made->digraph().setFocus();
+    return made;
+  }
+  [[nodiscard]] QString said() { return window->statusLine().text(); }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    QApplication::clipboard()->clear();
+    window = opened(robotExamplePath());
+    QTRY_VERIFY(window->isSettled());
+  }
+  void cleanup() { window.reset(); }
+
+  void copiedLinksBringTheArrowsAmongThem() {
+    test::Hand hand(*window);
+    window->selection().select({LinkId("1"), LinkId("2"), LinkId("5")});
+    press(*window, Qt::Key_C);
+    const MechanismPtr before = now();
+    press(*window, Qt::Key_V);
+    QCOMPARE(now()->n(), 10);
+    QCOMPARE(now()->t(), 8);  // 12, from 1 to 2; the joints to the ground stay behind
+    QCOMPARE(now()->c(), 5);  // 16, from 5 to 2
+    const Link& copy = now()->links[9];
+    QCOMPARE(copy.name, before->find(LinkId("5"))->name);
+    QVERIFY(before->find(copy.id) == nullptr);
+    const SheetPoint from = before->view.nodes.at(LinkId("5"));
+    const SheetPoint to = now()->view.nodes.at(copy.id);
+    QCOMPARE(to.x - from.x, 30.0);
+    QCOMPARE(to.y - from.y, 30.0);
+    QCOMPARE(window->selection().selected().size(), std::size_t{5});  // the copies, ready to be moved
+    QCOMPARE(now()->gearMeshes.back().tailTeeth, 20);
+    QCOMPARE(now()->gearMeshes.back().headTeeth, 30);
+    press(*window, Qt::Key_V);
+    QCOMPARE(now()->view.nodes.at(now()->links.back().id).x, from.x + 60);
+    press(*window, Qt::Key_Z);
+    press(*window, Qt::Key_Z);
+    QCOMPARE(*now(), *before);
+  }
+
+  void theWholeRobotTravelsToAnotherWindow() {
+    press(*window, Qt::Key_A);
+    press(*window, Qt::Key_C);
+    const std::unique_ptr<MainWindow> other = opened({});
+    press(*other, Qt::Key_V);
+    Mechanism expected = *now();
+    const Mechanism& there = *now(*other);
+    QCOMPARE(there.links, expected.links);
+    QCOMPARE(there.turningJoints, expected.turningJoints);
+    QCOMPARE(there.gearMeshes, expected.gearMeshes);
+    QCOMPARE(there.axes, expected.axes);
+    QCOMPARE(there.inputs, expected.inputs);
+    expected.view.nodes.erase(LinkId("0"));  // the ground is the other window's own
+    for (const auto& [link, point] : expected.view.nodes) QCOMPARE(there.view.nodes.at(link), point);
+  }
+
+  void itTravelsAsTextToo() {
+    window->selection().select({LinkId("3")});
+    press(*window, Qt::Key_C);
+    const QString text = QApplication::clipboard()->text();
+    QVERIFY(readMechanism(text.toStdString()));
+    QApplication::clipboard()->setText(text);  // by way of a text editor
+    press(*window, Qt::Key_V);
+    QCOMPARE(now()->n(), 8);
+    QCOMPARE(now()->links.back().name, std::string("end-effector"));
+  }
+
+  void cutIsOneStep() {
+    const MechanismPtr before = now();
+    window->selection().select({LinkId("0"), LinkId("3"), JointId("14")});
+    press(*window, Qt::Key_X);
+    QCOMPARE(now()->n(), 6);
+    QCOMPARE(now()->t(), 6);
+    press(*window, Qt::Key_V);
+    // Joint 14 was selected, so its tail, link 2, came along; the ground is the ground here.
+    QCOMPARE(now()->n(), 8);
+    QCOMPARE(now()->links.front().id, LinkId("0"));
+    press(*window, Qt::Key_Z);
+    press(*window, Qt::Key_Z);
+    QCOMPARE(*now(), *before);
+  }
+
+  void duplicateLeavesTheClipboardAlone() {
+    QApplication::clipboard()->setText(QStringLiteral("mine"));
+    window->selection().select({LinkId("4")});
+    press(*window, Qt::Key_D);
+    QCOMPARE(now()->n(), 8);
+    QCOMPARE(now()->links.back().name, now()->find(LinkId("4"))->name);
+    QCOMPARE(window->document().undoStack().undoText(), QString("Duplicate"));
+    QCOMPARE(QApplication::clipboard()->text(), QString("mine"));
+  }
+
+  void inputsComeWithTheirJoints() {
+    window->selection().select({JointId("8")});
+    press(*window, Qt::Key_D);
+    QCOMPARE(now()->inputs->size(), std::size_t{4});
+    QCOMPARE(now()->inputs->back().joint, now()->turningJoints.back().id);
+    QCOMPARE(now()->turningJoints.back().tail, LinkId("0"));
+    QVERIFY(now()->find(now()->turningJoints.back().axis) != nullptr);
+  }
+
+  void garbageIsSaidAndNothingIsLost_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("empty") << ""
+                           << "The clipboard";
+    QTest::newRow("blanks") << "  \n "
+                            << "holds no links.";
+    QTest::newRow("prose") << "Dear Sir"
+                           << "holds no links: ";
+    QTest::newRow("cut off") << "{\"format\": \"geargraph\", \"links\": ["
+                             << "holds no links: ";
+    QTest::newRow("other json") << "{\"a\": 1}"
+                                << "holds no links: ";
+    QTest::newRow("the ground alone")
+        << QString::fromStdString(writeMechanism(emptyMechanism())) << "no link in what was copied";
+    QTest::newRow("bad reference")
+        << R"({"format": "geargraph", "version": 1, "links": [{"id": "0"}, {"id": "1"}], "axes": [],
+              "turningJoints": [{"id": "2", "tail": "0", "head": "7", "axis": "z"}], "gearMeshes": []})"
+        << "holds no links: ";
+  }
+  void garbageIsSaidAndNothingIsLost() {
+    QFETCH(QString, text);
+    QFETCH(QString, reason);
+    const MechanismPtr before = now();
+    const std::set<ElementId> selected{LinkId("4")};
+    window->selection().select(selected);
+    QApplication::clipboard()->setText(text);
+    press(*window, Qt::Key_V);
+    QCOMPARE(now().get(), before.get());
+    QCOMPARE(window->document().undoStack().count(), 0);
+    QCOMPARE(window->selection().selected(), selected);
+    QVERIFY2(said().contains(reason), qPrintable(said()));
+  }
+
+  void binaryGarbageUnderOurOwnNameIsRefused() {
+    auto* data = new QMimeData;
+    data->setData(QStringLiteral("application/x-geargraph+json"), QByteArray("\xff\x00{]", 4));
+    QApplication::clipboard()->setMimeData(data);
+    press(*window, Qt::Key_V);
+    QCOMPARE(window->document().undoStack().count(), 0);
+    QVERIFY2(said().contains("holds no links"), qPrintable(said()));
+  }
+
+  void theGroundAloneIsNotCopied() {
+    window->selection().select({LinkId("0")});
+    QVERIFY(!window->actions().copy->isEnabled());
+    QCOMPARE(window->actions().copy->toolTip(), QString("There is one ground in every document."));
+  }
+
+  void idsOfOnesOwnKeepTheirWord() {
+    Mechanism with = *now();
+    with.wheels.push_back({WheelId("pinion"), LinkId("4"), {}, {}, {}, {}});
+    with.gearMeshes[0].tailWheel = WheelId("pinion");
+    with.couplings.push_back({CouplingId("brake"), CouplingKind::brake, {LinkId("4")}, {}});
+    const Mechanism fragment = fragmentOf(with, {MeshId("15")});
+    const Mechanism twice = *withFragment(*withFragment(with, fragment), fragment);
+    QCOMPARE(twice.wheels.size(), std::size_t{3});
+    QCOMPARE(twice.wheels[1].id, WheelId("pinion-2"));
+    QCOMPARE(twice.wheels[2].id, WheelId("pinion-3"));
+    QCOMPARE(twice.gearMeshes.back().tailWheel, std::optional(WheelId("pinion-3")));
+    QCOMPARE(twice.wheels[2].link, twice.gearMeshes.back().tail);
+    QCOMPARE(twice.couplings[1].id, CouplingId("brake-2"));
+    QVERIFY(readMechanism(writeMechanism(twice)).value() == twice);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowClipboardTest)
+#include "test_window_clipboard.moc"

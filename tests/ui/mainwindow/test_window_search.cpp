@@ -1,0 +1,182 @@
+#include <QLabel>
+#include <QListView>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/search/search_field.h"
+#include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+
+/// The search field and the motion controls of the tool bar, by keyboard and mouse.
+class WindowSearchTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+
+  SearchField* search() { return window->findChild<SearchField*>("search"); }
+  SearchPopup& popup() { return search()->popup(); }
+  template <class Widget>
+  Widget* part(const char* name) {
+    return window->findChild<Widget*>(QLatin1String(name));
+  }
+  void ask(const QString& query) {
+    QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier);
+    QTRY_VERIFY(search()->hasFocus());
+    QTest::keyClicks(search(), query);
+  }
+  void press(Qt::Key key) { QTest::keyClick(search(), key); }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    window = std::make_unique<MainWindow>();
+    QVERIFY(window->openDocument(robotExamplePath()));
+    window->show();
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QTRY_VERIFY(window->isSettled());
+    window->digraph().setFocus();
+  }
+  void cleanup() { window.reset(); }
+
+  void enterSelectsTheElementAndGivesTheKeyboardBack() {
+    ask("joint 12");
+    QVERIFY(popup().isVisible());
+    QCOMPARE(window->selection().hovered(), std::set<ElementId>{JointId("12")});  // lit before it is chosen
+    press(Qt::Key_Return);
+    QVERIFY(!popup().isVisible());
+    QCOMPARE(window->selection().selected(), std::set<ElementId>{JointId("12")});
+    QVERIFY(window->selection().hovered().empty());
+    QVERIFY(window->digraph().hasFocus());
+    QVERIFY(search()->text().isEmpty());
+  }
+
+  void whatIsChosenIsBroughtIntoSight() {
+    QTest::keyClick(&window->digraph(), Qt::Key_1, Qt::ControlModifier);
+    for (int i = 0; i < 8; ++i) window->digraph().zoomIn();
+    const auto inSight = [this](int link) {
+      return window->digraph().viewport()->rect().contains(test::Hand(*window).placeOf(link));
+    };
+    for (const int link : {3, 0, 6}) {
+      ask(QStringLiteral("link %1").arg(link));
+      press(Qt::Key_Return);
+      QVERIFY2(inSight(link), qPrintable(QString::number(link)));
+    }
+  }
+
+  void aCommandIsCarriedOutByItsName() {
+    ask("link draw");
+    ask("select all");
+    press(Qt::Key_Return);
+    QCOMPARE(window->selection().selected().size(), std::size_t{19});
+    ask("example spur");
+    press(Qt::Key_Return);
+    QCOMPARE(window->windowTitle(), QString("spur-pair.geargraph[*] — GearGraph"));
+  }
+
+  void anImpossibleCommandSaysWhy() {
+    ask("undo");
+    QCOMPARE(part<QLabel>("searchDetail")->text(), QString("There is nothing to undo."));
+    press(Qt::Key_Return);
+    QCOMPARE(window->statusLine().text(), QString("There is nothing to undo."));
+  }
+
+  void aTermShowsItsDefinition() {
+    ask("cutset");
+    press(Qt::Key_Return);
+    QVERIFY(popup().isDefinition());
+    QVERIFY(part<QLabel>("searchDefinition")->text().contains("two halves"));
+    press(Qt::Key_Escape);
+    QVERIFY(!popup().isVisible());
+    window->actions().lookUp->trigger();  // terms alone
+    QTest::keyClicks(search(), "turning joint");
+    QCOMPARE(search()->model().index(0).data(SearchModel::KindRole).toString(), QString("term"));
+  }
+
+  void arrowKeysAndTheMouseChoose() {
+    ask("mesh");
+    press(Qt::Key_Down);
+    press(Qt::Key_Down);
+    press(Qt::Key_Up);
+    QCOMPARE(popup().currentRow(), 1);
+    press(Qt::Key_Escape);
+    QVERIFY(window->selection().hovered().empty());
+    QVERIFY(window->digraph().hasFocus());
+    ask("gear mesh 17");
+    QListView& list = popup().list();
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
+                      list.visualRect(list.model()->index(0, 0)).center());
+    QCOMPARE(window->selection().selected(), std::set<ElementId>{MeshId("17")});
+  }
+
+  void whatIsNotThereIsSaid() {
+    ask("xyzzy");
+    QCOMPARE(popup().currentRow(), -1);
+    press(Qt::Key_Return);
+    QVERIFY(popup().isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(!popup().isVisible());
+  }
+
+  void lettersTypedAreNoTools() {
+    ask("tlg");
+    QCOMPARE(window->digraph().tool(), ToolKind::select);
+    QCOMPARE(search()->text(), QString("tlg"));
+    QTest::keyClick(search(), Qt::Key_Backspace);
+    QTest::keyClick(search(), Qt::Key_Delete);
+    QVERIFY(!window->document().isModified());
+  }
+
+  void theMotionPlaysFromTheToolBar() {
+    Playback& playback = window->view3d().playback();
+    auto* play = part<QToolButton>("play");
+    QTest::mouseClick(play, Qt::LeftButton);
+    QVERIFY(playback.isPlaying());
+    QVERIFY(play->toolTip().startsWith("Pause"));
+    QTest::keyClick(&window->digraph(), Qt::Key_Space);
+    QVERIFY(!playback.isPlaying());
+    window->actions().play->trigger();
+    QVERIFY(playback.isPlaying());
+    QVERIFY(window->actions().play->text().startsWith("&Pause"));
+    window->actions().play->trigger();
+  }
+
+  void theSliderSetsTheSpeed() {
+    Playback& playback = window->view3d().playback();
+    auto* slider = part<QSlider>("playSpeed");
+    auto* shown = part<QLabel>("playSpeedText");
+    QCOMPARE(shown->text(), QString("1.0×"));
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_End);
+    QCOMPARE(playback.speed(), 8.0);
+    QCOMPARE(shown->text(), QString("8.0×"));
+    window->actions().faster->trigger();
+    QCOMPARE(playback.speed(), 8.0);  // the fastest
+    window->actions().slower->trigger();
+    QVERIFY(playback.speed() < 8);
+    QTest::mouseDClick(slider, Qt::LeftButton);
+    QCOMPARE(playback.speed(), 1.0);
+    window->actions().backwards->trigger();
+    QCOMPARE(shown->text(), QString("−1.0×"));
+    QTest::keyClick(slider, Qt::Key_Home);
+    QCOMPARE(playback.speed(), -0.125);
+    QCOMPARE(shown->text(), QString("−0.13×"));
+    window->actions().normalSpeed->trigger();
+    QVERIFY(!window->actions().backwards->isChecked());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowSearchTest)
+#include "test_window_search.moc"

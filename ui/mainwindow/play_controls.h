@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/view3d/playback.h"
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace geargraph {
+
+/// Play or pause, and how fast: the middle of the slider is the speed of the inputs as they are, either end
+/// eight times slower or faster. A double click on the slider goes back to 1.0×.
+class PlayControls : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr double kFastest = 8;
+
+  PlayControls(Playback* playback, QWidget* parent = nullptr);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void renewButton();
+  void showSpeed();
+
+  Playback* m_playback;
+  QToolButton* m_play;
+  QSlider* m_slider;
+  QLabel* m_speed;
+};
+
+/// "1.0×", "0.25×": a speed as the tool bar shows it.
+[[nodiscard]] QString printedSpeed(double speed);
+
+}  // namespace geargraph

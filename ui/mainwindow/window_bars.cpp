@@ -1,0 +1,81 @@
+// The tool bar: tools, history, the motion, and the search field at its right end.
+
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <cmath>
+
+#include "ui/canvas/drawing_view.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/play_controls.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/search/search_field.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kFaster = 1.4142135623730951;  // two steps double the speed
+
+void multiplySpeed(Playback& playback, double factor) {
+  const double speed = playback.speed() * factor;
+  const double most = PlayControls::kFastest;
+  if (std::abs(speed) <= most * 1.01 && std::abs(speed) >= 0.99 / most) playback.setSpeed(speed);
+}
+
+}  // namespace
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("toolBar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->setIconSize({16, 16});
+  for (QAction* tool : m_actions->tools->actions()) {
+    if (tool->data().toInt() != static_cast<int>(ToolKind::pan)) bar->addAction(tool);
+  }
+  bar->addSeparator();
+  bar->addActions({m_actions->undo, m_actions->redo});
+  for (QAction* action : {m_actions->undo, m_actions->redo}) {
+    qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  }
+  bar->addSeparator();
+  bar->addWidget(new PlayControls(&m_view3d->playback(), bar));
+  auto* gap = new QWidget(bar);
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(gap);
+  m_search = new SearchField(m_document, m_selection, menuBar(), bar);
+  bar->addWidget(m_search);
+  connect(m_search, &SearchField::elementChosen, this, &MainWindow::showElement);
+  connect(m_search, &SearchField::refused, m_status, &StatusLine::showRefusal);
+}
+
+void MainWindow::wireMotion() {
+  const WindowActions& a = *m_actions;
+  Playback& playback = m_view3d->playback();
+  connect(a.play, &QAction::triggered, &playback, &Playback::toggle);
+  connect(a.toStart, &QAction::triggered, &playback, [&playback] { playback.setTime(0); });
+  connect(a.faster, &QAction::triggered, &playback, [&playback] { multiplySpeed(playback, kFaster); });
+  connect(a.slower, &QAction::triggered, &playback, [&playback] { multiplySpeed(playback, 1 / kFaster); });
+  connect(a.normalSpeed, &QAction::triggered, &playback, [&playback] { playback.setSpeed(1); });
+  connect(a.backwards, &QAction::triggered, &playback, [&playback] { playback.setSpeed(-playback.speed()); });
+  connect(&playback, &Playback::playingChanged, this,
+          [&a](bool playing) { a.play->setText(playing ? tr("&Pause\tSpace") : tr("&Play\tSpace")); });
+  connect(&playback, &Playback::speedChanged, this,
+          [&a](double speed) { a.backwards->setChecked(speed < 0); });
+}
+
+/// Selects an element and brings it into sight.
+void MainWindow::showElement(const ElementId& element) {
+  m_selection->select({element});
+  std::optional<QRectF> place;
+  for (const Mark& mark : drawing().displayList().marks) {
+    if (mark.element != element) continue;
+    const Extent extent = extentOf(mark);
+    const QRectF box(QPointF(extent.left(), extent.top()), QPointF(extent.right(), extent.bottom()));
+    place = place ? place->united(box) : box;
+  }
+  if (place) drawing().ensureVisible(*place);
+}
+
+}  // namespace geargraph

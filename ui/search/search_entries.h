@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QPointer>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/derivation/glossary.h"
+#include "core/mechanism/mechanism.h"
+
+class QAction;
+class QMenuBar;
+
+namespace geargraph {
+
+/// One thing that can be found: a command, an element of the document, or a term.
+struct SearchEntry {
+  QString title;                     ///< "Turning joint 12"
+  QString side;                      ///< at the right: a shortcut, or where it stands
+  QString haystack;                  ///< folded: what is searched
+  QPointer<QAction> action;          ///< of a command
+  std::optional<ElementId> element;  ///< of an element
+  std::optional<Term> term;          ///< of a term
+};
+
+/// A menu's text without its mnemonic and its dots: "&Open…" gives "Open".
+[[nodiscard]] QString plainText(const QString& menuText);
+
+/// Every command of the menus, those of submenus under the submenu's name: "Open example: robot".
+[[nodiscard]] std::vector<SearchEntry> commandEntries(const QMenuBar& menus);
+
+/// Links, turning joints and meshes by label, name and ends. Cost: O(n + t + c).
+[[nodiscard]] std::vector<SearchEntry> elementEntries(const Mechanism& mechanism);
+
+[[nodiscard]] std::vector<SearchEntry> termEntries();
+
+}  // namespace geargraph

@@ -1,0 +1,163 @@
+#include "ui/search/search_field.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMenuBar>
+#include <algorithm>
+
+namespace geargraph {
+namespace {
+
+constexpr int kWidth = 238;
+constexpr int kPopupWidth = 520;
+constexpr int kPopupHeight = 400;
+constexpr int kPage = 10;
+
+}  // namespace
+
+SearchField::SearchField(const Document* document, Selection* selection, QMenuBar* menus, QWidget* parent)
+    : QLineEdit(parent),
+      m_document(document),
+      m_selection(selection),
+      m_menus(menus),
+      m_model(new SearchModel(this)),
+      m_popup(new SearchPopup(m_model, menus->window())) {
+  setObjectName(QStringLiteral("search"));
+  setPlaceholderText(tr("Search a command or a term  Ctrl+K"));
+  setToolTip(tr("Find a command, an element or a term (Ctrl+K)"));
+  setAccessibleName(tr("Search"));
+  setMinimumWidth(kWidth / 2);
+  setMaximumWidth(kWidth);
+  setFocusPolicy(Qt::ClickFocus);
+  menus->window()->installEventFilter(this);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
+    if (now == this && before != nullptr) m_before = before;
+  });
+  connect(this, &QLineEdit::textEdited, this, &SearchField::query);
+  connect(m_popup, &SearchPopup::currentChanged, this, &SearchField::lightUp);
+  connect(m_popup, &SearchPopup::chosen, this, &SearchField::choose);
+}
+
+void SearchField::begin(Scope scope) {
+  m_scope = scope;
+  clear();
+  if (hasFocus()) {
+    gather();
+  } else {
+    setFocus(Qt::ShortcutFocusReason);
+  }
+}
+
+void SearchField::gather() {
+  std::vector<SearchEntry> entries = termEntries();
+  if (m_scope == Scope::everything) {
+    std::vector<SearchEntry> terms = std::move(entries);
+    entries = commandEntries(*m_menus);
+    std::vector<SearchEntry> elements = elementEntries(*m_document->mechanism());
+    std::move(elements.begin(), elements.end(), std::back_inserter(entries));
+    std::move(terms.begin(), terms.end(), std::back_inserter(entries));
+  }
+  m_model->setEntries(std::move(entries));
+  query();
+}
+
+void SearchField::query() {
+  m_model->setQuery(text());
+  m_popup->showList(tr("Nothing is called “%1”.").arg(text()));
+  place();
+  m_popup->show();
+  m_popup->raise();
+}
+
+void SearchField::place() {
+  const QWidget* owner = m_popup->parentWidget();
+  const QPoint corner = mapTo(owner, QPoint(width(), height() + 3));
+  const int wide = std::min(kPopupWidth, owner->width() - 16);
+  const int high = std::min(kPopupHeight, owner->height() - corner.y() - 16);
+  m_popup->setGeometry(std::max(8, corner.x() - wide), corner.y(), wide, high);
+}
+
+void SearchField::lightUp(int row) {
+  if (!m_popup->isVisible()) return;
+  if (row >= 0 && m_model->entryAt(row).element) {
+    m_selection->hover(*m_model->entryAt(row).element);
+  } else {
+    m_selection->unhover();
+  }
+}
+
+void SearchField::choose(int row) {
+  if (row < 0) return;
+  const SearchEntry entry = m_model->entryAt(row);
+  if (entry.term) return m_popup->showDefinition(*entry.term);
+  end();
+  if (entry.element) return emit elementChosen(*entry.element);
+  if (entry.action == nullptr) return;
+  if (!entry.action->isEnabled()) return emit refused(entry.action->toolTip());
+  entry.action->trigger();
+}
+
+void SearchField::end() {
+  QWidget* before = m_before;
+  m_popup->hide();
+  m_selection->unhover();
+  m_scope = Scope::everything;
+  clear();
+  if (!hasFocus()) return;
+  if (before != nullptr && before->isVisible()) {
+    before->setFocus();
+  } else {
+    clearFocus();
+  }
+}
+
+bool SearchField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    // While something is typed, single-letter commands rest.
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape || key->key() == Qt::Key_Return || key->key() == Qt::Key_Delete) {
+      event->accept();
+      return true;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
+bool SearchField::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && m_popup->isVisible()) place();
+  return QLineEdit::eventFilter(watched, event);
+}
+
+void SearchField::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape:
+      return end();
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return m_popup->isDefinition() ? query() : choose(m_popup->currentRow());
+    case Qt::Key_Down:
+      return m_popup->moveCurrent(1);
+    case Qt::Key_Up:
+      return m_popup->moveCurrent(-1);
+    case Qt::Key_PageDown:
+      return m_popup->moveCurrent(kPage);
+    case Qt::Key_PageUp:
+      return m_popup->moveCurrent(-kPage);
+    default:
+      QLineEdit::keyPressEvent(event);
+  }
+}
+
+void SearchField::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  gather();
+}
+
+void SearchField::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  if (event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason) return;
+  if (m_popup->isVisible()) end();
+}
+
+}  // namespace geargraph

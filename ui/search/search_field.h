@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QLineEdit>
+#include <QPointer>
+
+#include "ui/document/document.h"
+#include "ui/search/search_model.h"
+#include "ui/search/search_popup.h"
+#include "ui/selection/selection.h"
+
+class QMenuBar;
+
+namespace geargraph {
+
+/// One field for every command, every element of the document and every term: what is typed is looked for by
+/// words, arrow keys choose, Enter carries out, Esc goes back to where the keyboard was.
+///
+/// What can be found is gathered when the search begins, so an idle field costs nothing.
+class SearchField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  enum class Scope { everything, terms };
+
+  SearchField(const Document* document, Selection* selection, QMenuBar* menus, QWidget* parent = nullptr);
+
+  void begin(Scope scope = Scope::everything);
+  void end();
+
+  [[nodiscard]] SearchModel& model() { return *m_model; }
+  [[nodiscard]] SearchPopup& popup() { return *m_popup; }
+
+ signals:
+  void elementChosen(const geargraph::ElementId& element);
+  /// A command was chosen that is not possible now; `why` is its reason.
+  void refused(const QString& why);
+
+ protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void gather();
+  void query();
+  void place();
+  void lightUp(int row);
+  void choose(int row);
+
+  const Document* m_document;
+  Selection* m_selection;
+  QMenuBar* m_menus;
+  SearchModel* m_model;
+  SearchPopup* m_popup;
+  QPointer<QWidget> m_before;  ///< had the keyboard before the search
+  Scope m_scope = Scope::everything;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,75 @@
+#include "ui/search/search_model.h"
+
+#include <QAction>
+#include <algorithm>
+
+#include "ui/search/word_match.h"
+
+namespace geargraph {
+namespace {
+
+bool isPossible(const SearchEntry& entry) {
+  return entry.action == nullptr || entry.action->isEnabled();
+}
+
+QString kindOf(const SearchEntry& entry) {
+  if (entry.element) return SearchModel::tr("element");
+  return entry.term ? SearchModel::tr("term") : SearchModel::tr("command");
+}
+
+QString detailOf(const SearchEntry& entry) {
+  if (entry.action != nullptr) return entry.action->toolTip().remove(QLatin1Char('&'));
+  if (!entry.term) return SearchModel::tr("Enter selects and shows it.");
+  const std::string_view text = definitionOf(*entry.term).text;
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+void SearchModel::setEntries(std::vector<SearchEntry> entries) {
+  beginResetModel();
+  m_entries = std::move(entries);
+  m_found.clear();
+  endResetModel();
+}
+
+void SearchModel::setQuery(const QString& query) {
+  const QStringList words = wordsOf(query);
+  std::vector<std::pair<int, std::size_t>> found;  // minus the score, so that the best sort first
+  for (std::size_t i = 0; i < m_entries.size(); ++i) {
+    const int score = matchScore(m_entries[i].haystack, words, !m_entries[i].element);
+    if (score > 0) found.emplace_back(-score, i);
+  }
+  const std::size_t kept = std::min(found.size(), std::size_t{kMost});
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end());
+  beginResetModel();
+  m_found.clear();
+  for (std::size_t i = 0; i < kept; ++i) m_found.push_back(found[i].second);
+  endResetModel();
+}
+
+int SearchModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_found.size());
+}
+
+QVariant SearchModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const SearchEntry& entry = entryAt(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+      return entry.title;
+    case Qt::AccessibleDescriptionRole:
+    case DetailRole:
+      return detailOf(entry);
+    case SideRole:
+      return entry.side;
+    case EnabledRole:
+      return isPossible(entry);
+    case KindRole:
+      return kindOf(entry);
+    default:
+      return {};
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QAbstractListModel>
+
+#include "ui/search/search_entries.h"
+
+namespace geargraph {
+
+/// What a query finds, best first: of equal matches commands before elements before terms.
+class SearchModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMost = 100;  ///< results that are kept: nobody reads more
+
+  enum Role {
+    SideRole = Qt::UserRole,  ///< QString: what stands at the right
+    EnabledRole,              ///< bool: a command that is possible now, or anything else
+    KindRole,                 ///< QString: "command", "element", "term"
+    DetailRole,               ///< QString: what it is or does, or why it is not possible now
+  };
+
+  using QAbstractListModel::QAbstractListModel;
+
+  void setEntries(std::vector<SearchEntry> entries);
+  /// Cost: O(length of all entries' texts).
+  void setQuery(const QString& query);
+  /// @pre the row is in the model
+  [[nodiscard]] const SearchEntry& entryAt(int row) const {
+    return m_entries[m_found[static_cast<std::size_t>(row)]];
+  }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
+ private:
+  std::vector<SearchEntry> m_entries;
+  std::vector<std::size_t> m_found;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QFrame>
+
+#include "ui/search/search_model.h"
+
+class QLabel;
+class QListView;
+class QStackedWidget;
+
+namespace geargraph {
+
+/// What a search finds, as a card over the window: a list with what the current entry is or does below it;
+/// after a term was chosen, its definition.
+class SearchPopup : public QFrame {
+  Q_OBJECT
+
+ public:
+  SearchPopup(SearchModel* model, QWidget* window);
+
+  [[nodiscard]] int currentRow() const;
+  void moveCurrent(int rows);
+  void setCurrent(int row);
+  [[nodiscard]] QListView& list() { return *m_list; }
+
+  void showList(const QString& whyEmpty);
+  void showDefinition(Term term);
+  [[nodiscard]] bool isDefinition() const;
+
+ signals:
+  void currentChanged(int row);  ///< -1: none
+  void chosen(int row);
+
+ private:
+  void renewDetail();
+
+  SearchModel* m_model;
+  QListView* m_list;
+  QStackedWidget* m_pages;
+  QLabel* m_empty;
+  QLabel* m_definition;
+  QLabel* m_detail;
+};
+
+}  // namespace geargraph
