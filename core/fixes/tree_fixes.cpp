@@ -45,6 +45,7 @@ std::vector<Fix> connectionFixes(const Diagnostic& diagnostic, const AnalysisSna
   constexpr std::size_t kMostNamed = 4;
   const Mechanism& mechanism = *snapshot.mechanism;
   const std::vector<LinkId> parts = looseParts(mechanism);
+  if (parts.empty()) return {};
   std::string names;
   for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
     names += (i == 0 ? "" : ", ") + labelOf(mechanism, parts[i]).value_or("");

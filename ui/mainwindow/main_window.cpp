@@ -208,6 +208,9 @@ void MainWindow::wireViews() {
   });
   connect(m_service, &AnalysisService::snapshotReady, this, &MainWindow::onSnapshot);
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
+  connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
+    m_document->apply({shownText(fix.text), fix.edit, 0});
+  });
   connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
   connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
   connect(m_matrices, &MatricesPanel::quantityExportWanted, this, &MainWindow::chooseAndExportQuantity);
@@ -264,7 +267,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_results->setSnapshot(snapshot);
   m_gearbox->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
-  m_problems->setDiagnostics(snapshot->diagnostics);
+  m_problems->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
   renewExport();
@@ -316,16 +319,15 @@ void MainWindow::restoreLayout() {
 
 void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
   if (!geometry.isEmpty()) restoreGeometry(geometry);
-  m_layout = state;
+  if (!state.isEmpty()) m_layoutApplied = restoreState(state);
+  m_notices->renew();
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (m_layoutApplied) return;
   m_layoutApplied = true;
-  // Not before: a window that has no size yet squeezes its docks.
-  if (m_layout.isEmpty() || !restoreState(m_layout)) applyDefaultLayout();
-  m_notices->renew();
+  applyDefaultLayout();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

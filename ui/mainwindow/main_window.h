@@ -136,12 +136,12 @@ class MainWindow : public QMainWindow {
   QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
   DigraphView* m_digraph = nullptr;
   SchematicView* m_schematic = nullptr;
+  InputsPanel* m_inputs = nullptr;
   MatricesPanel* m_matrices = nullptr;
   ProblemsPanel* m_problems = nullptr;
   PropertiesPanel* m_properties = nullptr;
   ResultsPanel* m_results = nullptr;
   GearboxPanel* m_gearbox = nullptr;
-  InputsPanel* m_inputs = nullptr;
   InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;

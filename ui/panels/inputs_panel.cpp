@@ -42,6 +42,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
     : QWidget(parent), m_document(document), m_selection(selection), m_grid(new QGridLayout) {
   m_empty =
       new QLabel(tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."), this);
+  m_empty->setObjectName(QStringLiteral("noInputs"));
   m_empty->setProperty("look", "empty");
   m_empty->setWordWrap(true);
   m_empty->setAlignment(Qt::AlignCenter);
@@ -210,7 +211,20 @@ void InputsPanel::drive(const std::vector<int>& joints) {
 
 void InputsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   m_snapshot = snapshot;
+  renewEmptyText();
   renewChoice();
+}
+
+/// What the empty panel says depends on whether there is anything to drive.
+void InputsPanel::renewEmptyText() {
+  const MatroidAnalysis* matroid = m_snapshot->matroid();
+  if (m_snapshot->mechanism->t() == 0) {
+    m_empty->setText(tr("There is nothing to drive yet. Draw a turning joint: T, then drag."));
+  } else if (matroid != nullptr && matroid->dof == 0) {
+    m_empty->setText(tr("There is nothing to drive: the mechanism has no degree of freedom."));
+  } else {
+    m_empty->setText(tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."));
+  }
 }
 
 /// A valid set is one click away where there is none.

@@ -51,6 +51,7 @@ class InputsPanel : public QWidget {
   void setSpeed(JointId joint, const Number& speed);
   QToolButton* makeExchange(JointId joint);
   void fillExchange(QMenu& menu, JointId input);
+  void renewEmptyText();
   void renewChoice();
 
   Document* m_document;

@@ -5,10 +5,14 @@
 #include <QLabel>
 #include <QListView>
 #include <QPainter>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QToolButton>
+#include <algorithm>
 
+#include "ui/panels/fix_row.h"
+#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
@@ -55,7 +59,8 @@ class FindingDelegate : public QStyledItemDelegate {
         QFontMetrics(option.font)
             .boundingRect(QRect(0, 0, width, 10'000), Qt::TextWordWrap, index.data().toString());
     const int small = QFontMetrics(smallFont(option.font)).height();
-    return {width, text.height() + small + 19};
+    const auto* fixes = list != nullptr ? qobject_cast<FixRow*>(list->indexWidget(index)) : nullptr;
+    return {width, text.height() + small + 19 + (fixes != nullptr ? fixes->heightFor(width) : 0)};
   }
 
  private:
@@ -89,8 +94,10 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   m_list->viewport()->installEventFilter(this);
   connect(m_list, &QListView::entered, this,
           [this](const QModelIndex& index) { m_selection->hover(m_model->elementsOf(index)); });
-  connect(m_list, &QListView::clicked, this,
-          [this](const QModelIndex& index) { m_selection->select(m_model->elementsOf(index)); });
+  connect(m_list, &QListView::clicked, this, [this](const QModelIndex& index) {
+    m_selection->select(m_model->elementsOf(index));
+    if (m_list->indexWidget(index) == nullptr) offerFixes(index);
+  });
 
   auto* fine = new QLabel(tr("No problems. Every link is tied to the ground, and the turning joints make a "
                              "spanning tree."),
@@ -128,9 +135,33 @@ QFrame* ProblemsPanel::makeBanner() {
   return m_banner;
 }
 
-void ProblemsPanel::setDiagnostics(const Diagnostics& diagnostics) {
-  m_diagnostics = diagnostics;
+void ProblemsPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
   renew();
+}
+
+void ProblemsPanel::offerFixes() {
+  for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
+  const bool mends =
+      m_fileName.isEmpty() && m_snapshot && m_snapshot->mechanism->n() <= kMostLinksMendedAtOnce;
+  for (int row = 0; mends && row < std::min(m_model->rowCount(), kMostMendedAtOnce); ++row) {
+    offerFixes(m_model->index(row));
+  }
+  m_list->doItemsLayout();
+}
+
+void ProblemsPanel::offerFixes(const QModelIndex& index) {
+  if (!m_fileName.isEmpty() || !m_snapshot || !index.isValid()) return;
+  const std::vector<Fix> fixes =
+      fixesFor(m_model->diagnostics()[static_cast<std::size_t>(index.row())], *m_snapshot);
+  if (fixes.empty()) return;
+  auto* row = new FixRow(kIconRoom, m_list->viewport());
+  for (const Fix& fix : fixes) {
+    QPushButton* button = row->addButton(shownText(fix.text));
+    connect(button, &QPushButton::clicked, this, [this, fix] { emit fixWanted(fix); });
+  }
+  m_list->setIndexWidget(index, row);
+  m_list->doItemsLayout();
 }
 
 void ProblemsPanel::setFileProblems(const QString& fileName, const Diagnostics& problems) {
@@ -147,13 +178,14 @@ void ProblemsPanel::clearFileProblems() {
 
 void ProblemsPanel::renew() {
   const bool ofFile = !m_fileName.isEmpty();
-  m_model->setDiagnostics(ofFile ? m_fileProblems : m_diagnostics);
+  m_model->setDiagnostics(ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics());
   m_banner->setVisible(ofFile);
   const auto count = m_fileProblems.size();
   const QString problems = count == 1 ? tr("1 problem") : tr("%1 problems").arg(count);
   m_bannerText->setText(
       tr("%1 could not be opened: %2. The document that was open stays open.").arg(m_fileName, problems));
   m_pages->setCurrentIndex(m_model->rowCount() == 0 ? 1 : 0);
+  offerFixes();
   emit countChanged(m_model->rowCount());
 }
 

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "core/fixes/fixes.h"
 #include "ui/models/diagnostic_model.h"
 #include "ui/selection/selection.h"
 
@@ -13,15 +14,19 @@ class QStackedWidget;
 namespace geargraph {
 
 /// What is wrong with the mechanism, or with a file that could not be opened: pointing at a finding lights up
-/// its culprits everywhere, a click selects them.
+/// its culprits everywhere, a click selects them, a button under it mends it. In large documents, and far
+/// down the list, the buttons come when a finding is clicked.
 class ProblemsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProblemsPanel(Selection* selection, QWidget* parent = nullptr);
 
+  static constexpr int kMostLinksMendedAtOnce = 300;  ///< beyond, fixes are looked for on a click
+  static constexpr int kMostMendedAtOnce = 12;
+
   /// The findings of the newest analysis.
-  void setDiagnostics(const Diagnostics& diagnostics);
+  void setSnapshot(const SnapshotPtr& snapshot);
   /// The findings of a file that was not opened stay on top until it is dismissed or another file opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
   void clearFileProblems();
@@ -31,12 +36,15 @@ class ProblemsPanel : public QWidget {
 
  signals:
   void countChanged(int count);
+  void fixWanted(const geargraph::Fix& fix);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void renew();
+  void offerFixes();
+  void offerFixes(const QModelIndex& index);
   QFrame* makeBanner();
 
   Selection* m_selection;
@@ -47,7 +55,7 @@ class ProblemsPanel : public QWidget {
   QLabel* m_bannerText = nullptr;
   QString m_fileName;
   Diagnostics m_fileProblems;
-  Diagnostics m_diagnostics;
+  SnapshotPtr m_snapshot;
 };
 
 }  // namespace geargraph

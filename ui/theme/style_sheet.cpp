@@ -74,6 +74,8 @@ QPushButton { background: @sheet@; border: 1px solid @hairline@; border-radius: 
 QPushButton:hover { border-color: @accent@; }
 QPushButton:pressed, QPushButton:default { background: @chosen@; }
 QPushButton:disabled { background: @panel@; color: @secondary@; }
+QPushButton[look="fix"] { padding: 1px 11px; border-radius: 11px; }
+QPushButton[look="fix"]:focus { border-color: @accent@; color: @accent@; }
 QComboBox { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent@; }
 QComboBox:disabled { background: @panel@; color: @secondary@; }

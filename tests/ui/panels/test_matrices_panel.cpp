@@ -135,12 +135,66 @@ class MatricesPanelTest : public QObject {
     QVERIFY(panel->findChild<QToolButton*>(QStringLiteral("exportCsv"))->toolTip().contains("spanning tree"));
   }
 
+  void theChipsGoOnToTheSolution() {
+    const auto chip = [this](const char* name) {
+      return panel->findChild<QToolButton*>(QLatin1String(name));
+    };
+    auto* form = chip("entryForm");
+    QVERIFY(!form->isVisible());
+    QTest::mouseClick(chip("chip.p"), Qt::LeftButton);
+    QVERIFY(chip("chip.p")->isChecked() && !chip("chip.cycle-basis")->isChecked());
+    QVERIFY(form->isVisible());
+    QCOMPARE(form->text(), QStringLiteral("symbols ▾"));
+    QCOMPARE(panel->model().rowCount(), 4);
+    QVERIFY(panel->model().index(0, 0).data(MatrixModel::FormulaRole).toBool());
+    QTest::mouseMove(view().viewport(), centre(1, 1));
+    QTRY_VERIFY(selection.hovered().contains(MeshId("16")));
+    QTRY_VERIFY(cardTitle().startsWith("C16, joint"));
+
+    QAction* fractions = form->menu()->actions().at(1);
+    QCOMPARE(fractions->text(), QStringLiteral("fractions"));
+    fractions->trigger();
+    QCOMPARE(form->text(), QStringLiteral("fractions ▾"));
+    QVERIFY(!panel->model().index(0, 0).data(MatrixModel::FormulaRole).toBool());
+
+    QTest::mouseClick(chip("chip.solution"), Qt::LeftButton);
+    QVERIFY(panel->model().headerData(0, Qt::Horizontal, MatrixModel::RateRole).toBool());
+    QTest::mouseMove(view().viewport(), centre(0, 0));
+    const std::set<ElementId> row = panel->model().elementsOfCell(0, 0);
+    QCOMPARE(row.size(), std::size_t{3});  // the output, its link, the input
+    QTRY_COMPARE(selection.hovered(), row);
+
+    QTest::mouseClick(chip("chip.screw"), Qt::LeftButton);
+    QCOMPARE(panel->model().columnCount(), 6);
+    selection.clear();
+    QTest::mouseMove(view().viewport(), centre(2, 3));
+    QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, centre(2, 3));
+    QCOMPARE(selection.selected(), std::set<ElementId>{panel->model().rowElement(2)});
+    QTest::mouseClick(chip("chip.cycle-basis"), Qt::LeftButton);
+    QVERIFY(!form->isVisible());
+    QCOMPARE(panel->model().columnCount(), 11);
+  }
+
+  void quantitiesAreCopiedAndExported() {
+    QTest::mouseClick(panel->findChild<QToolButton*>("chip.solution"), Qt::LeftButton);
+    const auto formats = panel->findChild<QToolButton*>("copyMatrix")->menu()->actions();
+    formats.at(1)->trigger();
+    QVERIFY(QApplication::clipboard()->text().startsWith("S,"));
+    QSignalSpy whole(panel.get(), &MatricesPanel::exportWanted);
+    QSignalSpy quantity(panel.get(), &MatricesPanel::quantityExportWanted);
+    QTest::mouseClick(panel->findChild<QToolButton*>("exportCsv"), Qt::LeftButton);
+    QCOMPARE(quantity.count(), 1);
+    QCOMPARE(whole.count(), 0);
+  }
+
   void problemsLightTheirCulprits() {
     panel->hide();
     ProblemsPanel problems(&selection);
     problems.resize(500, 200);
-    problems.setDiagnostics(
-        {{Code::disconnected, "Links 3 and 7 are loose.", {LinkId("3"), LinkId("7")}, {}, 0, 0}});
+    AnalysisSnapshot loose = *snapshotOf(test::robotTopology());
+    loose.diagnostics = {
+        {Code::disconnected, "Links 3 and 7 are loose.", {LinkId("3"), LinkId("7")}, {}, 0, 0}};
+    problems.setSnapshot(std::make_shared<const AnalysisSnapshot>(std::move(loose)));
     problems.show();
     QVERIFY(QTest::qWaitForWindowExposed(&problems));
     QListView& list = problems.list();

@@ -1,0 +1,144 @@
+#include <QDockWidget>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QTest>
+
+#include "core/mechanism/edits.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+/// A mechanism is broken by hand and mended from the Problems panel.
+class WindowProblemsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+
+  [[nodiscard]] const MechanismPtr& now() { return window->document().mechanism(); }
+  template <class Reduce>
+  void change(Reduce reduce) {
+    window->document().apply({QStringLiteral("Break"), reduce, 0});
+    QTRY_VERIFY(window->isSettled());
+  }
+  void showProblems() {
+    auto* dock = window->findChild<QDockWidget*>("dock.problems");
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(window->problems().isVisible());
+  }
+  [[nodiscard]] QStringList codes() {
+    QStringList all;
+    DiagnosticModel& model = window->problems().model();
+    for (int row = 0; row < model.rowCount(); ++row) {
+      all << model.index(row).data(DiagnosticModel::CodeRole).toString();
+    }
+    return all;
+  }
+  QPushButton* fix(const QString& text) {
+    for (auto* button : window->problems().findChildren<QPushButton*>("fix")) {
+      if (button->isVisible() && button->text() == text) return button;
+    }
+    return nullptr;
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    window = std::make_unique<MainWindow>();
+    QVERIFY(window->openDocument(robotExamplePath()));
+    window->show();
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QTRY_VERIFY(window->isSettled());
+    showProblems();
+  }
+  void cleanup() { window.reset(); }
+
+  void aClickMendsAndUndoTakesItBack() {
+    const MechanismPtr sound = now();
+    change([](const Mechanism& before) { return withTeeth(before, MeshId("15"), 18, 30); });
+    const MechanismPtr broken = now();
+    QCOMPARE(codes(), QStringList{"teeth-geometry"});
+    QTRY_VERIFY(fix("Use 36 teeth on gear 1") != nullptr);
+    QTest::mouseClick(fix("Use 36 teeth on gear 1"), Qt::LeftButton);
+    QCOMPARE(*now(), *sound);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(codes().isEmpty());
+    QCOMPARE(window->document().undoStack().undoText(), QString("Use 36 teeth on gear 1"));
+    QTest::keyClick(&window->digraph(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(now().get(), broken.get());
+    QTRY_COMPARE(codes(), QStringList{"teeth-geometry"});
+  }
+
+  void aRowLightsItsCulpritsBesideItsButtons() {
+    change([](const Mechanism& before) { return withLink(before, SheetPoint{600, 20}); });
+    QCOMPARE(codes(), QStringList{"disconnected"});
+    QListView& list = window->problems().list();
+    const QRect row = list.visualRect(list.model()->index(0, 0));
+    QPushButton* tie = fix("Tie link 8 to the ground");
+    QVERIFY(tie != nullptr);
+    const QPoint inList = tie->mapTo(list.viewport(), tie->rect().center());
+    QVERIFY(row.contains(inList));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(60, 12));
+    QCOMPARE(window->selection().selected(), std::set<ElementId>{now()->links.back().id});
+    QTest::mouseClick(tie, Qt::LeftButton);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(!codes().contains("disconnected"));
+    QCOMPARE(now()->t(), 8);
+  }
+
+  void whatTheTeethSayIsListed() {
+    QVERIFY(window->openDocument(":/examples/spur-pair.geargraph"));
+    QTRY_VERIFY(window->isSettled());
+    change([](const Mechanism& before) { return withTeeth(before, before.gearMeshes.front().id, 9, 18); });
+    QVERIFY2(codes().contains("undercut"), qPrintable(codes().join(' ')));
+    QPushButton* more = fix("Use twice the teeth everywhere");
+    QVERIFY(more != nullptr);
+    more->setFocus();
+    QTest::keyClick(more, Qt::Key_Space);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(!codes().contains("undercut"));
+  }
+
+  void inputsAreExchanged() {
+    change([](const Mechanism& before) {
+      return withInputs(before, std::vector<Input>{{JointId("8"), Number(1), {}},
+                                                   {JointId("10"), Number(2), {}},
+                                                   {JointId("11"), Number(3), {}}});
+    });
+    QCOMPARE(codes(), QStringList{"invalid-inputs"});
+    QTest::mouseClick(fix("Exchange input 10 for 9"), Qt::LeftButton);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(codes().isEmpty());
+    QCOMPARE(now()->inputs->at(1).joint, JointId("9"));
+  }
+
+  void withoutFreedomNothingIsAskedToBeDriven() {
+    QVERIFY(window->openDocument(":/examples/locked-train.geargraph"));
+    QTRY_VERIFY(window->isSettled());
+    window->document().apply({QStringLiteral("Free the inputs"),
+                              [](const Mechanism& before) { return withInputs(before, std::nullopt); }, 0});
+    QTRY_VERIFY(window->isSettled());
+    QCOMPARE(window->findChild<QLabel*>("noInputs")->text(),
+             QString("There is nothing to drive: the mechanism has no degree of freedom."));
+  }
+
+  void problemsOfAFileAreNotMendedHere() {
+    change([](const Mechanism& before) { return withTeeth(before, MeshId("15"), 18, 30); });
+    QVERIFY(!window->openDocument("/nowhere.geargraph"));
+    QVERIFY(fix("Use 36 teeth on gear 1") == nullptr);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowProblemsTest)
+#include "test_window_problems.moc"
