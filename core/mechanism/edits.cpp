@@ -90,6 +90,17 @@ Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, 
   return withTeeth(std::move(mechanism), id, tailTeeth, headTeeth);
 }
 
+Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
+                                     std::optional<SheetPoint> at) {
+  if (mechanism.find(gear) == nullptr) return unknown(gear);
+  const LinkId link(freshId(mechanism));
+  mechanism.links.push_back({link, {}, {}});
+  if (at) mechanism.view.nodes[link] = *at;
+  Expected<Mechanism> turning = withTurningJoint(std::move(mechanism), carrier, link);
+  if (!turning) return turning;
+  return withGearMesh(std::move(turning).value(), gear, link);
+}
+
 Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements) {
   const std::unordered_set<ElementId> gone(elements.begin(), elements.end());
   const LinkId ground = mechanism.links.front().id;
@@ -241,6 +252,22 @@ Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axi
   const AxisId before = found->axis;
   found->axis = axis;
   dropUnusedAxes(mechanism, {before});
+  return mechanism;
+}
+
+Expected<Mechanism> withNewAxis(Mechanism mechanism, std::span<const JointId> joints) {
+  GEARGRAPH_REQUIRE(!joints.empty());
+  const TurningJoint* first = mechanism.find(joints.front());
+  if (first == nullptr) return unknown(joints.front());
+  Axis axis = *mechanism.find(first->axis);
+  axis.id = freshAxisIds(mechanism, 1).front();
+  const AxisId id = axis.id;
+  mechanism.axes.push_back(std::move(axis));
+  for (const JointId joint : joints) {
+    Expected<Mechanism> next = withJointAxis(std::move(mechanism), joint, id);
+    if (!next) return next;
+    mechanism = std::move(next).value();
+  }
   return mechanism;
 }
 

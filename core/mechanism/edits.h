@@ -25,6 +25,11 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head,
                                                int tailTeeth = 20, int headTeeth = 20);
 
+/// A new link with a gear that meshes with one on `gear`: it turns beside it on `carrier`, about a new axis.
+/// The link, its joint and the mesh are the last of their lists. Refuses self-joint, unknown-id.
+[[nodiscard]] Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
+                                                   std::optional<SheetPoint> at);
+
 /// Without these elements and all that needs them: a link takes its joints, meshes, wheels and couplings with
 /// it, a joint its input, an axis nobody uses any more goes too. Refuses to remove the ground.
 [[nodiscard]] Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements);
@@ -55,6 +60,10 @@ namespace geargraph {
 
 /// The joint turns about another axis; an axis nobody uses any more goes.
 [[nodiscard]] Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axis);
+
+/// The joints turn about one new axis, which lies where that of the first of them does; axes nobody uses any
+/// more go. @pre there are joints
+[[nodiscard]] Expected<Mechanism> withNewAxis(Mechanism mechanism, std::span<const JointId> joints);
 
 [[nodiscard]] Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number& offset);
 

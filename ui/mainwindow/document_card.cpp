@@ -39,7 +39,7 @@ void drawLines(QPainter& painter, const QRect& room, const QString& text, int mo
 
 QFont smallFont(const QFont& font) {
   QFont small = font;
-  small.setPixelSize(kSmallPixels);
+  small.setPixelSize(smallPixels());
   return small;
 }
 

@@ -108,8 +108,8 @@ void LinkForm::refresh() {
 JointForm::JointForm(Document* document, std::vector<ElementId> joints)
     : PropertyForm(document, std::move(joints)),
       m_axis(new QComboBox(this)),
-      m_point(new TripleField(QStringLiteral("axisPoint"), kOrigin)),
-      m_direction(new TripleField(QStringLiteral("axisDirection"), kUpwards)),
+      m_point(new TripleField(QStringLiteral("axisPoint"))),
+      m_direction(new TripleField(QStringLiteral("axisDirection"))),
       m_offset(makeNumber(QStringLiteral("offset"))) {
   m_axis->setObjectName(QStringLiteral("axis"));
   m_offset->setEmptyText(tr("several"));
@@ -126,35 +126,49 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
     apply(tr("Flip joint"),
           [](Mechanism before, const ElementId& joint) { return withFlipped(std::move(before), joint); });
   });
-  connect(m_axis, &QComboBox::activated, this, [this] {
-    newGesture();
-    apply(tr("Change axis"),
-          [axis = AxisId(m_axis->currentText().toStdString())](Mechanism before, const ElementId& joint) {
-            return withJointAxis(std::move(before), JointId(joint.id), axis);
-          });
-  });
+  connect(m_axis, &QComboBox::activated, this, &JointForm::chooseAxis);
   connect(m_offset, &NumberField::edited, this, [this](const std::optional<Number>& offset) {
     if (!offset) return;
     apply(tr("Move bearing"), [number = *offset](Mechanism before, const ElementId& joint) {
       return withOffset(std::move(before), JointId(joint.id), number);
     });
   });
-  connect(m_point, &TripleField::editingStarted, this, &JointForm::newGesture);
-  connect(m_direction, &TripleField::editingStarted, this, &JointForm::newGesture);
-  connect(m_point, &TripleField::edited, this,
-          [this](const std::optional<NumberTriple>& triple) { placeAxis(triple, true); });
-  connect(m_direction, &TripleField::edited, this,
-          [this](const std::optional<NumberTriple>& triple) { placeAxis(triple, false); });
+  for (TripleField* field : {m_point, m_direction}) {
+    connect(field, &TripleField::editingStarted, this, &JointForm::newGesture);
+    connect(field, &TripleField::wrongChanged, this, &JointForm::showWrong);
+    connect(field, &TripleField::edited, this,
+            [this, ofPoint = field == m_point](int index, const std::optional<Number>& number) {
+              placeAxes(index, number, ofPoint);
+            });
+  }
 }
 
-void JointForm::placeAxis(const std::optional<NumberTriple>& triple, bool ofPoint) {
+void JointForm::chooseAxis(int item) {
+  newGesture();
+  if (item == m_axis->count() - 1) {
+    std::vector<JointId> ids;
+    for (const ElementId& element : elements()) ids.emplace_back(element.id);
+    applyAtOnce(tr("New axis"), [ids](const Mechanism& before) { return withNewAxis(before, ids); });
+    return;
+  }
+  apply(tr("Change axis"),
+        [axis = AxisId(m_axis->currentText().toStdString())](Mechanism before, const ElementId& joint) {
+          return withJointAxis(std::move(before), JointId(joint.id), axis);
+        });
+}
+
+void JointForm::placeAxes(int index, const std::optional<Number>& number, bool ofPoint) {
   apply(ofPoint ? tr("Move axis") : tr("Turn axis"),
-        [triple, ofPoint](Mechanism before, const ElementId& joint) {
+        [index, number, ofPoint](Mechanism before, const ElementId& joint) {
           const AxisId id = before.find(JointId(joint.id))->axis;
           const Axis axis = *before.find(id);
-          if (ofPoint && triple && axis.point) return withAxisMoved(std::move(before), id, *triple);
-          return withAxisPlaced(std::move(before), id, ofPoint ? triple : axis.point,
-                                ofPoint ? axis.direction : triple);
+          if (!ofPoint) {
+            return withAxisPlaced(std::move(before), id, axis.point,
+                                  withComponent(axis.direction, index, number, kUpwards));
+          }
+          const auto point = withComponent(axis.point, index, number, kOrigin);
+          if (point && axis.point) return withAxisMoved(std::move(before), id, *point);
+          return withAxisPlaced(std::move(before), id, point, axis.direction);
         });
 }
 
@@ -167,6 +181,7 @@ std::vector<const TurningJoint*> JointForm::joints() const {
 void JointForm::fillAxes() {
   QStringList ids;
   for (const Axis& axis : mechanism().axes) ids << shownText(axis.id.text());
+  ids << tr("new axis");
   QStringList shown;
   for (int i = 0; i < m_axis->count(); ++i) shown << m_axis->itemText(i);
   if (shown == ids) return;
@@ -180,16 +195,25 @@ void JointForm::refresh() {
   setTitle(all.size() > 1 ? tr("%1 turning joints").arg(all.size())
                           : tr("Turning joint %1: %2 → %3")
                                 .arg(label(first), label(all.front()->tail), label(all.front()->head)));
+  refreshAxes(all);
+  m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
+}
+
+void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {
   const QSignalBlocker quiet(m_axis);
   fillAxes();
   const auto axis = shared(all, [](const TurningJoint& joint) { return joint.axis; });
+  m_axis->setPlaceholderText(tr("several"));
   m_axis->setCurrentIndex(axis ? m_axis->findText(shownText(axis->text())) : -1);
-  m_point->setEnabled(axis.has_value());
-  m_direction->setEnabled(axis.has_value());
-  const Axis* placed = axis ? mechanism().find(*axis) : nullptr;
-  m_point->setTriple(placed != nullptr ? placed->point : std::nullopt);
-  m_direction->setTriple(placed != nullptr ? placed->direction : std::nullopt);
-  m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
+  TripleField::Triples points;
+  TripleField::Triples directions;
+  for (const TurningJoint* joint : all) {
+    const Axis& placed = *mechanism().find(joint->axis);
+    points.push_back(placed.point);
+    directions.push_back(placed.direction);
+  }
+  m_point->setTriples(points);
+  m_direction->setTriples(directions);
 }
 
 MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
@@ -197,7 +221,7 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
       m_tailTeeth(makeNumber(QStringLiteral("tailTeeth"))),
       m_headTeeth(makeNumber(QStringLiteral("headTeeth"))),
       m_kind(new QComboBox(this)),
-      m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"), kOrigin)),
+      m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"))),
       m_ratio(new QLabel(this)) {
   m_kind->setObjectName(QStringLiteral("meshKind"));
   m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
@@ -235,9 +259,11 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
     });
   });
   connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);
-  connect(m_pitchPoint, &TripleField::edited, this, [this](const std::optional<NumberTriple>& point) {
-    apply(tr("Move pitch point"), [point](Mechanism before, const ElementId& id) {
-      return withPitchPoint(std::move(before), MeshId(id.id), point);
+  connect(m_pitchPoint, &TripleField::wrongChanged, this, &MeshForm::showWrong);
+  connect(m_pitchPoint, &TripleField::edited, this, [this](int index, const std::optional<Number>& number) {
+    apply(tr("Move pitch point"), [index, number](Mechanism before, const ElementId& id) {
+      const std::optional<NumberTriple> now = before.find(MeshId(id.id))->pitchPoint;
+      return withPitchPoint(std::move(before), MeshId(id.id), withComponent(now, index, number, kOrigin));
     });
   });
   connect(flip, &QPushButton::clicked, this, [this] {
@@ -267,10 +293,11 @@ void MeshForm::refresh() {
   m_ratio->setText(ratio ? shownText(ratio->toString()) : tr("several"));
   const auto kind = shared(all, [](const GearMesh& mesh) { return mesh.kind; });
   const QSignalBlocker quiet(m_kind);
+  m_kind->setPlaceholderText(tr("several"));
   m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
-  m_pitchPoint->setEnabled(all.size() == 1);
-  m_pitchPoint->setToolTip(all.size() == 1 ? QString() : tr("Each mesh has a pitch point of its own."));
-  m_pitchPoint->setTriple(all.size() == 1 ? first.pitchPoint : std::nullopt);
+  TripleField::Triples points;
+  for (const GearMesh* mesh : all) points.push_back(mesh->pitchPoint);
+  m_pitchPoint->setTriples(points);
 }
 
 MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)

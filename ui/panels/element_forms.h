@@ -43,8 +43,11 @@ class JointForm : public PropertyForm {
 
  private:
   [[nodiscard]] std::vector<const TurningJoint*> joints() const;
-  void placeAxis(const std::optional<NumberTriple>& point, bool ofPoint);
+  /// Component `index` of the points, or directions, of the joints' axes.
+  void placeAxes(int index, const std::optional<Number>& number, bool ofPoint);
+  void chooseAxis(int item);
   void fillAxes();
+  void refreshAxes(const std::vector<const TurningJoint*>& joints);
 
   QComboBox* m_axis;
   TripleField* m_point;

@@ -54,6 +54,7 @@ void NumberField::setWrong(const QString& why) {
   setProperty("wrong", !why.isEmpty());
   style()->unpolish(this);
   style()->polish(this);
+  emit wrongChanged(why);
 }
 
 void NumberField::spin(int steps) {

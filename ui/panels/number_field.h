@@ -29,7 +29,8 @@ class NumberField : public QLineEdit {
 
  signals:
   void edited(const std::optional<geargraph::Number>& number);
-  void editingStarted();  ///< what follows until the next one is one gesture
+  void wrongChanged(const QString& why);  ///< why what is typed is no such number; empty: it is one
+  void editingStarted();                  ///< what follows until the next one is one gesture
 
  protected:
   void paintEvent(QPaintEvent* event) override;

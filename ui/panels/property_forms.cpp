@@ -14,9 +14,14 @@ PropertyForm::PropertyForm(Document* document, std::vector<ElementId> elements)
     : m_document(document),
       m_elements(std::move(elements)),
       m_title(new QLabel(this)),
-      m_rows(new QFormLayout) {
+      m_rows(new QFormLayout),
+      m_wrong(new QLabel(this)) {
   m_title->setProperty("look", "title");
   m_title->setWordWrap(true);
+  m_wrong->setProperty("look", "problem");
+  m_wrong->setObjectName(QStringLiteral("wrong"));
+  m_wrong->setWordWrap(true);
+  m_wrong->hide();
   m_rows->setHorizontalSpacing(14);
   m_rows->setVerticalSpacing(7);
   m_rows->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -26,6 +31,7 @@ PropertyForm::PropertyForm(Document* document, std::vector<ElementId> elements)
   layout->setSpacing(9);
   layout->addWidget(m_title);
   layout->addLayout(m_rows);
+  layout->addWidget(m_wrong);
   layout->addStretch(1);
 }
 
@@ -67,49 +73,77 @@ NumberField* PropertyForm::makeNumber(const QString& objectName) {
   auto* field = new NumberField(this);
   field->setObjectName(objectName);
   connect(field, &NumberField::editingStarted, this, &PropertyForm::newGesture);
+  connect(field, &NumberField::wrongChanged, this, &PropertyForm::showWrong);
   return field;
 }
 
+void PropertyForm::showWrong(const QString& why) {
+  m_wrong->setText(why);
+  m_wrong->setVisible(!why.isEmpty());
+}
+
 void PropertyForm::apply(const QString& text, const Change& change) {
+  applyAtOnce(text, [change, ids = m_elements](const Mechanism& before) -> Expected<Mechanism> {
+    Mechanism next = before;
+    for (const ElementId& element : ids) {
+      Expected<Mechanism> changed = change(std::move(next), element);
+      if (!changed) return changed.error();
+      next = std::move(changed).value();
+    }
+    return next;
+  });
+}
+
+void PropertyForm::applyAtOnce(const QString& text,
+                               const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+  QString why;
   m_document->apply({text,
-                     [change, ids = m_elements](const Mechanism& before) -> Expected<Mechanism> {
-                       Mechanism next = before;
-                       for (const ElementId& element : ids) {
-                         Expected<Mechanism> changed = change(std::move(next), element);
-                         if (!changed) return changed.error();
-                         next = std::move(changed).value();
-                       }
+                     [&](const Mechanism& before) {
+                       Expected<Mechanism> next = reduce(before);
+                       if (!next) why = shownText(next.error().front().message);
                        return next;
                      },
                      m_gesture});
+  showWrong(why);
 }
 
-TripleField::TripleField(const QString& objectName, const NumberTriple& whenFirst) : m_whenFirst(whenFirst) {
+TripleField::TripleField(const QString& objectName) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);
   for (std::size_t i = 0; i < 3; ++i) {
     auto* field = new NumberField(this);
     field->setObjectName(objectName + QLatin1Char('.') + QLatin1Char("xyz"[i]));
-    field->setEmptyText(tr("auto"));
     field->setOptional(true);
     field->setMinimumWidth(56);
     layout->addWidget(field, 1);
     m_fields[i] = field;
     connect(field, &NumberField::editingStarted, this, &TripleField::editingStarted);
-    connect(field, &NumberField::edited, this, [this](const std::optional<Number>& number) {
-      if (!number) return emit edited(std::nullopt);
-      NumberTriple triple = m_whenFirst;
-      for (std::size_t j = 0; j < 3; ++j) triple[j] = m_fields[j]->number().value_or(m_whenFirst[j]);
-      emit edited(triple);
-    });
+    connect(field, &NumberField::wrongChanged, this, &TripleField::wrongChanged);
+    connect(field, &NumberField::edited, this,
+            [this, i](const std::optional<Number>& number) { emit edited(static_cast<int>(i), number); });
   }
 }
 
-void TripleField::setTriple(const std::optional<NumberTriple>& triple) {
+void TripleField::setTriples(const Triples& triples) {
   for (std::size_t i = 0; i < 3; ++i) {
-    m_fields[i]->setNumber(triple ? std::optional<Number>((*triple)[i]) : std::nullopt);
+    const auto at = [i](const std::optional<NumberTriple>& triple) {
+      return triple ? std::optional<Number>((*triple)[i]) : std::nullopt;
+    };
+    const bool same = std::all_of(triples.begin(), triples.end(),
+                                  [&](const auto& triple) { return at(triple) == at(triples.front()); });
+    m_fields[i]->setEmptyText(same ? tr("auto") : tr("several"));
+    m_fields[i]->setNumber(same ? at(triples.front()) : std::nullopt);
   }
+}
+
+std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& triple, int index,
+                                          const std::optional<Number>& number,
+                                          const NumberTriple& otherwise) {
+  if (!number) return std::nullopt;
+  NumberTriple changed = triple.value_or(otherwise);
+  changed[static_cast<std::size_t>(index)] = *number;
+  return changed;
 }
 
 PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {

@@ -41,8 +41,12 @@ class PropertyForm : public QWidget {
   NumberField* makeNumber(const QString& objectName);
 
   using Change = std::function<Expected<Mechanism>(Mechanism, const ElementId&)>;
-  /// Applies a change to every element, as one edit of the gesture under way.
+  /// Applies a change to every element, as one edit of the gesture under way. Why it was refused stands below
+  /// the fields until something is accepted.
   void apply(const QString& text, const Change& change);
+  void applyAtOnce(const QString& text, const std::function<Expected<Mechanism>(const Mechanism&)>& reduce);
+  /// What is wrong with what stands in a field, below the fields; empty: nothing.
+  void showWrong(const QString& why);
   void newGesture() { m_gesture = m_document->newGesture(); }
   void endGesture() { m_gesture = 0; }
 
@@ -51,27 +55,37 @@ class PropertyForm : public QWidget {
   std::vector<ElementId> m_elements;
   QLabel* m_title;
   QFormLayout* m_rows;
+  QLabel* m_wrong;
   quint64 m_gesture = 0;
 };
 
-/// Three numbers, or none: then `auto` stands there.
+/// The three components of points or directions: each shows what all of them share, "several", or "auto"
+/// where there is none.
 class TripleField : public QWidget {
   Q_OBJECT
 
  public:
-  /// `whenFirst`: the other two numbers when only one is typed.
-  TripleField(const QString& objectName, const NumberTriple& whenFirst);
+  explicit TripleField(const QString& objectName);
 
-  void setTriple(const std::optional<NumberTriple>& triple);
+  using Triples = std::vector<std::optional<NumberTriple>>;
+  /// One for each element.
+  void setTriples(const Triples& triples);
 
  signals:
-  void edited(const std::optional<geargraph::NumberTriple>& triple);
+  /// Component `index` of each becomes this number; without one the triples go.
+  void edited(int index, const std::optional<geargraph::Number>& number);
   void editingStarted();
+  void wrongChanged(const QString& why);
 
  private:
   std::array<NumberField*, 3> m_fields{};
-  NumberTriple m_whenFirst;
 };
+
+/// A triple with one component changed; the others are those of `otherwise` where there was none. Without a
+/// number: none.
+[[nodiscard]] std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& triple, int index,
+                                                        const std::optional<Number>& number,
+                                                        const NumberTriple& otherwise);
 
 /// The form for what is selected: links, turning joints or meshes; the document where nothing is; a note
 /// where it is of several kinds. The caller owns it.

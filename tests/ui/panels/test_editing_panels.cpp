@@ -120,6 +120,69 @@ class EditingPanelsTest : public QObject {
     QCOMPARE(document->mechanism()->find(AxisId("a"))->direction.has_value(), false);  // length 0: refused
   }
 
+  void whyIsSaidBelowTheFields() {
+    const auto wrong = [this] { return properties->findChild<QLabel*>("wrong"); };
+    selection.select({ElementId(JointId("8"))});
+    type(property("axisDirection.z"), QStringLiteral("0"));
+    QVERIFY(wrong()->isVisible());
+    QVERIFY2(wrong()->text().contains("length 0"), qPrintable(wrong()->text()));
+    type(property("axisDirection.z"), QStringLiteral("2"));
+    QVERIFY(!wrong()->isVisible());
+    type(property("offset"), QStringLiteral("1/0"));
+    QVERIFY(wrong()->text().contains("such as 12, 0.5 or 22/7"));
+    type(property("offset"), QStringLiteral("22/7"));
+    QVERIFY(!wrong()->isVisible());
+    QCOMPARE(document->mechanism()->find(JointId("8"))->offset.text(), std::string("22/7"));
+  }
+
+  void aClickSelectsTheWholeNumber() {
+    selection.select({ElementId(MeshId("15"))});
+    focus(properties.get());
+    NumberField* teeth = property("tailTeeth");
+    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(8, teeth->height() / 2));
+    QCOMPARE(teeth->selectedText(), QStringLiteral("18"));
+    QTest::keyClicks(teeth, QStringLiteral("25"));
+    QCOMPARE(mesh("15").tailTeeth, 25);
+  }
+
+  void jointsGetANewAxisTogether() {
+    selection.select({ElementId(JointId("13")), ElementId(JointId("14"))});
+    auto* axis = properties->findChild<QComboBox*>("axis");
+    QCOMPARE(axis->currentIndex(), -1);
+    QCOMPARE(axis->placeholderText(), QStringLiteral("several"));
+    focus(axis);
+    QTest::keyClick(axis, Qt::Key_End);
+    const AxisId made = document->mechanism()->find(JointId("13"))->axis;
+    QCOMPARE(made, AxisId("f"));
+    QCOMPARE(document->mechanism()->find(JointId("14"))->axis, made);
+    QVERIFY(document->mechanism()->find(AxisId("d")) == nullptr);  // nobody uses it any more
+    QCOMPARE(axis->currentText(), QStringLiteral("f"));
+    QCOMPARE(document->undoStack().count(), 1);
+  }
+
+  void severalAxesAreTurnedTogether() {
+    const auto point = [](const char* axis, int y, int z) {
+      return [=](const Mechanism& before) {
+        return withAxisPlaced(before, AxisId(axis), {}, NumberTriple{Number(0), Number(y), Number(z)});
+      };
+    };
+    document->apply({QString(), point("a", 0, 1), 0});
+    document->apply({QString(), point("d", 1, 0), 0});
+    selection.select({ElementId(JointId("8")), ElementId(JointId("13"))});
+    QCOMPARE(property("axisDirection.x")->text(), QStringLiteral("0"));
+    QCOMPARE(property("axisDirection.y")->text(), QString());
+    QCOMPARE(property("axisDirection.y")->placeholderText(), QStringLiteral("several"));
+    QCOMPARE(property("axisPoint.y")->placeholderText(), QStringLiteral("auto"));
+    type(property("axisDirection.z"), QStringLiteral("1/3"));
+    const auto now = [this](const char* axis) {
+      return *document->mechanism()->find(AxisId(axis))->direction;
+    };
+    QCOMPARE(now("a")[1].text(), std::string("0"));  // each keeps what was not typed
+    QCOMPARE(now("d")[1].text(), std::string("1"));
+    QCOMPARE(now("a")[2].text(), std::string("1/3"));
+    QCOMPARE(now("d")[2].text(), std::string("1/3"));
+  }
+
   void linksAreNamedAndGrounded() {
     selection.select({ElementId(LinkId("4"))});
     auto* name = properties->findChild<QLineEdit*>(QStringLiteral("linkName"));
