@@ -30,7 +30,8 @@ CommandLine readCommandLine(const QStringList& arguments) {
                                 QStringLiteral("WxH"));
   const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
   const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));
-  parser.addOptions({screenshot, size, dark, light});
+  const QCommandLineOption contrast(QStringLiteral("high-contrast"), QStringLiteral("Light on black."));
+  parser.addOptions({screenshot, size, dark, light, contrast});
   parser.addPositionalArgument(QStringLiteral("documents"),
                                QStringLiteral("Documents to open, a window each."),
                                QStringLiteral("[documents…]"));
@@ -41,6 +42,7 @@ CommandLine readCommandLine(const QStringList& arguments) {
   if (parser.isSet(screenshot)) line.screenshot = parser.value(screenshot);
   if (parser.isSet(dark)) line.theme = Theme::dark;
   if (parser.isSet(light)) line.theme = Theme::light;
+  if (parser.isSet(contrast)) line.theme = Theme::highContrast;
   if (parser.isSet(size)) {
     line.size = sizeFrom(parser.value(size));
     if (!line.size) {

@@ -17,8 +17,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(GEARGRAPH_VERSION));
 
   const CommandLine line = readCommandLine(QApplication::arguments());
-  const bool savedDark = QSettings().value(QStringLiteral("dark"), false).toBool() && !line.screenshot;
-  applyTheme(application, line.theme.value_or(savedDark ? Theme::dark : Theme::light));
+  applyTheme(application, line.theme.value_or(line.screenshot ? Theme::light : savedTheme()));
 
   if (line.screenshot) return screenshot(line);
   WindowSet windows(WindowSet::defaultFolder());

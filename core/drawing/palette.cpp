@@ -17,26 +17,27 @@ struct RoleColors {
   std::string_view name;
   Color light;
   Color dark;
+  Color highContrast;
 };
 
 constexpr std::array<RoleColors, kColorRoleCount> kRoles{{
-    {"sheet", rgb(0xFFFFFF), rgb(0x1E2227)},
-    {"ink", rgb(0x23272E), rgb(0xE6E9EE)},
-    {"secondary", rgb(0x6B7380), rgb(0x98A1AE)},
-    {"hairline", rgb(0xD9DDE3), rgb(0x3A414B)},
-    {"panel", rgb(0xF5F6F8), rgb(0x262B31)},
-    {"accent", rgb(0x2F6FED), rgb(0x6C9BFF)},
-    {"halo", rgb(0xBFD2FB), rgb(0x2C4474)},
-    {"input", rgb(0xE69F00), rgb(0xFFB833)},
-    {"input-fill", rgb(0xFFF3DA), rgb(0x4A3A14)},
-    {"input-ink", rgb(0x8A5A00), rgb(0xFFD27A)},
-    {"error", rgb(0xC62828), rgb(0xFF7B72)},
-    {"warning", rgb(0xB26A00), rgb(0xF0B24A)},
-    {"fine", rgb(0x1B6B45), rgb(0x6CD39B)},
-    {"positive-fill", rgb(0xDCEBFA), rgb(0x1F3B57)},
-    {"positive-ink", rgb(0x0B4F86), rgb(0x9CCBFF)},
-    {"negative-fill", rgb(0xFBE3D6), rgb(0x54301A)},
-    {"negative-ink", rgb(0xA34400), rgb(0xFFB48A)},
+    {"sheet", rgb(0xFFFFFF), rgb(0x1E2227), rgb(0x000000)},
+    {"ink", rgb(0x23272E), rgb(0xE6E9EE), rgb(0xFFFFFF)},
+    {"secondary", rgb(0x6B7380), rgb(0x98A1AE), rgb(0xD6D6D6)},
+    {"hairline", rgb(0xD9DDE3), rgb(0x3A414B), rgb(0x8C8C8C)},
+    {"panel", rgb(0xF5F6F8), rgb(0x262B31), rgb(0x0B0B0B)},
+    {"accent", rgb(0x2F6FED), rgb(0x6C9BFF), rgb(0xFFE14D)},
+    {"halo", rgb(0xBFD2FB), rgb(0x2C4474), rgb(0x5C4B00)},
+    {"input", rgb(0xE69F00), rgb(0xFFB833), rgb(0xFFB833)},
+    {"input-fill", rgb(0xFFF3DA), rgb(0x4A3A14), rgb(0x3A2900)},
+    {"input-ink", rgb(0x8A5A00), rgb(0xFFD27A), rgb(0xFFE0A0)},
+    {"error", rgb(0xC62828), rgb(0xFF7B72), rgb(0xFF8A80)},
+    {"warning", rgb(0xB26A00), rgb(0xF0B24A), rgb(0xFFC663)},
+    {"fine", rgb(0x1B6B45), rgb(0x6CD39B), rgb(0x7DF0AE)},
+    {"positive-fill", rgb(0xDCEBFA), rgb(0x1F3B57), rgb(0x00417F)},
+    {"positive-ink", rgb(0x0B4F86), rgb(0x9CCBFF), rgb(0xFFFFFF)},
+    {"negative-fill", rgb(0xFBE3D6), rgb(0x54301A), rgb(0x7A2E00)},
+    {"negative-ink", rgb(0xA34400), rgb(0xFFB48A), rgb(0xFFFFFF)},
 }};
 
 constexpr Color kGroundLink = rgb(0x8A9099);
@@ -55,7 +56,15 @@ Color mixed(Color color, Color other, double share) {
 
 Color colorOf(ColorRole role, Theme theme) {
   const RoleColors& colors = kRoles[static_cast<std::size_t>(role)];
-  return theme == Theme::light ? colors.light : colors.dark;
+  switch (theme) {
+    case Theme::light:
+      return colors.light;
+    case Theme::dark:
+      return colors.dark;
+    case Theme::highContrast:
+      return colors.highContrast;
+  }
+  GEARGRAPH_REQUIRE(false);
 }
 
 Color linkColor(int label) {

@@ -6,7 +6,8 @@
 
 namespace geargraph {
 
-enum class Theme { light, dark };
+/// High contrast is light on black, for weak eyes and weak projectors.
+enum class Theme { light, dark, highContrast };
 
 /// An sRGB colour, opaque.
 struct Color {

@@ -82,6 +82,8 @@ Expected<Mechanism> withSetTeeth(Mechanism mechanism, const PlanetarySet& set, i
     if (!inSet(mesh.tail) || !inSet(mesh.head)) continue;
     Expected<Mechanism> next = withTeeth(std::move(mechanism), mesh.id, teeth(mesh.tail), teeth(mesh.head));
     if (!next) return next.error();
+    next = withPitchPoint(std::move(next).value(), mesh.id, std::nullopt);  // it was that of the old teeth
+    if (!next) return next.error();
     mechanism = std::move(next).value();
   }
   return mechanism;

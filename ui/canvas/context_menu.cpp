@@ -29,6 +29,7 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
   add(menu, tr("Rename"), "F2", actions.rename);
   add(menu, driven ? tr("Stop driving it") : tr("Drive it"), {}, actions.toggleInput, carrying.why);
   add(menu, tr("Make it the ground"), {}, actions.makeGround, ground ? tr("it is the ground") : QString());
+  if (actions.attachGear) add(menu, tr("Attach a gear"), "Ctrl+G", actions.attachGear, carrying.why);
   menu.addSeparator();
   add(menu, tr("Delete"), tr("Del"), actions.remove, ground ? tr("the ground cannot be deleted") : QString());
 }

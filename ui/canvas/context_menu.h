@@ -15,6 +15,7 @@ struct ContextActions {
   std::function<void()> rename;
   std::function<void()> toggleInput;
   std::function<void()> makeGround;
+  std::function<void()> attachGear;
   std::function<void()> flip;
   std::function<void()> remove;
   std::function<void()> addLink;

@@ -109,9 +109,9 @@ void DrawingView::setHint(const QString& hint) {
   emit hintChanged(hint);
 }
 
-void DrawingView::setDark(bool dark) {
+void DrawingView::setTheme(Theme theme) {
   m_themeChosen = true;
-  applyTheme(dark ? Theme::dark : Theme::light);
+  applyTheme(theme);
 }
 
 Theme DrawingView::theme() const {
@@ -147,7 +147,7 @@ void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
 
 void DrawingView::drawMessage(QPainter& painter, const QString& text) const {
   QFont font = this->font();
-  font.setPixelSize(15);
+  font.setPixelSize(QFontInfo(font).pixelSize() * 15 / 13);
   painter.setFont(font);
   painter.setPen(toQColor(colorOf(ColorRole::secondary, theme())));
   const QRect whole = viewport()->rect();
@@ -157,7 +157,7 @@ void DrawingView::drawMessage(QPainter& painter, const QString& text) const {
 void DrawingView::drawLines(QPainter& painter, const QStringList& lines, Qt::Corner corner) const {
   constexpr int kMargin = 12;
   QFont font = this->font();
-  font.setPixelSize(11);
+  font.setPixelSize(QFontInfo(font).pixelSize() * 11 / 13);
   painter.setFont(font);
   const QFontMetrics metrics(font);
   const int room = viewport()->width() - 4 * kMargin;
@@ -215,10 +215,9 @@ void DrawingView::resetZoom() {
 
 void DrawingView::fitTo(const QRectF& area) {
   constexpr double kMargin = 24;
-  constexpr double kLargest = 1.25;
   const QRectF shown = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
   const QSizeF room = viewport()->size();
-  const double scale = std::min({kLargest, room.width() / shown.width(), room.height() / shown.height()});
+  const double scale = std::min({m_largest, room.width() / shown.width(), room.height() / shown.height()});
   setTransform(QTransform::fromScale(scale, scale));
   centerOn(shown.center());
 }
@@ -226,6 +225,11 @@ void DrawingView::fitTo(const QRectF& area) {
 void DrawingView::fit() {
   fitTo(m_scene->drawnRect());
   m_fitted = true;
+}
+
+void DrawingView::setLargestFit(double scale) {
+  m_largest = scale;
+  if (m_fitted) fit();
 }
 
 void DrawingView::fitSelected() {
@@ -262,6 +266,20 @@ void DrawingView::deleteSelected() {
 
 void DrawingView::flipSelected() {
   m_commands.flipSelected();
+}
+
+QString DrawingView::whyNoGear() const {
+  const auto& selected = m_selection->selected();
+  if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return {};
+  const QString why = carryingJoint(mechanism(), LinkId(selected.begin()->id)).why;
+  return why.isEmpty() ? why : tr("No gear can be attached: %1.").arg(why);
+}
+
+void DrawingView::attachGear() {
+  const auto& selected = m_selection->selected();
+  if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return;
+  const QString why = m_commands.attachGear(LinkId(selected.begin()->id));
+  if (!why.isEmpty()) setHint(why);
 }
 
 void DrawingView::toggleInputs() {
@@ -302,15 +320,18 @@ void DrawingView::openElement(const ElementId& element) {
 }
 
 QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
-  const std::optional<ElementId> element = elementUnder(viewportPlace);
+  return contextMenuFor(elementUnder(viewportPlace), toSheetPoint(mapToScene(viewportPlace)));
+}
+
+QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, SheetPoint at) {
   if (element && !m_selection->isSelected(*element)) m_selection->select({*element});
   const LinkId link = element ? LinkId(element->id) : LinkId();
-  const SheetPoint at = toSheetPoint(mapToScene(viewportPlace));
   ContextActions actions;
   actions.rename = [this, link] { openRenameEditor(link); };
   actions.toggleInput = [this] { toggleInputs(); };
   actions.makeGround = [this, link] { m_commands.makeGround(link); };
   actions.flip = [this] { flipSelected(); };
+  actions.attachGear = [this, link] { m_commands.attachGear(link); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };
   actions.fit = [this] { fit(); };

@@ -39,13 +39,23 @@ class DrawingView : public QGraphicsView {
   /// The newest analysis.
   virtual void setSnapshot(const SnapshotPtr& snapshot);
 
-  void setDark(bool dark);
+  void setTheme(Theme theme);
+  /// A grid of dots that new and dragged nodes keep to, where the drawing has nodes; Alt suspends it.
+  virtual void setGrid(bool /*on*/) {}
+  /// How far fit() enlarges a small drawing; a lecture hall wants more than a desk.
+  void setLargestFit(double scale);
+  static constexpr double kLargestFit = 1.25;
   [[nodiscard]] Theme theme() const;
+
+  /// Why no gear can be attached to the one selected link, as a sentence; empty where one can.
+  [[nodiscard]] QString whyNoGear() const;
 
   [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
   [[nodiscard]] DisplayList picture() const;      ///< the same with nothing standing out, for export
   /// The entries for what is at a place of the viewport; the caller owns the menu.
   [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
+  /// The entries for an element that another view shows, or for the sheet; the caller owns the menu.
+  [[nodiscard]] QMenu* contextMenuFor(const std::optional<ElementId>& element, SheetPoint at);
   /// The lines in the box at the lower left, and the ones at the upper left; empty where there is none.
   [[nodiscard]] QStringList caption() const { return m_caption; }
   [[nodiscard]] QStringList notice() const { return m_notice; }
@@ -60,6 +70,7 @@ class DrawingView : public QGraphicsView {
   void deleteSelected();
   void flipSelected();    ///< tail and head of the selected arrows exchanged
   void renameSelected();  ///< opens the editor in place on the one selected link
+  void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
   toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
   virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
@@ -167,11 +178,12 @@ class DrawingView : public QGraphicsView {
   QStringList m_notice;
   QString m_message;
   Grip m_grip = Grip::none;
+  double m_largest = kLargestFit;
   QPointF m_panFrom;
   bool m_spaceDown = false;
   bool m_spaceUsed = false;
   bool m_fitted = true;        ///< the drawing still fills the window, as nobody moved it
-  bool m_themeChosen = false;  ///< setDark() was called: the palette does not decide any more
+  bool m_themeChosen = false;  ///< setTheme() was called: the palette does not decide any more
   bool m_hovering = false;     ///< what is hovered is under our mouse
 };
 

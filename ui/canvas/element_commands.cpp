@@ -1,6 +1,8 @@
 #include "ui/canvas/element_commands.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
 
 #include "core/mechanism/edits.h"
 #include "ui/canvas/canvas_edits.h"
@@ -10,6 +12,32 @@ namespace {
 
 QString tr(const char* text) {
   return QCoreApplication::translate("canvas", text);
+}
+
+/// A place next to a link's node with room for another one; nothing where nodes are placed by the program.
+std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
+  constexpr double kDistance = 120;
+  constexpr double kRoom = 70;
+  const auto node = mechanism.view.nodes.find(link);
+  if (node == mechanism.view.nodes.end()) return std::nullopt;
+  for (const double distance : {kDistance, 1.6 * kDistance, 2.4 * kDistance}) {
+    for (const auto& [x, y] : {std::pair(1.0, 0.0),
+                               {0.7, -0.7},
+                               {0.7, 0.7},
+                               {0.0, -1.0},
+                               {0.0, 1.0},
+                               {-0.7, -0.7},
+                               {-0.7, 0.7},
+                               {-1.0, 0.0}}) {
+      const SheetPoint place{node->second.x + x * distance, node->second.y + y * distance};
+      const bool free =
+          std::none_of(mechanism.view.nodes.begin(), mechanism.view.nodes.end(), [&](const auto& other) {
+            return std::hypot(other.second.x - place.x, other.second.y - place.y) < kRoom;
+          });
+      if (free) return place;
+    }
+  }
+  return SheetPoint{node->second.x + kDistance, node->second.y};
 }
 
 }  // namespace
@@ -31,8 +59,9 @@ void ElementCommands::selectAll() {
 void ElementCommands::removeSelected() {
   const std::set<ElementId> selected = m_selection.selected();
   if (selected.empty()) return;
-  const std::vector<ElementId> elements(selected.begin(), selected.end());
-  apply(tr("Delete %1").arg(describe(*m_document.mechanism(), selected)),
+  std::vector<ElementId> elements(selected.begin(), selected.end());
+  if (elements.size() > 1) std::erase(elements, ElementId(m_document.mechanism()->links.front().id));
+  apply(tr("Delete %1").arg(describe(*m_document.mechanism(), {elements.begin(), elements.end()})),
         [elements](const Mechanism& mechanism) { return withoutElements(mechanism, elements); });
 }
 
@@ -80,6 +109,20 @@ void ElementCommands::rename(LinkId link, const QString& name) {
   const std::string text = name.trimmed().toStdString();
   apply(tr("Rename link"),
         [link, text](const Mechanism& mechanism) { return withName(mechanism, link, text); });
+}
+
+QString ElementCommands::attachGear(LinkId link) {
+  const Mechanism& now = *m_document.mechanism();
+  const Carrying carrying = carryingJoint(now, link);
+  if (!carrying.joint) return tr("No gear can be attached: %1").arg(carrying.why);
+  const TurningJoint& joint = *now.find(*carrying.joint);
+  const LinkId carrier = joint.head == link ? joint.tail : joint.head;
+  const std::optional<SheetPoint> at = placeBeside(now, link);
+  apply(tr("Attach gear to %1").arg(describe(now, {link})), [link, carrier, at](const Mechanism& mechanism) {
+    return withGearAttached(mechanism, link, carrier, at);
+  });
+  m_selection.select({m_document.mechanism()->links.back().id});
+  return {};
 }
 
 void ElementCommands::makeGround(LinkId link) {

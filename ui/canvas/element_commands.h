@@ -14,13 +14,16 @@ class ElementCommands {
   ElementCommands(Document& document, Selection& selection) : m_document(document), m_selection(selection) {}
 
   void selectAll();
-  void removeSelected();
-  void flipSelected();  ///< tail and head of the selected arrows exchanged
+  void removeSelected();  ///< the ground stays, where other things are selected too
+  void flipSelected();    ///< tail and head of the selected arrows exchanged
   /// Drives these joints, or those that carry these links, or stops driving them. Where that is not possible
   /// it answers why.
   QString toggleInputs(const std::set<ElementId>& elements);
   void rename(LinkId link, const QString& name);
   void makeGround(LinkId link);
+  /// A new link beside this one on the same carrier, in mesh with it; it is selected then. Where that is not
+  /// possible it answers why.
+  QString attachGear(LinkId link);
 
  private:
   void apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce);

@@ -1,6 +1,10 @@
 #include "ui/canvas/graph_view.h"
 
+#include <QPainter>
+#include <cmath>
+
 #include "ui/canvas/context_menu.h"
+#include "ui/canvas/mark_painter.h"
 
 namespace geargraph {
 
@@ -47,6 +51,26 @@ bool GraphView::cancel() {
   if (m_controller->isIdle()) return false;
   m_controller->handle(Escaped{}, scaleNow());
   return true;
+}
+
+void GraphView::setGrid(bool on) {
+  m_controller->setGrid(on);
+  viewport()->update();
+}
+
+void GraphView::drawBackground(QPainter* painter, const QRectF& rect) {
+  DrawingView::drawBackground(painter, rect);
+  constexpr double kStep = ToolController::kGridStep;
+  constexpr double kDensest = 7;  // px between two dots
+  if (!m_controller->hasGrid() || kStep * scaleNow() < kDensest) return;
+  QPen dots(toQColor(colorOf(ColorRole::secondary, theme())), 1.6 / scaleNow());
+  dots.setCapStyle(Qt::RoundCap);
+  painter->setPen(dots);
+  for (double x = kStep * std::floor(rect.left() / kStep); x <= rect.right(); x += kStep) {
+    for (double y = kStep * std::floor(rect.top() / kStep); y <= rect.bottom(); y += kStep) {
+      painter->drawPoint(QPointF(x, y));
+    }
+  }
 }
 
 }  // namespace geargraph

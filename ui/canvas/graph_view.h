@@ -15,12 +15,14 @@ class GraphView : public DrawingView, protected NodeSheet {
 
   [[nodiscard]] ToolKind tool() const override { return m_controller->tool(); }
   void setTool(ToolKind tool) override { m_controller->setTool(tool); }
+  void setGrid(bool on) override;
 
  public slots:
   void toggleInputs() override;
 
  protected:
   [[nodiscard]] QString message() const override;
+  void drawBackground(QPainter* painter, const QRectF& rect) override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
   void pressed(const Pointer& pointer) override;
   void moved(const Pointer& pointer) override;

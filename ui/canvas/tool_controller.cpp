@@ -88,8 +88,14 @@ void ToolController::moveSelected(const MoveSelected& move) {
   std::vector<SheetPoint> from;
   for (const auto& [link, place] : m_drag->moving) from.push_back(place);
   const double reach = move.unsnapped ? 0 : kSnapReach / m_scale;
-  m_snap =
-      reach > 0 ? snapped(from, m_drag->resting, move.dx, move.dy, reach) : Snap{move.dx, move.dy, {}, {}};
+  const bool toGrid = m_grid && !move.unsnapped && !from.empty();
+  if (toGrid) {
+    const SheetPoint place = onGrid(from.front() + SheetPoint{move.dx, move.dy}, kGridStep);
+    m_snap = Snap{place.x - from.front().x, place.y - from.front().y, {}, {}};
+  } else {
+    m_snap =
+        reach > 0 ? snapped(from, m_drag->resting, move.dx, move.dy, reach) : Snap{move.dx, move.dy, {}, {}};
+  }
   NodeMoves places = m_drag->moving;
   for (auto& [link, place] : places) place = place + SheetPoint{m_snap.dx, m_snap.dy};
   apply(
@@ -128,6 +134,7 @@ void ToolController::place(const NodePositions& positions) {
 // --- making and removing ----------------------------------------------------------------------------------
 
 void ToolController::addLink(SheetPoint at) {
+  if (m_grid) at = onGrid(at, kGridStep);
   const std::size_t before = m_document.mechanism()->links.size();
   apply(tr("Add link"), [this, at](const Mechanism& mechanism) { return m_sheet.withLinkAt(mechanism, at); });
   const auto& links = m_document.mechanism()->links;

@@ -19,7 +19,11 @@ class ToolController final : public QObject {
  public:
   ToolController(Document& document, Selection& selection, NodeSheet& sheet, QObject* parent);
 
+  static constexpr double kGridStep = 20;
+
   [[nodiscard]] ToolKind tool() const { return m_machine.tool(); }
+  void setGrid(bool on) { m_grid = on; }
+  [[nodiscard]] bool hasGrid() const { return m_grid; }
   void setTool(ToolKind tool);
   [[nodiscard]] bool isIdle() const { return m_machine.isIdle(); }
   [[nodiscard]] QString hint() const { return m_hint; }
@@ -69,6 +73,7 @@ class ToolController final : public QObject {
   Snap m_snap;
   quint64 m_nudge = 0;  ///< the gesture of the arrow key that is held
   double m_scale = 1;
+  bool m_grid = false;
   QString m_notice;  ///< why the last click did nothing; stands until the next one
   QString m_hint;
   std::optional<JointPreview> m_preview;

@@ -5,14 +5,18 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMimeData>
 #include <QSettings>
+#include <unordered_set>
 
 #include "core/mechanism/edits.h"
+#include "core/mechanism/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
@@ -33,6 +37,23 @@
 
 namespace geargraph {
 namespace {
+
+/// All that can be selected or hovered: asked once an edit, whatever the number of what is selected.
+std::unordered_set<ElementId> elementsOf(const Mechanism& mechanism) {
+  std::unordered_set<ElementId> all;
+  const auto add = [&all](const auto& list) {
+    for (const auto& element : list) all.insert(element.id);
+  };
+  add(mechanism.links);
+  add(mechanism.axes);
+  add(mechanism.turningJoints);
+  add(mechanism.gearMeshes);
+  add(mechanism.wheels);
+  add(mechanism.couplings);
+  return all;
+}
+
+constexpr std::size_t kMostChecked = 64;  // what a click selects; more come from the document itself
 
 QString whyNoGears(const AnalysisSnapshot& snapshot) {
   if (snapshot.mechanism->n() == 0)
@@ -74,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_notices = new NoticeBar(this);
   m_files = std::make_unique<WindowFiles>(this, m_notices, m_recent);
   m_titles = new DockTitles(this);
+  m_presentation = new Presentation(this);
   makeDrawings();
   makeDocks();
   makeMenus();
@@ -88,7 +110,7 @@ MainWindow::MainWindow(QWidget* parent)
   wireView3D();
   setAcceptDrops(true);
   wireMotion();
-  setDark(themeOf(QApplication::palette()) == Theme::dark);
+  setTheme(themeOf(QApplication::palette()));
   resize(1366, 768);
   onDocumentChanged();
   renewTitle();
@@ -141,6 +163,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget
   dock->setWidget(widget);
   addDockWidget(area, dock);
   m_docks.push_back(dock);
+  dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
+  addAction(dock->toggleViewAction());
   m_titles->watch(dock);
   return dock;
 }
@@ -207,7 +231,16 @@ void MainWindow::wireViews() {
     m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
   });
   connect(m_service, &AnalysisService::snapshotReady, this, &MainWindow::onSnapshot);
-  connect(m_selection, &Selection::selectionChanged, this, &MainWindow::renewActions);
+  connect(m_selection, &Selection::selectionChanged, this, &MainWindow::onSelectionChanged);
+  connect(&m_matrices->view(), &MatrixView::menuWanted, this, &MainWindow::popUpMenuFor);
+  connect(m_results, &ResultsPanel::menuWanted, this, &MainWindow::popUpMenuFor);
+  connect(m_presentation, &Presentation::changed, this, [this](bool on) {
+    m_actions->presentation->setChecked(on);
+    for (DrawingView* each : m_allDrawings) {
+      each->setLargestFit(DrawingView::kLargestFit * (on ? 2.5 : 1));
+    }
+    setTheme(themeOf(QApplication::palette()));
+  });
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
@@ -237,10 +270,46 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 
 void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
-  connect(m_stages, &StageService::stageReady, this, [this](const StagePtr& stage) {
+  connect(m_stages, &StageService::stageReady, this, &MainWindow::onStage);
+  connect(m_document, &Document::replaced, this, [this] { m_hasPicture = false; });
+}
+
+/// While a link hangs loose or the joints close a loop there is no picture: then the last one stays.
+void MainWindow::onStage(const StagePtr& stage) {
+  const bool empty = stage->scene.instances.empty();
+  const Mechanism& mechanism = *m_document->mechanism();
+  const Diagnostics why =
+      empty && m_hasPicture && mechanism.n() > 0 ? treeDiagnostics(mechanism) : Diagnostics();
+  if (why.empty()) {
     m_view3d->setStage(stage);
-    tellWhenSettled();
-  });
+    m_hasPicture = !empty;
+  }
+  m_view3d->setNote(why.empty()
+                        ? QString()
+                        : tr("The picture before the last changes. %1").arg(shownText(why.front().message)));
+  tellWhenSettled();
+}
+
+/// Views may show what is gone (the last picture in 3D): it cannot be selected.
+void MainWindow::onSelectionChanged() {
+  const Mechanism& mechanism = *m_document->mechanism();
+  const auto& selected = m_selection->selected();
+  const bool few = selected.size() <= kMostChecked;
+  const bool gone = few && std::any_of(selected.begin(), selected.end(), [&](const ElementId& element) {
+                      return !labelOf(mechanism, element);
+                    });
+  if (gone) {
+    return m_selection->keepOnly(
+        [&](const ElementId& element) { return labelOf(mechanism, element).has_value(); });
+  }
+  renewActions();
+}
+
+void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
+  if (!labelOf(*m_document->mechanism(), element)) return;
+  QMenu* menu = drawing().contextMenuFor(element, {});
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->popup(at);
 }
 
 bool MainWindow::isSettled() const {
@@ -254,7 +323,10 @@ void MainWindow::tellWhenSettled() {
 
 void MainWindow::onDocumentChanged() {
   const MechanismPtr& mechanism = m_document->mechanism();
-  m_selection->keepOnly([&](const ElementId& element) { return labelOf(*mechanism, element).has_value(); });
+  if (!m_selection->selected().empty() || !m_selection->hovered().empty()) {
+    m_selection->keepOnly(
+        [there = elementsOf(*mechanism)](const ElementId& element) { return there.contains(element); });
+  }
   m_status->clearRefusal();
   m_service->request(mechanism, m_document->revision());
   renewActions();
@@ -303,12 +375,13 @@ void MainWindow::renewTitle() {
   setWindowModified(m_document->isModified());
 }
 
-void MainWindow::setDark(bool dark) {
-  const Theme theme = dark ? Theme::dark : Theme::light;
-  if (themeOf(QApplication::palette()) != theme) applyTheme(*qApp, theme);
+void MainWindow::setTheme(Theme theme) {
+  const double scale = m_presentation->isOn() ? Presentation::kTypeScale : 1;
+  const bool applied = themeOf(QApplication::palette()) == theme && scaledPixels(100) == qRound(100 * scale);
+  if (!applied) applyTheme(*qApp, theme, scale);
   m_actions->setTheme(theme);
-  for (DrawingView* each : m_allDrawings) each->setDark(dark);
-  m_view3d->setDark(dark);
+  for (DrawingView* each : m_allDrawings) each->setTheme(theme);
+  m_view3d->setDark(theme != Theme::light);
 }
 
 void MainWindow::restoreLayout() {
@@ -333,6 +406,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files->mayDiscard()) return event->ignore();
   m_files->discard();
+  m_presentation->setOn(false);
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/state"), saveState());

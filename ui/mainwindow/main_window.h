@@ -23,6 +23,7 @@ class InputsPanel;
 class InsertSetDialog;
 class MatricesPanel;
 class NoticeBar;
+class Presentation;
 class ProblemsPanel;
 class PropertiesPanel;
 class RecentFiles;
@@ -72,7 +73,8 @@ class MainWindow : public QMainWindow {
   void restoreLayout(const QByteArray& geometry, const QByteArray& state);
   /// Over an empty document, until there is another one. `withRecent`: with the files of late.
   void showStartPage(bool withRecent = true);
-  void setDark(bool dark);
+  void setTheme(Theme theme);
+  [[nodiscard]] Presentation& presentation() { return *m_presentation; }
   /// Is everything shown as the document is now?
   [[nodiscard]] bool isSettled() const;
 
@@ -120,7 +122,11 @@ class MainWindow : public QMainWindow {
   void duplicateSelected();
   void insert(const Mechanism& fragment, const QString& text);
   void showElement(const ElementId& element);
-  void chooseTheme(bool dark);
+  void chooseTheme(Theme theme);
+  void onStage(const StagePtr& stage);
+  void onSelectionChanged();
+  void popUpMenuFor(const ElementId& element, QPoint at);
+  void showShortcuts();
 
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
@@ -150,10 +156,12 @@ class MainWindow : public QMainWindow {
   RecentFiles* m_recent = nullptr;
   SearchField* m_search = nullptr;
   DockTitles* m_titles = nullptr;
+  Presentation* m_presentation = nullptr;
   std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
+  bool m_hasPicture = false;  ///< the 3D view shows something of this document
 };
 
 }  // namespace geargraph

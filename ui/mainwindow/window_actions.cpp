@@ -112,6 +112,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   flip = make("mechanism.flip", words("&Flip"), words("Exchange tail and head of the selected arrows"),
               {QKeySequence(QStringLiteral("X"))}, QStringLiteral("flip"));
   makeGround = make("mechanism.ground", words("Make &ground"), words("The selected link stands still"), {});
+  attachGear = make("mechanism.attachGear", words("&Attach a gear"),
+                    words("A new gear in mesh with the selected one, on the same carrier"),
+                    {QKeySequence(QStringLiteral("Ctrl+G"))});
   drive = make("mechanism.drive", words("Dri&ve"), words("Drive the selected joints, or stop driving them"),
                {QKeySequence(QStringLiteral("Ctrl+I"))}, QStringLiteral("input"));
   insertSet =
@@ -132,10 +135,20 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
              {QKeySequence(QStringLiteral("Ctrl+0"))});
   zoomIn = make("view.zoomIn", words("Zoom &in"), words("Larger"), {QKeySequence::ZoomIn});
   zoomOut = make("view.zoomOut", words("Zoom &out"), words("Smaller"), {QKeySequence::ZoomOut});
+  fitSelected = make("view.fitSelected", words("Fit the &selection"), words("Show all that is selected"),
+                     {QKeySequence(QStringLiteral("Ctrl+Shift+0"))});
   light = make("view.light", words("&Light"), words("Dark on light"), {});
   dark = make("view.dark", words("&Dark"), words("Light on dark"), {});
+  highContrast = make("view.highContrast", words("&High contrast"), words("Light on black"), {});
+  presentation = make("view.presentation", words("&Presentation"),
+                      words("Full screen, large type, the drawing and the panels that were chosen"),
+                      {QKeySequence(Qt::Key_F11)});
+  presentation->setCheckable(true);
+  grid = make("view.grid", words("Snap to the &grid"), words("Nodes keep to a grid; Alt suspends it"),
+              {QKeySequence(QStringLiteral("#"))});
+  grid->setCheckable(true);
   auto* themes = new QActionGroup(window);
-  for (QAction* action : {light, dark}) {
+  for (QAction* action : {light, dark, highContrast}) {
     action->setCheckable(true);
     themes->addAction(action);
   }
@@ -144,6 +157,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   lookUp = make("learn.lookUp", words("&Look up a term…"), words("What a word of the field means"), {});
   search = make("help.search", words("&Search…"), words("Find a command, an element or a term"),
                 {QKeySequence(QStringLiteral("Ctrl+K"))});
+  shortcuts = make("help.shortcuts", words("&Keyboard shortcuts"), words("All keys on one sheet"),
+                   {QKeySequence(Qt::Key_F1)});
   about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
 }
 
@@ -165,7 +180,8 @@ void WindowActions::makeMotion() {
 
 void WindowActions::setTheme(Theme theme) {
   for (const auto& [action, name] : m_icons) action->setIcon(icon(name, ColorRole::ink, theme));
-  (theme == Theme::dark ? dark : light)->setChecked(true);
+  QAction* chosen = theme == Theme::light ? light : theme == Theme::dark ? dark : highContrast;
+  chosen->setChecked(true);
 }
 
 }  // namespace geargraph

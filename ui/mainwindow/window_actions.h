@@ -47,6 +47,7 @@ struct WindowActions {
 
   QAction* flip;
   QAction* makeGround;
+  QAction* attachGear;
   QAction* drive;
   QAction* tidy;
   QAction* insertSet;
@@ -55,8 +56,12 @@ struct WindowActions {
   QAction* fit;
   QAction* zoomIn;
   QAction* zoomOut;
+  QAction* fitSelected;
   QAction* light;
   QAction* dark;
+  QAction* highContrast;
+  QAction* presentation;
+  QAction* grid;
   QAction* resetLayout;
 
   QAction* play;
@@ -68,6 +73,7 @@ struct WindowActions {
 
   QAction* lookUp;
   QAction* search;
+  QAction* shortcuts;
   QAction* about;
 
  private:

@@ -17,7 +17,9 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
+#include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
@@ -25,6 +27,7 @@
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/term_tips.h"
 #include "ui/search/search_field.h"
+#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 namespace {
@@ -66,17 +69,19 @@ void MainWindow::makeMenus() {
   edit->addActions({a.rename, a.selectAll});
 
   QMenu* view = menu(tr("&View"));
-  view->addActions({a.fit, a.zoomIn, a.zoomOut});
+  view->addActions({a.fit, a.fitSelected, a.zoomIn, a.zoomOut, a.grid});
   view->addSeparator();
   for (QDockWidget* dock : m_docks) view->addAction(dock->toggleViewAction());
   view->addAction(a.resetLayout);
   view->addSeparator();
-  view->addActions({a.light, a.dark});
+  QMenu* theme = view->addMenu(tr("&Theme"));
+  theme->addActions({a.light, a.dark, a.highContrast});
+  view->addAction(a.presentation);
 
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
   mechanism->addSeparator();
-  mechanism->addActions({a.flip, a.drive, a.makeGround});
+  mechanism->addActions({a.flip, a.drive, a.attachGear, a.makeGround});
   mechanism->addSeparator();
   mechanism->addAction(a.insertSet);
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
@@ -90,7 +95,7 @@ void MainWindow::makeMenus() {
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
   menu(tr("&Learn"))->addActions({a.lookUp});
-  menu(tr("&Help"))->addActions({a.search, a.about});
+  menu(tr("&Help"))->addActions({a.search, a.shortcuts, a.about});
 }
 
 void MainWindow::wireActions() {
@@ -123,8 +128,18 @@ void MainWindow::wireActions() {
   connect(a.fit, &QAction::triggered, this, [this] { drawing().fit(); });
   connect(a.zoomIn, &QAction::triggered, this, [this] { drawing().zoomIn(); });
   connect(a.zoomOut, &QAction::triggered, this, [this] { drawing().zoomOut(); });
-  connect(a.light, &QAction::triggered, this, [this] { chooseTheme(false); });
-  connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(true); });
+  connect(a.fitSelected, &QAction::triggered, this, [this] { drawing().fitSelected(); });
+  connect(a.light, &QAction::triggered, this, [this] { chooseTheme(Theme::light); });
+  connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
+  connect(a.highContrast, &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
+  connect(a.grid, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(QStringLiteral("grid"), on);
+    for (DrawingView* each : m_allDrawings) each->setGrid(on);
+  });
+  a.grid->setChecked(QSettings().value(QStringLiteral("grid"), false).toBool());
+  connect(a.presentation, &QAction::triggered, m_presentation, &Presentation::setOn);
+  connect(a.attachGear, &QAction::triggered, this, [this] { drawing().attachGear(); });
+  connect(a.shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(a.resetLayout, &QAction::triggered, this, &MainWindow::applyDefaultLayout);
   connect(a.search, &QAction::triggered, this, [this] { m_search->begin(); });
   connect(a.lookUp, &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
@@ -206,17 +221,26 @@ void MainWindow::renewActions() {
                               tr("Select a turning joint, or the link it carries."));
   for (QAction* planets : a.planets)
     WindowActions::setAvailable(planets, links == 1 && !onlyGround, tr("Select one planet."));
+  const bool oneLink = links == 1 && arrows == 0;
+  const QString whyNoGear =
+      oneLink ? drawing().whyNoGear() : tr("Select the link that the gear shall mesh with.");
+  WindowActions::setAvailable(a.attachGear, whyNoGear.isEmpty(), whyNoGear);
+  WindowActions::setAvailable(a.fitSelected, !selected.empty(), nothing);
   WindowActions::setAvailable(a.makeGround, links == 1 && !selected.contains(ground),
                               selected.contains(ground) ? tr("This link is the ground already.")
                                                         : tr("Select one link to make it the ground."));
   WindowActions::setAvailable(a.tidy, mechanism.n() > 0, tr("There is no link to lay out yet."));
 }
 
-void MainWindow::chooseTheme(bool dark) {
-  QSettings().setValue(QStringLiteral("dark"), dark);
+void MainWindow::chooseTheme(Theme theme) {
+  saveTheme(theme);
   for (QWidget* window : QApplication::topLevelWidgets()) {
-    if (auto* main = qobject_cast<MainWindow*>(window)) main->setDark(dark);
+    if (auto* main = qobject_cast<MainWindow*>(window)) main->setTheme(theme);
   }
+}
+
+void MainWindow::showShortcuts() {
+  (new ShortcutSheet(*menuBar(), this))->show();
 }
 
 void MainWindow::makeGround() {

@@ -7,6 +7,8 @@
 #include <QFrame>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
+#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QToolTip>
@@ -15,6 +17,7 @@
 #include "core/derivation/matrix_text.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/panels/term_tips.h"
+#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 namespace {
@@ -22,6 +25,25 @@ namespace {
 constexpr int kCardWidth = 176;
 constexpr int kWidthForCard = 560;
 constexpr int kFirstQuantity = 100;  // of the chips' ids; before it, those of MatrixKind
+
+/// A chip with a rate on it: few text fonts place a dot on a θ, so it is painted.
+class RateChip : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QToolButton::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(qColor(isChecked() ? ColorRole::accent : ColorRole::ink, themeOf(palette())));
+    const QFontMetricsF metrics(font());
+    const double radius = metrics.height() * 0.06;
+    const double top = rect().center().y() - metrics.ascent() / 2 + 0.5;
+    painter.drawEllipse(QPointF(rect().center().x() + 0.5, top), radius, radius);
+  }
+};
 
 QString formName(EntryForm form) {
   switch (form) {
@@ -77,10 +99,11 @@ QWidget* MatricesPanel::makeBar() {
   auto* bar = new QWidget(this);
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(12, 6, 10, 2);
-  layout->setSpacing(5);
+  layout->setSpacing(4);
   m_chips = new QButtonGroup(this);
   for (const MatrixKind kind : allMatrixKinds()) {
-    addChip(layout, shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')),
+    const bool isCutset = kind == MatrixKind::cutset;  // not in the paper; its parts stand on the card
+    addChip(layout, isCutset ? QStringLiteral("Q") : shownText(matrixSymbol(kind)).remove(QLatin1Char(' ')),
             shownText(matrixCommandName(kind)), termOf(kind), static_cast<int>(kind));
   }
   for (const QuantityKind kind : allQuantityKinds()) {
@@ -142,8 +165,11 @@ QToolButton* MatricesPanel::makeCopyButton() {
 }
 
 void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id) {
-  auto* chip = new QToolButton(this);
-  chip->setText(text);
+  const bool isRate = term == Term::solution;
+  QToolButton* chip = isRate ? new RateChip(this) : new QToolButton(this);
+  chip->setText(isRate ? QStringLiteral("θ") : text);
+  chip->setAccessibleName(
+      tipOf(term).section(QLatin1String("<br>"), 0, 0).remove(QRegularExpression("<[^>]*>")));
   chip->setObjectName(QStringLiteral("chip.") + name);
   chip->setToolTip(tipOf(term));
   chip->setCheckable(true);
@@ -285,6 +311,7 @@ QString MatricesPanel::whyEmpty() const {
 
 void MatricesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  m_card->setFixedWidth(scaledPixels(kCardWidth));
   m_card->setVisible(width() >= kWidthForCard);
 }
 

@@ -24,7 +24,7 @@ MatrixHeader::MatrixHeader(Qt::Orientation orientation, MatrixView* view)
 }
 
 QSize MatrixHeader::sizeHint() const {
-  if (orientation() == Qt::Horizontal) return {0, 30};
+  if (orientation() == Qt::Horizontal) return {0, scaledPixels(30)};
   const int rows = count();
   const QString widest = rows == 0 ? QString() : model()->headerData(rows - 1, Qt::Vertical).toString();
   const bool rate = rows > 0 && model()->headerData(rows - 1, Qt::Vertical, MatrixModel::RateRole).toBool();

@@ -1,5 +1,6 @@
 #include "ui/panels/matrix_view.h"
 
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -59,7 +60,8 @@ class EntryDelegate : public QStyledItemDelegate {
     const int value = index.data(MatrixModel::ValueRole).toInt();
     const double wanted =
         value == 0 ? 30 : std::max(30.0, putEntry(nullptr, option.font, {}, index) + 2 * kPillMargin);
-    QRectF pill(0, 0, std::min(wanted, cell.width() - 3), std::min(21.0, cell.height() - 3));
+    QRectF pill(0, 0, std::min(wanted, cell.width() - 3),
+                std::min<double>(scaledPixels(21), cell.height() - 3));
     pill.moveCenter(cell.center());
     if (index.data(MatrixModel::ChangedRole).toBool()) {
       painter.setPen(Qt::NoPen);
@@ -108,7 +110,7 @@ MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setCornerButtonEnabled(false);
   setFrameShape(QFrame::NoFrame);
-  setEntryPixels(kBodyPixels + 1);
+  setEntryPixels(bodyPixels() + 1);
   setUpHeaders();
 
   m_rest.setSingleShot(true);
@@ -136,6 +138,16 @@ void MatrixView::setUpHeaders() {
     if (row < 0) return m_selection->unhover();
     m_selection->hover(m_model->elementsOfRow(row));
   });
+  for (auto* header : {across, down}) {
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QWidget::customContextMenuRequested, this, [this, header](QPoint at) {
+      const int section = header->logicalIndexAt(at);
+      if (section < 0) return;
+      const bool isColumn = header->orientation() == Qt::Horizontal;
+      const ElementId element = isColumn ? m_model->columnElement(section) : m_model->rowElement(section);
+      if (!element.id.empty()) emit menuWanted(element, header->viewport()->mapToGlobal(at));
+    });
+  }
   connect(across, &QHeaderView::sectionClicked, this, [this](int column) {
     if (!m_model->columnElement(column).id.empty()) m_selection->select({m_model->columnElement(column)});
   });
@@ -149,10 +161,13 @@ void MatrixView::fitSections() {
   const int rows = m_model->rowCount();
   const int columns = m_model->columnCount();
   if (rows == 0 || columns == 0) return;
+  const int widest = scaledPixels(kColumnWidth);
+  const int highest = scaledPixels(kRowHeight);
   const int wide = width() - verticalHeader()->sizeHint().width() - kBracket - 2;
   const int high = height() - horizontalHeader()->sizeHint().height() - 2;
-  const int cellWidth = wide / columns >= kNarrowest ? std::min(wide / columns, kColumnWidth) : kColumnWidth;
-  const int cellHeight = high / rows >= kLowest ? std::min(high / rows, kRowHeight) : kRowHeight;
+  const int cellWidth =
+      wide / columns >= scaledPixels(kNarrowest) ? std::min(wide / columns, widest) : widest;
+  const int cellHeight = high / rows >= scaledPixels(kLowest) ? std::min(high / rows, highest) : highest;
   verticalHeader()->setDefaultSectionSize(cellHeight);
   horizontalHeader()->setDefaultSectionSize(cellWidth);
   const std::vector<int> widths = widthsOfQuantity();
@@ -269,11 +284,17 @@ void MatrixView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void MatrixView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
   const QModelIndex index = indexAt(event->pos());
   if (!index.isValid()) return m_selection->clear();
   std::set<ElementId> elements{m_model->rowElement(index.row()), m_model->columnElement(index.column())};
   std::erase_if(elements, [](const ElementId& element) { return element.id.empty(); });
   m_selection->select(std::move(elements));
+}
+
+void MatrixView::contextMenuEvent(QContextMenuEvent* event) {
+  const QModelIndex index = indexAt(event->pos());
+  if (index.isValid()) emit menuWanted(m_model->rowElement(index.row()), event->globalPos());
 }
 
 void MatrixView::leaveEvent(QEvent* event) {
@@ -284,6 +305,11 @@ void MatrixView::leaveEvent(QEvent* event) {
 void MatrixView::changeEvent(QEvent* event) {
   QTableView::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) viewport()->update();
+  if (event->type() == QEvent::ApplicationFontChange || event->type() == QEvent::StyleChange) {
+    if (font().pixelSize() == bodyPixels() + 1) return;
+    setEntryPixels(bodyPixels() + 1);
+    fitSections();
+  }
 }
 
 }  // namespace geargraph

@@ -40,12 +40,15 @@ class MatrixView : public QTableView {
   void restedOn(const QModelIndex& index);
   /// The mouse is over the row of this mesh's cycle; empty: over none.
   void cycleHovered(geargraph::MeshId mesh);
+  /// A right click on a label or a row.
+  void menuWanted(const geargraph::ElementId& element, QPoint globalPlace);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 

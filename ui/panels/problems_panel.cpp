@@ -65,7 +65,7 @@ class FindingDelegate : public QStyledItemDelegate {
 
  private:
   static QFont smallFont(QFont font) {
-    font.setPixelSize(kSmallPixels);
+    font.setPixelSize(smallPixels());
     return font;
   }
   static QString footer(const QModelIndex& index) {

@@ -133,7 +133,7 @@ QSize LinkSpeedsDelegate::sizeHint(const QStyleOptionViewItem& option, const QMo
 ResultsHeader::ResultsHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
   setSectionResizeMode(QHeaderView::Fixed);
   setHighlightSections(false);
-  setFixedHeight(24);
+  setMinimumHeight(24);
   setMouseTracking(true);
 }
 

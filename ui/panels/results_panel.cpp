@@ -18,6 +18,7 @@
 namespace geargraph {
 namespace {
 
+constexpr int kRowHeight = 23;
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
 
 }  // namespace
@@ -81,7 +82,7 @@ void ResultsPanel::makeTable() {
   auto* header = new ResultsHeader(m_table);
   m_table->setHorizontalHeader(header);
   m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(23);
+  m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_table->setShowGrid(false);
   m_table->setMouseTracking(true);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
@@ -94,6 +95,13 @@ void ResultsPanel::makeTable() {
   connect(m_table, &QTableView::entered, this, &ResultsPanel::hoverRow);
   connect(m_table, &QTableView::clicked, this,
           [this](const QModelIndex& index) { m_selection->select({m_model->outputAt(index.row())}); });
+  m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(m_table, &QWidget::customContextMenuRequested, this, [this](QPoint at) {
+    const QModelIndex index = m_table->indexAt(at);
+    if (index.isValid()) {
+      emit menuWanted(m_model->outputAt(index.row()), m_table->viewport()->mapToGlobal(at));
+    }
+  });
   const auto repaint = [this] { m_table->viewport()->update(); };
   connect(m_selection, &Selection::hoverChanged, m_table, repaint);
   connect(m_selection, &Selection::selectionChanged, m_table, repaint);
@@ -338,6 +346,10 @@ bool ResultsPanel::eventFilter(QObject* watched, QEvent* event) {
 void ResultsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+    m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
+    fitColumns();
+  }
 }
 
 }  // namespace geargraph

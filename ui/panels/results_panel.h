@@ -35,6 +35,10 @@ class ResultsPanel : public QWidget {
   /// These joints are to be driven (ordinals of the snapshot's digraph), the motion staying as it is.
   void inputsWanted(const std::vector<int>& joints);
 
+ signals:
+  /// A right click on the row of this joint.
+  void menuWanted(const geargraph::ElementId& joint, QPoint globalPlace);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;

@@ -102,7 +102,7 @@ void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
     painter->setPen(qColor(ColorRole::ink, theme));
     painter->drawText(rect.adjusted(0, 4, 0, -20), Qt::AlignCenter, text);
     QFont small = font();
-    small.setPixelSize(kSmallPixels - 1);
+    small.setPixelSize(smallPixels() - 1);
     painter->setFont(small);
     painter->setPen(qColor(ColorRole::secondary, theme));
     painter->drawText(rect.adjusted(0, 21, 0, -3), Qt::AlignCenter,
@@ -139,7 +139,7 @@ StatesTable::StatesTable(StatesModel* model, QWidget* parent)
 int StatesTable::widthOf(int column) const {
   constexpr int kRowsMeasured = 200;
   QFont small = font();
-  small.setPixelSize(kSmallPixels - 1);
+  small.setPixelSize(smallPixels() - 1);
   QFont bold = font();
   bold.setBold(true);
   const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };

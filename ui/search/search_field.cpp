@@ -9,7 +9,7 @@
 namespace geargraph {
 namespace {
 
-constexpr int kWidth = 238;
+constexpr int kWidth = 266;
 constexpr int kPopupWidth = 520;
 constexpr int kPopupHeight = 400;
 constexpr int kPage = 10;
@@ -37,6 +37,10 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
   connect(this, &QLineEdit::textEdited, this, &SearchField::query);
   connect(m_popup, &SearchPopup::currentChanged, this, &SearchField::lightUp);
   connect(m_popup, &SearchPopup::chosen, this, &SearchField::choose);
+}
+
+QSize SearchField::sizeHint() const {
+  return {kWidth, QLineEdit::sizeHint().height()};
 }
 
 void SearchField::begin(Scope scope) {
@@ -74,7 +78,7 @@ void SearchField::place() {
   const QWidget* owner = m_popup->parentWidget();
   const QPoint corner = mapTo(owner, QPoint(width(), height() + 3));
   const int wide = std::min(kPopupWidth, owner->width() - 16);
-  const int high = std::min(kPopupHeight, owner->height() - corner.y() - 16);
+  const int high = std::min(m_popup->heightForResults(kPopupHeight), owner->height() - corner.y() - 16);
   m_popup->setGeometry(std::max(8, corner.x() - wide), corner.y(), wide, high);
 }
 

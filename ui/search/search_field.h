@@ -27,6 +27,8 @@ class SearchField : public QLineEdit {
   void begin(Scope scope = Scope::everything);
   void end();
 
+  [[nodiscard]] QSize sizeHint() const override;
+
   [[nodiscard]] SearchModel& model() { return *m_model; }
   [[nodiscard]] SearchPopup& popup() { return *m_popup; }
 

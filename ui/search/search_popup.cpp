@@ -31,7 +31,7 @@ class EntryDelegate : public QStyledItemDelegate {
     QRect room = option.rect.adjusted(kMargin, 0, -kMargin, 0);
     const QColor secondary = qColor(ColorRole::secondary, theme);
     QFont small = option.font;
-    small.setPixelSize(kSmallPixels);
+    small.setPixelSize(smallPixels());
     painter->setFont(small);
     painter->setPen(secondary);
     painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, index.data(SearchModel::KindRole).toString());
@@ -49,7 +49,7 @@ class EntryDelegate : public QStyledItemDelegate {
 
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& /*option*/,
                                const QModelIndex& /*index*/) const override {
-    return {200, kRowHeight};
+    return {200, scaledPixels(kRowHeight)};
   }
 };
 
@@ -139,6 +139,12 @@ void SearchPopup::showDefinition(Term term) {
   m_definition->setText(text);
   m_pages->setCurrentWidget(m_definition);
   m_detail->setText(tr("Type to search on; Esc closes."));
+}
+
+int SearchPopup::heightForResults(int most) const {
+  constexpr int kFewestRows = 4;
+  const int rows = std::max(m_model->rowCount(), kFewestRows);
+  return std::min(most, rows * scaledPixels(kRowHeight) + m_detail->minimumHeight() + 22);
 }
 
 bool SearchPopup::isDefinition() const {

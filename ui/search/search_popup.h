@@ -25,6 +25,8 @@ class SearchPopup : public QFrame {
 
   void showList(const QString& whyEmpty);
   void showDefinition(Term term);
+  /// What the results need, `most` at most and some lines at least.
+  [[nodiscard]] int heightForResults(int most) const;
   [[nodiscard]] bool isDefinition() const;
 
  signals:

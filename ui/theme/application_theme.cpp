@@ -2,11 +2,23 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QSettings>
 #include <QStyleFactory>
+#include <utility>
 
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph {
+namespace {
+
+constexpr int kBodyPixels = 13;
+constexpr int kSmallPixels = 12;
+constexpr std::pair<Theme, const char*> kThemeNames[] = {
+    {Theme::light, "light"}, {Theme::dark, "dark"}, {Theme::highContrast, "highContrast"}};
+const QString kThemeKey = QStringLiteral("theme");
+constexpr const char* kScaleProperty = "geargraphTypeScale";
+
+}  // namespace
 
 QColor qColor(Color color) {
   return QColor(color.red, color.green, color.blue);
@@ -17,7 +29,9 @@ QColor qColor(ColorRole role, Theme theme) {
 }
 
 Theme themeOf(const QPalette& palette) {
-  return palette.color(QPalette::Base).lightness() < 128 ? Theme::dark : Theme::light;
+  const QColor base = palette.color(QPalette::Base);
+  if (base == qColor(ColorRole::sheet, Theme::highContrast)) return Theme::highContrast;
+  return base.lightness() < 128 ? Theme::dark : Theme::light;
 }
 
 QPalette paletteOf(Theme theme) {
@@ -46,11 +60,39 @@ QPalette paletteOf(Theme theme) {
   return palette;
 }
 
-void applyTheme(QApplication& application, Theme theme) {
+Theme savedTheme() {
+  const QString name = QSettings().value(kThemeKey).toString();
+  for (const auto& [theme, saved] : kThemeNames) {
+    if (name == QLatin1String(saved)) return theme;
+  }
+  return Theme::light;
+}
+
+void saveTheme(Theme theme) {
+  for (const auto& [known, name] : kThemeNames) {
+    if (known == theme) QSettings().setValue(kThemeKey, QLatin1String(name));
+  }
+}
+
+int scaledPixels(int pixels) {
+  const double scale = QCoreApplication::instance()->property(kScaleProperty).toDouble();
+  return scale > 0 ? qRound(pixels * scale) : pixels;
+}
+
+int bodyPixels() {
+  return scaledPixels(kBodyPixels);
+}
+
+int smallPixels() {
+  return scaledPixels(kSmallPixels);
+}
+
+void applyTheme(QApplication& application, Theme theme, double typeScale) {
+  application.setProperty(kScaleProperty, typeScale);
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(paletteOf(theme));
   QFont font = application.font();
-  font.setPixelSize(kBodyPixels);
+  font.setPixelSize(bodyPixels());
   application.setFont(font);
   application.setStyleSheet(styleSheetOf(theme));
 }

@@ -19,12 +19,18 @@ namespace geargraph {
 /// The palette of the theme's colours, for all of the application.
 [[nodiscard]] QPalette paletteOf(Theme theme);
 
-/// Style, palette, style sheet and font of the whole program. May be called again to switch themes: widgets
-/// get a PaletteChange event and repaint.
-void applyTheme(QApplication& application, Theme theme);
+/// Style, palette, style sheet and font of the whole program, type `typeScale` times as large. May be called
+/// again to switch themes: widgets get a PaletteChange event and repaint.
+void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
 
-/// Body type, in pixels of a screen with 96 dots per inch.
-constexpr int kBodyPixels = 13;
-constexpr int kSmallPixels = 12;
+/// The theme that was chosen last, of the settings; light at first.
+[[nodiscard]] Theme savedTheme();
+void saveTheme(Theme theme);
+
+/// Body type and the smaller one, in pixels of a screen with 96 dots per inch, at the scale applied last.
+[[nodiscard]] int bodyPixels();
+[[nodiscard]] int smallPixels();
+/// A length that goes with the type.
+[[nodiscard]] int scaledPixels(int pixels);
 
 }  // namespace geargraph

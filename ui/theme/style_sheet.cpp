@@ -48,18 +48,21 @@ QLabel[look="problem"] { color: @error@; }
 QLabel[look="empty"] { color: @secondary@; padding: 24px; }
 QFrame[look="card"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 6px; }
 QFrame[look="card"] QLabel { border: none; background: transparent; }
+QLabel[look="note3d"] { background: @sheet@; color: @warning@; border: 1px solid @hairline@; border-radius: 5px;
+                        padding: 5px 10px; }
+QLabel[look="toast"] { background: @ink@; color: @sheet@; border-radius: 8px; padding: 10px 18px; }
 QFrame[look="rule"] { background: @hairline@; border: none; }
 QFrame[look="banner"] { background: @chosen@; border: 1px solid @hairline@; border-radius: 6px; }
 
 QToolButton[look="chip"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 11px;
-                           padding: 2px 11px; min-height: 17px; }
+                           padding: 2px 9px; min-height: 17px; }
 QToolButton[look="chip"]:hover { border-color: @accent@; }
 QToolButton[look="chip"]:checked { background: @chosen@; border-color: @accent@; color: @accent@; }
 QToolButton[look="count"], QToolButton[look="strongCount"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 10px;
-                            padding: 1px 12px; font-weight: bold; font-size: 12px; }
+                            padding: 1px 12px; font-weight: bold; font-size: @small@px; }
 QToolButton[look="count"]:hover { border-color: @accent@; }
 QToolButton[look="strongCount"] { background: @chosen@; color: @accent@; border-color: @halo@; }
-QToolButton[look="flat"] { border: none; background: transparent; color: @secondary@; padding: 3px 7px;
+QToolButton[look="flat"] { border: none; background: transparent; color: @secondary@; padding: 3px 5px;
                            border-radius: 4px; }
 QToolButton[look="flat"]:hover { background: @panel@; color: @ink@; }
 QToolButton[look="flat"]:checked { color: @accent@; }
@@ -109,7 +112,7 @@ struct NamedColor {
 constexpr NamedColor kNames[] = {
     {"@sheet@", ColorRole::sheet},       {"@ink@", ColorRole::ink},     {"@secondary@", ColorRole::secondary},
     {"@hairline@", ColorRole::hairline}, {"@panel@", ColorRole::panel}, {"@accent@", ColorRole::accent},
-    {"@halo@", ColorRole::halo},         {"@error@", ColorRole::error},
+    {"@halo@", ColorRole::halo},         {"@error@", ColorRole::error}, {"@warning@", ColorRole::warning},
 };
 
 }  // namespace
@@ -119,6 +122,7 @@ QString styleSheetOf(Theme theme) {
   for (const NamedColor& named : kNames) {
     sheet.replace(QLatin1String(named.name), qColor(named.role, theme).name());
   }
+  sheet.replace(QLatin1String("@small@"), QString::number(smallPixels()));
   // What is chosen stands on the halo, thinned with the sheet so that type on it stays readable.
   const QColor sheetColor = qColor(ColorRole::sheet, theme);
   const QColor halo = qColor(ColorRole::halo, theme);

@@ -31,4 +31,8 @@ Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> res
   return snap;
 }
 
+SheetPoint onGrid(SheetPoint point, double step) {
+  return {step * std::round(point.x / step), step * std::round(point.y / step)};
+}
+
 }  // namespace geargraph

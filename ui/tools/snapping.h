@@ -21,4 +21,7 @@ struct Snap {
 [[nodiscard]] Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx,
                            double dy, double reach);
 
+/// The nearest point of a square grid through the origin.
+[[nodiscard]] SheetPoint onGrid(SheetPoint point, double step);
+
 }  // namespace geargraph

@@ -44,6 +44,7 @@ class View3D::Private {
         viewer(selection),
         bar(new PlaybackBar(&playback, view)),
         emptyText(new QLabel(view)),
+        note(new QLabel(view)),
         painter(new QLabel(view)) {}
 
   void useGl();
@@ -61,6 +62,7 @@ class View3D::Private {
   PlaybackBar* bar;
   QWidget* buttons = nullptr;
   QLabel* emptyText;
+  QLabel* note;
   QLabel* painter;  ///< says so where the processor paints
   bool dark = false;
 };
@@ -146,6 +148,11 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->emptyText->setAlignment(Qt::AlignCenter);
   d->emptyText->setWordWrap(true);
   d->emptyText->setAttribute(Qt::WA_TransparentForMouseEvents);
+  d->note->setObjectName("view3dNote");
+  d->note->setProperty("look", "note3d");
+  d->note->setWordWrap(true);
+  d->note->setAttribute(Qt::WA_TransparentForMouseEvents);
+  d->note->hide();
   d->painter->setObjectName("view3dPainter");
   d->painter->move(12, 10);
   d->painter->hide();
@@ -185,6 +192,19 @@ void View3D::setEmptyText(const QString& text) {
   d->emptyText->setVisible(stage() == nullptr || stage()->scene.instances.empty());
   const bool moves = stage() != nullptr && stage()->place && !stage()->inputSpeeds.empty();
   d->bar->setVisible(moves);
+}
+
+void View3D::setNote(const QString& text) {
+  d->note->setText(text);
+  d->note->setVisible(!text.isEmpty());
+  placeNote();
+}
+
+void View3D::placeNote() {
+  constexpr int kMargin = 12;
+  const int wide = width() - 2 * kMargin;
+  const int high = d->note->heightForWidth(wide);
+  d->note->setGeometry(kMargin, d->buttons->geometry().bottom() + 6, wide, high);
 }
 
 Playback& View3D::playback() {
@@ -274,6 +294,7 @@ void View3D::resizeEvent(QResizeEvent* event) {
   const int height = d->bar->sizeHint().height();
   d->bar->setGeometry(96, this->height() - height, width() - 96, height);
   d->emptyText->setGeometry(rect().adjusted(30, 30, -30, -30));
+  placeNote();
   QWidget::resizeEvent(event);
 }
 

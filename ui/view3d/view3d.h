@@ -30,6 +30,8 @@ class View3D : public QWidget {
   [[nodiscard]] const StagePtr& stage() const;
   /// Shown in place of an empty stage: why there is nothing, and what to do.
   void setEmptyText(const QString& text);
+  /// A sentence over the picture: why it is not that of the document as it is now. Empty: it is.
+  void setNote(const QString& text);
 
   [[nodiscard]] Playback& playback();
   /// Angles that are added to what the time makes of the inputs (rad, one an input): dragging a part with
@@ -59,6 +61,8 @@ class View3D : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void placeNote();
+
   class Private;
   std::unique_ptr<Private> d;
 };

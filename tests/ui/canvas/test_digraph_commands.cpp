@@ -318,7 +318,7 @@ class TestDigraphCommands : public QObject {
     dark.setColor(QPalette::Window, QColor("#202020"));
     d.view.setPalette(dark);
     QCOMPARE(ground(), QString("#1e2227"));
-    d.view.setDark(false);
+    d.view.setTheme(Theme::light);
     QCOMPARE(ground(), QString("#ffffff"));
     d.view.setPalette(QPalette(QColor("#101010")));
     QCOMPARE(ground(), QString("#ffffff"));

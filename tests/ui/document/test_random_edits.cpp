@@ -137,7 +137,7 @@ class RandomEditsTest : public QObject {
     int refused = 0;
     quint64 gesture = 0;
     while (accepted < kEdits) {
-      if (below(8) == 0) gesture = below(3) == 0 ? document.newGesture() : 0;
+      if (below(8) == 0) gesture = below(8) == 0 ? document.newGesture() : 0;
       const Mechanism before = *document.mechanism();
       if (!document.apply({QStringLiteral("edit"), anyEdit(before), gesture})) {
         QVERIFY(*document.mechanism() == before);

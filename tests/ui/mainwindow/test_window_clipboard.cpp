@@ -55,7 +55,7 @@ class WindowClipboardTest : public QObject {
     QCOMPARE(now()->n(), 10);
     QCOMPARE(now()->t(), 8);  // 12, from 1 to 2; the joints to the ground stay behind
     QCOMPARE(now()->c(), 5);  // 16, from 5 to 2
-    const Link& copy = now()->links[9];
+    const Link& copy = now()->links.back();
     QCOMPARE(copy.name, before->find(LinkId("5"))->name);
     QVERIFY(before->find(copy.id) == nullptr);
     const SheetPoint from = before->view.nodes.at(LinkId("5"));

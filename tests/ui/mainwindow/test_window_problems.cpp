@@ -98,7 +98,10 @@ class WindowProblemsTest : public QObject {
   void whatTheTeethSayIsListed() {
     QVERIFY(window->openDocument(":/examples/spur-pair.geargraph"));
     QTRY_VERIFY(window->isSettled());
-    change([](const Mechanism& before) { return withTeeth(before, before.gearMeshes.front().id, 9, 18); });
+    change([](const Mechanism& before) {
+      const MeshId mesh = before.gearMeshes.front().id;
+      return withTeeth(*withPitchPoint(before, mesh, std::nullopt), mesh, 9, 18);
+    });
     QVERIFY2(codes().contains("undercut"), qPrintable(codes().join(' ')));
     QPushButton* more = fix("Use twice the teeth everywhere");
     QVERIFY(more != nullptr);

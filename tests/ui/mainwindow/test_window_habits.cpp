@@ -1,0 +1,261 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QStatusBar>
+#include <QTest>
+#include <QTextBrowser>
+#include <cmath>
+
+#include "core/mechanism/edits.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/presentation.h"
+#include "ui/mainwindow/shortcut_sheet.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_view.h"
+#include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+
+/// Menus on objects, themes, the presentation, and the picture that stays while a link hangs loose.
+class WindowHabitsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+
+  [[nodiscard]] const MechanismPtr& now() { return window->document().mechanism(); }
+  template <class Widget>
+  Widget* part(const char* name) {
+    return window->findChild<Widget*>(QLatin1String(name));
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&window->digraph(), key, modifiers);
+  }
+  template <class Reduce>
+  void change(Reduce reduce) {
+    window->document().apply({QStringLiteral("Change"), reduce, 0});
+    QTRY_VERIFY(window->isSettled());
+  }
+  static QAction* entry(QMenu* menu, const QString& start) {
+    for (QAction* action : menu->actions()) {
+      if (action->text().startsWith(start)) return action;
+    }
+    return nullptr;
+  }
+  std::unique_ptr<QMenu> menuOf(int link) {
+    return std::unique_ptr<QMenu>(window->digraph().contextMenuAt(test::Hand(*window).placeOf(link)));
+  }
+  [[nodiscard]] QStringList shownDocks() {
+    QStringList names;
+    for (auto* dock : window->findChildren<QDockWidget*>()) {
+      if (!dock->isHidden()) names << dock->objectName();
+    }
+    names.sort();
+    return names;
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    window = std::make_unique<MainWindow>();
+    QVERIFY(window->openDocument(robotExamplePath()));
+    window->show();
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    QTRY_VERIFY(window->isSettled());
+    window->digraph().setFocus();
+  }
+  void cleanup() { window.reset(); }
+
+  void aGearIsAttachedFromTheMenu() {
+    const std::unique_ptr<QMenu> menu = menuOf(6);
+    QAction* attach = entry(menu.get(), "Attach a gear");
+    QVERIFY(attach != nullptr && attach->isEnabled());
+    attach->trigger();
+    QCOMPARE(now()->n(), 8);
+    QCOMPARE(now()->turningJoints.back().tail, LinkId("1"));  // link 6 turns on carrier 1
+    QCOMPARE(now()->turningJoints.back().head, now()->links.back().id);
+    QCOMPARE(now()->gearMeshes.back().tail, LinkId("6"));
+    QCOMPARE(now()->gearMeshes.back().head, now()->links.back().id);
+    QCOMPARE(window->selection().selected(), std::set<ElementId>{now()->links.back().id});
+    QVERIFY(now()->view.nodes.contains(now()->links.back().id));
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(!hasErrors(window->analysis().snapshot()->diagnostics));
+    press(Qt::Key_G, Qt::ControlModifier);  // and one on that
+    QCOMPARE(now()->n(), 9);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(now()->n(), 7);
+  }
+
+  void whatTheGroundCannotDoIsSaid() {
+    const std::unique_ptr<QMenu> menu = menuOf(0);
+    for (const char* what : {"Attach a gear", "Drive it", "Make it the ground", "Delete"}) {
+      QAction* action = entry(menu.get(), what);
+      QVERIFY2(action != nullptr && !action->isEnabled(), what);
+      QVERIFY2(action->text().contains('('), what);  // the reason
+    }
+    window->selection().select({LinkId("0")});
+    QVERIFY(!window->actions().attachGear->isEnabled());
+    QCOMPARE(window->actions().attachGear->toolTip(),
+             QString("No gear can be attached: the ground does not move."));
+  }
+
+  void theGroundStaysWhenEverythingIsDeleted() {
+    press(Qt::Key_A, Qt::ControlModifier);
+    press(Qt::Key_Backspace);
+    QCOMPARE(now()->n(), 0);
+    QCOMPARE(now()->t(), 0);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(now()->n(), 7);
+  }
+
+  void labelsOfTheMatricesHaveTheSameMenu() {
+    MatrixView& view = window->matrices().view();
+    QHeaderView* header = view.horizontalHeader();
+    const QPoint at(header->sectionViewportPosition(2) + 8, header->height() / 2);
+    emit header->customContextMenuRequested(at);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QVERIFY(menu != nullptr);
+    QCOMPARE(window->selection().selected(), std::set<ElementId>{JointId("10")});
+    entry(menu, "Flip")->trigger();
+    menu->close();
+    QCOMPARE(now()->find(JointId("10"))->tail, LinkId("1"));
+  }
+
+  void themesAreChosenAndRemembered() {
+    window->actions().highContrast->trigger();
+    QCOMPARE(themeOf(QApplication::palette()), Theme::highContrast);
+    QCOMPARE(window->digraph().theme(), Theme::highContrast);
+    QCOMPARE(savedTheme(), Theme::highContrast);
+    QCOMPARE(QApplication::palette().color(QPalette::Base), QColor(Qt::black));
+    window->actions().dark->trigger();
+    QCOMPARE(themeOf(QApplication::palette()), Theme::dark);
+    window->actions().light->trigger();
+    QCOMPARE(savedTheme(), Theme::light);
+    QVERIFY(window->actions().light->isChecked());
+  }
+
+  void thePresentationIsLargeAndBareAndGoesAway() {
+    const QStringList before = shownDocks();
+    press(Qt::Key_F11);
+    QVERIFY(window->presentation().isOn());
+    QVERIFY(window->isFullScreen());
+    QCOMPARE(QApplication::font().pixelSize(), 20);
+    QVERIFY(!window->menuBar()->isVisible() && !window->statusBar()->isVisible());
+    QVERIFY(part<QLabel>("presentationHint")->text().contains("F11"));
+    QCOMPARE(shownDocks(), QStringList{"dock.matrices"});
+    press(Qt::Key_3, Qt::AltModifier);  // the 3D view too
+    QCOMPARE(shownDocks(), (QStringList{"dock.matrices", "dock.view3d"}));
+    press(Qt::Key_F11);
+    QVERIFY(!window->isFullScreen());
+    QCOMPARE(QApplication::font().pixelSize(), 13);
+    QVERIFY(window->menuBar()->isVisible() && window->statusBar()->isVisible());
+    QCOMPARE(shownDocks(), before);
+    press(Qt::Key_F11);  // as it was chosen
+    QCOMPARE(shownDocks(), (QStringList{"dock.matrices", "dock.view3d"}));
+    window->document().undoStack().setClean();
+    QVERIFY(window->close());
+    QVERIFY(!window->presentation().isOn());  // the layout for work is what is kept
+  }
+
+  void thePictureStaysWhileALinkHangsLoose() {
+    const StagePtr before = window->view3d().stage();
+    QVERIFY(!before->scene.instances.empty());
+    change([](const Mechanism& m) { return withLink(m, SheetPoint{600, 40}); });
+    QCOMPARE(window->view3d().stage().get(), before.get());
+    auto* note = part<QLabel>("view3dNote");
+    QVERIFY(note->isVisible());
+    QVERIFY2(note->text().contains("Link 8 is not tied"), qPrintable(note->text()));
+    change([](const Mechanism& m) { return withTurningJoint(m, m.links.front().id, m.links.back().id); });
+    QVERIFY(!note->isVisible());
+    QVERIFY(window->view3d().stage().get() != before.get());
+  }
+
+  void whatIsGoneCannotBeSelectedInTheLastPicture() {
+    const ElementId gone[] = {LinkId("2")};
+    change([&](const Mechanism& m) { return withoutElements(m, gone); });
+    QVERIFY(part<QLabel>("view3dNote")->isVisible());
+    window->selection().select({gone[0]});  // as a click on its wheel does
+    QVERIFY(window->selection().selected().empty());
+    window->selection().hover(gone[0]);
+    const MechanismPtr before = now();
+    press(Qt::Key_Delete);
+    QCOMPARE(now().get(), before.get());
+  }
+
+  void anotherDocumentDoesNotKeepThePicture() {
+    window->document().replace(*withLink(emptyMechanism(), SheetPoint{0, 0}), {});
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(window->view3d().stage()->scene.instances.empty());
+    QVERIFY(!part<QLabel>("view3dNote")->isVisible());
+  }
+
+  void nodesKeepToTheGrid() {
+    press(Qt::Key_NumberSign);
+    QVERIFY(window->actions().grid->isChecked());
+    const auto isOnGrid = [](SheetPoint p) { return std::fmod(p.x, 20) == 0 && std::fmod(p.y, 20) == 0; };
+    const auto placeOf = [this](const char* id) { return now()->view.nodes.at(LinkId(id)); };
+    QVERIFY(!isOnGrid(placeOf("1")));  // nothing moves by itself
+    QWidget* sheet = window->digraph().viewport();
+    const QPoint from = test::Hand(*window).placeOf(1);
+    const auto dragWith = [&](Qt::KeyboardModifiers modifiers, QPoint by) {
+      const QPoint start = test::Hand(*window).placeOf(1);
+      QTest::mousePress(sheet, Qt::LeftButton, modifiers, start);
+      for (int step = 1; step <= 4; ++step) {
+        QMouseEvent move(QEvent::MouseMove, start + by * step / 4, sheet->mapToGlobal(start + by * step / 4),
+                         Qt::NoButton, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(sheet, &move);
+      }
+      QTest::mouseRelease(sheet, Qt::LeftButton, modifiers, start + by);
+    };
+    dragWith({}, {33, 27});
+    QVERIFY(test::Hand(*window).placeOf(1) != from);
+    QVERIFY(isOnGrid(placeOf("1")));
+    dragWith(Qt::AltModifier, {13, 8});
+    QVERIFY(!isOnGrid(placeOf("1")));
+    press(Qt::Key_NumberSign);
+    QVERIFY(!window->actions().grid->isChecked());
+  }
+
+  void allKeysStandOnOneSheet() {
+    press(Qt::Key_F1);
+    auto* sheet = part<ShortcutSheet>("shortcutSheet");
+    QVERIFY(sheet != nullptr && sheet->isVisible());
+    const QString text = sheet->findChild<QTextBrowser*>()->toPlainText();
+    for (const char* key : {"Ctrl+K", "F11", "Ctrl+D", "Alt+1", "Ctrl+G", "Space", "Shift+F"}) {
+      QVERIFY2(text.contains(key), key);
+    }
+    sheet->close();
+    // No key stands for two commands.
+    QStringList keys;
+    for (const QAction* action : window->findChildren<QAction*>()) {
+      for (const QKeySequence& key : action->shortcuts()) keys << key.toString();
+    }
+    QCOMPARE(keys.removeDuplicates(), 0);
+  }
+
+  void menusReadCleanly() {
+    QStringList titles;
+    for (const QAction* top : window->menuBar()->actions()) titles << top->text().remove('&');
+    QCOMPARE(titles, (QStringList{"File", "Edit", "View", "Mechanism", "Motion", "Learn", "Help"}));
+    for (const QAction* action : window->findChildren<QAction*>()) {
+      QVERIFY2(!action->text().contains("..."), qPrintable(action->text()));
+      QVERIFY2(!action->text().contains(QStringLiteral("  ")), qPrintable(action->text()));
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowHabitsTest)
+#include "test_window_habits.moc"

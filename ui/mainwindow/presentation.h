@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+
+class QLabel;
+class QMainWindow;
+
+namespace geargraph {
+
+/// The window as a lecture hall wants it: full screen, large type, no bars, the drawing and the panels that
+/// were chosen. The choice is remembered apart from the layout for work; either comes back as it was.
+class Presentation : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr double kTypeScale = 1.5;
+
+  explicit Presentation(QMainWindow* window);
+
+  [[nodiscard]] bool isOn() const { return m_on; }
+
+ public slots:
+  void setOn(bool on);
+  void toggle() { setOn(!m_on); }
+
+ signals:
+  void changed(bool on);
+
+ private:
+  void enter();
+  void leave();
+  void setBarsVisible(bool visible);
+  void choosePanels();
+  void showHint();
+
+  QMainWindow* m_window;
+  QLabel* m_hint = nullptr;
+  QByteArray m_workLayout;
+  QByteArray m_workGeometry;
+  Qt::WindowStates m_workState;
+  bool m_on = false;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,111 @@
+#include "ui/mainwindow/shortcut_sheet.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTextBrowser>
+
+#include "ui/search/search_entries.h"
+
+namespace geargraph {
+namespace {
+
+struct Row {
+  QString what;
+  QString keys;
+};
+
+struct Group {
+  QString title;
+  std::vector<Row> rows;
+};
+
+void addRows(const QMenu& menu, std::vector<Row>& rows) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu() != nullptr) {
+      addRows(*action->menu(), rows);
+      continue;
+    }
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    const QString named = action->text().section(QLatin1Char('\t'), 1);
+    if (keys.isEmpty() && !named.isEmpty()) keys << named;
+    if (!keys.isEmpty()) rows.push_back({plainText(action->text()), keys.join(QStringLiteral(", "))});
+  }
+}
+
+std::vector<Group> groupsOf(const QMenuBar& menus) {
+  std::vector<Group> groups;
+  for (const QAction* top : menus.actions()) {
+    if (top->menu() == nullptr) continue;
+    Group group{plainText(top->text()), {}};
+    addRows(*top->menu(), group.rows);
+    if (!group.rows.empty()) groups.push_back(std::move(group));
+  }
+  const auto tr = [](const char* text) { return ShortcutSheet::tr(text); };
+  groups.push_back({tr("In a drawing"),
+                    {{tr("Play, pause"), tr("Space")},
+                     {tr("Move the sheet"), tr("Space or middle button, and drag")},
+                     {tr("Zoom at the mouse"), tr("Wheel")},
+                     {tr("Fit"), tr("F")},
+                     {tr("Fit what is selected"), tr("Shift+F")},
+                     {tr("Nudge; finer"), tr("Arrow keys; with Shift")},
+                     {tr("Add to the selection"), tr("Shift or Ctrl, and click")},
+                     {tr("Drag without snapping"), tr("Alt")},
+                     {tr("Rename in place"), tr("Double click")},
+                     {tr("Give up, deselect, back to Select"), tr("Esc")}}});
+  groups.push_back({tr("In the 3D view"),
+                    {{tr("Play, pause"), tr("Space")},
+                     {tr("Step back, step on"), tr("Comma, point")},
+                     {tr("Fit"), tr("F, Home")},
+                     {tr("Isometric, front, right, top"), tr("0, 1, 2, 3")},
+                     {tr("Orbit"), tr("Drag, arrow keys")},
+                     {tr("Zoom"), tr("Wheel, + and −")},
+                     {tr("Turn a part by hand"), tr("Ctrl, and drag")}}});
+  return groups;
+}
+
+QString htmlOf(const Group& group) {
+  QString html = QStringLiteral("<h4>%1</h4><table width='100%' cellspacing='0' cellpadding='2'>")
+                     .arg(group.title.toHtmlEscaped());
+  for (const Row& row : group.rows) {
+    html += QStringLiteral("<tr><td>%1</td><td align='right'><b>%2</b></td></tr>")
+                .arg(row.what.toHtmlEscaped(), row.keys.toHtmlEscaped());
+  }
+  return html + QStringLiteral("</table>");
+}
+
+}  // namespace
+
+QString ShortcutSheet::textFor(const QMenuBar& menus) {
+  const std::vector<Group> groups = groupsOf(menus);
+  std::size_t all = 0;
+  for (const Group& group : groups) all += group.rows.size() + 2;
+  QString left;
+  QString right;
+  std::size_t placed = 0;
+  for (const Group& group : groups) {
+    (2 * placed < all ? left : right) += htmlOf(group);
+    placed += group.rows.size() + 2;
+  }
+  return QStringLiteral(
+             "<table width='100%' cellpadding='10'><tr><td width='50%'>%1</td><td "
+             "width='50%'>%2</td></tr></table>")
+      .arg(left, right);
+}
+
+ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("shortcutSheet"));
+  setWindowTitle(tr("Keyboard shortcuts"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* text = new QTextBrowser(this);
+  text->setFrameShape(QFrame::NoFrame);
+  text->setHtml(textFor(menus));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(text);
+  resize(820, 640);
+}
+
+}  // namespace geargraph
