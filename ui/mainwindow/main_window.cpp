@@ -392,15 +392,17 @@ void MainWindow::restoreLayout() {
 
 void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
   if (!geometry.isEmpty()) restoreGeometry(geometry);
-  if (!state.isEmpty()) m_layoutApplied = restoreState(state);
-  m_notices->renew();
+  m_layout = state;
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (m_layoutApplied) return;
   m_layoutApplied = true;
-  applyDefaultLayout();
+  // Not before: a window that has no size yet squeezes its docks.
+  if (m_layout.isEmpty() || !restoreState(m_layout)) applyDefaultLayout();
+  m_notices->renew();
+  drawing().setFocus();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
