@@ -19,19 +19,21 @@ int run(const Arguments& arguments) {
     if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
     return exportAssembly(arguments);
   }
-  if (form == "png") {
+  if (const auto picture = pictureFormFromName(form)) {
     if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    return exportPicture(arguments);
+    const bool solid = picture == PictureForm::png && arguments.value("--view") == "3d";
+    return solid ? exportPicture(arguments) : exportDrawing(arguments, *picture);
   }
   if (form != "csv")
-    return wrongUsage(kExport, "--to is one of csv, png, stl, obj, ply, glb, 3mf, assembly.");
+    return wrongUsage(kExport, "--to is one of csv, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
   return exportCsv(arguments);
 }
 
 constexpr std::array kOptions = {
     Option{"--to", "FORM",
-           "csv: matrices; png: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
+           "csv: matrices; svg, pdf, png: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a "
+           "check"},
     Option{"--matrix", "NAME",
            "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
     Option{"--all", "", "every matrix, into the folder that -o names"},
@@ -45,12 +47,12 @@ constexpr std::array kOptions = {
     Option{"--link", "LABEL", "the solids of one link"},
     Option{"--animate", "SECONDS", "with glb: how long one period plays (without: as long as it takes)"},
     Option{"--tolerance", "MODULES", "of solids: farthest chord from the exact form (0.002)"},
-    Option{"--view", "NAME", "with png: 3d, the train"},
-    Option{"--size", "WxH", "with png: pixels (1600x1000)"},
-    Option{"--from", "NAME", "with png: front, back, left, right, top, bottom or iso"},
-    Option{"--time", "SECONDS", "with png: how far the inputs have turned (0)"},
-    Option{"--dark", "", "with png: on a dark ground"},
-    Option{"--transparent", "", "with png: on no ground"},
+    Option{"--view", "NAME", "of pictures: digraph, ttgraph or schematic; with png also 3d, the train"},
+    Option{"--size", "WxH", "of pictures: pixels (as large as the drawing is; 3d: 1600x1000)"},
+    Option{"--from", "NAME", "of 3d: front, back, left, right, top, bottom or iso"},
+    Option{"--time", "SECONDS", "of 3d: how far the inputs have turned (0)"},
+    Option{"--dark", "", "of pictures: on a dark ground"},
+    Option{"--transparent", "", "of pictures: on no ground"},
     Option{"--frames", "N", "with assembly: poses of every gear, 12 or more (24)"},
 };
 

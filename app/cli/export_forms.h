@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "core/meshfile/mesh_format.h"
+#include "core/picture/picture.h"
 
 namespace geargraph::cli {
 
@@ -19,5 +20,17 @@ int exportAssembly(const Arguments& arguments);
 /// `export FILE --to png --view 3d [--size WxH] [--from VIEW] [--time SECONDS] [--dark] [--transparent] -o
 /// OUT`.
 int exportPicture(const Arguments& arguments);
+
+/// `export FILE --to svg/pdf/png --view NAME [--size WxH] [--dark] [--transparent] -o OUT`.
+int exportDrawing(const Arguments& arguments, PictureForm form);
+
+// What both kinds of pictures share.
+
+/// Width and height from "WxH", each at least kLeastPictureSide and at most `most`.
+[[nodiscard]] std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most);
+/// What is wrong with another one, as a sentence.
+[[nodiscard]] std::string wrongSize(std::string_view text, int most);
+/// To the file, whole or not at all, or for "-" to standard output; the exit status.
+int writePicture(std::string_view bytes, const std::string& path);
 
 }  // namespace geargraph::cli

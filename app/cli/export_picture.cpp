@@ -26,17 +26,6 @@ std::optional<Number> wholeText(std::string_view text) {
   return value;
 }
 
-std::optional<Viewport> sizeOf(std::string_view text) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) return std::nullopt;
-  const auto width = wholeText<int>(text.substr(0, cross)), height = wholeText<int>(text.substr(cross + 1));
-  const auto fits = [](const auto& side) {
-    return side && *side >= kLeastPictureSide && *side <= kMostPictureSide;
-  };
-  if (!fits(width) || !fits(height)) return std::nullopt;
-  return Viewport{*width, *height};
-}
-
 std::optional<StandardView> viewNamed(std::string_view name) {
   constexpr std::array kViews = {
       std::pair{"front", StandardView::front},  std::pair{"back", StandardView::back},
@@ -54,12 +43,9 @@ std::variant<PictureOptions, UsageError> pictureOptions(const Arguments& argumen
   options.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
   options.transparent = arguments.has("--transparent");
   if (const auto text = arguments.value("--size")) {
-    const auto size = sizeOf(*text);
-    if (!size) {
-      return UsageError{"--size takes WIDTHxHEIGHT, each from " + std::to_string(kLeastPictureSide) + " to " +
-                        std::to_string(kMostPictureSide) + ", not \"" + *text + "\"."};
-    }
-    options.size = *size;
+    const auto size = pictureSize(*text, kMostPictureSide);
+    if (!size) return UsageError{wrongSize(*text, kMostPictureSide)};
+    options.size = {size->first, size->second};
   }
   if (const auto text = arguments.value("--from")) {
     options.from = viewNamed(*text);
@@ -73,9 +59,23 @@ std::variant<PictureOptions, UsageError> pictureOptions(const Arguments& argumen
   return options;
 }
 
-int write(const Image& image, const std::string& path) {
-  const std::vector<std::uint8_t> png = pngBytes(image);
-  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());  // NOLINT
+}  // namespace
+
+std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = wholeText<int>(text.substr(0, cross)), height = wholeText<int>(text.substr(cross + 1));
+  const auto fits = [most](const auto& side) { return side && *side >= kLeastPictureSide && *side <= most; };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+std::string wrongSize(std::string_view text, int most) {
+  return "--size takes WIDTHxHEIGHT, each from " + std::to_string(kLeastPictureSide) + " to " +
+         std::to_string(most) + ", not \"" + std::string(text) + "\".";
+}
+
+int writePicture(std::string_view bytes, const std::string& path) {
   if (path == "-") {
     DescriptorSink out(STDOUT_FILENO);
     out.write(bytes);
@@ -85,12 +85,7 @@ int write(const Image& image, const std::string& path) {
   return error ? fileFailure(error->message) : kFine;
 }
 
-}  // namespace
-
 int exportPicture(const Arguments& arguments) {
-  if (arguments.value("--view").value_or("") != "3d") {
-    return wrongUsage(kExport, "--to png needs --view 3d.");
-  }
   const auto options = pictureOptions(arguments);
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
   const std::string& file = arguments.files.front();
@@ -110,7 +105,9 @@ int exportPicture(const Arguments& arguments) {
     std::cerr << "geargraph-cli: " << image.error().front().message << '\n';
     return kResourceLimit;
   }
-  const int written = write(*image, *arguments.value("-o"));
+  const std::vector<std::uint8_t> png = pngBytes(*image);
+  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());  // NOLINT
+  const int written = writePicture(bytes, *arguments.value("-o"));
   if (written != kFine) return written;
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
 }

@@ -28,10 +28,13 @@ CommandLine readCommandLine(const QStringList& arguments) {
                                       QStringLiteral("file"));
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window, e.g. 1366x768."),
                                 QStringLiteral("WxH"));
+  const QCommandLineOption drawing(QStringLiteral("drawing"),
+                                   QStringLiteral("Of a screenshot: the drawing in front, digraph, ttgraph or schematic."),
+                                   QStringLiteral("name"));
   const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
   const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));
   const QCommandLineOption contrast(QStringLiteral("high-contrast"), QStringLiteral("Light on black."));
-  parser.addOptions({screenshot, size, dark, light, contrast});
+  parser.addOptions({screenshot, size, drawing, dark, light, contrast});
   parser.addPositionalArgument(QStringLiteral("documents"),
                                QStringLiteral("Documents to open, a window each."),
                                QStringLiteral("[documents…]"));
@@ -40,6 +43,7 @@ CommandLine readCommandLine(const QStringList& arguments) {
   CommandLine line;
   line.documents = parser.positionalArguments();
   if (parser.isSet(screenshot)) line.screenshot = parser.value(screenshot);
+  if (parser.isSet(drawing)) line.drawing = parser.value(drawing);
   if (parser.isSet(dark)) line.theme = Theme::dark;
   if (parser.isSet(light)) line.theme = Theme::light;
   if (parser.isSet(contrast)) line.theme = Theme::highContrast;

@@ -12,6 +12,7 @@ namespace geargraph {
 struct CommandLine {
   QStringList documents;
   std::optional<QString> screenshot;  ///< render the window to this file and exit
+  std::optional<QString> drawing;     ///< of a screenshot: the drawing in front
   std::optional<Theme> theme;
   std::optional<QSize> size;
 };

@@ -28,6 +28,10 @@ int screenshot(const CommandLine& line) {
     qCritical("Cannot open %s.", qPrintable(document));
     return 2;
   }
+  if (line.drawing && !window.showDrawing(*line.drawing)) {
+    qCritical("There is no drawing %s.", qPrintable(*line.drawing));
+    return 2;
+  }
   QObject::connect(
       &window, &MainWindow::settled, &window,
       [&] {

@@ -1,5 +1,6 @@
 #include "core/drawing/digraph_drawing.h"
 
+#include "core/drawing/arrow_marks.h"
 #include "core/drawing/edge_routing.h"
 
 namespace geargraph {
@@ -22,21 +23,6 @@ double nodeLabelSize(int label) {
   return label < 1000 ? 13 : 11;
 }
 
-/// Collects marks of one element.
-class Pen {
- public:
-  Pen(DisplayList& list, ElementId element) : m_list(list), m_element(element) {}
-
-  template <class What>
-  void put(MarkRole role, int z, What what) {
-    m_list.marks.push_back({m_element, role, z, std::move(what)});
-  }
-
- private:
-  DisplayList& m_list;
-  ElementId m_element;
-};
-
 void drawHatching(Pen& pen, const NodePlace& ground) {
   const SheetPoint out = *ground.groundSide;
   const SheetPoint along = turned(out);
@@ -58,46 +44,6 @@ void drawBadge(Pen& pen, const NodePlace& node) {
   pen.put(MarkRole::input, kBadgeDepth, Stroke{box, ColorRole::input, 1.2, Dash::solid});
   pen.put(MarkRole::input, kBadgeDepth,
           Text{"motor", node.badgeCenter, kBadgeTextSize, false, ColorRole::inputInk});
-}
-
-/// The arrow's tip with its wings; the line ends inside of it.
-Polyline arrowhead(const Curve& curve) {
-  const SheetPoint tip = curve.to;
-  const SheetPoint along = curve.isStraight()
-                               ? curve.direction(1)
-                               : unit(tip - curve.at(1 - 6 / std::max(12.0, distance(curve.from, tip))));
-  const double size = std::min(kArrowLength, distance(curve.from, tip) * 0.6);
-  const SheetPoint base = tip - size * along;
-  const SheetPoint wing = (size / kArrowLength * kArrowHalfWidth) * turned(along);
-  return {{tip, base + wing, base - wing}, true};
-}
-
-/// The line without the part that the arrowhead covers, so that its blunt end does not show beside the tip.
-Curve shaft(const Curve& curve) {
-  const double span = distance(curve.from, curve.to);
-  if (span < 1e-9) return curve;
-  const double covered = std::min(kArrowLength * 0.8, span * 0.5);
-  return curve.part(0, 1 - covered / span);
-}
-
-void drawArrow(Pen& pen, const EdgePlace& edge, const Tint& tint) {
-  const Dash dash = edge.isMesh() ? Dash::dashed : Dash::solid;
-  const double width = edge.isMesh() ? kMeshWidth : kTurningWidth;
-  pen.put(MarkRole::line, kLineDepth, Stroke{shaft(edge.curve), tint, width, dash});
-  pen.put(MarkRole::arrowhead, kLineDepth, Fill{arrowhead(edge.curve), tint});
-}
-
-/// A chevron on the line that points where the walk of a cycle goes.
-void drawWalk(Pen& pen, const EdgePlace& edge, int walk) {
-  constexpr double kSize = 5;
-  const SheetPoint middle = edge.curve.at(0.5);
-  const SheetPoint along = static_cast<double>(walk) * edge.curve.direction(0.5);
-  const SheetPoint tip = middle + kSize * along;
-  const SheetPoint wing = kSize * turned(along);
-  const SheetPoint tail = middle - kSize * along;
-  pen.put(
-      MarkRole::walk, kLineDepth + 1,
-      Fill{Polyline{{tip, tail + wing, middle - 0.4 * kSize * along, tail - wing}, true}, ColorRole::accent});
 }
 
 }  // namespace
@@ -138,8 +84,9 @@ DisplayList edgeDrawing(const EdgePlace& edge, const Emphasis& emphasis) {
   }
   const bool accented = emphasis.selected || emphasis.walk != 0;
   const Tint tint = accented ? ColorRole::accent : ColorRole::ink;
-  drawArrow(pen, edge, tint);
-  if (emphasis.walk != 0) drawWalk(pen, edge, emphasis.walk);
+  drawArrow(pen, edge.curve, tint, edge.isMesh() ? kMeshWidth : kTurningWidth,
+            edge.isMesh() ? Dash::dashed : Dash::solid);
+  if (emphasis.walk != 0) drawWalk(pen, edge.curve, emphasis.walk, tint);
   pen.put(MarkRole::label, kLabelDepth,
           Text{labelText(edge.label), edge.labelCenter, kLabelSize, true, tint});
   list.outlines.push_back({edge.element, kLineDepth, edge.curve, kHitHalfWidth});

@@ -35,6 +35,7 @@ struct NodePlace {
   std::optional<SheetPoint> groundSide;  ///< ground only: where the hatching is, a unit vector
   std::optional<JointId> input;          ///< the driven joint that moves this link
   SheetPoint badgeCenter;                ///< of the "motor" badge, if there is an input
+  bool badgeCrowded = false;             ///< no place was free for it
   friend bool operator==(const NodePlace&, const NodePlace&) = default;
 };
 

@@ -15,7 +15,7 @@ constexpr double kDetourStep = 16;
 constexpr double kLongestDetourStep = 60;
 constexpr int kDetours = 12;           ///< sizes that are tried
 constexpr int kDetoursInACrowd = 3;    ///< where there are many arrows, few of them can be helped
-constexpr int kCrowd = 400;            ///< arrows
+constexpr std::size_t kCrowd = 400;    ///< arrows
 constexpr double kMostAside = 1.25;    ///< times its size: how far a detour is off the straight line
 constexpr int kMostHits = 4;           ///< more count as many
 constexpr std::size_t kFewMoved = 16;  ///< places, for which looking at what they concern pays
@@ -102,10 +102,22 @@ Courses routedEdges(const Digraph& graph, const Centers& centers, const Obstacle
   return reroutedEdges(graph, centers, nodes, {}, Courses(static_cast<std::size_t>(graph.edgeCount())));
 }
 
+Courses routedEdges(std::span<const DigraphEdge> edges, const std::vector<double>& offsets,
+                    const Centers& centers, const ObstacleGrid& nodes) {
+  const int mostSteps = edges.size() > kCrowd ? kDetoursInACrowd : kDetours;
+  Courses courses(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& from = centers[static_cast<std::size_t>(edges[e].tail)];
+    const auto& to = centers[static_cast<std::size_t>(edges[e].head)];
+    if (from && to) courses[e] = detour(*from, *to, offsets[e], nodes, edges[e], mostSteps);
+  }
+  return courses;
+}
+
 Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
                       const std::vector<SheetPoint>& moved, const Courses& former) {
   const bool fewMoved = moved.size() <= kFewMoved;
-  const int mostSteps = graph.edgeCount() > kCrowd ? kDetoursInACrowd : kDetours;
+  const int mostSteps = static_cast<std::size_t>(graph.edgeCount()) > kCrowd ? kDetoursInACrowd : kDetours;
   const std::vector<double> heights = parallelHeights(graph);
   Courses courses(static_cast<std::size_t>(graph.edgeCount()));
   for (std::size_t e = 0; e < courses.size(); ++e) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/drawing/obstacle_grid.h"
@@ -21,6 +22,11 @@ using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; 
 /// The arrow's course for every edge of the digraph. `nodes` holds the circles of the nodes, owned by their
 /// ordinals.
 [[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
+
+/// The same for any lines between nodes, each pushed aside by so much to begin with: to the left, seen from
+/// its tail on the sheet.
+[[nodiscard]] Courses routedEdges(std::span<const DigraphEdge> edges, const std::vector<double>& offsets,
+                                  const Centers& centers, const ObstacleGrid& nodes);
 
 /// The same, faster: `former` holds the courses of arrows that ran between the same two links before, and
 /// `moved` the places that nodes have left or taken since. A course is taken over where none of them could

@@ -12,6 +12,7 @@ struct Emphasis {
   bool selected = false;  ///< accent with a halo
   /// On a cycle that is shown: +1 where its walk runs along the arrow, -1 against it, 0 not on it.
   int walk = 0;
+  bool second = false;  ///< that walk is the second of two that are shown: it has a colour of its own
 
   [[nodiscard]] bool any() const { return hovered || selected || walk != 0; }
   friend bool operator==(const Emphasis&, const Emphasis&) = default;

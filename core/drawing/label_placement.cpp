@@ -19,7 +19,8 @@ Extent beside(const Curve& curve, double t, int side, double gap, double halfWid
 }
 
 constexpr std::array<double, 3> kRoominess{5, 10, 18};  ///< gaps that are tried around a free place
-constexpr std::array<double, 3> kDistances{kNearLine, kNearLine + 7, kNearLine + 16};
+constexpr std::array<double, 5> kDistances{kNearLine, kNearLine + 7, kNearLine + 16, kNearLine + 27,
+                                           kNearLine + 40};
 constexpr std::array<double, 21> kPlaces{0.5,  0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7,
                                          0.26, 0.74, 0.22, 0.78, 0.18, 0.82, 0.14, 0.86, 0.1,  0.9};
 
@@ -72,8 +73,8 @@ bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight, cons
   return former.crowded;
 }
 
-SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
-  constexpr std::array<SheetPoint, 16> kOffsets{{{-34, -22},
+LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
+  constexpr std::array<SheetPoint, 24> kOffsets{{{-34, -22},
                                                  {34, -22},
                                                  {-34, 22},
                                                  {34, 22},
@@ -89,11 +90,20 @@ SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken)
                                                  {-18, -31},
                                                  {18, -31},
                                                  {-18, 31},
-                                                 {18, 31}}};
+                                                 {18, 31},
+                                                 // And farther out, where arrows bend round the node.
+                                                 {-40, -32},
+                                                 {40, -32},
+                                                 {-40, 32},
+                                                 {40, 32},
+                                                 {-50, -14},
+                                                 {50, -14},
+                                                 {-50, 14},
+                                                 {50, 14}}};
   for (const SheetPoint offset : kOffsets) {
-    if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return center + offset;
+    if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return {center + offset, false};
   }
-  return center + kOffsets.front();
+  return {center + kOffsets.front(), true};
 }
 
 std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,

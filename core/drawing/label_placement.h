@@ -22,8 +22,9 @@ struct LabelPlace {
 [[nodiscard]] bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight,
                                  const LabelPlace& former, const ObstacleGrid& changed);
 
-/// Where a badge goes at a node: a corner of it that is free, the upper left one first.
-[[nodiscard]] SheetPoint placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken);
+/// Where a badge goes at a node: a corner of it that is free, the upper left one first, or a place farther
+/// out.
+[[nodiscard]] LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken);
 
 /// Where a name goes under, above or beside a node; none where there is no room for it.
 [[nodiscard]] std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,

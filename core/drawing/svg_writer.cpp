@@ -1,5 +1,6 @@
 #include "core/drawing/svg_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
@@ -118,22 +119,37 @@ struct MarkTag {
 
 }  // namespace
 
-std::string svgOf(const DisplayList& list, Theme theme, double margin) {
-  const Extent sheet = extentOf(list).grown(margin);
+Extent sheetOf(const DisplayList& list, const SheetLook& look) {
+  Extent sheet = extentOf(list).grown(std::max(look.margin, 0.5));
+  if (!look.size) return sheet;
+  const double shape = static_cast<double>(look.size->width) / look.size->height;
+  sheet.halfWidth = std::max(sheet.halfWidth, sheet.halfHeight * shape);
+  sheet.halfHeight = std::max(sheet.halfHeight, sheet.halfWidth / shape);
+  return sheet;
+}
+
+std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title) {
+  const Extent sheet = sheetOf(list, look);
   const std::string width = number(2 * sheet.halfWidth);
   const std::string height = number(2 * sheet.halfHeight);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "version=\"1.1\"" +
-      attribute("width", width) + attribute("height", height) +
+      attribute("width", look.size ? std::to_string(look.size->width) : width) +
+      attribute("height", look.size ? std::to_string(look.size->height) : height) +
       attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
-      ">\n<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
-      attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, theme))) +
-      "/>\n<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
+      ">\n";
+  if (!title.empty()) svg += "<title>" + escaped(title) + "</title>\n";
+  if (!look.transparent) {
+    svg += "<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
+           attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, look.theme))) +
+           "/>\n";
+  }
+  svg += "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
   for (const Mark& mark : list.marks) {
     svg += "<g" + attribute("data-list", listName(mark.element.kind)) +
            attribute("data-id", escaped(mark.element.id.text())) + ">" +
-           std::visit(MarkTag{theme}, mark.what) + "</g>\n";
+           std::visit(MarkTag{look.theme}, mark.what) + "</g>\n";
   }
   return svg + "</g>\n</svg>\n";
 }

@@ -80,6 +80,59 @@ class TestExportPicture : public QObject {
     }
   }
 
+  void drawingsAreWrittenInEveryForm_data() {
+    QTest::addColumn<QString>("view");
+    QTest::addColumn<QString>("form");
+    QTest::addColumn<QByteArray>("begin");
+    for (const char* view : {"digraph", "ttgraph", "schematic"}) {
+      QTest::addRow("%s.svg", view) << view << "svg" << QByteArray("<?xml");
+      QTest::addRow("%s.pdf", view) << view << "pdf" << QByteArray("%PDF-1.");
+      QTest::addRow("%s.png", view) << view << "png" << QByteArray("\x89PNG");
+    }
+  }
+  void drawingsAreWrittenInEveryForm() {
+    QFETCH(QString, view);
+    QFETCH(QString, form);
+    QFETCH(QByteArray, begin);
+    QTemporaryDir folder;
+    const QString path = folder.filePath("robot." + form);
+    const QStringList words = {"export", kRobot, "--to", form, "--view", view, "-o"};
+    QCOMPARE(run(words + QStringList{path}).status, 0);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray plain = file.readAll();
+    QVERIFY(plain.startsWith(begin));
+    for (const QStringList& more : {QStringList{"--dark"}, {"--transparent"}, {"--size", "400x300"}}) {
+      const Run other = run(words + QStringList{"-"} + more);
+      QCOMPARE(other.status, 0);
+      QVERIFY(other.output.startsWith(begin) && other.output != plain);
+      if (form == "png" && more.front() == "--size") QCOMPARE(sizeOf(other.output), std::pair(400, 300));
+    }
+  }
+
+  void drawingsThatCannotBeAreRefused() {
+    const QStringList words = {"export", kRobot, "-o", "-", "--to"};
+    for (const QStringList& wrong : {QStringList{"svg"},
+                                     {"svg", "--view", "3d"},
+                                     {"pdf", "--view", "tree"},
+                                     {"png", "--view", "digraph", "--time", "1"},
+                                     {"svg", "--view", "digraph", "--from", "top"},
+                                     {"png", "--view", "digraph", "--size", "99999x100"}}) {
+      const Run made = run(words + wrong);
+      QCOMPARE(made.status, 2);
+      QVERIFY(made.output.isEmpty() && made.errors.contains("--"));
+    }
+    QCOMPARE(run({"export", kRobot, "--to", "svg", "--view", "digraph", "-o", "/nowhere/at/all.svg"}).status,
+             2);
+  }
+
+  void whatHasNoTreeIsDrawnAsFarAsItIs() {
+    const QString loose = QStringLiteral(GEARGRAPH_SOURCE_DIR "/tests/golden/files/loose.geargraph");
+    const Run made = run({"export", loose, "--to", "svg", "--view", "ttgraph", "-o", "-"});
+    QCOMPARE(made.status, 1);
+    QVERIFY(made.output.contains("</svg>"));
+  }
+
   void whatHasNoTreeHasNoPicture() {
     QTemporaryDir folder;
     QFile file(folder.filePath("loose.geargraph"));

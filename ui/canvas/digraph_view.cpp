@@ -8,10 +8,6 @@ namespace {
 
 constexpr std::size_t kLarge = 1'500;  ///< links; up to here a frame is enough to place all arrows
 
-bool isMesh(const ElementId& element) {
-  return element.kind == ElementKind::gearMesh;
-}
-
 }  // namespace
 
 DigraphView::DigraphView(Document* document, Selection* selection, QWidget* parent)
@@ -75,8 +71,8 @@ void DigraphView::tellWhenSettled() {
 }
 
 void DigraphView::forgetDocument() {
+  GraphView::forgetDocument();
   m_placer->forget();
-  m_wantedCycle = {};
   m_shown = m_wanted;
   m_fitWhenDrawn = true;
 }
@@ -86,34 +82,12 @@ QString DigraphView::message() const {
   return GraphView::message();
 }
 
-std::optional<CycleWalk> DigraphView::shownCycle() const {
-  if (!snapshot()) return std::nullopt;
-  if (!m_wantedCycle.empty()) return cycleWalk(*snapshot(), m_wantedCycle);
-  // Another view that shows a row of C under the mouse hovers all that is on the cycle.
-  const std::set<ElementId>& hovered = selection().hovered();
-  const auto mesh = std::find_if(hovered.begin(), hovered.end(), isMesh);
-  if (hovered.size() > 1 && mesh != hovered.end()) {
-    std::optional<CycleWalk> walk = cycleWalk(*snapshot(), MeshId(mesh->id));
-    const auto isOn = [&](const ElementId& element) { return walk->emphases.contains(element); };
-    if (walk && walk->emphases.size() == hovered.size() &&
-        std::all_of(hovered.begin(), hovered.end(), isOn)) {
-      return walk;
-    }
-  }
-  const std::set<ElementId>& selected = selection().selected();
-  if (selected.size() != 1 || !isMesh(*selected.begin())) return std::nullopt;
-  return cycleWalk(*snapshot(), MeshId(selected.begin()->id));
-}
-
 DrawingView::Highlight DigraphView::highlight() const {
-  std::optional<CycleWalk> walk = shownCycle();
+  const MeshId mesh = chosenMesh();
+  if (mesh.empty()) return {};
+  std::optional<CycleWalk> walk = cycleWalk(*snapshot(), mesh);
   if (!walk) return {};
-  return {std::move(walk->emphases), {walk->caption}};
-}
-
-void DigraphView::showCycle(MeshId mesh) {
-  m_wantedCycle = mesh;
-  updateEmphases();
+  return {std::move(walk->emphases), {walk->caption}, {}};
 }
 
 void DigraphView::tidy() {

@@ -1,22 +1,19 @@
 #pragma once
 
-#include "ui/canvas/cycle_walk.h"
 #include "ui/canvas/digraph_scene.h"
 #include "ui/canvas/graph_view.h"
 #include "ui/canvas/node_placer.h"
 
 namespace geargraph {
 
-/// The digraph of the document, drawn and edited [AU, Fig. 2].
+/// The digraph of the document, drawn and edited [AU, Fig. 2]. The fundamental cycle of the chosen mesh is
+/// shown as a walk.
 class DigraphView final : public GraphView {
   Q_OBJECT
 
  public:
   DigraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
 
-  /// Shows the fundamental cycle of this mesh as a walk. With an empty id the view decides: the cycle all of
-  /// which is hovered (a row of C in the matrices), else that of the mesh that is selected alone.
-  void showCycle(MeshId mesh);
   /// Are all links placed and drawn?
   [[nodiscard]] bool isSettled() const;
 
@@ -46,14 +43,12 @@ class DigraphView final : public GraphView {
     quint64 number = 0;
   };
 
-  [[nodiscard]] std::optional<CycleWalk> shownCycle() const;
   void seek(const Request& request);
   void arrived(const Request& request, const DigraphGeometryPtr& geometry);
   void tellWhenSettled();
 
   DigraphScene* m_scene;
   NodePlacer* m_placer;
-  MeshId m_wantedCycle;
   quint64 m_wanted = 0;  ///< the newest drawing asked for
   quint64 m_shown = 0;   ///< the newest one that is on the scene
   bool m_fitWhenDrawn = false;

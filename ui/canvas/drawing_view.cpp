@@ -85,8 +85,9 @@ void DrawingView::updateEmphases() {
   for (const ElementId& element : m_selection->selected()) shown.emphases[element].selected = true;
   for (const ElementId& element : m_selection->hovered()) shown.emphases[element].hovered = true;
   m_scene->setEmphases(std::move(shown.emphases));
-  if (shown.caption == m_caption) return;
-  m_caption = shown.caption;
+  if (shown.caption == m_caption && shown.colors == m_captionColors) return;
+  m_caption = std::move(shown.caption);
+  m_captionColors = std::move(shown.colors);
   viewport()->update();
 }
 
@@ -132,7 +133,8 @@ DisplayList DrawingView::displayList() const {
   return m_scene->displayList();
 }
 
-DisplayList DrawingView::picture() const {
+DisplayList DrawingView::picture() {
+  catchUp();
   return m_scene->displayList(Emphases{});
 }
 
@@ -140,8 +142,11 @@ void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
   painter->save();
   painter->resetTransform();
   if (!m_message.isEmpty()) drawMessage(*painter, m_message);
-  if (!m_notice.isEmpty()) drawLines(*painter, m_notice, Qt::TopLeftCorner);
-  if (!m_caption.isEmpty()) drawLines(*painter, m_caption, Qt::BottomLeftCorner);
+  if (!m_notice.isEmpty()) {
+    const std::vector<ColorRole> quiet(static_cast<std::size_t>(m_notice.size()), ColorRole::secondary);
+    drawLines(*painter, boxOf(m_notice, Qt::TopLeftCorner), quiet);
+  }
+  if (!m_caption.isEmpty()) drawLines(*painter, boxOf(m_caption, Qt::BottomLeftCorner), m_captionColors);
   painter->restore();
 }
 
@@ -154,29 +159,44 @@ void DrawingView::drawMessage(QPainter& painter, const QString& text) const {
   painter.drawText(whole.adjusted(0, whole.height() / 2 + 60, 0, 0), Qt::AlignHCenter | Qt::AlignTop, text);
 }
 
-void DrawingView::drawLines(QPainter& painter, const QStringList& lines, Qt::Corner corner) const {
-  constexpr int kMargin = 12;
+QFont DrawingView::lineFont() const {
   QFont font = this->font();
   font.setPixelSize(QFontInfo(font).pixelSize() * 11 / 13);
-  painter.setFont(font);
-  const QFontMetrics metrics(font);
+  return font;
+}
+
+DrawingView::LineBox DrawingView::boxOf(const QStringList& lines, Qt::Corner corner) const {
+  constexpr int kMargin = 12;
+  const QFontMetrics metrics(lineFont());
   const int room = viewport()->width() - 4 * kMargin;
-  QStringList shown;
+  LineBox shown;
   int width = 0;
   for (const QString& line : lines) {
-    shown << metrics.elidedText(line, Qt::ElideRight, room);
-    width = std::max(width, metrics.horizontalAdvance(shown.back()));
+    shown.lines << metrics.elidedText(line, Qt::ElideRight, room);
+    width = std::max(width, metrics.horizontalAdvance(shown.lines.back()));
   }
-  const QSize size(width + 2 * kMargin,
-                   static_cast<int>(lines.size()) * metrics.lineSpacing() - metrics.leading() + kMargin);
-  const bool below = corner == Qt::BottomLeftCorner;
-  const QRect box(QPoint(kMargin, below ? viewport()->height() - kMargin - size.height() : kMargin), size);
+  const int height = static_cast<int>(lines.size()) * metrics.lineSpacing() + kMargin;
+  const int top = corner == Qt::BottomLeftCorner ? viewport()->height() - kMargin - height : kMargin;
+  shown.box = QRect(kMargin, top, width + 2 * kMargin, height);
+  return shown;
+}
+
+void DrawingView::drawLines(QPainter& painter, const LineBox& shown,
+                            const std::vector<ColorRole>& colors) const {
+  constexpr int kMargin = 12;
+  painter.setFont(lineFont());
   painter.setPen(toQColor(colorOf(ColorRole::hairline, theme())));
   painter.setBrush(toQColor(colorOf(ColorRole::sheet, theme())));
-  painter.drawRoundedRect(box, 5, 5);
-  painter.setPen(toQColor(colorOf(below ? ColorRole::accent : ColorRole::secondary, theme())));
-  painter.drawText(box.adjusted(kMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                   shown.join(QLatin1Char('\n')));
+  painter.drawRoundedRect(shown.box, 5, 5);
+  const int step = painter.fontMetrics().lineSpacing();
+  QRect line = shown.box.adjusted(kMargin, kMargin / 2, 0, 0);
+  for (qsizetype i = 0; i < shown.lines.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const ColorRole color = at < colors.size() ? colors[at] : ColorRole::accent;
+    painter.setPen(toQColor(colorOf(color, theme())));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignTop, shown.lines[i]);
+    line.translate(0, step);
+  }
 }
 
 // --- zoom and pan -----------------------------------------------------------------------------------------

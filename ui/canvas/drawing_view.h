@@ -51,7 +51,7 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] QString whyNoGear() const;
 
   [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
-  [[nodiscard]] DisplayList picture() const;      ///< the same with nothing standing out, for export
+  [[nodiscard]] DisplayList picture();            ///< the same with nothing standing out, for export
   /// The entries for what is at a place of the viewport; the caller owns the menu.
   [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
   /// The entries for an element that another view shows, or for the sheet; the caller owns the menu.
@@ -88,6 +88,8 @@ class DrawingView : public QGraphicsView {
  protected:
   /// Shows the document as it is now. Called after every change; a drawing calls it once when it is made.
   virtual void rebuild() = 0;
+  /// The drawing is wanted though nobody sees it: what was put off until it is shown is to be done now.
+  virtual void catchUp() {}
   /// Another document has come: what was known of the last one counts no more. rebuild() follows.
   virtual void forgetDocument() {}
 
@@ -95,11 +97,14 @@ class DrawingView : public QGraphicsView {
   struct Highlight {
     Emphases emphases;
     QStringList caption;
+    std::vector<ColorRole> colors;  ///< by line of the caption; accent for those beyond its end
   };
   [[nodiscard]] virtual Highlight highlight() const { return {}; }
   /// What stands where there is no drawing yet.
   [[nodiscard]] virtual QString message() const { return {}; }
   [[nodiscard]] virtual QString toolTipFor(const ElementId& element) const;
+  /// What the words of the caption mean.
+  [[nodiscard]] virtual QString captionToolTip() const { return {}; }
   /// May drop entries of the menu, or tell it how to add a link and to tidy the drawing.
   virtual void adjustMenu(struct ContextActions&, SheetPoint /*at*/) {}
   virtual void fillMenuFurther(QMenu&, const std::optional<ElementId>&, SheetPoint /*at*/) {}
@@ -160,7 +165,13 @@ class DrawingView : public QGraphicsView {
   bool editKey(const QKeyEvent& event);
   bool viewKey(const QKeyEvent& event);
   bool toolKeyPressed(const QKeyEvent& event);
-  void drawLines(QPainter& painter, const QStringList& lines, Qt::Corner corner) const;
+  struct LineBox {
+    QRect box;
+    QStringList lines;  ///< cut to the room there is
+  };
+  [[nodiscard]] QFont lineFont() const;
+  [[nodiscard]] LineBox boxOf(const QStringList& lines, Qt::Corner corner) const;
+  void drawLines(QPainter& painter, const LineBox& shown, const std::vector<ColorRole>& colors) const;
   void drawMessage(QPainter& painter, const QString& text) const;
   void fitTo(const QRectF& area);
   void zoomAt(QPointF viewportPlace, double factor);
@@ -175,6 +186,7 @@ class DrawingView : public QGraphicsView {
   ToolKind m_tool = ToolKind::select;
   QString m_hint;
   QStringList m_caption;
+  std::vector<ColorRole> m_captionColors;
   QStringList m_notice;
   QString m_message;
   Grip m_grip = Grip::none;

@@ -125,7 +125,11 @@ bool DrawingView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     auto* help = static_cast<QHelpEvent*>(event);
     const std::optional<ElementId> element = elementUnder(help->pos());
-    if (element) {
+    const bool onCaption =
+        !m_caption.isEmpty() && boxOf(m_caption, Qt::BottomLeftCorner).box.contains(help->pos());
+    if (onCaption && !captionToolTip().isEmpty()) {
+      QToolTip::showText(help->globalPos(), captionToolTip(), viewport());
+    } else if (element) {
       QToolTip::showText(help->globalPos(), toolTipFor(*element), viewport());
     } else {
       QToolTip::hideText();

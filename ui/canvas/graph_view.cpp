@@ -4,9 +4,17 @@
 #include <cmath>
 
 #include "ui/canvas/context_menu.h"
+#include "ui/canvas/cycle_walk.h"
 #include "ui/canvas/mark_painter.h"
 
 namespace geargraph {
+namespace {
+
+bool isMesh(const ElementId& element) {
+  return element.kind == ElementKind::gearMesh;
+}
+
+}  // namespace
 
 GraphView::GraphView(Document* document, Selection* selection, DrawingScene* scene, QWidget* parent)
     : DrawingView(document, selection, scene, parent),
@@ -24,6 +32,30 @@ GraphView::GraphView(Document* document, Selection* selection, DrawingScene* sce
 
 QString GraphView::message() const {
   return mechanism().links.size() == 1 ? tr("Draw the first link: L, then click") : QString();
+}
+
+void GraphView::showCycle(MeshId mesh) {
+  m_wantedCycle = mesh;
+  updateEmphases();
+}
+
+MeshId GraphView::chosenMesh() const {
+  if (!snapshot()) return {};
+  if (!m_wantedCycle.empty()) return m_wantedCycle;
+  // Another view that shows a row of C under the mouse hovers all that is on the cycle.
+  const std::set<ElementId>& hovered = selection().hovered();
+  const auto mesh = std::find_if(hovered.begin(), hovered.end(), isMesh);
+  if (hovered.size() > 1 && mesh != hovered.end()) {
+    const std::optional<CycleWalk> walk = cycleWalk(*snapshot(), MeshId(mesh->id));
+    const auto isOn = [&](const ElementId& element) { return walk->emphases.contains(element); };
+    if (walk && walk->emphases.size() == hovered.size() &&
+        std::all_of(hovered.begin(), hovered.end(), isOn)) {
+      return MeshId(mesh->id);
+    }
+  }
+  const std::set<ElementId>& selected = selection().selected();
+  if (selected.size() != 1 || !isMesh(*selected.begin())) return {};
+  return MeshId(selected.begin()->id);
 }
 
 void GraphView::toggleInputs() {

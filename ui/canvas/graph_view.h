@@ -17,10 +17,15 @@ class GraphView : public DrawingView, protected NodeSheet {
   void setTool(ToolKind tool) override { m_controller->setTool(tool); }
   void setGrid(bool on) override;
 
+  /// Shows the circuit of this mesh. With an empty id the view decides: the mesh of the cycle all of which is
+  /// hovered (a row of C in the matrices), else the one that is selected alone.
+  void showCycle(MeshId mesh);
+
  public slots:
   void toggleInputs() override;
 
  protected:
+  void forgetDocument() override { m_wantedCycle = {}; }
   [[nodiscard]] QString message() const override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
@@ -31,6 +36,8 @@ class GraphView : public DrawingView, protected NodeSheet {
   bool cancel() override;
   void nudge(double dx, double dy, bool repeated) override { m_controller->nudge(dx, dy, repeated); }
 
+  /// The mesh whose circuit is to be shown; empty where there is none, or no analysis yet.
+  [[nodiscard]] MeshId chosenMesh() const;
   /// Gives all these links their places, as one undo step.
   void place(const NodePositions& positions) { m_controller->place(positions); }
 
@@ -40,6 +47,7 @@ class GraphView : public DrawingView, protected NodeSheet {
  private:
   DrawingScene* m_sheet;
   ToolController* m_controller;
+  MeshId m_wantedCycle;
 };
 
 }  // namespace geargraph

@@ -13,6 +13,8 @@
 #include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/tt_graph_view.h"
+#include "ui/canvas/tt_terms.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -128,15 +130,19 @@ void MainWindow::makeDrawings() {
   m_drawings->setDocumentMode(true);
   setCentralWidget(m_drawings);
   m_digraph = new DigraphView(m_document, m_selection, m_drawings);
-  addDrawing(m_digraph, tr("Digraph"), tipOf(Term::digraph));
+  addDrawing(m_digraph, "digraph", tr("Digraph"), tipOf(Term::digraph));
+  m_ttGraph = new TtGraphView(m_document, m_selection, m_drawings);
+  addDrawing(m_ttGraph, "ttgraph", tr("T–T graph"), tipOf(TtTerm::graph));
   m_schematic = new SchematicView(m_document, m_selection, m_drawings);
-  addDrawing(m_schematic, tr("Schematic"), tipOf(Term::functionalSchematic));
+  addDrawing(m_schematic, "schematic", tr("Schematic"), tipOf(Term::functionalSchematic));
   connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
 
-void MainWindow::addDrawing(DrawingView* drawing, const QString& title, const QString& tip) {
+void MainWindow::addDrawing(DrawingView* drawing, const char* name, const QString& title,
+                            const QString& tip) {
+  drawing->setObjectName(QLatin1String(name));
   const int tab = m_drawings->addTab(drawing, title);
   m_drawings->setTabToolTip(tab, tip);
   m_allDrawings.push_back(drawing);
@@ -144,6 +150,15 @@ void MainWindow::addDrawing(DrawingView* drawing, const QString& title, const QS
   drawing->setAcceptDrops(false);
   drawing->viewport()->setAcceptDrops(false);
   wireDrawing(drawing);
+}
+
+bool MainWindow::showDrawing(const QString& name) {
+  for (DrawingView* each : m_allDrawings) {
+    if (each->objectName() != name) continue;
+    m_drawings->setCurrentWidget(each);
+    return true;
+  }
+  return false;
 }
 
 DrawingView& MainWindow::drawing() {
@@ -245,7 +260,9 @@ void MainWindow::wireViews() {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
   connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
-  connect(&m_matrices->view(), &MatrixView::cycleHovered, m_digraph, &DigraphView::showCycle);
+  for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
+    connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
+  }
   connect(m_matrices, &MatricesPanel::quantityExportWanted, this, &MainWindow::chooseAndExportQuantity);
   connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
 }

@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <QTabWidget>
 #include <memory>
+#include <thread>
 
 #include "core/derivation/quantity_table.h"
 #include "core/graph/integer_matrix.h"
@@ -14,6 +15,7 @@
 
 namespace geargraph {
 
+struct PictureWish;
 class DigraphView;
 class DockTitles;
 class DrawingView;
@@ -31,6 +33,7 @@ class ResultsPanel;
 class SearchField;
 class StatusLine;
 class StartPage;
+class TtGraphView;
 class View3D;
 class WindowFiles;
 
@@ -48,8 +51,11 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return *m_service; }
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
+  [[nodiscard]] TtGraphView& ttGraph() { return *m_ttGraph; }
   /// The drawing whose tab is in front: commands and tools are its.
   [[nodiscard]] DrawingView& drawing();
+  /// Brings a drawing to the front by its name: "digraph", "ttgraph". False where there is none of that name.
+  bool showDrawing(const QString& name);
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
@@ -67,6 +73,9 @@ class MainWindow : public QMainWindow {
   /// False, and said in the status bar, where it could not be written.
   bool saveDocument(const QString& path);
   bool exportCsv(const IntegerMatrix& matrix, const QString& path);
+  /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
+  /// for the 3D view. The status bar says what went wrong.
+  void exportPicture(const PictureWish& wish, const QString& path);
 
   /// The places and sizes of windows and docks as they were when the last window closed.
   void restoreLayout();
@@ -83,6 +92,7 @@ class MainWindow : public QMainWindow {
   void settled();
   /// The window has been closed, and its document given up or saved.
   void closed();
+  void pictureExported(const QString& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -92,7 +102,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeDrawings();
-  void addDrawing(DrawingView* drawing, const QString& title, const QString& tip);
+  void addDrawing(DrawingView* drawing, const char* name, const QString& title, const QString& tip);
   void onDrawingChosen();
   void makeDocks();
   QWidget* makeInputsAndResults();
@@ -130,6 +140,8 @@ class MainWindow : public QMainWindow {
 
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
+  void askForPicture();
+  void writePicture(const Expected<std::string>& bytes, const QString& path);
   void showAbout();
 
   Document* m_document;
@@ -141,6 +153,7 @@ class MainWindow : public QMainWindow {
 
   QTabWidget* m_drawings = nullptr;  ///< of DrawingViews
   DigraphView* m_digraph = nullptr;
+  TtGraphView* m_ttGraph = nullptr;
   SchematicView* m_schematic = nullptr;
   InputsPanel* m_inputs = nullptr;
   MatricesPanel* m_matrices = nullptr;
@@ -162,6 +175,7 @@ class MainWindow : public QMainWindow {
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
+  std::jthread m_pictureThread;  ///< paints a picture of the 3D view; last: it ends before all else
 };
 
 }  // namespace geargraph

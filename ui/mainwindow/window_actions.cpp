@@ -85,6 +85,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   exportMatrix = make("file.exportCsv", words("&Export matrix as CSV…"),
                       words("Export the matrix that is shown, with its labels"),
                       {QKeySequence(QStringLiteral("Ctrl+E"))});
+  exportPicture = make("file.exportPicture", words("Export &picture…"),
+                       words("Export a drawing as SVG, PDF or PNG, or the 3D view as PNG"),
+                       {QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
   quit =
       make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});

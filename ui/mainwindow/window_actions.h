@@ -29,6 +29,7 @@ struct WindowActions {
   QAction* revert;
   QAction* exportMatrix;
   QAction* restoreSession;
+  QAction* exportPicture;
   QAction* close;
   QAction* quit;
 

@@ -55,7 +55,7 @@ void MainWindow::makeMenus() {
                         [this, path] { m_files->openForPerson(path); });
   }
   file->addSeparator();
-  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix});
+  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture});
   file->addSeparator();
   file->addAction(a.restoreSession);
   file->addSeparator();
@@ -102,6 +102,7 @@ void MainWindow::wireActions() {
   const WindowActions& a = *m_actions;
   QUndoStack& stack = m_document->undoStack();
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
+  connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

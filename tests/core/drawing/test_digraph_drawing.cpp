@@ -368,7 +368,7 @@ class TestDigraphDrawing : public QObject {
     Emphases emphases;
     emphases[LinkId("3")].selected = true;
     const DisplayList list = digraphDrawing(mechanism, robotPositions(), emphases);
-    const std::string svg = svgOf(list, Theme::light);
+    const std::string svg = svgOf(list, {});
     const Xml xml = parsed(svg);
     QVERIFY2(xml.error.isEmpty(), qPrintable(xml.error));
     for (int label = 0; label <= 18; ++label) QVERIFY(xml.texts.contains(QString::number(label)));
@@ -376,11 +376,11 @@ class TestDigraphDrawing : public QObject {
     QVERIFY(xml.texts.contains("a<b>&\"c\""));
     QCOMPARE(xml.groups, static_cast<int>(list.marks.size()) + 1);
     QVERIFY(svg.find("stroke-dasharray") != std::string::npos);
-    QVERIFY(svg != svgOf(list, Theme::dark));
+    QVERIFY(svg != svgOf(list, {.theme = Theme::dark}));
   }
 
   void emptyDrawingIsAnEmptySheet() {
-    const Xml xml = parsed(svgOf({}, Theme::light));
+    const Xml xml = parsed(svgOf({}, {}));
     QVERIFY2(xml.error.isEmpty(), qPrintable(xml.error));
     QVERIFY(xml.texts.isEmpty());
   }

@@ -24,13 +24,14 @@ inline Mechanism placedRobot() {
   return robot;
 }
 
-/// A digraph view with its document and selection, and a hand that moves the mouse in sheet coordinates.
-struct ViewDriver {
+/// A drawing with its document and selection, and a hand that moves the mouse in sheet coordinates.
+template <class View>
+struct DriverOf {
   Document document;
   Selection selection;
-  DigraphView view{&document, &selection};
+  View view{&document, &selection};
 
-  explicit ViewDriver(const std::optional<Mechanism>& mechanism = {}) {
+  explicit DriverOf(const std::optional<Mechanism>& mechanism = {}) {
     view.resize(900, 600);
     view.show();
     static_cast<void>(QTest::qWaitForWindowExposed(&view));
@@ -99,5 +100,7 @@ struct ViewDriver {
   }
   [[nodiscard]] int steps() { return document.undoStack().index(); }
 };
+
+using ViewDriver = DriverOf<DigraphView>;
 
 }  // namespace geargraph

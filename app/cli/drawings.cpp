@@ -1,0 +1,52 @@
+#include "app/cli/drawings.h"
+
+#include <array>
+
+#include "core/drawing/digraph_drawing.h"
+#include "core/drawing/layout.h"
+#include "core/drawing/tt_graph_drawing.h"
+#include "core/drawing/tt_graph_layout.h"
+#include "core/io/view_places.h"
+#include "core/schematic/schematic.h"
+
+namespace geargraph::cli {
+namespace {
+
+DisplayList digraph(const AnalysisSnapshot& snapshot) {
+  return digraphDrawing(*snapshot.mechanism, completedPositions(*snapshot.mechanism), {});
+}
+
+DisplayList ttGraph(const AnalysisSnapshot& snapshot) {
+  const TtGraph* graph = snapshot.kinematics ? snapshot.kinematics->ttGraph.get() : nullptr;
+  const NodePositions places =
+      ttPositions(ttLayout(*snapshot.mechanism, graph), viewPlaces(*snapshot.mechanism, kTtNodes));
+  return ttGraphDrawing(ttGraphGeometry(*snapshot.mechanism, graph, places), {});
+}
+
+DisplayList schematic(const AnalysisSnapshot& snapshot) {
+  return schematicDrawing(schematicGeometry(*snapshot.mechanism), {});
+}
+
+constexpr std::array kDrawings = {Drawing{"digraph", digraph}, Drawing{"ttgraph", ttGraph},
+                                  Drawing{"schematic", schematic}};
+
+}  // namespace
+
+std::span<const Drawing> drawings() {
+  return kDrawings;
+}
+
+const Drawing* drawingNamed(std::string_view name) {
+  for (const Drawing& drawing : kDrawings) {
+    if (drawing.name == name) return &drawing;
+  }
+  return nullptr;
+}
+
+std::string drawingNames() {
+  std::string names;
+  for (const Drawing& drawing : kDrawings) names += (names.empty() ? "" : ", ") + std::string(drawing.name);
+  return names;
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/analysis/analysis.h"
+#include "core/drawing/display_list.h"
+
+namespace geargraph::cli {
+
+/// A drawing that `export --to svg/pdf/png` knows by its name.
+struct Drawing {
+  std::string_view name;
+  DisplayList (*draw)(const AnalysisSnapshot& snapshot);
+};
+
+/// Every drawing, in the order of the help. A new one is a line in the table of drawings.cpp.
+[[nodiscard]] std::span<const Drawing> drawings();
+[[nodiscard]] const Drawing* drawingNamed(std::string_view name);
+/// "digraph, ttgraph, schematic"
+[[nodiscard]] std::string drawingNames();
+
+}  // namespace geargraph::cli

@@ -1,0 +1,62 @@
+// `export FILE --to svg/pdf/png --view NAME -o OUT`: a drawing as a picture.
+
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/drawings.h"
+#include "app/cli/export_forms.h"
+#include "app/cli/load.h"
+#include "core/io/file.h"
+
+namespace geargraph::cli {
+namespace {
+
+std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& arguments, PictureForm form) {
+  DrawingPicture picture;
+  picture.form = form;
+  picture.look.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
+  picture.look.transparent = arguments.has("--transparent");
+  for (const std::string_view option : {"--from", "--time"}) {
+    if (arguments.has(option)) return UsageError{std::string(option) + " needs --view 3d."};
+  }
+  if (const auto text = arguments.value("--size")) {
+    const auto size = pictureSize(*text, kMostDrawingPixels);
+    if (!size) return UsageError{wrongSize(*text, kMostDrawingPixels)};
+    picture.look.size = SheetLook::Size{size->first, size->second};
+  }
+  return picture;
+}
+
+}  // namespace
+
+int exportDrawing(const Arguments& arguments, PictureForm form) {
+  const std::string view = arguments.value("--view").value_or("");
+  const std::string name(pictureFormName(form));
+  const Drawing* drawing = drawingNamed(view);
+  if (drawing == nullptr) {
+    if (view == "3d") return wrongUsage(kExport, "--view 3d is made of pixels: it needs --to png.");
+    const std::string solid = form == PictureForm::png ? ", 3d" : "";
+    return wrongUsage(kExport, "--to " + name + " needs --view: one of " + drawingNames() + solid + ".");
+  }
+  auto options = drawingOptions(arguments, form);
+  if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
+  auto& picture = std::get<DrawingPicture>(options);
+  const std::string& file = arguments.files.front();
+  auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  const SnapshotPtr snapshot =
+      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  picture.title = snapshot->mechanism->name;
+  const Expected<std::string> bytes = pictureOf(drawing->draw(*snapshot), picture);
+  if (!bytes) {
+    std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
+    return kResourceLimit;
+  }
+  const int written = writePicture(*bytes, *arguments.value("-o"));
+  if (written != kFine) return written;
+  return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
+}
+
+}  // namespace geargraph::cli

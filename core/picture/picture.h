@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/expected.h"
+#include "core/drawing/display_list.h"
+#include "core/drawing/svg_writer.h"
+
+namespace geargraph {
+
+/// The files that a drawing becomes. In SVG and PDF lines stay lines and text stays text.
+enum class PictureForm { svg, pdf, png };
+
+/// "svg", "pdf", "png"
+[[nodiscard]] std::string_view pictureFormName(PictureForm form);
+[[nodiscard]] std::optional<PictureForm> pictureFormFromName(std::string_view name);
+
+/// Longest side of a PNG; an SVG or PDF may be as large as its drawing.
+constexpr int kMostDrawingPixels = 16'384;
+
+struct DrawingPicture {
+  PictureForm form = PictureForm::svg;
+  SheetLook look = {};
+  /// PNG without a size: pixels for a unit of the sheet.
+  double scale = 2;
+  std::string title = {};  ///< of the document, for those who look into a PDF or SVG
+};
+
+/// The bytes of the file. The drawing's unit is a CSS pixel, three quarters of a point in PDF.
+/// Fails with `graphics` where a PNG would be larger than kMostDrawingPixels or memory does not suffice.
+/// Cost: linear in the marks, for PNG in the pixels too.
+[[nodiscard]] Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture);
+
+}  // namespace geargraph

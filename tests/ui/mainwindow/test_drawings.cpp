@@ -1,0 +1,115 @@
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/canvas/tt_graph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/picture_dialog.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+/// The drawings of one window: tabs that share tools, selection and commands, and their pictures.
+class DrawingsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+  const QTemporaryDir folder;
+
+  QByteArray exported(const PictureWish& wish, const QString& name) {
+    const QString path = folder.filePath(name);
+    QSignalSpy done(window.get(), &MainWindow::pictureExported);
+    window->exportPicture(wish, path);
+    if (done.empty()) done.wait(60'000);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  static PictureWish wish(const QString& view, PictureForm form) {
+    return {view, DrawingPicture{.form = form}};
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    window = std::make_unique<MainWindow>();
+    QVERIFY(window->openDocument(robotExamplePath()));
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QTRY_VERIFY(window->isSettled());
+  }
+  void cleanup() { window.reset(); }
+
+  void drawingsShareSelectionAndHover() {
+    QVERIFY(window->showDrawing("ttgraph"));
+    QCOMPARE(&window->drawing(), static_cast<DrawingView*>(&window->ttGraph()));
+    window->selection().select({MeshId("16")});
+    QCOMPARE(window->ttGraph().caption().size(), qsizetype{4});
+    QCOMPARE(window->digraph().caption().size(), qsizetype{1});
+    QVERIFY(!window->showDrawing("nothing"));
+  }
+
+  void toolAndCommandsBelongToTheDrawingInFront() {
+    window->digraph().setTool(ToolKind::gearMesh);
+    QVERIFY(window->showDrawing("ttgraph"));
+    QCOMPARE(window->ttGraph().tool(), ToolKind::gearMesh);
+    window->ttGraph().setTool(ToolKind::select);
+    QVERIFY(window->showDrawing("digraph"));
+    QCOMPARE(window->digraph().tool(), ToolKind::select);
+    QVERIFY(window->showDrawing("ttgraph"));
+    window->selection().select({LinkId("3")});
+    window->actions().remove->trigger();
+    QCOMPARE(window->document().mechanism()->n(), 6);
+  }
+
+  void everyDrawingIsExportedInEveryForm() {
+    QVERIFY(exported(wish("digraph", PictureForm::svg), "a.svg").contains(">motor<"));
+    QVERIFY(exported(wish("ttgraph", PictureForm::svg), "b.svg").contains("16′′"));
+    QVERIFY(exported(wish("ttgraph", PictureForm::pdf), "c.pdf").startsWith("%PDF-"));
+    PictureWish sized = wish("digraph", PictureForm::png);
+    sized.picture.look.size = SheetLook::Size{300, 200};
+    QCOMPARE(QImage::fromData(exported(sized, "d.png")).size(), QSize(300, 200));
+  }
+
+  void pictureHasNoTraceOfTheSelection() {
+    const QByteArray plain = exported(wish("digraph", PictureForm::svg), "e.svg");
+    window->selection().select({LinkId("3")});
+    QCOMPARE(exported(wish("digraph", PictureForm::svg), "f.svg"), plain);
+  }
+
+  void solidViewIsExportedAsPixels() {
+    PictureWish solid = wish("3d", PictureForm::png);
+    solid.picture.look.size = SheetLook::Size{160, 100};
+    QCOMPARE(QImage::fromData(exported(solid, "g.png")).size(), QSize(160, 100));
+  }
+
+  void whatCannotBeWrittenIsSaid() {
+    QSignalSpy done(window.get(), &MainWindow::pictureExported);
+    window->exportPicture(wish("digraph", PictureForm::svg), "/nowhere/at/all.svg");
+    QVERIFY(done.empty());
+  }
+
+  void dialogOffersPixelsOnlyForTheSolidView() {
+    PictureDialog dialog({{"digraph", "Digraph"}, {"3d", "3D"}}, "digraph", true);
+    QCOMPARE(dialog.wish().view, QString("digraph"));
+    QCOMPARE(dialog.wish().picture.form, PictureForm::svg);
+    QCOMPARE(dialog.wish().picture.look.theme, Theme::dark);
+    QVERIFY(!dialog.wish().picture.look.size);
+    dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1);
+    QCOMPARE(dialog.wish().picture.form, PictureForm::png);
+    QVERIFY(dialog.wish().picture.look.size.has_value());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::DrawingsTest)
+#include "test_drawings.moc"

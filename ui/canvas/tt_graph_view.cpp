@@ -1,0 +1,179 @@
+#include "ui/canvas/tt_graph_view.h"
+
+#include "core/drawing/tt_graph_drawing.h"
+#include "core/drawing/tt_graph_layout.h"
+#include "core/io/view_places.h"
+#include "core/mechanism/edits.h"
+#include "core/ttgraph/mesh_words.h"
+#include "ui/canvas/f_circuits.h"
+#include "ui/canvas/tt_terms.h"
+
+namespace geargraph {
+namespace {
+
+/// The same mechanism but for where things stand on sheets, which no analysis depends on.
+bool isSameButForView(const Mechanism& a, const Mechanism& b) {
+  return a.links == b.links && a.axes == b.axes && a.turningJoints == b.turningJoints &&
+         a.gearMeshes == b.gearMeshes && a.inputs == b.inputs;
+}
+
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p style='white-space:normal'>%1</p>").arg(text.toHtmlEscaped());
+}
+
+}  // namespace
+
+TtGraphView::TtGraphView(Document* document, Selection* selection, QWidget* parent)
+    : GraphView(document, selection, new DrawingScene, parent), m_scene(static_cast<DrawingScene*>(scene())) {
+  setAccessibleName(tr("T-T graph"));
+  updateMessage();
+}
+
+// --- what is shown ----------------------------------------------------------------------------------------
+
+bool TtGraphView::isAnalyzed() const {
+  return snapshot() && isSameButForView(*snapshot()->mechanism, mechanism());
+}
+
+const TtGraph* TtGraphView::graph() const {
+  return snapshot() && snapshot()->kinematics ? snapshot()->kinematics->ttGraph.get() : nullptr;
+}
+
+void TtGraphView::rebuild() {
+  if (isAnalyzed()) draw();  // else the analysis is about to come
+}
+
+void TtGraphView::setSnapshot(const SnapshotPtr& snapshot) {
+  // Places that moved since are drawn already.
+  const bool isDrawn =
+      this->snapshot() && !m_toFit && isSameButForView(*this->snapshot()->mechanism, *snapshot->mechanism);
+  GraphView::setSnapshot(snapshot);
+  if (isDrawn) return;
+  m_layout.clear();
+  if (isAnalyzed()) draw();
+}
+
+void TtGraphView::showEvent(QShowEvent* event) {
+  GraphView::showEvent(event);
+  catchUp();
+}
+
+void TtGraphView::catchUp() {
+  if (m_behind && isAnalyzed()) drawNow();
+}
+
+void TtGraphView::forgetDocument() {
+  GraphView::forgetDocument();
+  m_toFit = true;
+}
+
+void TtGraphView::draw() {
+  m_behind = !isVisible();
+  if (!m_behind) drawNow();
+}
+
+void TtGraphView::drawNow() {
+  m_behind = false;
+  if (m_layout.empty()) m_layout = ttLayout(mechanism(), graph());
+  m_positions = ttPositions(m_layout, viewPlaces(mechanism(), kTtNodes));
+  auto geometry = std::make_shared<const TtGraphGeometry>(ttGraphGeometry(mechanism(), graph(), m_positions));
+  m_scene->show([geometry](const Emphases& emphases) { return ttGraphDrawing(*geometry, emphases); });
+  tellWhatIsMissing();
+  updateEmphases();
+  updateMessage();
+  if (std::exchange(m_toFit, false)) fit();
+}
+
+void TtGraphView::tellWhatIsMissing() {
+  constexpr std::size_t kMostLines = 3;
+  QStringList lines;
+  if (graph() == nullptr) {
+    if (mechanism().n() > 0) {
+      lines << tr("No tree yet: turning joints have to tie every link to the ground and close no loop.");
+      if (mechanism().c() > 0) lines << tr("Then the dotted meshes get their transfer vertices.");
+    }
+  } else {
+    const Diagnostics missing = graph()->diagnostics();
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostLines); ++i) {
+      lines << QString::fromStdString(missing[i].message);
+    }
+    if (missing.size() > kMostLines) lines << tr("And %1 more.").arg(missing.size() - kMostLines);
+  }
+  setNotice(lines);
+}
+
+DrawingView::Highlight TtGraphView::highlight() const {
+  const MeshId chosen = chosenMesh();
+  if (chosen.empty() || graph() == nullptr) return {};
+  const Digraph& digraph = graph()->graph();
+  for (int mesh = 0; mesh < digraph.c(); ++mesh) {
+    if (digraph.edgeId(digraph.t() + mesh) != ElementId(chosen)) continue;
+    std::optional<FCircuits> circuits = fCircuits(*graph(), mesh);
+    if (!circuits) return {};
+    return {std::move(circuits->emphases), std::move(circuits->caption), std::move(circuits->colors)};
+  }
+  return {};
+}
+
+// --- tips -------------------------------------------------------------------------------------------------
+
+QString TtGraphView::toolTipFor(const ElementId& element) const {
+  const QString plain = paragraph(GraphView::toolTipFor(element));
+  if (graph() == nullptr) return plain;
+  const Digraph& digraph = graph()->graph();
+  if (element.kind == ElementKind::link) {
+    QStringList carried;
+    for (int mesh = 0; mesh < digraph.c(); ++mesh) {
+      const auto& vertex = graph()->transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+      if (vertex && digraph.nodeId(vertex->carrier) == LinkId(element.id)) {
+        carried << QString::number(digraph.edgeLabel(digraph.t() + mesh));
+      }
+    }
+    if (carried.empty()) return plain;
+    return plain + paragraph(tr("Transfer vertex of %1").arg(carried.join(QStringLiteral(", ")))) +
+           tipOf(TtTerm::transferVertex);
+  }
+  for (int edge = 0; edge < digraph.edgeCount(); ++edge) {
+    if (digraph.edgeId(edge) != element) continue;
+    if (edge >= digraph.t()) return plain + meshTip(edge - digraph.t());
+    const QString name = QString::fromStdString(inPrint(branchName(digraph, edge).toText()));
+    const QString level = QString::fromStdString(graph()->levels().levelOf(edge));
+    return plain + paragraph(tr("Branch %1 on level %2").arg(name, level)) + tipOf(TtTerm::level);
+  }
+  return plain;
+}
+
+QString TtGraphView::meshTip(int mesh) const {
+  const std::optional<MeshWords> words = meshWords(*graph(), mesh);
+  if (!words) return paragraph(tr("It has no transfer vertex.")) + tipOf(TtTerm::transferVertex);
+  QString tip = QString::fromStdString(words->set + ": " + words->path);
+  if (!words->terminal.empty()) tip += QStringLiteral(". ") + QString::fromStdString(words->terminal);
+  return paragraph(tip) + tipOf(TtTerm::chord);
+}
+
+QString TtGraphView::captionToolTip() const {
+  return tipOf(TtTerm::transferVertex) + tipOf(TtTerm::terminalEquation) + tipOf(TtTerm::fundamentalCircuit);
+}
+
+// --- places -----------------------------------------------------------------------------------------------
+
+void TtGraphView::tidy() {
+  document().apply({tr("Tidy the T-T graph"),
+                    [](const Mechanism& before) { return withoutViewPlaces(before, kTtNodes); }, 0});
+  fit();
+}
+
+Expected<Mechanism> TtGraphView::withMoved(const Mechanism& mechanism, const NodeMoves& places) const {
+  return withViewPlaces(mechanism, kTtNodes, places);
+}
+
+Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoint at) const {
+  Expected<Mechanism> added = withLink(mechanism, at);
+  if (!added) return added;
+  Mechanism next = std::move(added).value();
+  const NodeMoves place{{next.links.back().id, at}};
+  next.view.nodes.erase(place.front().first);  // that place is one of this drawing, not of the digraph
+  return withViewPlaces(std::move(next), kTtNodes, place);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/drawing/tt_graph_geometry.h"
+#include "ui/canvas/graph_view.h"
+
+namespace geargraph {
+
+/// The T-T graph of the document [AU, Figs. 5 and 6]: the tree of turning joints with the levels of its
+/// branches, the chords of every mesh to its transfer vertex. Of the chosen mesh it shows the two f-circuits
+/// as walks, and its equations in words.
+///
+/// Levels and transfer vertices come from the analysis, so the drawing follows setSnapshot(); places follow
+/// the document at once, for drags. Nodes stand where the layout puts them; those that are dragged stay where
+/// they were dropped, in a member of the document of their own.
+class TtGraphView final : public GraphView {
+  Q_OBJECT
+
+ public:
+  TtGraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot) override;
+
+ public slots:
+  void tidy() override;  ///< gives all dragged nodes back to the layout
+
+ protected:
+  void rebuild() override;
+  void catchUp() override;
+  void forgetDocument() override;
+  void showEvent(QShowEvent* event) override;
+  [[nodiscard]] Highlight highlight() const override;
+  [[nodiscard]] QString toolTipFor(const ElementId& element) const override;
+  [[nodiscard]] QString captionToolTip() const override;
+
+  [[nodiscard]] const NodePositions& positions() const override { return m_positions; }
+  [[nodiscard]] Expected<Mechanism> withMoved(const Mechanism& mechanism,
+                                              const NodeMoves& places) const override;
+  [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
+
+ private:
+  /// Is the analysis that of the document as it is now, but for where things stand?
+  [[nodiscard]] bool isAnalyzed() const;
+  /// Null where the turning joints are no spanning tree.
+  [[nodiscard]] const TtGraph* graph() const;
+  void draw();
+  void drawNow();
+  void tellWhatIsMissing();
+  [[nodiscard]] QString meshTip(int mesh) const;
+
+  DrawingScene* m_scene;
+  NodePositions m_layout;  ///< of the analysis, without what was dragged; empty until it is drawn
+  NodePositions m_positions;
+  bool m_toFit = true;    ///< another document has come and is not drawn yet
+  bool m_behind = false;  ///< the drawing is out of date, as nobody sees it
+};
+
+}  // namespace geargraph
