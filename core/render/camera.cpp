@@ -45,10 +45,7 @@ Camera Camera::looking(StandardView view) {
 
 Camera Camera::turnedTo(StandardView view) const {
   const auto placed = [this](double yaw, double pitch) {
-    Camera camera = from(yaw, pitch);
-    camera.m_target = m_target;
-    camera.m_distance = m_distance;
-    return camera;
+    return from(yaw, pitch).placedAt(m_target, m_distance);
   };
   switch (view) {
     case StandardView::front:
@@ -67,6 +64,22 @@ Camera Camera::turnedTo(StandardView view) const {
       return placed(-kQuarter / 2, std::atan(std::sqrt(0.5)));
   }
   return *this;
+}
+
+Camera Camera::turnedAlong(const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3d along = direction.normalized();
+  const bool isUpright = along.head<2>().norm() < 1e-9;
+  return from(isUpright ? -kQuarter : std::atan2(-along.y(), -along.x()),
+              std::asin(std::clamp(-along.z(), -1.0, 1.0)))
+      .placedAt(m_target, m_distance);
+}
+
+Camera Camera::placedAt(const Eigen::Vector3d& target, double distance) const {
+  GEARGRAPH_REQUIRE(distance > 0);
+  Camera camera = *this;
+  camera.m_target = target;
+  camera.m_distance = std::clamp(distance, kNearest, kFarthest);
+  return camera;
 }
 
 Eigen::Vector3d Camera::forward() const {

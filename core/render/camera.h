@@ -64,6 +64,11 @@ class Camera {
                               double margin = 0.08) const;
   /// The same target and distance from a standard direction.
   [[nodiscard]] Camera turnedTo(StandardView view) const;
+  /// The same target and distance, looking along a direction (not 0); x to the right where that is straight
+  /// up or down.
+  [[nodiscard]] Camera turnedAlong(const Eigen::Vector3d& direction) const;
+  /// The same direction from another place. @pre distance > 0
+  [[nodiscard]] Camera placedAt(const Eigen::Vector3d& target, double distance) const;
 
   [[nodiscard]] Eigen::Isometry3d view() const;  ///< world to eye; the eye looks along -z with y up
   /// Perspective for OpenGL's clip space, with everything within `radius` of `centre` between near and far.

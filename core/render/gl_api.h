@@ -28,6 +28,7 @@ namespace geargraph {
   F(GETSTRING, GetString) F(GETUNIFORMLOCATION, GetUniformLocation) F(LINKPROGRAM, LinkProgram) \
   F(PIXELSTOREI, PixelStorei) F(POLYGONOFFSET, PolygonOffset) F(READPIXELS, ReadPixels) \
   F(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) F(SHADERSOURCE, ShaderSource) \
+  F(STENCILFUNC, StencilFunc) F(STENCILOP, StencilOp) F(STENCILOPSEPARATE, StencilOpSeparate) \
   F(TEXIMAGE2D, TexImage2D) F(TEXPARAMETERI, TexParameteri) F(UNIFORM1F, Uniform1f) F(UNIFORM1I, Uniform1i) \
   F(UNIFORM2F, Uniform2f) F(UNIFORM3F, Uniform3f) F(UNIFORM4F, Uniform4f) F(UNIFORMMATRIX4FV, UniformMatrix4fv) \
   F(USEPROGRAM, UseProgram) F(VERTEXATTRIBPOINTER, VertexAttribPointer) F(VIEWPORT, Viewport)

@@ -20,6 +20,7 @@ GlProgram::GlProgram(const GlApi& gl, const char* vertex, const char* fragment) 
   for (const GLuint stage : stages) gl.AttachShader(m_program, stage);
   gl.BindAttribLocation(m_program, 0, "a_position");
   gl.BindAttribLocation(m_program, 1, "a_normal");
+  gl.BindAttribLocation(m_program, 2, "a_depth");
   gl.LinkProgram(m_program);
   for (const GLuint stage : stages) gl.DeleteShader(stage);
   GLint linked = 0;
@@ -114,8 +115,9 @@ bool GlTarget::ensure(int width, int height, int samples) {
   }
   if (m_depth) {
     m_gl.BindRenderbuffer(GL_RENDERBUFFER, m_renderbuffers[1]);
-    m_gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, width, height);
-    m_gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_renderbuffers[1]);
+    m_gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH24_STENCIL8, width, height);
+    m_gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                 m_renderbuffers[1]);
   }
   return m_gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
@@ -144,6 +146,8 @@ GlOverlay::GlOverlay(const GlApi& gl) : m_gl(gl) {
   gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(OverlayVertex), nullptr);
   gl.EnableVertexAttribArray(1);
   gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(OverlayVertex), offset(2 * sizeof(float)));
+  gl.EnableVertexAttribArray(2);
+  gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(OverlayVertex), offset(5 * sizeof(float)));
   gl.BindVertexArray(0);
 }
 

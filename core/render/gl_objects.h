@@ -55,7 +55,8 @@ class GlSolid {
   GLsizei m_edgeIndices = 0;
 };
 
-/// A framebuffer of its own: colours as a texture (or with several samples a pixel), depth on demand.
+/// A framebuffer of its own: colours as a texture (or with several samples a pixel), depth and
+/// stencil on demand.
 class GlTarget {
  public:
   enum class Colours { rgba, coverage };
@@ -84,13 +85,14 @@ class GlTarget {
   GLuint m_renderbuffers[2] = {0, 0};  ///< colour, depth
 };
 
-/// Coloured triangles in pixels, made anew each frame: the axis triad.
+/// Coloured triangles in pixels, made anew each frame: the axis triad, lines in space.
 struct OverlayVertex {
   float x = 0;  ///< right from the left edge
   float y = 0;  ///< down from the upper edge
   float red = 0;
   float green = 0;
   float blue = 0;
+  float depth = -1;  ///< OpenGL's: -1 nearest, 1 farthest
 };
 
 class GlOverlay {

@@ -21,22 +21,26 @@ GlPasses::GlPasses(const GlApi& gl)
       m_shadow(gl, shaders::kShadowVertex, shaders::kShadowFragment),
       m_blur(gl, shaders::kFullVertex, shaders::kBlurFragment),
       m_halo(gl, shaders::kFullVertex, shaders::kHaloFragment),
-      m_overlayProgram(gl, shaders::kOverlayVertex, shaders::kOverlayFragment) {
+      m_overlayProgram(gl, shaders::kOverlayVertex, shaders::kOverlayFragment),
+      m_cap(gl, shaders::kCapVertex, shaders::kCapFragment) {
   m_at.litModelView = m_lit.uniform("u_modelView");
   m_at.litProjection = m_lit.uniform("u_projection");
   m_at.litColour = m_lit.uniform("u_colour");
   m_at.litUp = m_lit.uniform("u_up");
   m_at.litAccent = m_lit.uniform("u_accent");
+  m_at.litAlpha = m_lit.uniform("u_alpha");
+  m_at.litSection = m_lit.uniform("u_section");
   m_at.flatModelView = m_flat.uniform("u_modelView");
   m_at.flatProjection = m_flat.uniform("u_projection");
   m_at.flatNearer = m_flat.uniform("u_nearer");
   m_at.flatColour = m_flat.uniform("u_flat");
+  m_at.flatSection = m_flat.uniform("u_section");
   m_at.shadowModel = m_shadow.uniform("u_modelView");
 }
 
 std::string GlPasses::log() const {
   return m_gradient.log() + m_lit.log() + m_flat.log() + m_disc.log() + m_shadow.log() + m_blur.log() +
-         m_halo.log() + m_overlayProgram.log();
+         m_halo.log() + m_overlayProgram.log() + m_cap.log();
 }
 
 // Products are formed in double before they are narrowed, so that a far camera does not make parts tremble.
@@ -111,24 +115,57 @@ void GlPasses::endShadow() {
   m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void GlPasses::beginSection(const Eigen::Vector4d& plane) {
+  m_section = plane.cast<float>();
+  m_gl.Enable(GL_CLIP_DISTANCE0);
+}
+
+// The plane goes as well: llvmpipe may go on cutting after the switch is off.
+void GlPasses::endSection() {
+  m_section = {0, 0, 0, 1};
+  m_gl.Disable(GL_CLIP_DISTANCE0);
+}
+
+void GlPasses::cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, const CapSquare& square,
+                   const Rgb& colour, bool leansLeft) const {
+  const auto vector = [this](const char* name, const Eigen::Vector3d& value) {
+    m_gl.Uniform3f(m_cap.uniform(name), static_cast<float>(value.x()), static_cast<float>(value.y()),
+                   static_cast<float>(value.z()));
+  };
+  m_cap.use();
+  set(m_cap.uniform("u_modelView"), view);
+  set(m_cap.uniform("u_projection"), projection);
+  set(m_cap.uniform("u_colour"), colour);
+  vector("u_centre", square.centre);
+  vector("u_right", square.right);
+  vector("u_upward", square.upward);
+  m_gl.Uniform2f(m_cap.uniform("u_hatch"), static_cast<float>(square.hatch), leansLeft ? -1.0F : 1.0F);
+  m_overlay.bindEmpty();
+  m_gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
 void GlPasses::beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const {
   m_lit.use();
   set(m_at.litProjection, projection);
   m_gl.Uniform1f(m_lit.uniform("u_nearer"), 1);
+  m_gl.Uniform4f(m_at.litSection, m_section[0], m_section[1], m_section[2], m_section[3]);
   m_gl.Uniform3f(m_at.litUp, static_cast<float>(view(0, 2)), static_cast<float>(view(1, 2)),
                  static_cast<float>(view(2, 2)));
 }
 
-void GlPasses::lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint) const {
+void GlPasses::lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint,
+                   float alpha) const {
   set(m_at.litModelView, modelView);
   set(m_at.litColour, colour);
   m_gl.Uniform4f(m_at.litAccent, accent.red, accent.green, accent.blue, tint);
+  m_gl.Uniform1f(m_at.litAlpha, alpha);
 }
 
 void GlPasses::beginFlat(const Eigen::Matrix4d& projection, float nearer) const {
   m_flat.use();
   set(m_at.flatProjection, projection);
   m_gl.Uniform1f(m_at.flatNearer, nearer);
+  m_gl.Uniform4f(m_at.flatSection, m_section[0], m_section[1], m_section[2], m_section[3]);
 }
 
 void GlPasses::flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const {
@@ -155,8 +192,10 @@ void GlPasses::halo(GLuint mask, const Viewport& viewport, double pixelRatio, co
   m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void GlPasses::overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport) const {
+void GlPasses::overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport,
+                       float alpha) const {
   m_overlayProgram.use();
+  m_gl.Uniform1f(m_overlayProgram.uniform("u_alpha"), alpha);
   m_gl.Uniform2f(m_overlayProgram.uniform("u_size"), static_cast<float>(viewport.width),
                  static_cast<float>(viewport.height));
   m_overlay.draw(triangles);

@@ -20,6 +20,14 @@ struct Disc {
   double radius = 1;
 };
 
+/// A part of the cutting plane, with the distance of its hatching, mm.
+struct CapSquare {
+  Eigen::Vector3d centre;
+  Eigen::Vector3d right;   ///< half a side
+  Eigen::Vector3d upward;  ///< half a side
+  double hatch = 1;
+};
+
 /// The shader programs of the renderer with the uniforms they take: what to set and in which order is known
 /// here only. All of one kind is painted between its begin and the next.
 class GlPasses {
@@ -38,8 +46,17 @@ class GlPasses {
   void castShadow(const Eigen::Matrix4d& model, const GlSolid& solid) const;
   void endShadow();
 
+  /// From here on nothing of the solids is painted at normal . x > offset (in the frame of the eye), until
+  /// endSection().
+  void beginSection(const Eigen::Vector4d& plane);
+  void endSection();
+  /// The cut face of what the stencil holds, within a square of the plane.
+  void cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, const CapSquare& square,
+           const Rgb& colour, bool leansLeft) const;
+
   void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const;
-  void lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint) const;
+  void lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint,
+           float alpha) const;
 
   void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
   void flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const;
@@ -47,7 +64,7 @@ class GlPasses {
 
   void halo(GLuint mask, const Viewport& viewport, double pixelRatio, const Rgb& colour,
             float strength) const;
-  void overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport) const;
+  void overlay(std::span<const OverlayVertex> triangles, const Viewport& viewport, float alpha = 1) const;
 
  private:
   void set(GLint uniform, const Eigen::Matrix4d& matrix) const;
@@ -62,13 +79,14 @@ class GlPasses {
 
   const GlApi& m_gl;
   GlOverlay m_overlay{m_gl};
-  GlProgram m_gradient, m_lit, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram;
+  GlProgram m_gradient, m_lit, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram, m_cap;
+  Eigen::Vector4f m_section{0, 0, 0, 1};
   GlTarget m_shadowImage{m_gl, GlTarget::Colours::coverage, false};
   GlTarget m_blurredImage{m_gl, GlTarget::Colours::coverage, false};
 
   struct Uniforms {  // of the programs that are set once an instance
-    GLint litModelView, litProjection, litColour, litUp, litAccent;
-    GLint flatModelView, flatProjection, flatNearer, flatColour;
+    GLint litModelView, litProjection, litColour, litUp, litAccent, litAlpha, litSection;
+    GLint flatModelView, flatProjection, flatNearer, flatColour, flatSection;
     GLint shadowModel;
   } m_at{};
 };

@@ -8,6 +8,7 @@
 #include "core/render/frustum.h"
 #include "core/render/gl_objects.h"
 #include "core/render/gl_passes.h"
+#include "core/render/mark_lines.h"
 #include "core/render/triad.h"
 
 namespace geargraph {
@@ -15,6 +16,10 @@ namespace {
 
 constexpr float kHoverTint = 0.10F;
 constexpr float kSelectedTint = 0.22F;
+constexpr float kGhost = 0.14F;          // how much of a ghost's face is seen
+constexpr float kGhostEdge = 0.35F;      // of the strength of its edges
+constexpr float kCoveredMark = 0.25F;    // how much of a line is seen through a solid
+constexpr double kHatches = 90;          // lines across the scene
 constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
 class GlRenderer final : public Renderer {
@@ -48,20 +53,28 @@ class GlRenderer final : public Renderer {
     return frame.camera.projection(frame.viewport, m_bounds.centre(), 2.5 * m_bounds.radius());
   }
   [[nodiscard]] Disc disc() const;
-  [[nodiscard]] static Emphasis emphasis(const Frame& frame, std::size_t instance) {
-    return frame.emphasis.empty() ? Emphasis::none : frame.emphasis[instance];
+  [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
+    return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
   }
-  /// Visits what may be seen through this clip matrix.
+  [[nodiscard]] static Showing showing(const Frame& frame, std::size_t instance) {
+    return frame.showing.empty() ? Showing::solid : frame.showing[instance];
+  }
+  /// Visits what may be seen through this clip matrix and is shown in this way.
   template <class Visit>
-  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit);
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, Visit visit);
   /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                         double radius);
+  void beginSection(const Frame& frame);
+  void drawFaces(const Frame& frame, Showing wanted, float alpha);
+  void drawCaps(const Frame& frame);
+  void drawGhosts(const Frame& frame);
+  void drawMarks(const Frame& frame);
 
   void drawGround(const Frame& frame);
   void drawShadow(const Frame& frame);
   void drawSolids(const Frame& frame);
-  void drawEdges(const Frame& frame);
+  void drawEdges(const Frame& frame, Showing wanted, float part);
   void drawTriad(const Frame& frame);
   void drawHalo(const Frame& frame, unsigned framebuffer);
 
@@ -131,9 +144,10 @@ const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const
 }
 
 template <class Visit>
-void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Visit visit) {
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, Visit visit) {
   const Frustum frustum(clip);
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+    if (showing(frame, i) != wanted) continue;
     const std::size_t shape = m_scene.instances[i].solid;
     const Ball& ball = m_balls[shape];
     const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
@@ -162,7 +176,7 @@ void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
   if (frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
   m_sampled.bind();
   m_gl->ClearColor(0, 0, 0, 0);
-  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   m_gl->Enable(GL_BLEND);
   m_gl->BlendEquation(GL_FUNC_ADD);
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -171,9 +185,12 @@ void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
   m_gl->DepthFunc(GL_LEQUAL);
   m_gl->Enable(GL_CULL_FACE);
   m_gl->CullFace(GL_BACK);
+  if (frame.section) beginSection(frame);
   drawSolids(frame);
-  if (frame.look.edges) drawEdges(frame);
+  drawGhosts(frame);
+  m_passes.endSection();
   m_gl->Disable(GL_CULL_FACE);
+  drawMarks(frame);
   m_gl->Disable(GL_DEPTH_TEST);
   if (frame.look.triad) drawTriad(frame);
   m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_sampled.framebuffer());
@@ -203,39 +220,128 @@ void GlRenderer::drawShadow(const Frame& frame) {
   seenFromAbove(1, 3) = -ground.y / ground.radius;
   seenFromAbove.row(2) *= 1e-6;  // however high
   seenFromAbove(3, 3) = 1;
-  eachInstance(frame, seenFromAbove, [&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, seenFromAbove, Showing::solid, [&](std::size_t i, const GlSolid& solid) {
     if (m_scene.instances[i].castsShadow) m_passes.castShadow(pose(frame, i).matrix(), solid);
   });
   m_passes.endShadow();
 }
 
+// In the frame of the eye, as the shaders take it.
+void GlRenderer::beginSection(const Frame& frame) {
+  const Pose view = frame.camera.view();
+  const Eigen::Vector3d normal = view.linear() * frame.section->normal;
+  Eigen::Vector4d plane;
+  plane << normal, frame.section->offset + normal.dot(view.translation());
+  m_passes.beginSection(plane);
+}
+
 void GlRenderer::drawSolids(const Frame& frame) {
+  if (frame.look.faces != Faces::wireframe) {
+    drawFaces(frame, Showing::solid, 1);
+    if (frame.section) drawCaps(frame);
+  }
+  if (frame.look.edges || frame.look.faces != Faces::shaded) drawEdges(frame, Showing::solid, 1);
+}
+
+void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
+  const bool isDrawing = frame.look.faces == Faces::hiddenLine;
   m_passes.beginLit(view, projection(frame));
-  eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
-    const Emphasis state = emphasis(frame, i);
-    const float tint = state == Emphasis::selected  ? kSelectedTint
-                       : state == Emphasis::hovered ? kHoverTint
-                                                    : 0;
-    m_passes.lit(view * pose(frame, i).matrix(), m_scene.instances[i].colour, frame.look.accent, tint);
+  eachInstance(frame, projection(frame) * view, wanted, [&](std::size_t i, const GlSolid& solid) {
+    const Highlight state = emphasis(frame, i);
+    const float tint = state == Highlight::selected  ? kSelectedTint
+                       : state == Highlight::hovered ? kHoverTint
+                       : isDrawing                   ? 1
+                                                     : 0;
+    const bool isPaper = isDrawing && state == Highlight::none;
+    m_passes.lit(view * pose(frame, i).matrix(), m_scene.instances[i].colour,
+                 isPaper ? frame.look.groundTop : frame.look.accent, tint, alpha);
     solid.drawTriangles();
   });
   m_gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void GlRenderer::drawEdges(const Frame& frame) {
+// A ray that has left a closed solid once more often than it has entered it, on the kept side of the plane,
+// went in through the cut: there the stencil holds 1, and the plane is the solid's face.
+void GlRenderer::drawCaps(const Frame& frame) {
+  const CutPlane& section = *frame.section;
+  const Eigen::Matrix4d view = frame.camera.view().matrix(), through = projection(frame);
+  CapSquare square;
+  square.hatch = 2 * m_bounds.radius() / kHatches;
+  const Eigen::Vector3d right = section.normal.unitOrthogonal();
+  m_gl->Enable(GL_STENCIL_TEST);
+  int count = 0;
+  eachInstance(frame, through * view, Showing::solid, [&](std::size_t i, const GlSolid& solid) {
+    const Ball& ball = m_balls[m_scene.instances[i].solid];
+    const Eigen::Vector3d centre = pose(frame, i) * ball.centre;
+    const double above = section.normal.dot(centre) - section.offset;
+    if (std::abs(above) > ball.radius) return;
+    m_gl->Disable(GL_CULL_FACE);
+    m_gl->Disable(GL_DEPTH_TEST);
+    m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    m_gl->StencilFunc(GL_ALWAYS, 0, 255);
+    m_gl->StencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    m_gl->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+    m_passes.beginFlat(through, 1);
+    m_passes.flat(view * pose(frame, i).matrix(), Rgb{}, 1);
+    solid.drawTriangles();
+    m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_gl->Enable(GL_DEPTH_TEST);
+    m_gl->StencilFunc(GL_NOTEQUAL, 0, 255);
+    m_gl->StencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
+    square.centre = centre - above * section.normal;
+    square.right = ball.radius * right;
+    square.upward = ball.radius * section.normal.cross(right);
+    m_passes.cap(view, through, square, m_scene.instances[i].colour, ++count % 2 == 0);
+    m_gl->Enable(GL_CULL_FACE);
+  });
+  m_gl->Disable(GL_STENCIL_TEST);
+}
+
+// Depth first, colour second: of a ghost only the nearest faces are seen, once.
+void GlRenderer::drawGhosts(const Frame& frame) {
+  if (std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) == frame.showing.end()) return;
+  if (frame.look.faces != Faces::wireframe) {
+    m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawFaces(frame, Showing::ghost, 1);
+    m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    drawFaces(frame, Showing::ghost, kGhost);
+  }
+  drawEdges(frame, Showing::ghost, kGhostEdge);
+}
+
+void GlRenderer::drawEdges(const Frame& frame, Showing wanted, float part) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   // In a small picture lines of one pixel would cover the teeth that they are to show.
   const double fade = std::clamp(frame.viewport.height / (kFullEdgeHeight * frame.pixelRatio), 0.55, 1.0);
-  const float strength = frame.look.edgeStrength * static_cast<float>(fade);
+  const bool coloured = frame.look.faces == Faces::wireframe;
+  const float full = frame.look.faces == Faces::shaded ? frame.look.edgeStrength : 0.85F;
+  const float strength = part * full * static_cast<float>(fade);
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
-  eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
-    m_passes.flat(view * pose(frame, i).matrix(), frame.look.edge, strength);
+  eachInstance(frame, projection(frame) * view, wanted, [&](std::size_t i, const GlSolid& solid) {
+    const bool marked = coloured && emphasis(frame, i) != Highlight::none;
+    const Rgb& own = marked ? frame.look.accent : m_scene.instances[i].colour;
+    const Rgb& ink = frame.look.faces == Faces::hiddenLine ? frame.look.letters : frame.look.edge;
+    m_passes.flat(view * pose(frame, i).matrix(), coloured ? own : ink, strength);
     solid.drawEdges();
   });
+  m_gl->DepthMask(GL_TRUE);
+}
+
+void GlRenderer::drawMarks(const Frame& frame) {
+  if (frame.marks.empty()) return;
+  const Eigen::Matrix4d clip = projection(frame) * frame.camera.view().matrix();
+  const std::vector<OverlayVertex> triangles =
+      markTriangles(frame.marks, clip, frame.viewport, frame.pixelRatio);
+  m_gl->Enable(GL_DEPTH_TEST);
+  m_gl->DepthMask(GL_FALSE);
+  m_gl->DepthFunc(GL_GREATER);
+  m_passes.overlay(triangles, frame.viewport, kCoveredMark);
+  m_gl->DepthFunc(GL_LEQUAL);
+  m_passes.overlay(triangles, frame.viewport);
   m_gl->DepthMask(GL_TRUE);
 }
 
@@ -246,23 +352,27 @@ void GlRenderer::drawTriad(const Frame& frame) {
 void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   const Viewport& size = frame.viewport;
-  for (const Emphasis wanted : {Emphasis::hovered, Emphasis::selected}) {
+  for (const Highlight wanted : {Highlight::hovered, Highlight::selected}) {
     if (std::find(frame.emphasis.begin(), frame.emphasis.end(), wanted) == frame.emphasis.end()) continue;
     if (!m_mask.ensure(size.width, size.height)) return;
     m_mask.bind();
     m_gl->Disable(GL_BLEND);
     m_gl->ClearColor(0, 0, 0, 0);
     m_gl->Clear(GL_COLOR_BUFFER_BIT);
+    if (frame.section) beginSection(frame);
     m_passes.beginFlat(projection(frame), 1);
-    eachInstance(frame, projection(frame) * view, [&](std::size_t i, const GlSolid& solid) {
-      if (emphasis(frame, i) != wanted) return;
-      m_passes.flat(view * pose(frame, i).matrix(), Rgb{1, 1, 1}, 1);
-      solid.drawTriangles();
-    });
+    for (const Showing shown : {Showing::solid, Showing::ghost}) {
+      eachInstance(frame, projection(frame) * view, shown, [&](std::size_t i, const GlSolid& solid) {
+        if (emphasis(frame, i) != wanted) return;
+        m_passes.flat(view * pose(frame, i).matrix(), Rgb{1, 1, 1}, 1);
+        solid.drawTriangles();
+      });
+    }
+    m_passes.endSection();
     m_gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     m_gl->Viewport(0, 0, size.width, size.height);
     m_gl->Enable(GL_BLEND);
-    const float strength = wanted == Emphasis::selected ? 0.95F : 0.55F;
+    const float strength = wanted == Highlight::selected ? 0.95F : 0.55F;
     m_passes.halo(m_mask.texture(), size, frame.pixelRatio, frame.look.accent, strength);
   }
 }
@@ -300,14 +410,23 @@ std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
   m_gl->Disable(GL_BLEND);
   m_gl->Enable(GL_DEPTH_TEST);
   m_gl->DepthFunc(GL_LEQUAL);
-  m_gl->Enable(GL_CULL_FACE);
+  frame.section ? m_gl->Disable(GL_CULL_FACE)
+                : m_gl->Enable(GL_CULL_FACE);  // of a cut solid the inside shows
   m_gl->ClearColor(0, 0, 0, 0);
-  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  if (frame.section) beginSection(frame);
   m_passes.beginFlat(cut * through, 1);
-  eachInstance(frame, cut * through * view, [&](std::size_t i, const GlSolid& solid) {
-    m_passes.flatNumber(view * pose(frame, i).matrix(), static_cast<std::uint32_t>(i + 1));
-    solid.drawTriangles();
-  });
+  m_gl->Enable(GL_STENCIL_TEST);  // ghosts only where there is nothing else
+  m_gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  for (const Showing wanted : {Showing::solid, Showing::ghost}) {
+    wanted == Showing::solid ? m_gl->StencilFunc(GL_ALWAYS, 1, 255) : m_gl->StencilFunc(GL_EQUAL, 0, 255);
+    eachInstance(frame, cut * through * view, wanted, [&](std::size_t i, const GlSolid& solid) {
+      m_passes.flatNumber(view * pose(frame, i).matrix(), static_cast<std::uint32_t>(i + 1));
+      solid.drawTriangles();
+    });
+  }
+  m_gl->Disable(GL_STENCIL_TEST);
+  m_passes.endSection();
   const NumberedPixels<kSide> pixels = readNumbers<kSide>(*m_gl);
   m_gl->Disable(GL_CULL_FACE);
   m_gl->Disable(GL_DEPTH_TEST);

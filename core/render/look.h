@@ -1,8 +1,14 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/render/scene.h"
 
 namespace geargraph {
+
+/// What is painted of the solids: lit faces with their edges, edges alone with hidden ones left out (a
+/// drawing), or all edges in the colours of the parts.
+enum class Faces : std::uint8_t { shaded, hiddenLine, wireframe };
 
 /// How a scene is painted: the ground's colours, which lines and shadows there are, and how finely. The
 /// colours of the parts are the scene's own.
@@ -18,6 +24,7 @@ struct Look {
   Rgb accent;                ///< selection
   Rgb letters;               ///< of the axis triad
   bool transparent = false;  ///< no gradient: the ground is left open (alpha 0)
+  Faces faces = Faces::shaded;
   bool edges = true;
   bool contactShadow = true;
   bool triad = true;

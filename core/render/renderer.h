@@ -7,21 +7,38 @@
 #include "core/render/camera.h"
 #include "core/render/image.h"
 #include "core/render/look.h"
+#include "core/render/mark_line.h"
 #include "core/render/scene.h"
 
 namespace geargraph {
 
-enum class Emphasis : std::uint8_t { none, hovered, selected };
+enum class Highlight : std::uint8_t { none, hovered, selected };
 
-/// One picture to be painted. `poses` and `emphasis` have one entry an instance of the scene; empty, the
-/// scene's own poses and no emphasis hold. Nothing but these changes from frame to frame.
+/// How much of an instance is to be seen. A ghost is a veil that hides nothing behind it; what is hidden is
+/// neither painted nor picked.
+enum class Showing : std::uint8_t { solid, ghost, hidden };
+
+/// A plane that cuts the scene open: what lies at normal . x > offset is taken away, and the cut faces of the
+/// closed solids are hatched.
+struct CutPlane {
+  Eigen::Vector3d normal{0, 1, 0};  ///< length 1, world
+  double offset = 0;                ///< mm
+  friend bool operator==(const CutPlane&, const CutPlane&) = default;
+};
+
+/// One picture to be painted. `poses`, `emphasis` and `showing` have one entry an instance of the scene;
+/// empty, the scene's own poses hold, no emphasis, and all of it is solid. Nothing but these changes from
+/// frame to frame.
 struct Frame {
   Viewport viewport;
   double pixelRatio = 1;  ///< device pixels a logical pixel: widths of lines and letters
   Camera camera;
   Look look;
   std::span<const Pose> poses;
-  std::span<const Emphasis> emphasis;
+  std::span<const Highlight> emphasis;
+  std::span<const Showing> showing;
+  std::optional<CutPlane> section;
+  std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid is before them
 };
 
 /// What lies under a pixel.

@@ -28,6 +28,7 @@ inline constexpr const char* kSolidVertex = R"(
 uniform mat4 u_modelView;
 uniform mat4 u_projection;
 uniform float u_nearer;
+uniform vec4 u_section;  // what is beyond this plane is cut away, where cutting is switched on
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 out vec3 v_normal;
@@ -35,6 +36,7 @@ out vec3 v_position;
 void main() {
   vec4 seen = u_modelView * vec4(a_position, 1.0);
   v_position = seen.xyz;
+  gl_ClipDistance[0] = u_section.w - dot(u_section.xyz, seen.xyz);
   v_normal = mat3(u_modelView) * a_normal;
   gl_Position = u_projection * vec4(seen.xyz * u_nearer, 1.0);
 })";
@@ -46,6 +48,7 @@ inline constexpr const char* kSolidFragment = R"(
 uniform vec3 u_colour;
 uniform vec3 u_up;
 uniform vec4 u_accent;
+uniform float u_alpha;
 in vec3 v_normal;
 in vec3 v_position;
 out vec4 o_colour;
@@ -62,7 +65,7 @@ void main() {
   float rim = 0.16 * grazing * grazing * grazing * sky;
   vec3 lit = shade < 1.0 ? u_colour * shade : mix(u_colour, vec3(1.0), min(1.5 * (shade - 1.0), 0.3));
   lit = mix(lit, vec3(1.0), rim);
-  o_colour = vec4(mix(lit, u_accent.rgb, u_accent.a), 1.0);
+  o_colour = vec4(mix(lit, u_accent.rgb, u_accent.a), u_alpha);
 })";
 
 /// One colour: feature edges, masks, numbers of instances.
@@ -158,15 +161,48 @@ inline constexpr const char* kOverlayVertex = R"(
 uniform vec2 u_size;
 layout(location = 0) in vec2 a_position;
 layout(location = 1) in vec3 a_normal;
+layout(location = 2) in float a_depth;
 out vec3 v_colour;
 void main() {
   v_colour = a_normal;
-  gl_Position = vec4(2.0 * a_position.x / u_size.x - 1.0, 1.0 - 2.0 * a_position.y / u_size.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * a_position.x / u_size.x - 1.0, 1.0 - 2.0 * a_position.y / u_size.y, a_depth, 1.0);
 })";
 
 inline constexpr const char* kOverlayFragment = R"(
+uniform float u_alpha;
 in vec3 v_colour;
 out vec4 o_colour;
-void main() { o_colour = vec4(v_colour, 1.0); })";
+void main() { o_colour = vec4(v_colour, u_alpha); })";
+
+/// A square in the cutting plane, about u_centre, with the half sides u_right and u_upward.
+inline constexpr const char* kCapVertex = R"(
+uniform mat4 u_modelView;  // of the world
+uniform mat4 u_projection;
+uniform vec3 u_centre;
+uniform vec3 u_right;
+uniform vec3 u_upward;
+out vec2 v_place;  // mm in the plane
+void main() {
+  vec2 corner = vec2(gl_VertexID % 2 == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
+  v_place = corner * length(u_right) + vec2(dot(u_centre, normalize(u_right)), dot(u_centre, normalize(u_upward)));
+  vec3 world = u_centre + corner.x * u_right + corner.y * u_upward;
+  gl_ClipDistance[0] = 1.0;
+  gl_Position = u_projection * u_modelView * vec4(world, 1.0);
+})";
+
+/// Hatched as in a drawing: lines at 45 degrees, leaning one way or the other, u_hatch.x mm apart.
+inline constexpr const char* kCapFragment = R"(
+uniform vec3 u_colour;
+uniform vec2 u_hatch;  // distance; +1 or -1
+in vec2 v_place;
+out vec4 o_colour;
+void main() {
+  float across = (v_place.x + u_hatch.y * v_place.y) / (1.4142 * u_hatch.x);
+  float from = abs(fract(across) - 0.5);
+  float pixel = max(fwidth(across), 1e-6);
+  float line = 1.0 - smoothstep(0.6, 1.6, (0.5 - from) / pixel);
+  line *= clamp(0.25 / pixel, 0.0, 1.0);  // too fine to be told apart: none
+  o_colour = vec4(mix(mix(u_colour, vec3(1.0), 0.35), u_colour * 0.45, 0.7 * line), 1.0);
+})";
 
 }  // namespace geargraph::shaders

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,8 +11,11 @@
 
 namespace geargraph {
 
+enum class LabelKind : std::uint8_t { link, joint, axis };
+
 /// A disc with a text that faces the viewer, beside what it names.
 struct StageLabel {
+  LabelKind kind = LabelKind::link;
   std::string text;
   Rgb colour;                      ///< of the disc's ring
   ElementId element;               ///< what a click on it selects
@@ -28,6 +32,33 @@ struct StageHandle {
       gains;  ///< rad about +direction, against what carries it, a rad of each input; empty: fixed
 };
 
+enum class MarkKind : std::uint8_t { pitchCircle, axis };
+
+/// A line of the geometry that no solid shows: a pitch circle, a turning axis.
+struct StageMark {
+  MarkKind kind = MarkKind::pitchCircle;
+  std::size_t instance = 0;             ///< it moves with this one
+  std::vector<Eigen::Vector3d> points;  ///< mm, in the instance's frame
+  bool dashed = false;
+};
+
+/// Where two wheels roll on each other.
+struct StageContact {
+  Eigen::Vector3d point{0, 0, 0};      ///< pitch point at the scene's own poses
+  std::optional<std::size_t> carrier;  ///< an instance of the link that it moves with; none: the ground's
+  std::size_t tail = 0;                ///< the two wheels
+  std::size_t head = 0;
+};
+
+/// How an instance moves at a moment: angular velocity, and the velocity of its point that is at the origin.
+struct Twist3 {
+  Eigen::Vector3d angular{0, 0, 0};  ///< rad/s
+  Eigen::Vector3d linear{0, 0, 0};   ///< mm/s
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const {
+    return linear + angular.cross(point);
+  }
+};
+
 /// A scene that moves: where every instance is for given angles of the inputs. Poses are a function of the
 /// angles, never a sum of steps, so nothing drifts however long the train runs.
 struct Stage {
@@ -35,9 +66,16 @@ struct Stage {
   std::vector<StageLabel> labels;
   std::vector<StageHandle> handles;  ///< by instance; empty where nothing moves
   std::vector<double> inputSpeeds;   ///< rad/s, one an input
+  std::string unit = "mm";           ///< of all lengths
+  std::vector<StageMark> marks;
+  std::vector<StageContact> contacts;
   double period = 0;  ///< seconds after which everything is where it was; 0: not known, or it never is
   /// Fills one pose an instance from one angle an input (rad; at 0 the reference pose). Empty: nothing moves.
   std::function<void(std::span<const double> angles, std::span<Pose> poses)> place;
+  /// Fills the twist of every instance, at these angles and speeds of the inputs. Empty: nothing moves.
+  std::function<void(std::span<const double> angles, std::span<const double> speeds,
+                     std::span<Twist3> twists)>
+      twists;
 };
 
 using StagePtr = std::shared_ptr<const Stage>;

@@ -5,8 +5,10 @@
 
 #include "core/drawing/palette.h"
 #include "core/gears/train_parts.h"
+#include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
+#include "core/scene/stage_marks.h"
 
 namespace geargraph {
 namespace {
@@ -46,6 +48,7 @@ class StageBuilder {
   GearCache& m_cache;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
+  std::vector<std::optional<std::size_t>> m_instanceOfGear;
   std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
 };
 
@@ -80,6 +83,7 @@ void StageBuilder::addLevels(std::size_t solid, const GearSpec& spec) {
 void StageBuilder::addGear(const TrainGear& gear, const LinkPart& part) {
   Instance& instance = add(part);
   addLevels(instance.solid, gear.spec);
+  m_instanceOfGear[static_cast<std::size_t>(part.gear)] = m_stage->scene.instances.size() - 1;
   for (const int mesh : gear.meshes) {
     instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   }
@@ -118,6 +122,7 @@ void StageBuilder::addLabels() {
 std::shared_ptr<Stage> StageBuilder::build() {
   const GearTrain train = trainOf(m_mechanism, m_placement);
   m_labelOf.resize(m_mechanism.links.size());
+  m_instanceOfGear.resize(train.gears.size());
   // Gears that cannot be made are left out; the train's diagnostics say why.
   for (const LinkPart& part : trainParts(m_mechanism, train, m_cache, kScreenTolerance).parts) {
     if (part.gear >= 0) {
@@ -127,11 +132,14 @@ std::shared_ptr<Stage> StageBuilder::build() {
     }
   }
   addLabels();
+  m_stage->unit = m_mechanism.unit;
+  addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
   return m_stage;
 }
 
 /// What moves the stage; shared by the function that places it, and by its copies.
 struct Mover {
+  SpanningTree tree;
   ForwardKinematics kinematics;
   JointMotion motion;
   std::vector<int> linkOfInstance;
@@ -143,6 +151,19 @@ struct Mover {
     const std::vector<Pose> links = kinematics.poses(angles);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       poses[i] = links[static_cast<std::size_t>(linkOfInstance[i])] * reference[i];
+    }
+  }
+
+  /// The joints' rates depend on the inputs' as their angles do.
+  void twists(std::span<const double> inputAngles, std::span<const double> inputSpeeds,
+              std::span<Twist3> result) const {
+    std::vector<double> angles(static_cast<std::size_t>(kinematics.jointCount())), rates(angles.size());
+    motion.angles(inputAngles, angles);
+    motion.angles(inputSpeeds, rates);
+    const std::vector<LinkTwist> links = linkTwists(tree, kinematics, kinematics.poses(angles), rates);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const LinkTwist& twist = links[static_cast<std::size_t>(linkOfInstance[i])];
+      result[i] = {twist.angular, twist.linear};
     }
   }
 };
@@ -181,10 +202,12 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache) {
   stage->inputSpeeds = motion->speeds;
   stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
   const auto mover =
-      std::make_shared<const Mover>(Mover{ForwardKinematics(tree, turningLines(placement)), *motion,
+      std::make_shared<const Mover>(Mover{tree, ForwardKinematics(tree, turningLines(placement)), *motion,
                                           builder.linkOfInstance(), std::move(reference)});
   stage->handles = handlesOf(*mover, tree);
   stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
+  stage->twists = [mover](std::span<const double> angles, std::span<const double> speeds,
+                          std::span<Twist3> twists) { mover->twists(angles, speeds, twists); };
   return stage;
 }
 

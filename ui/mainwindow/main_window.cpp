@@ -289,6 +289,7 @@ void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
   connect(m_stages, &StageService::stageReady, this, &MainWindow::onStage);
   connect(m_document, &Document::replaced, this, [this] { m_hasPicture = false; });
+  wireView3DCommands();
 }
 
 /// While a link hangs loose or the joints close a loop there is no picture: then the last one stays.

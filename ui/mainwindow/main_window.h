@@ -76,6 +76,8 @@ class MainWindow : public QMainWindow {
   /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
   /// for the 3D view. The status bar says what went wrong.
   void exportPicture(const PictureWish& wish, const QString& path);
+  /// The newest path that the 3D view has traced, as CSV. @pre there is one
+  bool saveTrace(const QString& path);
 
   /// The places and sizes of windows and docks as they were when the last window closed.
   void restoreLayout();
@@ -116,6 +118,8 @@ class MainWindow : public QMainWindow {
   void wireDrawing(DrawingView* drawing);
   void wireView3D();
   void wireMotion();
+  void wireView3DCommands();
+  void chooseAndSaveTrace();
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);

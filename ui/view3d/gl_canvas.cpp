@@ -1,11 +1,13 @@
 #include "ui/view3d/gl_canvas.h"
 
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QOpenGLContext>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
 #include "core/render/gl_renderer.h"
+#include "ui/view3d/overlay.h"
 
 namespace geargraph {
 namespace {
@@ -89,9 +91,7 @@ void GlCanvas::paintGL() {
   device.setDevicePixelRatio(m_viewer->pixelRatio());
   QPainter painter(&device);
   painter.setFont(font());
-  const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
-                                      m_viewer->viewport(), m_viewer->pixelRatio());
-  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
+  paintOverlay(painter, *m_viewer, *m_labels, m_dark);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
@@ -114,6 +114,12 @@ void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 void GlCanvas::wheelEvent(QWheelEvent* event) {
   event->setAccepted(m_viewer->wheel(*event));
+}
+
+bool GlCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture)
+    return m_viewer->nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+  return QOpenGLWidget::event(event);
 }
 
 void GlCanvas::leaveEvent(QEvent* event) {

@@ -41,7 +41,9 @@ void pushApart(std::vector<PlacedLabel>& labels, double width, double height) {
   }
 }
 
-QImage discImage(const QString& text, const QColor& ring, QFont font, bool dark, double ratio) {
+/// A link is a disc as in the digraph, a joint a square, an axis a rounded plate without a border.
+QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) {
+  const QString text = QString::fromStdString(label.text);
   const int side = 2 * static_cast<int>(std::ceil((kRadius + 2) * ratio));
   QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(ratio);
@@ -49,10 +51,14 @@ QImage discImage(const QString& text, const QColor& ring, QFont font, bool dark,
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF whole({}, QSizeF(side, side) / ratio);
-  painter.setPen(QPen(ring, 2.2));
+  painter.setPen(label.kind == LabelKind::axis ? QPen(Qt::NoPen) : QPen(colorOf(label.colour), 2.2));
   painter.setBrush(dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white));
-  painter.drawEllipse(whole.center(), kRadius, kRadius);
-  font.setBold(true);
+  const QRectF plate = whole.adjusted(2, 2, -2, -2);
+  if (label.kind == LabelKind::link) painter.drawEllipse(whole.center(), kRadius, kRadius);
+  if (label.kind == LabelKind::joint) painter.drawRect(plate.adjusted(1, 1, -1, -1));
+  if (label.kind == LabelKind::axis) painter.drawRoundedRect(plate.adjusted(0, 2, 0, -2), 4, 4);
+  font.setBold(label.kind != LabelKind::axis);
+  font.setItalic(label.kind == LabelKind::axis);
   font.setPixelSize(kTextSize);
   const double width = QFontMetricsF(font).horizontalAdvance(text), room = 2 * kRadius - 7;
   if (width > room) font.setPixelSize(std::max(6, static_cast<int>(kTextSize * room / width)));
@@ -65,9 +71,13 @@ QImage discImage(const QString& text, const QColor& ring, QFont font, bool dark,
 }  // namespace
 
 std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const Pose> poses,
-                                           const Camera& camera, const Viewport& viewport,
-                                           double pixelRatio) {
-  if (!m_shown || stage.labels.size() > kMostLabels) return {};
+                                           const Camera& camera, const Viewport& viewport, double pixelRatio,
+                                           std::span<const Showing> showing) {
+  const auto isShownNow = [&](const StageLabel& label) {
+    return isShown(label.kind) && (showing.empty() || showing[label.instance] == Showing::solid);
+  };
+  const auto count = std::count_if(stage.labels.begin(), stage.labels.end(), isShownNow);
+  if (count == 0 || static_cast<std::size_t>(count) > kMostLabels) return {};
   m_sides.resize(stage.labels.size(), 0);
   std::vector<ScreenPoint> middles;
   double centre = 0;
@@ -78,7 +88,11 @@ std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const P
   std::vector<PlacedLabel> placed;
   for (std::size_t i = 0; i < stage.labels.size(); ++i) {
     const ScreenPoint& middle = middles[i];
-    if (middle.depth <= 0) continue;
+    if (middle.depth <= 0 || !isShownNow(stage.labels[i])) continue;
+    if (stage.labels[i].kind != LabelKind::link) {
+      placed.push_back({i, QPointF(middle.x, middle.y) / pixelRatio, kRadius});
+      continue;
+    }
     const double reach =
         stage.labels[i].radius / camera.millimetresPerPixel(viewport) * camera.distance() / middle.depth;
     const double off = middle.x - centre;
@@ -96,13 +110,14 @@ void LabelLayer::paint(QPainter& painter, const Stage& stage, const std::vector<
   const double ratio = painter.device()->devicePixelRatio();
   for (const PlacedLabel& placed : labels) {
     const StageLabel& label = stage.labels[placed.label];
-    const QString text = QString::fromStdString(label.text);
-    const QString key = QStringLiteral("%1 %2 %3 %4 %5")
-                            .arg(text, colorOf(label.colour).name(), painter.font().family())
-                            .arg(ratio)
-                            .arg(dark);
+    const QString key =
+        QStringLiteral("%1 %2 %3 %4 %5 %6")
+            .arg(QString::fromStdString(label.text), colorOf(label.colour).name(), painter.font().family())
+            .arg(ratio)
+            .arg(dark)
+            .arg(static_cast<int>(label.kind));
     QImage& image = m_images[key];
-    if (image.isNull()) image = discImage(text, colorOf(label.colour), painter.font(), dark, ratio);
+    if (image.isNull()) image = plateImage(label, painter.font(), dark, ratio);
     const QPointF corner = placed.centre - QPointF(0.5, 0.5) * (image.width() / ratio);
     painter.drawImage(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, image);
   }

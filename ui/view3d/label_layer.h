@@ -4,10 +4,12 @@
 #include <QImage>
 #include <QPointF>
 #include <QString>
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "core/render/camera.h"
+#include "core/render/renderer.h"
 #include "core/render/stage.h"
 
 class QPainter;
@@ -21,19 +23,20 @@ struct PlacedLabel {
   double radius = 0;
 };
 
-/// The discs with numbers that face the viewer: each beside its part, on the side away from the train's
-/// middle, pushed apart where two would touch. A disc changes sides only when its part has clearly crossed
-/// the middle, so that turning parts do not make it flicker.
+/// The discs with numbers that face the viewer, of the kinds that are shown: a link's beside its part, on the
+/// side away from the train's middle, a joint's and an axis' at its place; pushed apart where two would
+/// touch. A disc changes sides only when its part has clearly crossed the middle, so that turning parts do
+/// not make it flicker.
 class LabelLayer {
  public:
-  void setShown(bool shown) { m_shown = shown; }
-  [[nodiscard]] bool isShown() const { return m_shown; }
+  void setShown(LabelKind kind, bool shown) { m_shown[static_cast<std::size_t>(kind)] = shown; }
+  [[nodiscard]] bool isShown(LabelKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
   void reset() { m_sides.clear(); }
 
-  /// Cost: O(labels²), for the pushing.
+  /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
   [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,
                                                const Camera& camera, const Viewport& viewport,
-                                               double pixelRatio);
+                                               double pixelRatio, std::span<const Showing> showing = {});
   /// Discs come from small images, because a painter on OpenGL smooths nothing by itself.
   void paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels, bool dark);
   /// The element of the label under a place.
@@ -41,9 +44,9 @@ class LabelLayer {
                                                    const QPointF& place);
 
  private:
-  bool m_shown = true;
-  QHash<QString, QImage> m_images;  ///< by text, colours, font and pixel ratio
-  std::vector<int> m_sides;         ///< by label: -1 left, +1 right, 0 not placed yet
+  std::array<bool, 3> m_shown{true, false, false};  ///< by kind
+  QHash<QString, QImage> m_images;                  ///< by text, colours, font and pixel ratio
+  std::vector<int> m_sides;                         ///< by label: -1 left, +1 right, 0 not placed yet
 };
 
 }  // namespace geargraph

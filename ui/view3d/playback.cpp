@@ -6,6 +6,7 @@ namespace geargraph {
 namespace {
 
 constexpr int kMillisecondsPerFrame = 16;
+constexpr double kStep = 0.05;  // s
 constexpr double kLongestFrame =
     0.25;  // s: after a pause of the whole program the motion goes on, it does not jump
 
@@ -27,6 +28,11 @@ void Playback::setPeriod(double seconds) {
 
 void Playback::advance(double seconds) {
   setTime(m_time + m_speed * seconds);
+}
+
+void Playback::step(int sense) {
+  setPlaying(false);
+  setTime(m_time + sense * kStep * std::abs(m_speed));
 }
 
 void Playback::setPlaying(bool playing) {

@@ -21,6 +21,9 @@ class Playback : public QObject {
 
   /// With a period, time stays within 0..period: the motion begins again as it was.
   void setPeriod(double seconds);
+  /// Pauses, and goes on (+1) or back (-1) by what runs in a twentieth of a second: small steps in slow
+  /// motion.
+  void step(int sense);
   /// Lets so many seconds of the wall's clock pass.
   void advance(double seconds);
 

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -17,35 +18,83 @@ QString seconds(double value) {
   return QString::number(value, 'f', value < 99.95 ? 1 : 0);
 }
 
+/// "1/4×", "2×"; backwards with a minus.
+QString speedText(double speed) {
+  const double size = std::abs(speed);
+  const QString number = size < 1 && std::round(1 / size) == 1 / size ? QStringLiteral("1/%1").arg(1 / size)
+                                                                      : QString::number(size, 'g', 3);
+  return (speed < 0 ? QStringLiteral("−") : QString()) + number + QStringLiteral("×");
+}
+
 }  // namespace
 
 PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
     : QWidget(parent),
       m_playback(playback),
-      m_play(new QToolButton(this)),
       m_scrub(new QSlider(Qt::Horizontal, this)),
       m_time(new QLabel(this)) {
-  m_play->setObjectName("view3dPlay");
-  m_play->setAutoRaise(true);
-  m_play->setFocusPolicy(Qt::NoFocus);
+  QToolButton* back = addButton("view3dStepBack", QStringLiteral("‹"), tr("One step back (,)"));
+  m_play = addButton("view3dPlay", {}, {});
+  QToolButton* on = addButton("view3dStep", QStringLiteral("›"), tr("One step on (.)"));
+  m_speed = addButton("view3dSpeed", {}, tr("Speed and direction"));
+  makeSpeedMenu();
   m_scrub->setObjectName("view3dScrub");
   m_scrub->setRange(0, kSteps);
   m_scrub->setFocusPolicy(Qt::NoFocus);
   m_scrub->setToolTip(tr("Drag through one period of the motion"));
   m_time->setObjectName("view3dTime");
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 2, 10, 6);
-  row->addWidget(m_play);
+  row->setContentsMargins(8, 2, 6, 6);
+  row->setSpacing(2);
+  for (QWidget* button : {back, m_play, on}) row->addWidget(button);
   row->addWidget(m_scrub, 1);
+  row->addSpacing(6);
   row->addWidget(m_time);
+  row->addWidget(m_speed);
 
   connect(m_play, &QToolButton::clicked, playback, &Playback::toggle);
+  connect(back, &QToolButton::clicked, playback, [playback] { playback->step(-1); });
+  connect(on, &QToolButton::clicked, playback, [playback] { playback->step(+1); });
   connect(m_scrub, &QSlider::sliderPressed, playback, [playback] { playback->setPlaying(false); });
   connect(m_scrub, &QSlider::valueChanged, playback,
           [this, playback](int step) { playback->setTime(span() * step / kSteps); });
   connect(playback, &Playback::timeChanged, this, &PlaybackBar::showTime);
   connect(playback, &Playback::playingChanged, this, &PlaybackBar::refresh);
+  connect(playback, &Playback::speedChanged, this, &PlaybackBar::showSpeed);
   refresh();
+  showSpeed();
+}
+
+QToolButton* PlaybackBar::addButton(const char* name, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  return button;
+}
+
+void PlaybackBar::makeSpeedMenu() {
+  auto* menu = new QMenu(m_speed);
+  for (const int halvings : {4, 3, 2, 1, 0, -1, -2, -3}) {
+    const double speed = std::ldexp(1, -halvings);
+    menu->addAction(speedText(speed), m_playback,
+                    [this, speed] { m_playback->setSpeed(std::copysign(speed, m_playback->speed())); });
+  }
+  menu->addSeparator();
+  QAction* backwards =
+      menu->addAction(tr("Backwards"), m_playback, [this] { m_playback->setSpeed(-m_playback->speed()); });
+  backwards->setObjectName("view3dBackwards");
+  backwards->setCheckable(true);
+  connect(menu, &QMenu::aboutToShow, backwards,
+          [this, backwards] { backwards->setChecked(m_playback->speed() < 0); });
+  m_speed->setMenu(menu);
+  m_speed->setPopupMode(QToolButton::InstantPopup);
+}
+
+void PlaybackBar::showSpeed() {
+  m_speed->setText(speedText(m_playback->speed()));
 }
 
 double PlaybackBar::span() const {
@@ -56,6 +105,12 @@ void PlaybackBar::setDark(bool dark) {
   QPalette palette = m_time->palette();
   palette.setColor(QPalette::WindowText, dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
   m_time->setPalette(palette);
+  for (QWidget* quiet : {findChild<QWidget*>("view3dStepBack"), findChild<QWidget*>("view3dStep"),
+                         static_cast<QWidget*>(m_speed)}) {
+    QPalette ink = quiet->palette();
+    ink.setColor(QPalette::ButtonText, dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
+    quiet->setPalette(ink);
+  }
   palette = m_play->palette();
   palette.setColor(QPalette::ButtonText, dark ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2F, 0x6F, 0xED));
   m_play->setPalette(palette);

@@ -10,7 +10,8 @@ class QToolButton;
 
 namespace geargraph {
 
-/// Play and pause, a scrub bar over one period (over a minute where there is none), and the time.
+/// Play and pause, single steps, a scrub bar over one period (over a minute where there is none), the time,
+/// and the speed with its direction.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
@@ -24,11 +25,15 @@ class PlaybackBar : public QWidget {
 
  private:
   void showTime();
+  void showSpeed();
+  void makeSpeedMenu();
+  QToolButton* addButton(const char* name, const QString& text, const QString& tip);
 
   Playback* m_playback;
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
+  QToolButton* m_speed;
 };
 
 }  // namespace geargraph

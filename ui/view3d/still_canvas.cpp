@@ -2,7 +2,10 @@
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QPainter>
+
+#include "ui/view3d/overlay.h"
 
 namespace geargraph {
 
@@ -52,10 +55,7 @@ void StillCanvas::paintPicture(QPainter& painter) {
   }
   m_sceneIsNew = m_imageIsOld = false;
   painter.drawImage(rect(), m_image);
-  if (m_viewer->stage() == nullptr) return;
-  const auto placed = m_labels->place(*m_viewer->stage(), m_viewer->poses(), m_viewer->camera(),
-                                      m_viewer->viewport(), m_viewer->pixelRatio());
-  m_labels->paint(painter, *m_viewer->stage(), placed, m_dark);
+  paintOverlay(painter, *m_viewer, *m_labels, m_dark);
 }
 
 void StillCanvas::paintEvent(QPaintEvent*) {
@@ -78,6 +78,12 @@ void StillCanvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 void StillCanvas::wheelEvent(QWheelEvent* event) {
   event->setAccepted(m_viewer->wheel(*event));
+}
+
+bool StillCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture)
+    return m_viewer->nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+  return QWidget::event(event);
 }
 
 void StillCanvas::leaveEvent(QEvent* event) {

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
@@ -12,12 +13,14 @@
 
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/playback_bar.h"
+#include "ui/view3d/section_bar.h"
 #include "ui/view3d/still_canvas.h"
+#include "ui/view3d/view_menu.h"
 
 namespace geargraph {
 namespace {
 
-constexpr double kTimeStep = 0.05;  // s, of the keys , and .
+constexpr double kTraceWithoutPeriod = 60;  // s
 
 /// Why there can be no window of the graphics card; empty where there can. Under some platforms of Qt a
 /// QOpenGLWidget never gets its context, and nobody tells it.
@@ -39,10 +42,12 @@ QString obstacle() {
 
 class View3D::Private {
  public:
-  Private(View3D* view, Selection* selection)
+  Private(View3D* view, Selection* chosen)
       : q(view),
-        viewer(selection),
+        selection(chosen),
+        viewer(chosen, view),
         bar(new PlaybackBar(&playback, view)),
+        strip(new SectionBar(&viewer, view)),
         emptyText(new QLabel(view)),
         note(new QLabel(view)),
         painter(new QLabel(view)) {}
@@ -50,16 +55,23 @@ class View3D::Private {
   void useGl();
   void useStill(const QString& why);
   void place(QWidget* canvas);
-  void addButton(const QString& text, const QString& tip, const std::function<void()>& act);
+  QToolButton* addButton(const QString& text, const QString& tip, const std::function<void()>& act);
   void makeButtons();
+  void makeMoreButton();
+  void placeStrip();
+  void onOptionsChanged();
+  void openPartMenu(const std::optional<Hit>& hit, const QPointF& at);
+  [[nodiscard]] std::optional<ElementId> selectedLink() const;
 
   View3D* q;
+  Selection* selection;
   Viewer viewer;
   LabelLayer labels;
   Playback playback;
   GlCanvas* gl = nullptr;
   StillCanvas* still = nullptr;
   PlaybackBar* bar;
+  SectionBar* strip;
   QWidget* buttons = nullptr;
   QLabel* emptyText;
   QLabel* note;
@@ -103,7 +115,8 @@ void View3D::Private::useStill(const QString& why) {
   still->show();
 }
 
-void View3D::Private::addButton(const QString& text, const QString& tip, const std::function<void()>& act) {
+QToolButton* View3D::Private::addButton(const QString& text, const QString& tip,
+                                        const std::function<void()>& act) {
   auto* button = new QToolButton(buttons);
   button->setObjectName("view3d" + text);
   button->setText(text);
@@ -112,6 +125,7 @@ void View3D::Private::addButton(const QString& text, const QString& tip, const s
   button->setFocusPolicy(Qt::NoFocus);
   buttons->layout()->addWidget(button);
   connect(button, &QToolButton::clicked, q, act);
+  return button;
 }
 
 void View3D::Private::makeButtons() {
@@ -127,8 +141,63 @@ void View3D::Private::makeButtons() {
             [this] { q->showFrom(StandardView::right); });
   addButton(tr("Top"), tr("From above: x to the right, y up (3)"),
             [this] { q->showFrom(StandardView::top); });
-  addButton(tr("Labels"), tr("Numbers of the links on or off"),
-            [this] { q->setLabelsShown(!q->labelsShown()); });
+  QToolButton* section = addButton(tr("Section"), tr("Cut the train open (S)"), [this] {
+    ViewOptions options = viewer.options();
+    options.section = options.section ? std::nullopt : std::optional(SectionChoice{});
+    viewer.setOptions(options);
+  });
+  section->setCheckable(true);
+  makeMoreButton();
+}
+
+// The menu is made when it opens: it shows what holds then.
+void View3D::Private::makeMoreButton() {
+  QToolButton* more = addButton(QStringLiteral("⋯"), tr("What is shown, and how"), [] {});
+  more->setObjectName("view3dMore");
+  auto* menu = new QMenu(more);
+  menu->setToolTipsVisible(true);
+  connect(menu, &QMenu::aboutToShow, q, [this, menu] {
+    menu->clear();
+    fillViewMenu(*menu, *q);
+  });
+  more->setMenu(menu);
+  more->setPopupMode(QToolButton::InstantPopup);
+}
+
+void View3D::Private::placeStrip() {
+  const QSize wanted = strip->sizeHint();
+  const int width = qMin(q->width() - 16, qMax(300, wanted.width()));
+  strip->setGeometry(q->width() - width - 10, buttons->geometry().bottom() + 4, width, wanted.height());
+}
+
+void View3D::Private::onOptionsChanged() {
+  const ViewOptions& options = viewer.options();
+  labels.setShown(LabelKind::link, options.linkLabels);
+  labels.setShown(LabelKind::joint, options.jointLabels);
+  labels.setShown(LabelKind::axis, options.axisLabels);
+  buttons->findChild<QToolButton*>("view3dSection")->setChecked(options.section.has_value());
+  strip->layout()->activate();
+  placeStrip();
+  emit viewer.viewChanged();
+}
+
+// What the menu is about is selected first, as in the drawings.
+void View3D::Private::openPartMenu(const std::optional<Hit>& hit, const QPointF& at) {
+  if (hit && !selection->isSelected(hit->element)) selection->select({hit->element});
+  auto* menu = new QMenu(q);
+  menu->setObjectName("view3dPartMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillPartMenu(*menu, *q, hit);
+  emit q->menuOpening(menu, hit ? std::optional(hit->element) : std::nullopt);
+  QWidget* canvas = gl != nullptr ? static_cast<QWidget*>(gl) : still;
+  menu->popup(canvas->mapToGlobal(at.toPoint()));
+}
+
+std::optional<ElementId> View3D::Private::selectedLink() const {
+  for (const ElementId& element : selection->selected()) {
+    if (element.kind == ElementKind::link) return element;
+  }
+  return std::nullopt;
 }
 
 void View3D::prepareApplication() {
@@ -164,6 +233,9 @@ View3D::View3D(Selection* selection, QWidget* parent)
     d->viewer.setTime(seconds);
   });
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
+  connect(&d->viewer, &Viewer::optionsChanged, this, [this] { d->onOptionsChanged(); });
+  connect(&d->viewer, &Viewer::menuWanted, this,
+          [this](const std::optional<Hit>& hit, const QPointF& at) { d->openPartMenu(hit, at); });
   setDark(false);
   setEmptyText(tr("Nothing to turn yet: place axes and give the meshes their teeth."));
 }
@@ -236,13 +308,50 @@ void View3D::setDark(bool dark) {
   d->viewer.setLook(dark ? Look::dark() : Look::light());
 }
 
-bool View3D::labelsShown() const {
-  return d->labels.isShown();
+const ViewOptions& View3D::options() const {
+  return d->viewer.options();
+}
+void View3D::setOptions(const ViewOptions& options) {
+  d->viewer.setOptions(options);
 }
 
-void View3D::setLabelsShown(bool shown) {
-  d->labels.setShown(shown);
-  emit d->viewer.viewChanged();
+const std::optional<ElementId>& View3D::ridden() const {
+  return d->viewer.ridden();
+}
+void View3D::rideAlong(const std::optional<ElementId>& link) {
+  d->viewer.rideAlong(link);
+}
+
+const std::set<ElementId>& View3D::hidden() const {
+  return d->viewer.hidden();
+}
+void View3D::setHidden(std::set<ElementId> links) {
+  d->viewer.setHidden(std::move(links));
+}
+
+void View3D::lookAlong(const ElementId& link) {
+  if (const auto axis = d->viewer.axisOf(link)) {
+    d->viewer.setCamera(d->viewer.camera().turnedAlong(-*axis));
+    d->viewer.fit();
+  }
+}
+bool View3D::hasAxis(const ElementId& link) const {
+  return d->viewer.axisOf(link).has_value();
+}
+
+void View3D::trace(const Hit& hit) {
+  if (!d->viewer.trace(hit, kTraceWithoutPeriod)) return;
+  const TracedPath& path = traces().back().path;
+  emit noteMade(tr("The point travels %1 %2 in %3 s.")
+                    .arg(path.length, 0, 'g', 5)
+                    .arg(QString::fromStdString(stage()->unit))
+                    .arg(path.times.back(), 0, 'g', 5));
+}
+void View3D::clearTraces() {
+  d->viewer.clearTraces();
+}
+const std::vector<ShownTrace>& View3D::traces() const {
+  return d->viewer.traces();
 }
 
 QString View3D::rendererName() const {
@@ -280,9 +389,25 @@ void View3D::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backspace:
       return d->viewer.setTurnedByHand({});
     case Qt::Key_Comma:
-      return d->playback.setTime(d->playback.time() - kTimeStep);
+      return d->playback.step(-1);
     case Qt::Key_Period:
-      return d->playback.setTime(d->playback.time() + kTimeStep);
+      return d->playback.step(+1);
+    case Qt::Key_S:
+      return d->buttons->findChild<QToolButton*>("view3dSection")->click();
+    case Qt::Key_E: {
+      ViewOptions changed = options();
+      changed.pulledApart = changed.pulledApart > 0 ? 0 : 1;
+      return setOptions(changed);
+    }
+    case Qt::Key_R:
+      return rideAlong(ridden() ? std::nullopt : d->selectedLink());
+    case Qt::Key_A:
+      if (const auto link = d->selectedLink()) lookAlong(*link);
+      return;
+    case Qt::Key_H: {
+      const auto link = d->selectedLink();
+      return setHidden(hidden().empty() && link ? std::set<ElementId>{*link} : std::set<ElementId>{});
+    }
     default:
       if (!d->viewer.keyPress(*event)) QWidget::keyPressEvent(event);
   }
@@ -291,6 +416,7 @@ void View3D::keyPressEvent(QKeyEvent* event) {
 void View3D::resizeEvent(QResizeEvent* event) {
   const QSize wanted = d->buttons->sizeHint();
   d->buttons->setGeometry(width() - wanted.width() - 6, 4, wanted.width(), wanted.height());
+  d->placeStrip();
   const int height = d->bar->sizeHint().height();
   d->bar->setGeometry(96, this->height() - height, width() - 96, height);
   d->emptyText->setGeometry(rect().adjusted(30, 30, -30, -30));

@@ -6,13 +6,18 @@
 #include "core/render/stage.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/playback.h"
+#include "ui/view3d/viewer.h"
+
+class QMenu;
 
 namespace geargraph {
 
 /// The 3D view: a stage that can be turned, zoomed and played.
 ///
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
-/// arrows orbit, + and - zoom; , and . step the time back and on; Backspace undoes what hands have turned.
+/// arrows orbit, + and - zoom; , and . step the time back and on; R rides along with the selected link or
+/// stops it, A looks along its axis, S cuts a section, E pulls apart, H hides what is selected or shows all;
+/// Backspace undoes what hands have turned.
 /// Mouse: viewer.h.
 class View3D : public QWidget {
   Q_OBJECT
@@ -42,7 +47,20 @@ class View3D : public QWidget {
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);
   void setDark(bool dark);
-  [[nodiscard]] bool labelsShown() const;
+  [[nodiscard]] const ViewOptions& options() const;
+  void setOptions(const ViewOptions& options);
+  /// The link that is seen standing still; none: the ground.
+  [[nodiscard]] const std::optional<ElementId>& ridden() const;
+  void rideAlong(const std::optional<ElementId>& link);
+  [[nodiscard]] const std::set<ElementId>& hidden() const;
+  void setHidden(std::set<ElementId> links);
+  /// Looks along the line that the link turns about.
+  void lookAlong(const ElementId& link);
+  [[nodiscard]] bool hasAxis(const ElementId& link) const;
+  /// Shows the path of a point of a part, and says its length and period.
+  void trace(const Hit& hit);
+  void clearTraces();
+  [[nodiscard]] const std::vector<ShownTrace>& traces() const;
   /// What paints, as the driver says; empty before the first picture, or where there is none.
   [[nodiscard]] QString rendererName() const;
   /// Is the view a picture beside the screen, for want of a window of the graphics card?
@@ -51,10 +69,13 @@ class View3D : public QWidget {
  public slots:
   void fit();
   void showFrom(geargraph::StandardView view);
-  void setLabelsShown(bool shown);
 
  signals:
   void cameraChanged();
+  /// A context menu is about to open for an element, or for the ground: others may add what they know of it.
+  void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
+  void traceFileWanted();              ///< the newest of traces() is to be saved
+  void noteMade(const QString& text);  ///< something to be said in a line: a traced path's length
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

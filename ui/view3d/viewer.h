@@ -3,14 +3,18 @@
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
+#include <array>
 #include <functional>
 #include <vector>
 
 #include "core/render/renderer.h"
 #include "core/render/stage.h"
+#include "core/render/traced_path.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/view_options.h"
 
 class QKeyEvent;
+class QNativeGestureEvent;
 class QMouseEvent;
 class QWheelEvent;
 
@@ -19,13 +23,21 @@ namespace geargraph {
 /// What a canvas of the 3D view shows and how the hand moves it, without any painting: the stage, the poses
 /// of the moment, the camera, what is lit up, and the gestures.
 ///
-///     left or middle drag        orbit          wheel      zoom at the pointer
-///     right or Shift+left drag   pan            click      select (Ctrl: add or take away)
-///     Ctrl+left drag on a part   turn it        arrows     orbit
-///                                               + -        zoom
+///     left or middle drag        orbit          wheel         zoom at the pointer
+///     right or Shift+left drag   pan            click         select (Ctrl: add or take away)
+///     Ctrl+left drag on a part   turn it        right click   menuWanted()
+///     two fingers on a pad       pan            arrows        orbit
+///     pinch, or with Ctrl        zoom           + -           zoom
 ///
 /// A part that is turned by hand takes the inputs with it, as little as will do (least squares), and they all
 /// the rest.
+/// A point of a part whose path is shown.
+struct ShownTrace {
+  ElementId element;
+  TracedPoint point;
+  TracedPath path;
+};
+
 class Viewer : public QObject {
   Q_OBJECT
 
@@ -43,6 +55,23 @@ class Viewer : public QObject {
   [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_turned; }
   void setTurnedByHand(std::vector<double> angles);
   [[nodiscard]] std::span<const Pose> poses() const { return m_poses; }
+  [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+
+  [[nodiscard]] const ViewOptions& options() const { return m_options; }
+  void setOptions(const ViewOptions& options);
+  /// The link that stands still while all else moves about it; none: the ground.
+  [[nodiscard]] const std::optional<ElementId>& ridden() const { return m_ridden; }
+  void rideAlong(const std::optional<ElementId>& link);
+  [[nodiscard]] const std::set<ElementId>& hidden() const { return m_hidden; }
+  void setHidden(std::set<ElementId> links);
+  /// The direction of the line that a link turns about, as it is seen; none where it does not turn.
+  [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
+
+  /// Shows the path of the point over one period, or `seconds` where there is none, as the ridden link sees
+  /// it. False where nothing moves.
+  bool trace(const Hit& hit, double seconds);
+  void clearTraces();
+  [[nodiscard]] const std::vector<ShownTrace>& traces() const { return m_traces; }
 
   [[nodiscard]] const Camera& camera() const { return m_camera; }
   void setCamera(const Camera& camera);
@@ -69,6 +98,7 @@ class Viewer : public QObject {
   bool mouseMove(const QMouseEvent& event);
   bool mouseRelease(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
+  bool nativeGesture(const QNativeGestureEvent& event);
   bool keyPress(const QKeyEvent& event);
   void leave();
 
@@ -76,6 +106,8 @@ class Viewer : public QObject {
   void sceneChanged();  ///< other solids or instances
   void viewChanged();   ///< anything that is painted
   void cameraChanged();
+  void optionsChanged();  ///< of options, the ridden link, what is hidden, the traces
+  void menuWanted(const std::optional<geargraph::Hit>& hit, const QPointF& place);
   void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:
@@ -83,6 +115,11 @@ class Viewer : public QObject {
 
   void lightUp();
   void place();
+  void renewShowing();
+  void renewMarks();
+  [[nodiscard]] std::optional<std::size_t> instanceOf(const std::optional<ElementId>& link) const;
+  [[nodiscard]] std::optional<CutPlane> section() const;
+  [[nodiscard]] std::vector<double> angles() const;
   void turn(const QPointF& step);
   void lightUpHovered();
   [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
@@ -93,7 +130,16 @@ class Viewer : public QObject {
   std::vector<Pose> m_poses;
   double m_time = 0;
   std::vector<double> m_turned;
-  std::vector<Emphasis> m_emphasis;
+  Pose m_ground = Pose::Identity();  ///< where the base frame is seen
+  std::vector<Eigen::Vector3d> m_separations;
+  Bounds m_bounds;  ///< of the scene, pulled apart as far as it goes
+  ViewOptions m_options;
+  std::optional<ElementId> m_ridden;
+  std::set<ElementId> m_hidden;
+  std::vector<ShownTrace> m_traces;
+  std::vector<Highlight> m_emphasis;
+  std::vector<Showing> m_showing;
+  std::vector<MarkLine> m_marks;
   Camera m_camera = Camera::home();
   Look m_look = Look::light();
   Viewport m_viewport;

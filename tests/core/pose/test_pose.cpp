@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/pose/forward_kinematics.h"
+#include "core/pose/link_twists.h"
 #include "core/pose/period.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -70,6 +71,29 @@ class TestPose : public QObject {
         const auto at = static_cast<std::size_t>(joint);
         QVERIFY(same(poses[static_cast<std::size_t>(head)],
                      poses[static_cast<std::size_t>(tail)] * turn(c.lines[at], c.angles[at])));
+      }
+    }
+  }
+
+  void twistsAreTheDerivativesOfPoses() {
+    for (std::uint64_t seed = 0; seed < kMechanisms; ++seed) {
+      const Case c(seed);
+      const ForwardKinematics kinematics = c.kinematics();
+      std::vector<double> rates, before = c.angles, after = c.angles;
+      constexpr double kStep = 1e-5;
+      for (std::size_t joint = 0; joint < c.angles.size(); ++joint) {
+        rates.push_back(0.3 + 0.17 * static_cast<double>((joint * 7) % 5) - 0.5 * (joint % 2));
+        before[joint] -= kStep * rates[joint];
+        after[joint] += kStep * rates[joint];
+      }
+      const auto poses = kinematics.poses(c.angles), then = kinematics.poses(before),
+                 now = kinematics.poses(after);
+      const auto twists = linkTwists(c.tree, kinematics, poses, rates);
+      const Eigen::Vector3d inLink(3, -2, 5);
+      for (std::size_t link = 0; link < poses.size(); ++link) {
+        const Eigen::Vector3d velocity = (now[link] * inLink - then[link] * inLink) / (2 * kStep);
+        const double size = 1 + velocity.norm();
+        QVERIFY((twists[link].at(poses[link] * inLink) - velocity).norm() < 1e-4 * size);
       }
     }
   }

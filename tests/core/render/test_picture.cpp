@@ -296,7 +296,7 @@ class TestPicture : public QObject {
     Frame frame = frameOf(scene, bare());
     m_host->setScene(scene);
     const Image plain = m_host->picture(frame);
-    const std::vector<Emphasis> emphasis = {Emphasis::none, Emphasis::none, Emphasis::selected};
+    const std::vector<Highlight> emphasis = {Highlight::none, Highlight::none, Highlight::selected};
     frame.emphasis = emphasis;
     const Image lit = m_host->picture(frame);
     const Eigen::Vector3d onBox(18, -12, 0), onWheel(-10, 0, 8);

@@ -197,11 +197,87 @@ class TestTrainStage : public QObject {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
       const StagePtr stage = stageOf(mechanism, cache);
-      QCOMPARE(static_cast<int>(stage->labels.size()), mechanism.n());
-      for (std::size_t i = 0; i < stage->labels.size(); ++i) {
-        QCOMPARE(stage->labels[i].text, std::to_string(i + 1));
-        QCOMPARE(stage->labels[i].element, ElementId(mechanism.links[i + 1].id));
-        QCOMPARE(stage->scene.instances[stage->labels[i].instance].element, stage->labels[i].element);
+      std::vector<StageLabel> labels;
+      std::copy_if(stage->labels.begin(), stage->labels.end(), std::back_inserter(labels),
+                   [](const StageLabel& label) { return label.kind == LabelKind::link; });
+      QCOMPARE(static_cast<int>(labels.size()), mechanism.n());
+      for (std::size_t i = 0; i < labels.size(); ++i) {
+        QCOMPARE(labels[i].text, std::to_string(i + 1));
+        QCOMPARE(labels[i].element, ElementId(mechanism.links[i + 1].id));
+        QCOMPARE(stage->scene.instances[labels[i].instance].element, labels[i].element);
+      }
+    }
+  }
+
+  void jointsAndAxesHaveTheirLabelsOnTheirLines() {
+    GearCache cache;
+    const Mechanism robot = paperRobot();
+    const StagePtr stage = stageOf(robot, cache);
+    const Placement placement = placementOf(robot);
+    std::set<std::string> joints, axes;
+    for (const StageLabel& label : stage->labels) {
+      if (label.kind == LabelKind::link) continue;
+      (label.kind == LabelKind::joint ? joints : axes).insert(label.text);
+      const Pose& pose = stage->scene.instances[label.instance].pose;
+      const Eigen::Vector3d at = pose * label.place;
+      double nearest = 1e9;
+      for (const AxisLine& line : placement.axes) {
+        const Eigen::Vector3d point(line.point.data()), direction(line.direction.data());
+        nearest = std::min(nearest, (at - point).cross(direction).norm());
+      }
+      QVERIFY(nearest < 1e-6);
+    }
+    QCOMPARE(joints, (std::set<std::string>{"8", "9", "10", "11", "12", "13", "14"}));
+    QVERIFY(!axes.empty());
+  }
+
+  void pitchCirclesPassThroughThePitchPointsAndRollThere() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = stageOf(mechanism, cache);
+      QCOMPARE(static_cast<int>(stage->contacts.size()), mechanism.c());
+      std::vector<double> angles;
+      for (std::size_t k = 0; k < stage->inputSpeeds.size(); ++k) angles.push_back(0.4 + double(k));
+      const auto poses = posesAt(*stage, angles);
+      std::vector<Twist3> twists(poses.size());
+      stage->twists(angles, stage->inputSpeeds, twists);
+      for (const StageContact& contact : stage->contacts) {
+        for (const std::size_t wheel : {contact.tail, contact.head}) {
+          const Eigen::Vector3d at = stage->scene.instances[wheel].pose.inverse() * contact.point;
+          const bool onCircle =
+              std::any_of(stage->marks.begin(), stage->marks.end(), [&](const StageMark& mark) {
+                return mark.kind == MarkKind::pitchCircle && mark.instance == wheel &&
+                       mark.points.size() > 2 &&
+                       std::abs(mark.points[0].head<2>().norm() - at.head<2>().norm()) < 1e-9 &&
+                       std::abs(mark.points[0].z() - at.z()) < 1e-9;
+              });
+          QVERIFY(onCircle);
+        }
+        Eigen::Vector3d now = contact.point;
+        if (contact.carrier) {
+          now = poses[*contact.carrier] * stage->scene.instances[*contact.carrier].pose.inverse() * now;
+        }
+        const Eigen::Vector3d slip = twists[contact.tail].at(now) - twists[contact.head].at(now);
+        QVERIFY2(slip.norm() < 1e-9 * (1 + twists[contact.tail].at(now).norm()),
+                 qPrintable(QString::number(slip.norm())));
+      }
+    }
+  }
+
+  // Angles are products, never sums of steps: nothing has drifted, however long it ran.
+  void aMillionPeriodsLaterTheTeethStillMesh() {
+    GearCache cache;
+    for (const Mechanism& mechanism : trains()) {
+      const StagePtr stage = stageOf(mechanism, cache);
+      std::vector<double> now, later;
+      for (const double speed : stage->inputSpeeds) {
+        now.push_back(speed * 0.37);
+        later.push_back(speed * (0.37 + 1e6 * stage->period));
+      }
+      const auto poses = posesAt(*stage, now), after = posesAt(*stage, later);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        const Eigen::Matrix4d drift = after[i].matrix() - poses[i].matrix();
+        QVERIFY2(drift.norm() < 1e-3, qPrintable(QString::number(drift.norm())));
       }
     }
   }

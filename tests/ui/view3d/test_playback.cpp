@@ -3,6 +3,7 @@
 
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/label_layer.h"
+#include "ui/view3d/overlay.h"
 #include "ui/view3d/playback.h"
 
 using namespace geargraph;
@@ -33,6 +34,14 @@ class TestPlayback : public QObject {
     playback.setSpeed(-1);
     playback.advance(2e6);
     QCOMPARE(playback.time(), -1e6);
+  }
+
+  void lengthsOfTheScaleBarReadWell() {
+    QCOMPARE(niceLength(1, 110), 100.0);
+    QCOMPARE(niceLength(0.42, 110), 20.0);
+    QCOMPARE(niceLength(0.01, 110), 1.0);
+    QCOMPARE(niceLength(0.0071, 110), 0.5);
+    QCOMPARE(niceLength(31, 110), 2000.0);
   }
 
   void nonsenseIsIgnored() {

@@ -1,6 +1,9 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMenu>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -261,7 +264,9 @@ class TestView3D : public QObject {
   void labelsAreDiscsBesideTheirPartsAndCanBeHidden() {
     Shown shown;
     const QImage with = shown.view.grab().toImage();
-    shown.view.setLabelsShown(false);
+    ViewOptions options = shown.view.options();
+    options.linkLabels = false;
+    shown.view.setOptions(options);
     const QImage without = shown.view.grab().toImage();
     int white = 0;
     for (int y = 0; y < with.height(); ++y) {
@@ -270,6 +275,168 @@ class TestView3D : public QObject {
       }
     }
     QVERIFY2(white > 3 * 150, qPrintable(QString::number(white)));
+  }
+
+  void stepsAreASpeedsTwentiethOfASecond() {
+    Shown shown;
+    Playback& playback = shown.view.playback();
+    QTest::keyClick(&shown.view, Qt::Key_Period);
+    QCOMPARE(playback.time(), 0.05);
+    QTest::keyClick(&shown.view, Qt::Key_Comma);
+    QCOMPARE(playback.time(), 0.0);
+    playback.setSpeed(-0.25);
+    playback.setPlaying(true);
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dStep"), Qt::LeftButton);
+    QVERIFY(!playback.isPlaying());
+    QVERIFY(std::abs(playback.time() - 0.0125) < 1e-3 ||
+            playback.time() > 3.9);  // it may have run a frame back
+    QCOMPARE(shown.view.findChild<QToolButton*>("view3dSpeed")->text(), QString("−1/4×"));
+  }
+
+  void theSpeedMenuSetsSpeedAndDirection() {
+    Shown shown;
+    const auto actions = shown.view.findChild<QToolButton*>("view3dSpeed")->menu()->actions();
+    const auto choose = [&](const QString& text) {
+      for (QAction* action : actions) {
+        if (action->text() == text) action->trigger();
+      }
+    };
+    choose("1/8×");
+    QCOMPARE(shown.view.playback().speed(), 0.125);
+    choose("Backwards");
+    QCOMPARE(shown.view.playback().speed(), -0.125);
+    choose("2×");
+    QCOMPARE(shown.view.playback().speed(), -2.0);
+  }
+
+  void theLinkThatIsRiddenStandsStillAndTheRestTurnsAboutIt() {
+    Shown shown;
+    Viewer* viewer = shown.view.findChild<Viewer*>();
+    QVERIFY(viewer != nullptr);
+    shown.view.rideAlong(ElementId(LinkId("1")));
+    const std::vector<Pose> before(viewer->poses().begin(), viewer->poses().end());
+    shown.view.playback().setTime(1);
+    QVERIFY(viewer->poses()[0].isApprox(before[0], 1e-12));
+    QVERIFY((viewer->poses()[1].translation() - before[1].translation()).norm() > 10);
+    const double apart = (before[1].translation() - before[0].translation()).norm();
+    QVERIFY(std::abs((viewer->poses()[1].translation() - viewer->poses()[0].translation()).norm() - apart) <
+            1e-9);
+    shown.selection.select({LinkId("1")});
+    QTest::keyClick(&shown.view, Qt::Key_R);
+    QVERIFY(!shown.view.ridden());
+  }
+
+  void aRightClickOffersWhatCanBeDoneWithThePart() {
+    Shown shown;
+    std::optional<ElementId> meant;
+    connect(&shown.view, &View3D::menuOpening, this,
+            [&](QMenu*, const std::optional<ElementId>& element) { meant = element; });
+    const auto menuAt = [&](const QPoint& at) {
+      QTest::mouseClick(shown.canvas(), Qt::RightButton, {}, at);
+      return shown.view.findChild<QMenu*>("view3dPartMenu");
+    };
+    const auto choose = [&](QMenu* menu, const char* name) {
+      auto* action = menu->findChild<QAction*>(name);
+      QVERIFY2(action != nullptr && action->isEnabled(), name);
+      action->trigger();
+      menu->close();
+      QTRY_VERIFY(shown.view.findChild<QMenu*>("view3dPartMenu") == nullptr);
+    };
+    choose(menuAt(shown.at(kOnFirst)), "view3dRide");
+    QCOMPARE(meant, std::optional<ElementId>(LinkId("1")));
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("1")});
+    QCOMPARE(shown.view.ridden(), std::optional<ElementId>(LinkId("1")));
+    choose(menuAt(shown.at(kOnFirst)), "view3dStopRiding");
+    QVERIFY(!shown.view.ridden());
+    choose(menuAt(shown.at(kOnFirst)), "view3dHideOthers");
+    QCOMPARE(shown.view.hidden(), (std::set<ElementId>{LinkId("2"), LinkId("3")}));
+    choose(menuAt(QPoint(3, 200)), "view3dShowAll");
+    QVERIFY(shown.view.hidden().empty());
+    QVERIFY(!meant);
+    choose(menuAt(shown.at(kOnFirst)), "view3dLookAlong");
+    QVERIFY((shown.view.camera().forward() - Eigen::Vector3d(0, 0, -1)).norm() < 1e-9);
+  }
+
+  void aTracedPointSaysHowFarItTravels() {
+    Shown shown;
+    QString note;
+    connect(&shown.view, &View3D::noteMade, this, [&](const QString& text) { note = text; });
+    shown.view.trace({0, LinkId("1"), {15, -22, 4}});
+    QCOMPARE(note, QString("The point travels 90 mm in 4 s."));
+    const QImage with = shown.view.grab().toImage();
+    shown.view.clearTraces();
+    QVERIFY(with != shown.view.grab().toImage());
+  }
+
+  void aSectionOpensTheTrainAndItsSliderMovesIt() {
+    Shown shown;
+    shown.view.showFrom(StandardView::right);
+    const QPoint at = shown.at(kOnBox);
+    const QColor whole = shown.view.grab().toImage().pixelColor(at);
+    auto* place = shown.view.findChild<QSlider*>("view3dCutPlace");
+    QVERIFY(!place->isVisible());
+    QTest::keyClick(&shown.view, Qt::Key_S);
+    QVERIFY(place->isVisible());
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dCutX"), Qt::LeftButton);
+    QCOMPARE(shown.view.options().section->axis, 0);
+    place->setValue(0);
+    QCOMPARE(shown.view.options().section->place, 0.0);
+    const QColor gone = shown.view.grab().toImage().pixelColor(at);
+    QVERIFY2(distance(whole, gone) > 60, qPrintable(gone.name()));
+    QTest::mouseClick(shown.view.findChild<QToolButton*>("view3dSection"), Qt::LeftButton);
+    QVERIFY(!place->isVisible());
+    QVERIFY(distance(whole, shown.view.grab().toImage().pixelColor(at)) < 6);
+  }
+
+  void theMoreMenuTellsWhatIsOn() {
+    Shown shown;
+    QMenu* menu = shown.view.findChild<QToolButton*>("view3dMore")->menu();
+    const auto entry = [&](const char* name) {
+      emit menu->aboutToShow();
+      return menu->findChild<QAction*>(name);
+    };
+    QVERIFY(!entry("view3dWireframe")->isChecked());
+    entry("view3dWireframe")->trigger();
+    QVERIFY(entry("view3dWireframe")->isChecked());
+    QVERIFY(shown.view.options().faces == Faces::wireframe);
+    entry("view3dPitchCircles")->trigger();
+    entry("view3dVelocities")->trigger();
+    QVERIFY(shown.view.options().marks.pitchCircles && shown.view.options().marks.velocities);
+    entry("view3dExploded")->trigger();
+    QCOMPARE(shown.view.options().pulledApart, 1.0);
+    QVERIFY(shown.view.findChild<QSlider*>("view3dApart")->isVisible());
+  }
+
+  void whatIsNotSelectedBecomesAVeil() {
+    Shown shown;
+    ViewOptions options = shown.view.options();
+    options.ghostOthers = true;
+    shown.view.setOptions(options);
+    const QColor plain = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
+    shown.selection.select({LinkId("1")});
+    const QColor veiled = shown.view.grab().toImage().pixelColor(shown.at(kOnBox));
+    QVERIFY2(veiled.lightness() > plain.lightness() + 50, qPrintable(veiled.name()));
+    shown.selection.clear();
+    QVERIFY(distance(plain, shown.view.grab().toImage().pixelColor(shown.at(kOnBox))) < 6);
+  }
+
+  void aPadPansWithTwoFingersAndZoomsWithAPinch() {
+    Shown shown;
+    const QPointingDevice pad("pad", 77, QInputDevice::DeviceType::TouchPad,
+                              QPointingDevice::PointerType::Finger, QInputDevice::Capability::Scroll, 2, 0);
+    const QPoint at(200, 150);
+    const Camera before = shown.view.camera();
+    QWheelEvent scroll(at, shown.canvas()->mapToGlobal(at), {30, -12}, {0, 0}, Qt::NoButton, Qt::NoModifier,
+                       Qt::ScrollUpdate, false, Qt::MouseEventNotSynthesized, &pad);
+    QApplication::sendEvent(shown.canvas(), &scroll);
+    const ScreenPoint moved = shown.view.camera().project(before.target(), shown.viewport());
+    QVERIFY(std::abs(moved.x - (0.5 * shown.viewport().width + 30)) < 1e-6);
+    QVERIFY(std::abs(moved.y - (0.5 * shown.viewport().height - 12)) < 1e-6);
+    QCOMPARE(shown.view.camera().distance(), before.distance());
+    QNativeGestureEvent pinch(Qt::ZoomNativeGesture, &pad, 2, at, at, shown.canvas()->mapToGlobal(at), 0.25,
+                              {});
+    QApplication::sendEvent(shown.canvas(), &pinch);
+    QVERIFY(shown.view.camera().distance() < 0.85 * before.distance());
   }
 
   void anEmptyStageSaysWhatToDo() {

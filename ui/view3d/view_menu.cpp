@@ -1,0 +1,162 @@
+#include "ui/view3d/view_menu.h"
+
+#include <QActionGroup>
+#include <QMenu>
+
+namespace geargraph {
+namespace {
+
+QString tr(const char* text) {
+  return View3D::tr(text);
+}
+
+/// An entry that is checked as `read` says and does `write` to a copy of the options.
+template <class Write>
+QAction* addCheck(QMenu& menu, View3D& view, const char* name, const QString& text, bool checked,
+                  Write write) {
+  QAction* action = menu.addAction(text);
+  action->setObjectName(QLatin1String(name));
+  action->setCheckable(true);
+  action->setChecked(checked);
+  QObject::connect(action, &QAction::triggered, &view, [&view, write](bool on) {
+    ViewOptions options = view.options();
+    write(options, on);
+    view.setOptions(options);
+  });
+  return action;
+}
+
+void addFaces(QMenu& menu, View3D& view) {
+  const std::pair<Faces, QString> kinds[] = {{Faces::shaded, tr("Shaded")},
+                                             {Faces::hiddenLine, tr("Lines, hidden ones left out")},
+                                             {Faces::wireframe, tr("All edges")}};
+  const char* names[] = {"view3dShaded", "view3dHiddenLine", "view3dWireframe"};
+  auto* group = new QActionGroup(&menu);
+  std::size_t at = 0;
+  for (const auto& [faces, text] : kinds) {
+    group->addAction(addCheck(menu, view, names[at++], text, view.options().faces == faces,
+                              [kind = faces](ViewOptions& options, bool) { options.faces = kind; }));
+  }
+}
+
+void addLabels(QMenu& menu, View3D& view) {
+  const ViewOptions& now = view.options();
+  QMenu* labels = menu.addMenu(tr("Labels"));
+  addCheck(*labels, view, "view3dLinkLabels", tr("Links"), now.linkLabels,
+           [](ViewOptions& options, bool on) { options.linkLabels = on; });
+  addCheck(*labels, view, "view3dJointLabels", tr("Joints"), now.jointLabels,
+           [](ViewOptions& options, bool on) { options.jointLabels = on; });
+  addCheck(*labels, view, "view3dAxisLabels", tr("Axes"), now.axisLabels,
+           [](ViewOptions& options, bool on) { options.axisLabels = on; });
+  addCheck(*labels, view, "view3dScaleBar", tr("Scale bar"), now.scaleBar,
+           [](ViewOptions& options, bool on) { options.scaleBar = on; });
+}
+
+void addMarks(QMenu& menu, View3D& view) {
+  struct Entry {
+    const char* name;
+    QString text;
+    bool MarkChoice::*member;
+  };
+  const Entry entries[] = {
+      {"view3dPitchCircles", tr("Pitch circles and cones"), &MarkChoice::pitchCircles},
+      {"view3dPitchPoints", tr("Pitch points"), &MarkChoice::pitchPoints},
+      {"view3dAxes", tr("Axes"), &MarkChoice::axes},
+      {"view3dInstantAxes", tr("Instantaneous axes"), &MarkChoice::instantAxes},
+      {"view3dVelocities", tr("Velocities"), &MarkChoice::velocities},
+  };
+  QMenu* show = menu.addMenu(tr("Show"));
+  for (const Entry& entry : entries) {
+    addCheck(*show, view, entry.name, entry.text, view.options().marks.*entry.member,
+             [member = entry.member](ViewOptions& options, bool on) { options.marks.*member = on; });
+  }
+}
+
+/// The number that the link's label shows; the ground has none.
+QString nameOf(const View3D& view, const ElementId& link) {
+  for (const StageLabel& label : view.stage()->labels) {
+    if (label.element == link) return tr("link %1").arg(QString::fromStdString(label.text));
+  }
+  return tr("the ground");
+}
+
+/// What undoes riding, hiding and tracing, where there is something of it.
+void addWaysBack(QMenu& menu, View3D& view) {
+  if (view.ridden()) {
+    menu.addAction(tr("Stop riding along"), &view, [&view] { view.rideAlong(std::nullopt); })
+        ->setObjectName("view3dStopRiding");
+  }
+  if (!view.hidden().empty()) {
+    menu.addAction(tr("Show all parts"), &view, [&view] { view.setHidden({}); })
+        ->setObjectName("view3dShowAll");
+  }
+  if (view.traces().empty()) return;
+  menu.addAction(tr("Save the traced path as CSV…"), &view, [&view] { emit view.traceFileWanted(); });
+  menu.addAction(tr("Clear traced paths"), &view, [&view] { view.clearTraces(); });
+}
+
+void hideOthers(View3D& view, const ElementId& link) {
+  std::set<ElementId> others;
+  for (const Instance& instance : view.stage()->scene.instances) {
+    if (!(instance.element == link)) others.insert(instance.element);
+  }
+  view.setHidden(std::move(others));
+}
+
+}  // namespace
+
+void fillViewMenu(QMenu& menu, View3D& view) {
+  const ViewOptions& now = view.options();
+  const std::pair<StandardView, QString> more[] = {{StandardView::back, tr("From behind")},
+                                                   {StandardView::left, tr("From the left")},
+                                                   {StandardView::bottom, tr("From below")}};
+  for (const auto& [from, text] : more)
+    menu.addAction(text, &view, [&view, from = from] { view.showFrom(from); });
+  menu.addSeparator();
+  addFaces(menu, view);
+  menu.addSeparator();
+  addCheck(menu, view, "view3dSectionEntry", tr("Section"), now.section.has_value(),
+           [](ViewOptions& options, bool on) {
+             options.section = on ? std::optional(SectionChoice{}) : std::nullopt;
+           });
+  addCheck(menu, view, "view3dExploded", tr("Pulled apart along the axes"), now.pulledApart > 0,
+           [](ViewOptions& options, bool on) { options.pulledApart = on ? 1 : 0; });
+  addCheck(menu, view, "view3dGhosts", tr("Veil what is not selected"), now.ghostOthers,
+           [](ViewOptions& options, bool on) { options.ghostOthers = on; });
+  addLabels(menu, view);
+  addMarks(menu, view);
+  menu.addSeparator();
+  addWaysBack(menu, view);
+}
+
+void fillPartMenu(QMenu& menu, View3D& view, const std::optional<Hit>& hit) {
+  if (hit) {
+    const ElementId link = hit->element;
+    const bool moves = view.stage()->place != nullptr;
+    QAction* ride = menu.addAction(tr("Ride along with %1").arg(nameOf(view, link)), &view,
+                                   [&view, link] { view.rideAlong(link); });
+    ride->setObjectName("view3dRide");
+    ride->setEnabled(moves && view.ridden() != std::optional(link));
+    QAction* look = menu.addAction(tr("Look along its axis"), &view, [&view, link] { view.lookAlong(link); });
+    look->setObjectName("view3dLookAlong");
+    look->setEnabled(view.hasAxis(link));
+    QAction* trace = menu.addAction(tr("Trace this point"), &view, [&view, at = *hit] { view.trace(at); });
+    trace->setObjectName("view3dTrace");
+    trace->setEnabled(moves);
+    menu.addSeparator();
+    menu.addAction(tr("Hide it"), &view,
+                   [&view, link] {
+                     std::set<ElementId> hidden = view.hidden();
+                     hidden.insert(link);
+                     view.setHidden(std::move(hidden));
+                   })
+        ->setObjectName("view3dHide");
+    menu.addAction(tr("Hide all others"), &view, [&view, link] { hideOthers(view, link); })
+        ->setObjectName("view3dHideOthers");
+  } else {
+    menu.addAction(tr("Fit"), &view, [&view] { view.fit(); });
+  }
+  addWaysBack(menu, view);
+}
+
+}  // namespace geargraph
