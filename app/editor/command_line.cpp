@@ -28,9 +28,10 @@ CommandLine readCommandLine(const QStringList& arguments) {
                                       QStringLiteral("file"));
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window, e.g. 1366x768."),
                                 QStringLiteral("WxH"));
-  const QCommandLineOption drawing(QStringLiteral("drawing"),
-                                   QStringLiteral("Of a screenshot: the drawing in front, digraph, ttgraph or schematic."),
-                                   QStringLiteral("name"));
+  const QCommandLineOption drawing(
+      QStringLiteral("drawing"),
+      QStringLiteral("Of a screenshot: the drawing in front, digraph, ttgraph or schematic."),
+      QStringLiteral("name"));
   const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
   const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));
   const QCommandLineOption contrast(QStringLiteral("high-contrast"), QStringLiteral("Light on black."));

@@ -9,8 +9,8 @@ namespace geargraph {
 
 // Edits after which everything still fits: coaxial wheels stay coaxial, the ring follows sun and planets, a
 // bevel keeps its apex, twins of a planet follow it. Places and pitch points that the document leaves open
-// follow by themselves, stated ones are moved. What cannot be satisfied is refused with the culprits. Where the
-// document has no geometry to keep (its joints are no tree, a mesh contradicts its axes), or more than
+// follow by themselves, stated ones are moved. What cannot be satisfied is refused with the culprits. Where
+// the document has no geometry to keep (its joints are no tree, a mesh contradicts its axes), or more than
 // kMostFittedMeshes, these are the plain edits of edits.h.
 
 constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up with typing

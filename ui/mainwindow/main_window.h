@@ -178,7 +178,7 @@ class MainWindow : public QMainWindow {
   std::vector<QDockWidget*> m_docks;
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
-  bool m_hasPicture = false;  ///< the 3D view shows something of this document
+  bool m_hasPicture = false;     ///< the 3D view shows something of this document
   std::jthread m_pictureThread;  ///< paints a picture of the 3D view; last: it ends before all else
 };
 

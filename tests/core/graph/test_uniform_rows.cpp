@@ -30,6 +30,7 @@ class UniformRowsTest : public QObject {
   /// Each link on the one before it, numbered along the tree or against it.
   static Mechanism chain(int n, bool along) {
     Mechanism mechanism;
+    mechanism.axes.emplace_back().id = AxisId("a");
     const auto link = [&](int i) { return LinkId(std::to_string(i == 0 || along ? i : n + 1 - i)); };
     for (int i = 0; i <= n; ++i) mechanism.links.push_back({LinkId(std::to_string(i)), {}, {}});
     for (int i = 1; i <= n; ++i) {

@@ -219,10 +219,11 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.center(3))),
-             (QStringList{"Rename", "Drive it", "Make it the ground", "Delete"}));
-    QCOMPARE(entries(*menuAt(d, d.center(0))), (QStringList{"Rename", "[Drive it (the ground does not move)]",
-                                                            "[Make it the ground (it is the ground)]",
-                                                            "[Delete (the ground cannot be deleted)]"}));
+             (QStringList{"Rename", "Drive it", "Make it the ground", "Attach a gear", "Delete"}));
+    QCOMPARE(entries(*menuAt(d, d.center(0))),
+             (QStringList{
+                 "Rename", "[Drive it (the ground does not move)]", "[Make it the ground (it is the ground)]",
+                 "[Attach a gear (the ground does not move)]", "[Delete (the ground cannot be deleted)]"}));
     QCOMPARE(d.selected(), QString("0"));
   }
 
