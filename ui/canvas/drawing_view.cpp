@@ -101,6 +101,7 @@ void DrawingView::updateMessage() {
 void DrawingView::setNotice(const QStringList& lines) {
   if (lines == m_notice) return;
   m_notice = lines;
+  if (m_fitted) fit();
   viewport()->update();
 }
 
@@ -236,10 +237,12 @@ void DrawingView::resetZoom() {
 void DrawingView::fitTo(const QRectF& area) {
   constexpr double kMargin = 24;
   const QRectF shown = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
-  const QSizeF room = viewport()->size();
+  // The notice on top hides nothing of what is fitted.
+  const int taken = m_notice.isEmpty() ? 0 : boxOf(m_notice, Qt::TopLeftCorner).box.bottom();
+  const QSizeF room = viewport()->size() - QSize(0, std::min(taken, viewport()->height() / 2));
   const double scale = std::min({m_largest, room.width() / shown.width(), room.height() / shown.height()});
   setTransform(QTransform::fromScale(scale, scale));
-  centerOn(shown.center());
+  centerOn(shown.center() - QPointF(0, (viewport()->height() - room.height()) / (2 * scale)));
 }
 
 void DrawingView::fit() {

@@ -145,6 +145,18 @@ class TestTtGraphView : public QObject {
     QVERIFY2(d.view.notice().join(" ").contains("Mesh 19"), qPrintable(d.view.notice().join(" ")));
   }
 
+  void whatIsMissingIsSaidAboveTheDrawing() {
+    TtDriver d(robot());
+    d.view.resize(900, 320);  // the height decides how large the drawing is
+    d.view.fit();
+    d.selection.select({JointId("12")});
+    d.view.deleteSelected();
+    const Extent drawn = extentOf(d.view.displayList());
+    const int textHeight = static_cast<int>(d.view.notice().size()) * QFontMetrics(d.view.font()).height();
+    QVERIFY2(d.onScreen({drawn.center.x, drawn.top()}).y() > textHeight + 12,
+             qPrintable(QString("%1 lines").arg(d.view.notice().size())));
+  }
+
   void unseenDrawingIsMadeWhenItIsShown() {
     TtDriver d(robot());
     d.view.hide();
