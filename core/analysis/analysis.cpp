@@ -58,9 +58,9 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   return snapshot;
 }
 
-Diagnostics toothFindings(const AnalysisSnapshot& live) {
+Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop) {
   if (!live.kinematics || hasErrors(live.diagnostics)) return {};
-  return gearDiagnostics(*live.mechanism, live.kinematics->placement);
+  return gearDiagnostics(*live.mechanism, live.kinematics->placement, stop);
 }
 
 SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
@@ -79,7 +79,8 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   if (!withStates) return nullptr;
   auto snapshot = std::make_shared<AnalysisSnapshot>(*withStates);
   snapshot->isComplete = true;
-  append(snapshot->diagnostics, toothFindings(*live));
+  append(snapshot->diagnostics, toothFindings(*live, stop));
+  if (stop.stop_requested()) return nullptr;
   const MatroidAnalysis* matroid = live->matroid();
   if (matroid == nullptr || !matroid->solution || hasErrors(live->diagnostics)) return snapshot;
   snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);

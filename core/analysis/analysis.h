@@ -52,8 +52,8 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
                                       const std::stop_token& stop = {});
 
 /// What the teeth of a mechanism without errors have to say (gearDiagnostics()). Its share of the second
-/// step.
-[[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live);
+/// step. Incomplete where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop = {});
 
 /// The states of the document solved, and their findings: the same snapshot with them. Null when `stop` was
 /// requested meanwhile.

@@ -186,7 +186,8 @@ std::string toothAdvice(const GearTrain& train, const Loop& loop) {
 
 }  // namespace
 
-Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
+Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                                const std::stop_token& stop) {
   Diagnostics found;
   MeshesOf of(train.gears.size());
   for (std::size_t m = 0; m < train.meshes.size(); ++m) {
@@ -196,6 +197,7 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
   for (std::size_t m = 0; m < train.meshes.size(); ++m) {
     const double residual = train.meshes[m].residual;
     if (std::abs(residual) <= kPhaseFits) continue;
+    if (stop.stop_requested()) return found;
     const Loop loop(train, of, m);
     Diagnostic d;
     d.code = Code::assembly;

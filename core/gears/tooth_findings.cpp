@@ -38,8 +38,12 @@ HalfTooth toothOf(const GearSpec& spec) {
 
 class ToothFinder {
  public:
-  ToothFinder(const Mechanism& mechanism, const GearTrain& train) : m_mechanism(mechanism), m_train(train) {
-    for (const TrainGear& gear : train.gears) addGear(gear);
+  ToothFinder(const Mechanism& mechanism, const GearTrain& train, const std::stop_token& stop)
+      : m_mechanism(mechanism), m_train(train) {
+    for (const TrainGear& gear : train.gears) {
+      if (stop.stop_requested()) return;
+      addGear(gear);
+    }
     for (const TrainMesh& mesh : train.meshes) addMesh(mesh);
   }
 
@@ -165,8 +169,9 @@ std::string fixedText(double value, int digits) {
   return text;
 }
 
-Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
-  return ToothFinder(mechanism, train).found;
+Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                             const std::stop_token& stop) {
+  return ToothFinder(mechanism, train, stop).found;
 }
 
 }  // namespace geargraph

@@ -54,10 +54,12 @@ GearTrain toothed(const Mechanism& mechanism, const TrainWheels& wheels) {
   return train;
 }
 
-Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
-  Diagnostics found = toothDiagnostics(mechanism, train);
+Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                       const std::stop_token& stop) {
+  Diagnostics found = toothDiagnostics(mechanism, train, stop);
+  if (stop.stop_requested()) return found;
   for (const Diagnostics& more :
-       {neighbourDiagnostics(mechanism, placement, train), assemblyDiagnostics(mechanism, train)}) {
+       {neighbourDiagnostics(mechanism, placement, train), assemblyDiagnostics(mechanism, train, stop)}) {
     found.insert(found.end(), more.begin(), more.end());
   }
   return found;
@@ -72,15 +74,18 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   stackWheels(wheels);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
-  train.diagnostics = findingsOf(mechanism, placement, train);
+  train.diagnostics = findingsOf(mechanism, placement, train, {});
   return train;
 }
 
-Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement) {
-  if (!placement.tree || !placement.classes) return {};
+Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                            const std::stop_token& stop) {
+  if (!placement.tree || !placement.classes || stop.stop_requested()) return {};
   TrainWheels wheels = wheelsOf(mechanism, placement);
+  if (stop.stop_requested()) return {};
   shapeWheels(mechanism, wheels);
-  return findingsOf(mechanism, placement, toothed(mechanism, wheels));
+  if (stop.stop_requested()) return {};
+  return findingsOf(mechanism, placement, toothed(mechanism, wheels), stop);
 }
 
 }  // namespace geargraph

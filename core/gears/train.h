@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,8 @@ struct GearTrain {
 /// The diagnostics of trainOf() alone, without stacking wheels and making bodies, for the analysis.
 /// Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp).
 /// @pre as trainOf
-[[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement);
+/// Those found so far where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                          const std::stop_token& stop = {});
 
 }  // namespace geargraph

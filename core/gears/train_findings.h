@@ -1,12 +1,16 @@
 #pragma once
 
+#include <stop_token>
+
 #include "core/gears/phase.h"
 #include "core/gears/train.h"
 
 namespace geargraph {
 
 /// `undercut` and `interference` of the train's gears and pairs, with the numbers that say how to mend them.
-[[nodiscard]] Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train);
+/// Those found so far where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                                           const std::stop_token& stop = {});
 
 /// `interference` of wheels beside each other round one gear whose tips meet: planets of one carrier, where
 /// 2 a sin(angle / 2) is less than both tip radii together. Cost: O(meshes log meshes).
@@ -14,7 +18,9 @@ namespace geargraph {
                                                const GearTrain& train);
 
 /// `assembly` for every mesh whose residual does not fit, with the nearest positions or tooth counts that do.
-[[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train);
+/// Those found so far where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                                              const std::stop_token& stop = {});
 
 /// A number for a sentence, with so many digits behind the point.
 [[nodiscard]] std::string fixedText(double value, int digits);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <vector>
 
 namespace geargraph {
@@ -74,6 +75,14 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
                      before.view.unknown != after.view.unknown || before.unknown != after.unknown ||
                      reordered;
   return difference;
+}
+
+bool isSameButForView(const Mechanism& a, const Mechanism& b) {
+  const auto rest = [](const Mechanism& m) {
+    return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
+                    m.gearDefaults, m.inputs, m.couplings, m.states, m.unknown);
+  };
+  return rest(a) == rest(b);
 }
 
 std::string differenceText(const Difference& difference) {

@@ -29,6 +29,10 @@ struct Difference {
 /// Cost: O(n + t + c) and the logarithm of it.
 [[nodiscard]] Difference differenceOf(const Mechanism& before, const Mechanism& after);
 
+/// Do they differ in nothing but where things stand in the drawings, which no analysis depends on?
+/// Cost: O(n + t + c).
+[[nodiscard]] bool isSameButForView(const Mechanism& a, const Mechanism& b);
+
 /// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 

@@ -9,6 +9,7 @@ AnalysisService::AnalysisService(QObject* parent)
       }) {}
 
 void AnalysisService::request(const MechanismPtr& mechanism, quint64 revision) {
+  if (m_wanted == revision) return;
   m_wanted = revision;
   m_worker.request(mechanism, revision);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/analysis/worker.h"
 
@@ -14,6 +15,7 @@ class AnalysisService : public QObject {
  public:
   explicit AnalysisService(QObject* parent = nullptr);
 
+  /// Does nothing where this revision is what was asked for last: its answer is there or on its way.
   void request(const MechanismPtr& mechanism, quint64 revision);
   /// The newest snapshot that has arrived; null before the first.
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
@@ -29,7 +31,7 @@ class AnalysisService : public QObject {
  private:
   void arrived(const SnapshotPtr& snapshot);
 
-  quint64 m_wanted = 0;
+  std::optional<quint64> m_wanted;
   SnapshotPtr m_snapshot;
   AnalysisWorker m_worker;  ///< last: it is stopped before what its deliveries touch goes
 };

@@ -3,6 +3,7 @@
 #include "core/drawing/tt_graph_drawing.h"
 #include "core/drawing/tt_graph_layout.h"
 #include "core/io/view_places.h"
+#include "core/mechanism/difference.h"
 #include "core/mechanism/edits.h"
 #include "core/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
@@ -10,12 +11,6 @@
 
 namespace geargraph {
 namespace {
-
-/// The same mechanism but for where things stand on sheets, which no analysis depends on.
-bool isSameButForView(const Mechanism& a, const Mechanism& b) {
-  return a.links == b.links && a.axes == b.axes && a.turningJoints == b.turningJoints &&
-         a.gearMeshes == b.gearMeshes && a.inputs == b.inputs;
-}
 
 QString paragraph(const QString& text) {
   return QStringLiteral("<p style='white-space:normal'>%1</p>").arg(text.toHtmlEscaped());

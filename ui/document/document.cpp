@@ -2,6 +2,8 @@
 
 #include <QUndoCommand>
 
+#include "core/mechanism/difference.h"
+
 namespace geargraph {
 
 /// The only command class of the program: swaps two immutable mechanisms. Undo cannot drift from redo,
@@ -70,8 +72,10 @@ void Document::markSaved(const QString& filePath) {
 
 void Document::publish(const MechanismPtr& mechanism) {
   if (m_mechanism == mechanism) return;
+  const bool moved = isSameButForView(*m_mechanism, *mechanism);
   m_mechanism = mechanism;
   ++m_revision;
+  if (!moved) m_mechanicsRevision = m_revision;
   emit changed();
 }
 

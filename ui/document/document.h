@@ -29,6 +29,9 @@ class Document : public QObject {
 
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
   [[nodiscard]] quint64 revision() const { return m_revision; }
+  /// The revision that last changed more than where things stand in the drawings: what was computed for it
+  /// holds for the mechanism now.
+  [[nodiscard]] quint64 mechanicsRevision() const { return m_mechanicsRevision; }
   [[nodiscard]] QUndoStack& undoStack() { return m_undoStack; }
 
   /// Applies an edit, or says in refused() and in the result why not; a refused edit changes nothing. An edit
@@ -58,6 +61,7 @@ class Document : public QObject {
 
   MechanismPtr m_mechanism;
   quint64 m_revision = 0;
+  quint64 m_mechanicsRevision = 0;
   quint64 m_lastGesture = 0;
   QUndoStack m_undoStack;
   QString m_filePath;

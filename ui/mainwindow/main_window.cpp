@@ -346,7 +346,7 @@ void MainWindow::onDocumentChanged() {
         [there = elementsOf(*mechanism)](const ElementId& element) { return there.contains(element); });
   }
   m_status->clearRefusal();
-  m_service->request(mechanism, m_document->revision());
+  m_service->request(mechanism, m_document->mechanicsRevision());
   renewActions();
 }
 

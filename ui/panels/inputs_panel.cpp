@@ -160,7 +160,7 @@ QToolButton* InputsPanel::makeExchange(JointId joint) {
 /// Every other joint: those that leave the set valid can be chosen, the others say what stands against it.
 void InputsPanel::fillExchange(QMenu& menu, JointId input) {
   const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
-  const bool isFresh = m_snapshot && m_snapshot->revision == m_document->revision();
+  const bool isFresh = m_snapshot && m_snapshot->revision == m_document->mechanicsRevision();
   if (!isFresh || matroid == nullptr || !matroid->solution || matroid->solution->matrix.empty()) {
     menu.addAction(tr("Nothing is solved yet"))->setEnabled(false);
     return;

@@ -53,6 +53,16 @@ class DifferenceTest : public QObject {
     QCOMPARE(textTo(withGround(robot, robot.links[3].id).value()),
              QStringLiteral("other properties changed"));  // another order of the links
   }
+
+  void onlyPlacesInDrawingsAreAView() {
+    const std::pair<LinkId, SheetPoint> moved[] = {{robot.links[1].id, SheetPoint{7, 7}}};
+    QVERIFY(isSameButForView(robot, withNodesMoved(robot, moved).value()));
+
+    QVERIFY(!isSameButForView(robot, withTeeth(robot, robot.gearMeshes[0].id, 17, 51).value()));
+    QVERIFY(!isSameButForView(robot, withName(robot, robot.links[2].id, "arm").value()));
+    QVERIFY(!isSameButForView(robot, withGround(robot, robot.links[3].id).value()));
+    QVERIFY(!isSameButForView(robot, withLink(robot, {10, 10}).value()));
+  }
 };
 
 }  // namespace geargraph

@@ -32,6 +32,22 @@ class AnalysisServiceTest : public QObject {
     QCOMPARE(service.snapshot()->mechanism->n(), 39);
   }
 
+  void askedAgainForTheSameRevisionItAnswersOnce() {
+    const auto mechanism = std::make_shared<const Mechanism>(emptyMechanism());
+    AnalysisService service;
+    int live = 0;
+    connect(&service, &AnalysisService::snapshotReady, &service,
+            [&](const SnapshotPtr& snapshot) { live += snapshot->isComplete ? 0 : 1; });
+    service.request(mechanism, 0);
+    QTRY_VERIFY(service.isComplete());
+    service.request(mechanism, 0);
+    QVERIFY(service.isComplete());
+    service.request(mechanism, 1);
+    QVERIFY(!service.isUpToDate());
+    QTRY_VERIFY(service.isComplete());
+    QCOMPARE(live, 2);
+  }
+
   void destroyedWhileItWorksIsHarmless() {
     for (int round = 0; round < 50; ++round) {
       AnalysisService service;

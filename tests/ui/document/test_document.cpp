@@ -49,6 +49,20 @@ class DocumentTest : public QObject {
     QVERIFY(document.revision() > drawn);
   }
 
+  void movingALinkLeavesTheMechanicsAsTheyWere() {
+    Document document;
+    document.apply(addLink());
+    QCOMPARE(document.mechanicsRevision(), document.revision());
+    const quint64 mechanics = document.mechanicsRevision();
+    document.apply(moveGround(7, 0));
+    QVERIFY(document.revision() > mechanics);
+    QCOMPARE(document.mechanicsRevision(), mechanics);
+    document.undoStack().undo();
+    QCOMPARE(document.mechanicsRevision(), mechanics);
+    document.undoStack().undo();
+    QCOMPARE(document.mechanicsRevision(), document.revision());
+  }
+
   void oneGestureIsOneStep() {
     Document document;
     document.apply(moveGround(0, 0));
