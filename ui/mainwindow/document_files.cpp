@@ -1,7 +1,16 @@
 #include "ui/mainwindow/document_files.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
+#include <QFutureWatcher>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QPromise>
+#include <QThreadPool>
+#include <QTimer>
 
 #include "core/io/file.h"
 #include "core/io/matrix_csv.h"
@@ -9,6 +18,21 @@
 
 namespace geargraph {
 namespace {
+
+/// A file of so many bytes is read within a frame or two (3 MB: 0.1 to 0.2 s).
+constexpr qint64 kReadAtOnce = 200'000;
+
+using ReadResult = std::shared_ptr<Expected<Mechanism>>;
+
+QFuture<ReadResult> onThread(const std::function<Expected<Mechanism>()>& read) {
+  const auto promise = std::make_shared<QPromise<ReadResult>>();
+  promise->start();
+  QThreadPool::globalInstance()->start([promise, read] {
+    promise->addResult(std::make_shared<Expected<Mechanism>>(read()));
+    promise->finish();
+  });
+  return promise->future();
+}
 
 std::filesystem::path nativePath(const QString& path) {
   return QFile::encodeName(path).toStdString();
@@ -32,6 +56,32 @@ Expected<Mechanism> readDocument(const QString& path) {
     return Diagnostic{Code::syntax, error->message, {}, {}, 0, 0};
   }
   return readMechanism(std::get<std::string>(bytes));
+}
+
+std::optional<Expected<Mechanism>> readPatiently(const std::function<Expected<Mechanism>()>& read,
+                                                 const QString& name, QWidget* window, int silence) {
+  const QPointer<QWidget> open(window);
+  QEventLoop loop;
+  QFutureWatcher<ReadResult> watcher;
+  QObject::connect(&watcher, &QFutureWatcherBase::finished, &loop, &QEventLoop::quit);
+  watcher.setFuture(onThread(read));
+  QTimer::singleShot(silence, &loop, &QEventLoop::quit);
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  if (!watcher.isFinished() && open) {
+    QProgressDialog dialog(QCoreApplication::translate("DocumentFiles", "Reading %1 …").arg(name),
+                           QCoreApplication::translate("DocumentFiles", "Cancel"), 0, 0, window);
+    dialog.setWindowModality(Qt::WindowModal);
+    QObject::connect(&dialog, &QProgressDialog::canceled, &loop, &QEventLoop::quit);
+    dialog.show();
+    loop.exec();
+  }
+  if (!watcher.isFinished() || !open) return std::nullopt;
+  return std::move(*watcher.result());
+}
+
+std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* window) {
+  if (QFileInfo(path).size() < kReadAtOnce) return readDocument(path);
+  return readPatiently([path] { return readDocument(path); }, QFileInfo(path).fileName(), window);
 }
 
 std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path) {

@@ -60,12 +60,13 @@ WindowFiles::WindowFiles(MainWindow* window, NoticeBar* notices, RecentFiles* re
 // --- opening ----------------------------------------------------------------------------------------------
 
 bool WindowFiles::open(const QString& path) {
-  Expected<Mechanism> opened = readDocument(path);
-  if (!opened) {
-    sayBroken(path, opened.error());
+  std::optional<Expected<Mechanism>> opened = readDocument(path, m_window);
+  if (!opened) return false;
+  if (!*opened) {
+    sayBroken(path, opened->error());
     return false;
   }
-  show(std::move(opened).value(), path);
+  show(std::move(*opened).value(), path);
   return true;
 }
 
@@ -241,11 +242,12 @@ void WindowFiles::revert() {
 
 void WindowFiles::reload() {
   const QString path = m_document->filePath();
-  Expected<Mechanism> read = readDocument(path);
-  if (!read) return sayBroken(path, read.error());
+  std::optional<Expected<Mechanism>> read = readDocument(path, m_window);
+  if (!read) return;
+  if (!*read) return sayBroken(path, read->error());
   m_window->problems().clearFileProblems();
   m_document->apply(
-      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(*read))));
+      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**read))));
   m_document->markSaved(path);
   took(path);
 }

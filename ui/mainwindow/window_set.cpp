@@ -79,13 +79,14 @@ void WindowSet::open(const QString& path, MainWindow* from) {
     window->raise();
     return window->activateWindow();
   }
-  Expected<Mechanism> opened = readDocument(wanted);
-  if (!opened) {
+  std::optional<Expected<Mechanism>> opened = readDocument(wanted, from);
+  if (!opened) return;
+  if (!*opened) {
     RecentFiles::forget(wanted);
-    return from->files().sayBroken(wanted, opened.error());
+    return from->files().sayBroken(wanted, opened->error());
   }
   MainWindow& window = from->files().isUnused() ? *from : add();
-  window.files().show(std::move(opened).value(), wanted);
+  window.files().show(std::move(*opened).value(), wanted);
   window.show();
 }
 

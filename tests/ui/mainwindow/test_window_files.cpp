@@ -3,11 +3,14 @@
 #include <QFile>
 #include <QListView>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QPushButton>
+#include <QSemaphore>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "core/mechanism/edits.h"
 #include "tests/ui/mainwindow/hand.h"
@@ -28,6 +31,7 @@ namespace geargraph {
 class WindowFilesTest : public QObject {
   Q_OBJECT
 
+  static constexpr int kManyLinks = 4'000;
   std::unique_ptr<QTemporaryDir> folder;
   std::unique_ptr<WindowSet> set;
 
@@ -37,6 +41,19 @@ class WindowFilesTest : public QObject {
   QString written(const QString& name, int links) {
     const QString path = folder->filePath(name);
     if (writeDocument(withLinks(emptyMechanism(), links), path)) qFatal("%s", qPrintable(path));
+    return path;
+  }
+  /// A file that takes longer than some frames to read.
+  [[nodiscard]] QString writtenLarge() const {
+    Mechanism mechanism = emptyMechanism();
+    for (int i = 1; i <= kManyLinks; ++i) {
+      Link link;
+      link.id = LinkId("link-" + std::to_string(i));
+      mechanism.view.nodes[link.id] = {100.0 * i, 90};
+      mechanism.links.push_back(link);
+    }
+    const QString path = folder->filePath(QStringLiteral("large.geargraph"));
+    if (writeDocument(mechanism, path)) qFatal("%s", qPrintable(path));
     return path;
   }
   static Mechanism withLinks(Mechanism mechanism, int links) {
@@ -133,6 +150,36 @@ class WindowFilesTest : public QObject {
     set->open(file.fileName(), &first());
     QCOMPARE(set->windows().size(), std::size_t{1});
     QVERIFY(first().statusLine().text().contains(QStringLiteral("broken.geargraph")));
+  }
+
+  void theWindowLivesWhileALargeFileIsRead() {
+    const QString path = writtenLarge();
+    set->start({});
+    int alive = 0;
+    QTimer ticks;
+    connect(&ticks, &QTimer::timeout, this, [&alive] { ++alive; });
+    ticks.start(0);
+    QVERIFY(first().files().open(path));
+    QVERIFY(alive > 0);
+    QCOMPARE(first().document().mechanism()->n(), kManyLinks);
+    QVERIFY(first().findChild<QProgressDialog*>() == nullptr);
+  }
+
+  void readingCanBeCancelled() {
+    set->start({});
+    const auto gate = std::make_shared<QSemaphore>();
+    const auto never = [gate]() -> Expected<Mechanism> {
+      gate->acquire();
+      return emptyMechanism();
+    };
+    QTimer ticks;
+    connect(&ticks, &QTimer::timeout, this, [this] {
+      const auto* dialog = first().findChild<QProgressDialog*>();
+      if (dialog != nullptr) dialog->findChild<QPushButton*>()->click();
+    });
+    ticks.start(0);
+    QVERIFY(!readPatiently(never, QStringLiteral("slow.geargraph"), &first(), 1).has_value());
+    gate->release();
   }
 
   void filesAreDropped() {
