@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QFile>
 #include <QStringList>
+#include <QTest>
 
 #include "core/drawing/digraph_geometry.h"
 #include "core/drawing/display_list.h"
@@ -14,6 +16,21 @@ inline Emphases withNames(const Mechanism& mechanism) {
   Emphases emphases;
   for (const Link& link : mechanism.links) emphases[link.id].hovered = true;
   return emphases;
+}
+
+/// Line by line; GEARGRAPH_UPDATE_GOLDEN in the environment takes over what is drawn now.
+inline void compareWithGolden(const QString& path, const std::string& drawn) {
+  QFile golden(path);
+  if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) {
+    QVERIFY(golden.open(QIODevice::WriteOnly));
+    golden.write(drawn.c_str());
+    golden.close();
+  }
+  QVERIFY(golden.open(QIODevice::ReadOnly));
+  const QStringList expected = QString::fromUtf8(golden.readAll()).split('\n');
+  const QStringList actual = QString::fromStdString(drawn).split('\n');
+  for (qsizetype i = 0; i < std::min(expected.size(), actual.size()); ++i) QCOMPARE(actual[i], expected[i]);
+  QCOMPARE(actual.size(), expected.size());
 }
 
 /// What lies on what in a drawing of nodes and lines, found from its marks, without the grid that placed

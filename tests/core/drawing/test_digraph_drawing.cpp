@@ -10,6 +10,7 @@
 #include "core/drawing/text_metrics.h"
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "tests/core/drawing/drawing_checks.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
@@ -123,17 +124,7 @@ class TestDigraphDrawing : public QObject {
     emphases[LinkId("3")].selected = true;
     emphases[LinkId("6")].hovered = true;
     const std::string drawn = textOf(digraphDrawing(drivenRobot(), robotPositions(), emphases));
-    QFile golden(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/robot_digraph.txt");
-    if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) {
-      QVERIFY(golden.open(QIODevice::WriteOnly));
-      golden.write(drawn.c_str());
-      golden.close();
-    }
-    QVERIFY(golden.open(QIODevice::ReadOnly));
-    const QStringList expected = QString::fromUtf8(golden.readAll()).split('\n');
-    const QStringList actual = QString::fromStdString(drawn).split('\n');
-    for (qsizetype i = 0; i < std::min(expected.size(), actual.size()); ++i) QCOMPARE(actual[i], expected[i]);
-    QCOMPARE(actual.size(), expected.size());
+    test::compareWithGolden(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/robot_digraph.txt", drawn);
   }
 
   void nothingTouchesAnythingInTheRobot() {

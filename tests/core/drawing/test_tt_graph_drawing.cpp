@@ -90,18 +90,9 @@ class TestTtGraphDrawing : public QObject {
   void examplesAreDrawnAsInTheGoldenTexts() {
     QFETCH(QString, file);
     const std::string drawn = textOf(Drawn(example(file)).list());
-    QFile golden(QString(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/ttgraph/%1.txt")
-                     .arg(QFileInfo(file).completeBaseName()));
-    if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) {
-      QVERIFY(golden.open(QIODevice::WriteOnly));
-      golden.write(drawn.c_str());
-      golden.close();
-    }
-    QVERIFY(golden.open(QIODevice::ReadOnly));
-    const QStringList expected = QString::fromUtf8(golden.readAll()).split('\n');
-    const QStringList actual = QString::fromStdString(drawn).split('\n');
-    for (qsizetype i = 0; i < std::min(expected.size(), actual.size()); ++i) QCOMPARE(actual[i], expected[i]);
-    QCOMPARE(actual.size(), expected.size());
+    test::compareWithGolden(QString(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/ttgraph/%1.txt")
+                                .arg(QFileInfo(file).completeBaseName()),
+                            drawn);
   }
 
   void nothingTouchesAnythingInTheExamples_data() { addExamples(); }

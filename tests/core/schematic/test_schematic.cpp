@@ -6,6 +6,7 @@
 #include "core/drawing/text_metrics.h"
 #include "core/io/mechanism_file.h"
 #include "core/schematic/schematic.h"
+#include "tests/core/drawing/drawing_checks.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
 
@@ -137,20 +138,6 @@ QStringList missing(const Mechanism& mechanism, const SchematicGeometry& geometr
   return found;
 }
 
-void compareWithGolden(const QString& name, const std::string& drawn) {
-  QFile golden(kExpected + name + QStringLiteral(".txt"));
-  if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) {
-    QVERIFY(golden.open(QIODevice::WriteOnly));
-    golden.write(drawn.c_str());
-    golden.close();
-  }
-  QVERIFY(golden.open(QIODevice::ReadOnly));
-  const QStringList expected = QString::fromUtf8(golden.readAll()).split('\n');
-  const QStringList actual = QString::fromStdString(drawn).split('\n');
-  for (qsizetype i = 0; i < std::min(expected.size(), actual.size()); ++i) QCOMPARE(actual[i], expected[i]);
-  QCOMPARE(actual.size(), expected.size());
-}
-
 bool says(const SchematicGeometry& geometry, const QString& words) {
   return std::any_of(geometry.notes.begin(), geometry.notes.end(),
                      [&](const std::string& note) { return QString::fromStdString(note).contains(words); });
@@ -168,7 +155,8 @@ class TestSchematic : public QObject {
   }
   void examplesAreDrawnAsInTheGoldenText() {
     QFETCH(QString, name);
-    compareWithGolden(name, textOf(schematicDrawing(schematicGeometry(example(name)), {})));
+    test::compareWithGolden(kExpected + name + QStringLiteral(".txt"),
+                            textOf(schematicDrawing(schematicGeometry(example(name)), {})));
   }
 
   void nothingTouchesAnythingInTheExamples_data() { examplesAreDrawnAsInTheGoldenText_data(); }
