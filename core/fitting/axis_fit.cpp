@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "core/fitting/pin_refusal.h"
+#include "core/mechanism/pins.h"
 #include "core/placement/tolerance.h"
 
 namespace geargraph {
@@ -39,6 +41,8 @@ class AxisFitter {
     m_neighbours.resize(classes);
     m_along.resize(classes);
     m_shift.resize(classes);
+    m_hasPins =
+        std::any_of(before.axes.begin(), before.axes.end(), [](const Axis& axis) { return isPinned(axis); });
     for (int axisClass = 0; axisClass < static_cast<int>(classes); ++axisClass) {
       m_lines.push_back(exactLineOfClass(before, placement, axisClass));
       const int carrying = placement.classes->classOfLink(*placement.tree, classAt(axisClass).top);
@@ -66,6 +70,8 @@ class AxisFitter {
       m_shift[static_cast<std::size_t>(next)] = shiftOf(next);
       if (!m_refusals.empty()) return std::move(m_refusals);
     }
+    if (m_hasPins || !m_pinned.empty()) checkHeld();
+    if (!m_refusals.empty()) return std::move(m_refusals);
     std::vector<ExactVector3> shifts;
     for (auto& shift : m_shift) shifts.push_back(std::move(*shift));
     return shifts;
@@ -90,16 +96,21 @@ class AxisFitter {
     return found == m_scales.end() ? Rational(1) : found->second;
   }
 
-  /// The unplaced class that most placed ones hold; of equals the one nearest the ground, then the first.
+  [[nodiscard]] bool isHeld(int axisClass) const {
+    return m_pinned.contains(axisClass) || isPinned(axisOfClass(m_before, m_placement, axisClass));
+  }
+
+  /// The unplaced class that is pinned, else the one that most placed ones hold; of equals the one nearest
+  /// the ground, then the first.
   [[nodiscard]] int nextClass() const {
     int best = -1;
-    std::tuple<int, int, int> bestRank;
+    std::tuple<int, int, int, int> bestRank;
     for (int axisClass = 0; axisClass < count(); ++axisClass) {
       if (isPlaced(axisClass)) continue;
       const auto at = static_cast<std::size_t>(axisClass);
       const int meshes = static_cast<int>(placedOf(m_neighbours[at]).size());
       const int others = static_cast<int>(placedOf(m_along[at]).size());
-      const std::tuple rank{meshes, others > 0 ? 1 : 0, -classAt(axisClass).depth};
+      const std::tuple rank{isHeld(axisClass) ? 1 : 0, meshes, others > 0 ? 1 : 0, -classAt(axisClass).depth};
       if (best < 0 || rank > bestRank) {
         best = axisClass;
         bestRank = rank;
@@ -112,6 +123,7 @@ class AxisFitter {
     const auto at = static_cast<std::size_t>(axisClass);
     if (const auto pinned = m_pinned.find(axisClass); pinned != m_pinned.end())
       return pinned->second - m_lines[at].point;
+    if (isHeld(axisClass)) return {};
     const std::vector<int> neighbours = placedOf(m_neighbours[at]);
     if (neighbours.empty()) {
       const std::vector<int> along = placedOf(m_along[at]);
@@ -127,6 +139,26 @@ class AxisFitter {
       return first + growth * radial(neighbours.front(), axisClass);
     }
     return heldByTwo(axisClass, neighbours);
+  }
+
+  /// Axes that are held may not have the distances that their wheels ask for.
+  void checkHeld() {
+    for (std::size_t m = 0; m < m_placement.meshes.size() && m_refusals.empty(); ++m) {
+      const MeshGeometry& mesh = *m_placement.meshes[m];
+      if (mesh.kind == MeshKind::bevel) continue;
+      const ExactVector3 was = radial(mesh.tailClass, mesh.headClass);
+      const ExactVector3 shift = *m_shift[static_cast<std::size_t>(mesh.headClass)] -
+                                 *m_shift[static_cast<std::size_t>(mesh.tailClass)];
+      const Vector3 direction = unit(toDoubles(m_lines[static_cast<std::size_t>(mesh.tailClass)].direction));
+      const double now = length(cross(direction, toDoubles(was + shift)));
+      const double wanted = length(toDoubles(was)) * scaleOf(mesh.tailClass, mesh.headClass).toDouble();
+      if (std::abs(now - wanted) <= kGeometryFits * wanted) continue;
+      if (m_hasPins) {
+        m_refusals.push_back(pinRefusal(m_before, m_placement, static_cast<int>(m)));
+      } else {
+        refuse(mesh.headClass, {mesh.tailClass});
+      }
+    }
   }
 
   /// From one line to a parallel other, at right angles to both, as they were.
@@ -200,6 +232,7 @@ class AxisFitter {
   const Placement& m_placement;
   const std::map<AxisPair, Rational>& m_scales;
   const std::map<int, ExactVector3>& m_pinned;
+  bool m_hasPins = false;                      ///< of the user
   std::vector<ExactLine> m_lines;              ///< by class, as they were
   std::vector<std::vector<int>> m_neighbours;  ///< by class: parallel ones it meshes with
   std::vector<std::vector<int>> m_along;       ///< by class: those it goes along with

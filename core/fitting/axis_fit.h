@@ -19,8 +19,8 @@ namespace geargraph {
 ///    along.
 /// 3. A bevel's pitch point keeps its apex, its sides and the module of the mesh.
 ///
-/// `pinned`, by class: places that are given. Refuses teeth-geometry, with the meshes, where distances do not
-/// meet.
+/// `pinned`, by class: places that are given. Axes that the user has pinned stay where they are. Refuses
+/// teeth-geometry, with the meshes and what is pinned, where distances do not meet.
 /// @pre every mesh of `before` has a geometry in `placement`; `edited` is `before` with other teeth or kinds
 [[nodiscard]] Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement,
                                           Mechanism edited, const std::map<AxisPair, Rational>& scales,

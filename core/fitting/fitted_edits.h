@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/base/expected.h"
 #include "core/mechanism/mechanism.h"
 
@@ -9,7 +7,8 @@ namespace geargraph {
 
 // Edits after which everything still fits: coaxial wheels stay coaxial, the ring follows sun and planets, a
 // bevel keeps its apex, twins of a planet follow it. Places and pitch points that the document leaves open
-// follow by themselves, stated ones are moved. What cannot be satisfied is refused with the culprits. Where
+// follow by themselves, stated ones are moved, pinned ones (pins.h) stay. What cannot be satisfied is refused
+// with the culprits. Where
 // the document has no geometry to keep (its joints are no tree, a mesh contradicts its axes), or more than
 // kMostFittedMeshes, these are the plain edits of edits.h.
 
@@ -24,20 +23,12 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 /// has no other kind: pitch-geometry.
 [[nodiscard]] Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind kind);
 
-/// The axis goes to a place, and the module of the wheels that hold it follows, with all that they mesh.
-[[nodiscard]] Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const NumberTriple& point);
+/// The wheel of a bevel mesh goes to the other side of the apex, on its own axis; its other meshes go along.
+/// The other wheel stays. Refuses unknown-id, and pitch-geometry for a pair that is no bevel.
+[[nodiscard]] Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool ofTail);
 
-/// Tooth counts that bring an axis near a place with the module as it is.
-struct TeethOffer {
-  MeshId mesh;
-  int tailTeeth = 1;
-  int headTeeth = 1;
-  double distance = 0;  ///< the centre distance they make
-};
-
-/// The nearest counts for a new distance from the axis that it meshes with, the wheel on the moved axis
-/// changed first, the nearest first, `most` at most. Empty where the axis has no mesh of parallel axes.
-[[nodiscard]] std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis,
-                                                const NumberTriple& point, std::size_t most = 4);
+/// Pins an axis or a link, or lets it go (pins.h). An axis that the program has placed so far is stated
+/// where it lies. Refuses unknown-id.
+[[nodiscard]] Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned);
 
 }  // namespace geargraph

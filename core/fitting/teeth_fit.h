@@ -38,7 +38,12 @@ struct MeshChange {
 ///    in Ferguson's paradox).
 /// 4. So on, with the pairs that wheels changed in step 3 belong to.
 ///
-/// Refuses teeth-geometry where a wheel would need fewer than 4 teeth, or an internal pair equal counts.
+/// Pins: a wheel of a pinned link keeps its teeth, so that in step 3 the other wheel follows, or the one that
+/// both meshes share; between two pinned axes the distance stays, and the other wheel of the changed mesh
+/// follows.
+///
+/// Refuses teeth-geometry where a wheel would need fewer than 4 teeth, or an internal pair equal counts, or
+/// where only pinned things could follow.
 /// @pre every mesh has a geometry in the placement
 [[nodiscard]] Expected<TeethFit> fitTeeth(const Mechanism& mechanism, const Placement& placement,
                                           const WheelMap& wheels, const MeshChange& change);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fitting/axis_drag.h"
 #include "core/mechanism/edits.h"
 #include "core/placement/placement.h"
 
@@ -194,6 +195,35 @@ Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame
   next = withTeeth(std::move(next).value(), id, teeth.tail, teeth.head);
   if (!next || ring == RingOf::neither) return next;
   return withMeshKind(std::move(next).value(), id, MeshKind::internal);
+}
+
+Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame, const DraggedAxis& drag) {
+  constexpr double kLeast = 0.02;  ///< of the distance: nearer the wheels would have no room
+  const SheetFrame::Line* line = frame.line(drag.axis);
+  const Axis* axis = mechanism.find(drag.axis);
+  if (line == nullptr || axis == nullptr) return withAxisPlaced(std::move(mechanism), drag.axis, {}, {});
+  const std::optional<AxisReach> reach = axisReach(mechanism, drag.axis);
+  const SheetFrame::Line* other = reach ? frame.line(reach->from) : nullptr;
+  const double height = other == nullptr ? 0 : heightTowards(*other, *line, line->at);
+  if (height > 1e-6) {
+    const double moved = heightTowards(*other, *line, drag.to) - heightTowards(*other, *line, drag.from);
+    double factor = std::max(1 + moved / height, kLeast);
+    if (!drag.snapped) return withAxisReach(std::move(mechanism), drag.axis, Rational::fromDouble(factor));
+    const long long steps = std::max(1LL, std::llround(factor * reach->module / kModuleStep));
+    return withAxisReach(std::move(mechanism), drag.axis,
+                         Rational(steps, 20) / Rational::fromDouble(reach->module));
+  }
+  if (!axis->point) return withAxisMoved(std::move(mechanism), drag.axis, {});
+  const Vector3 along = frame.spaceOf(line->at + line->along) - frame.spaceOf(line->at);
+  Vector3 way = frame.spaceOf(drag.to) - frame.spaceOf(drag.from);
+  way = way - (dot(way, along) / dot(along, along)) * along;
+  NumberTriple place = *axis->point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double moved = place[i].value() + way[i];
+    if (std::abs(way[i]) > 1e-9)
+      place[i] = drag.snapped ? Number(static_cast<int>(std::lround(moved))) : Number::fromDouble(moved);
+  }
+  return withAxisMoved(std::move(mechanism), drag.axis, place);
 }
 
 }  // namespace geargraph

@@ -38,4 +38,19 @@ struct DrawnMesh {
 [[nodiscard]] Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
                                                   const DrawnMesh& mesh);
 
+/// An axis dragged across the sheet.
+struct DraggedAxis {
+  AxisId axis;
+  SheetPoint from;
+  SheetPoint to;
+  bool snapped = true;  ///< the module to kModuleStep, a place to whole length units
+};
+constexpr double kModuleStep = 0.05;
+
+/// The axis goes where it is dragged. With meshes it keeps its ray from the axis that it meshes with nearest
+/// the ground, and the module follows its distance there (withAxisReach); the sheet shows those distances,
+/// not places in space. One without goes there in space. Refuses unknown-id and what the fitting refuses.
+[[nodiscard]] Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame,
+                                                  const DraggedAxis& drag);
+
 }  // namespace geargraph

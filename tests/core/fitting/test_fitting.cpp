@@ -1,10 +1,15 @@
 #include <QtTest>
 #include <random>
 
+#include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
+#include "core/fitting/wheel_map.h"
+#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "core/mechanism/pins.h"
 #include "core/mechanism/validate.h"
 #include "core/placement/placement.h"
+#include "core/synthesis/bevel_sets.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
@@ -75,6 +80,15 @@ double distanceOfAxis(const Mechanism& mechanism, int axis) {
 
 NumberTriple at(double x, double y, double z) {
   return {Number::fromDouble(x), Number::fromDouble(y), Number::fromDouble(z)};
+}
+
+Mechanism pin(const Mechanism& mechanism, const ElementId& element) {
+  return withPinned(mechanism, element, true).value();
+}
+
+bool blames(const Diagnostic& diagnostic, const ElementId& element) {
+  return std::find(diagnostic.elements.begin(), diagnostic.elements.end(), element) !=
+         diagnostic.elements.end();
 }
 
 }  // namespace
@@ -241,11 +255,153 @@ class TestFitting : public QObject {
 
   void theNearestTeethForADraggedAxisAreOffered() {
     const Mechanism before = statedPlanetary(1);
-    const auto offers = teethNear(before, before.axes[1].id, at(0, 45.2, 0));
+    const auto offers = teethNear(before, before.axes[1].id, 45.2);
     QVERIFY(!offers.empty());
     QCOMPARE(offers[0].tailTeeth, 24);
     QCOMPARE(offers[0].headTeeth, 21);  // (24 + 21) / 2 * 2 = 45
     QCOMPARE(offers[0].distance, 45.0);
+    for (const TeethOffer& offer : offers) {
+      const auto taken = withTeethFitted(before, offer.mesh, offer.tailTeeth, offer.headTeeth);
+      QVERIFY(std::abs(distanceOfAxis(*taken, 1) - offer.distance) < 1e-9);
+    }
+  }
+
+  void anAxisHasItsReach() {
+    const Mechanism before = statedPlanetary(3);
+    const auto reach = axisReach(before, before.axes[1].id);
+    QCOMPARE(reach->from, before.axes[0].id);
+    QCOMPARE(reach->distance, 42.0);
+    QCOMPARE(reach->module, 2.0);
+    const Mechanism after = *withAxisReach(before, before.axes[1].id, Rational(5, 4));
+    QCOMPARE(axisReach(after, before.axes[2].id)->module, 2.5);
+    QVERIFY(misfit(after) < 1e-9);
+  }
+
+  // --- pins ---
+
+  void aPinStandsInTheFileAndIsKept() {
+    const Mechanism before = statedPlanetary(1);
+    const Mechanism pinned = pin(pin(before, before.axes[1].id), before.links[1].id);
+    QVERIFY(isPinned(pinned.axes[1]) && isPinned(pinned.links[1]));
+    QVERIFY(!isPinned(pinned.axes[0]) && !isPinned(pinned.links[2]));
+    const std::string text = writeMechanism(pinned);
+    QVERIFY(text.find("\"pinned\": true") != std::string::npos);
+    QCOMPARE(*readMechanism(text), pinned);
+    QCOMPARE(*withPinned(*withPinned(pinned, before.axes[1].id, false), before.links[1].id, false), before);
+    QCOMPARE(withPinned(before, MeshId("6"), true).error()[0].code, Code::unknownId);
+  }
+
+  void anAxisThatTheProgramPlacedIsStatedWhenItIsPinned() {
+    const Mechanism before = planetary(24, 18, 1);
+    const Mechanism pinned = pin(before, before.axes[1].id);
+    QVERIFY(pinned.axes[1].point && pinned.axes[1].direction);
+    QCOMPARE(distanceOfAxis(pinned, 1), 42.0);
+  }
+
+  void aPinnedGearKeepsItsTeethAndTheOthersFollow() {
+    const Mechanism before = statedPlanetary(3);
+    const Mechanism ring = pin(before, before.links[2].id);
+    // 24 + 18 + 18 = 60; with 30 teeth on the sun the planets have to have 15.
+    const Mechanism after = *withTeethFitted(ring, mesh(before, 0).id, 30, 18);
+    for (int planet = 0; planet < 3; ++planet) {
+      QCOMPARE(mesh(after, 2 * planet).headTeeth, 15);
+      QCOMPARE(mesh(after, 2 * planet + 1).headTeeth, 60);
+      QCOMPARE(distanceOfAxis(after, 1 + planet), 45.0);
+    }
+    QVERIFY(misfit(after) < 1e-9);
+    const auto odd = withTeethFitted(ring, mesh(before, 0).id, 25, 18);  // 17.5 teeth nobody cuts
+    QVERIFY(!odd);
+    QVERIFY(blames(odd.error()[0], before.links[2].id));
+    const auto own = withTeethFitted(ring, mesh(before, 1).id, 18, 66);
+    QVERIFY(!own && blames(own.error()[0], before.links[2].id));
+  }
+
+  void aPinnedTwinHoldsItsTwins() {
+    const Mechanism before = statedPlanetary(3);
+    const Mechanism pinned = pin(before, before.links[6].id);  // the third planet
+    const auto refused = withTeethFitted(pinned, mesh(before, 0).id, 24, 20);
+    QVERIFY(!refused && blames(refused.error()[0], before.links[6].id));
+    QVERIFY(withTeethFitted(pinned, mesh(before, 0).id, 30, 18).has_value());
+  }
+
+  void aPinnedAxisStaysAndTheOtherGoes() {
+    TrainBuilder train("pair");
+    const int a = train.axis({0, 0, 0}, {0, 0, 1});
+    const int b = train.axis({40, 0, 0}, {0, 0, 1});
+    const int one = train.link(0, a);
+    train.external(one, a, 20, train.link(0, b), b, 20);
+    const Mechanism before = train.mechanism();
+    const Mechanism after = *withTeethFitted(pin(before, before.axes[1].id), mesh(before, 0).id, 20, 30);
+    QCOMPARE(after.axes[1].point, before.axes[1].point);
+    QCOMPARE((*after.axes[0].point)[0].exact(), Rational(-10));
+    QVERIFY(misfit(after) < 1e-9);
+    const auto refused = withAxisMoved(pin(before, before.axes[1].id), before.axes[1].id, at(50, 0, 0));
+    QVERIFY(!refused && blames(refused.error()[0], before.axes[1].id));
+  }
+
+  void betweenTwoPinnedAxesThePartnerFollows() {
+    const Mechanism before = statedPlanetary(1);
+    const Mechanism held = pin(pin(before, before.axes[0].id), before.axes[1].id);
+    const Mechanism after = *withTeethFitted(held, mesh(before, 0).id, 22, 18);
+    QCOMPARE(after.axes[1].point, before.axes[1].point);
+    QCOMPARE(mesh(after, 0).headTeeth, 20);
+    QCOMPARE(mesh(after, 1).headTeeth, 62);
+    QVERIFY(misfit(after) < 1e-9);
+    const auto refused = withTeethFitted(pin(held, before.links[4].id), mesh(before, 0).id, 22, 18);
+    QVERIFY(!refused);
+    for (const ElementId& culprit :
+         {ElementId(before.axes[0].id), ElementId(before.axes[1].id), ElementId(before.links[4].id)})
+      QVERIFY(blames(refused.error()[0], culprit));
+    // A third axis cannot be dragged away from two that are pinned.
+    const Mechanism three = statedPlanetary(2);
+    const auto drag =
+        withAxisMoved(pin(pin(three, three.axes[0].id), three.axes[2].id), three.axes[1].id, at(63, 0, 0));
+    QVERIFY(!drag && blames(drag.error()[0], three.axes[2].id));
+  }
+
+  // --- bevels ---
+
+  void aBevelGoesToTheOtherSideOfItsApex() {
+    const Mechanism before = robot();
+    for (const int position : {1, 2, 3}) {
+      for (const bool ofTail : {true, false}) {
+        const MeshId id = mesh(before, position).id;
+        const auto flipped = withBevelSideFlipped(before, id, ofTail);
+        QVERIFY(flipped.has_value());
+        const Placement was = placementOf(before), now = placementOf(*flipped);
+        const auto& old = *was.meshes[static_cast<std::size_t>(position)];
+        const auto& is = *now.meshes[static_cast<std::size_t>(position)];
+        QCOMPARE(is.sign, -old.sign);  // it turns the other way
+        QCOMPARE(flipped->axes, before.axes);
+        QVERIFY(misfit(*flipped) < 1e-9);
+        QVERIFY(std::abs(moduleOf(*flipped, position) - moduleOf(before, position)) < 1e-9);
+        const Mechanism back = *withBevelSideFlipped(*flipped, id, ofTail);
+        const Vector3 place = placementOf(back).meshes[static_cast<std::size_t>(position)]->pitchPoint;
+        QVERIFY(length(place - old.pitchPoint) < 1e-9);
+      }
+    }
+    QCOMPARE(withBevelSideFlipped(before, mesh(before, 0).id, true).error()[0].code, Code::pitchGeometry);
+    QCOMPARE(withBevelSideFlipped(before, MeshId("none"), true).error()[0].code, Code::unknownId);
+  }
+
+  void aFlippedWheelTakesItsOtherMeshesAlong() {
+    // A differential's planet meshes with both sides: its one wheel goes to the other side with both meshes.
+    const Mechanism before = bevelDifferentialSet(20, 12, 1).value();
+    const Placement was = placementOf(before);
+    const WheelMap wheels(before, was);
+    int planetEnd = -1;
+    for (int end = 0; end < 2 * before.c(); ++end) {
+      if (wheels.ends(wheels.wheelOf(end)).size() > 1) planetEnd = end;
+    }
+    QVERIFY(planetEnd >= 0);
+    const Mechanism after =
+        *withBevelSideFlipped(before, mesh(before, planetEnd / 2).id, isTailEnd(planetEnd));
+    const Placement now = placementOf(after);
+    for (const int end : wheels.ends(wheels.wheelOf(planetEnd))) {
+      QCOMPARE(now.meshes[static_cast<std::size_t>(end / 2)]->sign,
+               -was.meshes[static_cast<std::size_t>(end / 2)]->sign);
+    }
+    QVERIFY(misfit(after) < 1e-9);
   }
 
   void everyEditOfRandomSequencesLeavesEverythingFitting() {

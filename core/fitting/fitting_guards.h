@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/base/expected.h"
+#include "core/placement/placement.h"
+
+namespace geargraph {
+
+/// Has the document a geometry to keep, and not too much of it to follow at once?
+[[nodiscard]] bool canBeFitted(const Placement& placement);
+
+/// The edited document, unless the edit broke a geometry that was sound.
+[[nodiscard]] Expected<Mechanism> unlessBroken(Expected<Mechanism> edited);
+
+}  // namespace geargraph

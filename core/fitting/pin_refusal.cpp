@@ -1,0 +1,57 @@
+#include "core/fitting/pin_refusal.h"
+
+#include "core/mechanism/pins.h"
+
+namespace geargraph {
+
+const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+  const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
+  return mechanism.axes[static_cast<std::size_t>(axis)];
+}
+
+Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, int mesh) {
+  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
+  Diagnostic refusal;
+  refusal.code = Code::teethGeometry;
+  refusal.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  std::vector<std::string> pinned;
+  for (const int link : {geometry.tail, geometry.head}) {
+    const Link& element = mechanism.links[static_cast<std::size_t>(link)];
+    if (!isPinned(element)) continue;
+    refusal.elements.emplace_back(element.id);
+    pinned.push_back("gear " + std::to_string(mechanism.linkLabel(link)));
+  }
+  for (const int axisClass : {geometry.tailClass, geometry.headClass}) {
+    const Axis& axis = axisOfClass(mechanism, placement, axisClass);
+    if (!isPinned(axis)) continue;
+    refusal.elements.emplace_back(axis.id);
+    pinned.push_back("axis " + axis.id.text());
+  }
+  if (pinned.empty()) {  // what holds it lies farther along the train
+    for (const Axis& axis : mechanism.axes) {
+      if (!isPinned(axis)) continue;
+      refusal.elements.emplace_back(axis.id);
+      pinned.push_back("axis " + axis.id.text());
+    }
+  }
+  std::string names;
+  for (std::size_t i = 0; i < pinned.size(); ++i) {
+    if (i > 0) names += i + 1 == pinned.size() ? " and " : ", ";
+    names += pinned[i];
+  }
+  refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) + " cannot follow: " + names +
+                    (pinned.size() == 1 ? " is" : " are") + " pinned. What fits: unpin " +
+                    (pinned.size() == 1 ? "it" : "one of them") + ", or another change.";
+  return refusal;
+}
+
+Diagnostic pinRefusal(const Axis& axis) {
+  return {Code::teethGeometry,
+          "Axis " + axis.id.text() + " is pinned. What fits: unpin it to move it.",
+          {axis.id},
+          {},
+          0,
+          0};
+}
+
+}  // namespace geargraph
