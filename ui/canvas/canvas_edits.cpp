@@ -5,6 +5,7 @@
 
 #include "core/graph/spanning_tree.h"
 #include "core/mechanism/edits.h"
+#include "core/placement/placement.h"
 
 namespace geargraph {
 namespace {
@@ -61,6 +62,14 @@ std::set<JointId> jointsDrivenBy(const Mechanism& mechanism, const std::set<Elem
   return joints;
 }
 
+std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh) {
+  const GearMesh* found = mechanism.find(mesh);
+  if (found == nullptr || found->kind) return found == nullptr ? std::nullopt : found->kind;
+  const Placement placement = placementOf(mechanism);
+  const auto& geometry = placement.meshes[static_cast<std::size_t>(found - mechanism.gearMeshes.data())];
+  return geometry ? std::optional(geometry->kind) : std::nullopt;
+}
+
 QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements) {
   if (elements.size() != 1) return tr("%1 elements").arg(elements.size());
   const ElementId& element = *elements.begin();
@@ -72,6 +81,13 @@ QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements
       return tr("turning joint %1").arg(label);
     case ElementKind::gearMesh:
       return tr("gear mesh %1").arg(label);
+    case ElementKind::axis:
+      return tr("axis %1").arg(label);
+    case ElementKind::coupling: {
+      const Coupling* coupling = mechanism.find(CouplingId(element.id));
+      const bool brake = coupling != nullptr && coupling->kind == CouplingKind::brake;
+      return brake ? tr("brake %1").arg(label) : tr("clutch %1").arg(label);
+    }
     default:
       return label;
   }
@@ -90,6 +106,14 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
         .arg(QString::fromStdString(*labelOf(mechanism, tail)),
              QString::fromStdString(*labelOf(mechanism, head)));
   };
+  if (const Coupling* coupling = mechanism.find(CouplingId(element.id));
+      coupling != nullptr && element == ElementId(coupling->id)) {
+    QStringList links;
+    for (const LinkId link : coupling->links) links << QString::fromStdString(*labelOf(mechanism, link));
+    return text + (coupling->kind == CouplingKind::brake
+                       ? tr(": holds link %1 while it is engaged").arg(links.join(QString()))
+                       : tr(": links %1 turn as one while it is engaged").arg(links.join(tr(" and "))));
+  }
   if (const TurningJoint* joint = mechanism.find(JointId(element.id));
       joint != nullptr && element == ElementId(joint->id)) {
     text += ends(joint->tail, joint->head) + tr(", axis %1").arg(QString::fromStdString(joint->axis.text()));

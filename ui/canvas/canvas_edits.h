@@ -26,6 +26,9 @@ struct Carrying {
 [[nodiscard]] std::set<JointId> jointsDrivenBy(const Mechanism& mechanism,
                                                const std::set<ElementId>& elements);
 
+/// The kind that a mesh states, else the one that its geometry tells; nothing where there is neither.
+[[nodiscard]] std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh);
+
 /// "link 3", "turning joint 8", "3 elements"
 [[nodiscard]] QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements);
 /// With what it joins, its axis, its teeth: "Turning joint 12 from link 1 to link 2, axis c, driven".

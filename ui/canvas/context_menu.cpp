@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
+#include "core/mechanism/pins.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph {
@@ -22,6 +23,73 @@ void add(QMenu& menu, const QString& text, const QString& key, const std::functi
   QObject::connect(entry, &QAction::triggered, &menu, [action] { action(); });
 }
 
+/// An entry with a tick, which turns something on and off.
+void addTick(QMenu& menu, const QString& text, bool on, const std::function<void(bool)>& action) {
+  QAction* entry = menu.addAction(text);
+  entry->setCheckable(true);
+  entry->setChecked(on);
+  QObject::connect(entry, &QAction::triggered, &menu, [action](bool now) { action(now); });
+}
+
+const Coupling* couplingOf(const Mechanism& mechanism, CouplingKind kind, const std::set<LinkId>& links) {
+  for (const Coupling& coupling : mechanism.couplings) {
+    if (coupling.kind == kind && std::set<LinkId>(coupling.links.begin(), coupling.links.end()) == links)
+      return &coupling;
+  }
+  return nullptr;
+}
+
+void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
+  const bool ground = mechanism.links.front().id == link;
+  if (const Coupling* brake = couplingOf(mechanism, CouplingKind::brake, {link})) {
+    const ElementId id = brake->id;
+    add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
+  } else {
+    add(menu, tr("Hold it with a brake"), {}, actions.hold,
+        ground ? tr("the ground stands still") : QString());
+  }
+}
+
+void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions& actions) {
+  std::vector<LinkId> links;
+  for (const ElementId& element : actions.selected) {
+    if (element.kind == ElementKind::link) links.emplace_back(element.id);
+  }
+  if (links.size() != 2)
+    return add(
+        menu, tr("Tie it to another link with a clutch"), {}, [] {}, tr("select two links"));
+  const LinkId one = links[0];
+  const LinkId other = links[1];
+  if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
+    const ElementId id = clutch->id;
+    return add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
+               [actions, id] { actions.takeOff(id); });
+  }
+  const bool ground = mechanism.links.front().id == one || mechanism.links.front().id == other;
+  add(
+      menu, tr("Tie %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})),
+      {}, [actions, one, other] { actions.tie(one, other); },
+      ground ? tr("hold the link with a brake") : QString());
+}
+
+void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {
+  const std::optional<MeshKind> kind = shownKind(mechanism, mesh);
+  if (!kind) return;
+  const GearMesh& element = *mechanism.find(mesh);
+  if (*kind == MeshKind::bevel) {
+    for (const bool ofTail : {true, false}) {
+      add(menu,
+          tr("Move gear %1 to the other side of the apex")
+              .arg(QString::fromStdString(*labelOf(mechanism, ofTail ? element.tail : element.head))),
+          {}, [actions, ofTail] { actions.flipSide(ofTail); });
+    }
+    return;
+  }
+  const bool internal = *kind == MeshKind::internal;
+  add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
+      [actions, internal] { actions.makeKind(internal ? MeshKind::external : MeshKind::internal); });
+}
+
 void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
   const bool ground = mechanism.links.front().id == link;
   const Carrying carrying = carryingJoint(mechanism, link);
@@ -31,7 +99,19 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
   add(menu, tr("Make it the ground"), {}, actions.makeGround, ground ? tr("it is the ground") : QString());
   if (actions.attachGear) add(menu, tr("Attach a gear"), "Ctrl+G", actions.attachGear, carrying.why);
   menu.addSeparator();
+  fillForBrake(menu, mechanism, link, actions);
+  fillForClutch(menu, mechanism, actions);
+  addTick(menu, tr("Teeth of its gears pinned"), isPinned(*mechanism.find(link)),
+          [actions, link](bool on) { actions.pin(link, on); });
+  menu.addSeparator();
   add(menu, tr("Delete"), tr("Del"), actions.remove, ground ? tr("the ground cannot be deleted") : QString());
+}
+
+void fillForPin(QMenu& menu, const Mechanism& mechanism, AxisId axis, const ContextActions& actions) {
+  const Axis* found = mechanism.find(axis);
+  if (found == nullptr) return;
+  addTick(menu, tr("Axis %1 pinned").arg(QString::fromStdString(axis.text())), isPinned(*found),
+          [actions, axis](bool on) { actions.pin(axis, on); });
 }
 
 void fillForArrow(QMenu& menu, const Mechanism& mechanism, const ElementId& arrow,
@@ -41,11 +121,18 @@ void fillForArrow(QMenu& menu, const Mechanism& mechanism, const ElementId& arro
   add(menu, driven ? tr("Stop driving it") : tr("Drive it"), {}, actions.toggleInput,
       joint ? QString() : tr("only turning joints can be driven"));
   add(menu, tr("Flip the arrow"), "X", actions.flip);
+  if (joint) {
+    fillForPin(menu, mechanism, mechanism.find(JointId(arrow.id))->axis, actions);
+  } else {
+    fillForMesh(menu, mechanism, MeshId(arrow.id), actions);
+  }
   menu.addSeparator();
   add(menu, tr("Delete"), tr("Del"), actions.remove);
 }
 
-void fillForAxis(QMenu& menu, const ContextActions& actions) {
+void fillForAxis(QMenu& menu, const Mechanism& mechanism, AxisId axis, const ContextActions& actions) {
+  fillForPin(menu, mechanism, axis, actions);
+  menu.addSeparator();
   add(menu, tr("Delete with its joints"), tr("Del"), actions.remove);
 }
 
@@ -68,7 +155,9 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   if (element->kind == ElementKind::link) {
     fillForLink(menu, mechanism, LinkId(element->id), actions);
   } else if (element->kind == ElementKind::axis) {
-    fillForAxis(menu, actions);
+    fillForAxis(menu, mechanism, AxisId(element->id), actions);
+  } else if (element->kind == ElementKind::coupling) {
+    add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.takeOff(id); });
   } else {
     fillForArrow(menu, mechanism, *element, actions);
   }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 
 #include "core/mechanism/mechanism.h"
 
@@ -12,11 +13,18 @@ namespace geargraph {
 /// What the entries of a context menu do; the view carries it out. Links are added and drawings tidied only
 /// where it says how.
 struct ContextActions {
+  std::set<ElementId> selected;  ///< the element of the menu among them
   std::function<void()> rename;
   std::function<void()> toggleInput;
   std::function<void()> makeGround;
   std::function<void()> attachGear;
   std::function<void()> flip;
+  std::function<void(const ElementId&, bool)> pin;  ///< an axis or a link
+  std::function<void(MeshKind)> makeKind;           ///< of the mesh
+  std::function<void(bool)> flipSide;               ///< of a bevel mesh: its tail or its head
+  std::function<void()> hold;                       ///< a brake on the link
+  std::function<void(LinkId, LinkId)> tie;          ///< a clutch between two links
+  std::function<void(const ElementId&)> takeOff;    ///< a brake or a clutch goes
   std::function<void()> remove;
   std::function<void()> addLink;
   std::function<void()> selectAll;

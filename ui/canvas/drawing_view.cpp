@@ -349,12 +349,20 @@ QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
 QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, SheetPoint at) {
   if (element && !m_selection->isSelected(*element)) m_selection->select({*element});
   const LinkId link = element ? LinkId(element->id) : LinkId();
+  const MeshId mesh = element ? MeshId(element->id) : MeshId();
   ContextActions actions;
   actions.rename = [this, link] { openRenameEditor(link); };
   actions.toggleInput = [this] { toggleInputs(); };
   actions.makeGround = [this, link] { m_commands.makeGround(link); };
   actions.flip = [this] { flipSelected(); };
   actions.attachGear = [this, link] { m_commands.attachGear(link); };
+  actions.selected = m_selection->selected();
+  actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
+  actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
+  actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
+  actions.hold = [this, link] { m_commands.addBrake(link); };
+  actions.tie = [this](LinkId one, LinkId other) { m_commands.addClutch(one, other); };
+  actions.takeOff = [this](const ElementId& coupling) { m_commands.takeOff(coupling); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };
   actions.fit = [this] { fit(); };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
+#include "core/mechanism/shift_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph {
@@ -127,6 +129,38 @@ QString ElementCommands::attachGear(LinkId link) {
 
 void ElementCommands::makeGround(LinkId link) {
   apply(tr("Make ground"), [link](const Mechanism& mechanism) { return withGround(mechanism, link); });
+}
+
+void ElementCommands::pin(const ElementId& element, bool pinned) {
+  const QString what = describe(*m_document.mechanism(), {element});
+  apply(pinned ? tr("Pin %1").arg(what) : tr("Unpin %1").arg(what),
+        [element, pinned](const Mechanism& mechanism) { return withPinned(mechanism, element, pinned); });
+}
+
+void ElementCommands::makeKind(MeshId mesh, MeshKind kind) {
+  apply(tr("Change kind"),
+        [mesh, kind](const Mechanism& mechanism) { return withKindFitted(mechanism, mesh, kind); });
+}
+
+void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
+  apply(tr("Move gear to the other side"),
+        [mesh, ofTail](const Mechanism& mechanism) { return withBevelSideFlipped(mechanism, mesh, ofTail); });
+}
+
+void ElementCommands::addBrake(LinkId link) {
+  apply(tr("Add brake"), [link](const Mechanism& mechanism) { return withBrake(mechanism, link); });
+}
+
+void ElementCommands::addClutch(LinkId one, LinkId other) {
+  apply(tr("Add clutch"),
+        [one, other](const Mechanism& mechanism) { return withClutch(mechanism, one, other); });
+}
+
+void ElementCommands::takeOff(const ElementId& coupling) {
+  apply(tr("Take off %1").arg(describe(*m_document.mechanism(), {coupling})),
+        [coupling](const Mechanism& mechanism) {
+          return withoutElements(mechanism, std::vector<ElementId>{coupling});
+        });
 }
 
 }  // namespace geargraph

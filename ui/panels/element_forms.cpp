@@ -1,10 +1,12 @@
 #include "ui/panels/element_forms.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
 #include "ui/panels/number_field.h"
@@ -38,8 +40,25 @@ int asTeeth(const Number& number) {
   return static_cast<int>(number.value());
 }
 
+ElementId itself(const Mechanism&, const ElementId& element) {
+  return element;
+}
+ElementId axisOf(const Mechanism& mechanism, const ElementId& joint) {
+  return mechanism.find(JointId(joint.id))->axis;
+}
+ElementId tailOf(const Mechanism& mechanism, const ElementId& mesh) {
+  return mechanism.find(MeshId(mesh.id))->tail;
+}
+ElementId headOf(const Mechanism& mechanism, const ElementId& mesh) {
+  return mechanism.find(MeshId(mesh.id))->head;
+}
+
 const NumberTriple kOrigin{Number(0), Number(0), Number(0)};
 const NumberTriple kUpwards{Number(0), Number(0), Number(1)};
+
+QString pinTeethTip() {
+  return PropertyForm::tr("All gears on this link keep their teeth while other things change.");
+}
 
 }  // namespace
 
@@ -68,9 +87,12 @@ void DocumentForm::refresh() {
 }
 
 LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
-    : PropertyForm(document, std::move(links)) {
+    : PropertyForm(document, std::move(links)),
+      m_pin(makePin(tr("Teeth of its gears pinned"), pinTeethTip(), itself)) {
+  m_pin->setObjectName(QStringLiteral("pinTeeth"));
   if (elements().size() > 1) {
-    addNote(tr("Links share no properties. Delete removes them with their joints and meshes."));
+    addButtons({m_pin});
+    addNote(tr("Delete removes them with their joints and meshes."));
     return;
   }
   m_name = new QLineEdit(this);
@@ -92,9 +114,11 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
     });
   });
   addButtons({m_ground});
+  addButtons({m_pin});
 }
 
 void LinkForm::refresh() {
+  showPin(*m_pin, itself);
   if (elements().size() > 1) return setTitle(tr("%1 links").arg(elements().size()));
   const ElementId link = elements().front();
   const bool isGround = mechanism().links.front().id == LinkId(link.id);
@@ -110,7 +134,9 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
       m_axis(new QComboBox(this)),
       m_point(new TripleField(QStringLiteral("axisPoint"))),
       m_direction(new TripleField(QStringLiteral("axisDirection"))),
-      m_offset(makeNumber(QStringLiteral("offset"))) {
+      m_offset(makeNumber(QStringLiteral("offset"))),
+      m_pin(makePin(tr("Axis pinned"), tr("The axis keeps its place while other things change."), axisOf)) {
+  m_pin->setObjectName(QStringLiteral("pinAxis"));
   m_axis->setObjectName(QStringLiteral("axis"));
   m_offset->setEmptyText(tr("several"));
   addRow(tr("Axis"), Term::axis, m_axis);
@@ -119,7 +145,7 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
   addRow(tr("Offset"), Term::offset, m_offset);
   auto* flip = new QPushButton(tr("Flip"), this);
   flip->setToolTip(tr("Exchange tail and head: the arrow turns round, and the speed changes its sign."));
-  addButtons({flip});
+  addButtons({flip, m_pin});
 
   connect(flip, &QPushButton::clicked, this, [this] {
     newGesture();
@@ -214,6 +240,12 @@ void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {
   }
   m_point->setTriples(points);
   m_direction->setTriples(directions);
+  showPin(*m_pin, axisOf);
+  const QString why = m_pin->isChecked() ? tr("The axis is pinned.") : QString();
+  for (TripleField* field : {m_point, m_direction}) {
+    field->setEnabled(why.isEmpty());
+    field->setToolTip(why);
+  }
 }
 
 MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
@@ -222,7 +254,17 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
       m_headTeeth(makeNumber(QStringLiteral("headTeeth"))),
       m_kind(new QComboBox(this)),
       m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"))),
-      m_ratio(new QLabel(this)) {
+      m_ratio(new QLabel(this)),
+      m_pinTail(makePin(tr("Tail pinned"), pinTeethTip(), tailOf)),
+      m_pinHead(makePin(tr("Head pinned"), pinTeethTip(), headOf)),
+      m_tooMany(new QLabel(this)) {
+  m_pinTail->setObjectName(QStringLiteral("pinTail"));
+  m_pinHead->setObjectName(QStringLiteral("pinHead"));
+  m_tooMany->setProperty("look", "hint");
+  m_tooMany->setWordWrap(true);
+  m_tooMany->setText(tr("This train has more than %1 meshes: axes and other wheels do not follow a change of "
+                        "teeth by themselves.")
+                         .arg(kMostFittedMeshes));
   m_kind->setObjectName(QStringLiteral("meshKind"));
   m_kind->addItems({tr("from the geometry"), tr("external"), tr("internal"), tr("bevel")});
   const bool one = elements().size() == 1;
@@ -232,9 +274,15 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   addRow(tr("Ratio"), Term::gearRatio, m_ratio);
   addRow(tr("Kind"), Term::meshKind, m_kind);
   addRow(tr("Pitch point"), Term::pitchPoint, m_pitchPoint);
+  if (one) {
+    m_pinTail->setText(tr("Gear %1 pinned").arg(label(first.tail)));
+    m_pinHead->setText(tr("Gear %1 pinned").arg(label(first.head)));
+  }
+  addButtons({m_pinTail, m_pinHead});
   auto* flip = new QPushButton(tr("Flip"), this);
   flip->setToolTip(tr("Exchange tail and head with their teeth: the arrow turns round."));
   addButtons({flip});
+  addWide(m_tooMany);
 
   for (NumberField* field : {m_tailTeeth, m_headTeeth}) {
     field->setWhole(kFewestTeeth, kMostTeeth);
@@ -280,6 +328,9 @@ std::vector<const GearMesh*> MeshForm::meshes() const {
 }
 
 void MeshForm::refresh() {
+  m_tooMany->setVisible(mechanism().c() > kMostFittedMeshes);
+  showPin(*m_pinTail, tailOf);
+  showPin(*m_pinHead, headOf);
   const auto all = meshes();
   const GearMesh& first = *all.front();
   setTitle(

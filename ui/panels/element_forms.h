@@ -32,6 +32,7 @@ class LinkForm : public PropertyForm {
  private:
   QLineEdit* m_name = nullptr;      ///< for one link
   QPushButton* m_ground = nullptr;  ///< for one link
+  QCheckBox* m_pin;
 };
 
 class JointForm : public PropertyForm {
@@ -53,6 +54,7 @@ class JointForm : public PropertyForm {
   TripleField* m_point;
   TripleField* m_direction;
   NumberField* m_offset;
+  QCheckBox* m_pin;
 };
 
 class MeshForm : public PropertyForm {
@@ -70,6 +72,9 @@ class MeshForm : public PropertyForm {
   QComboBox* m_kind;
   TripleField* m_pitchPoint;
   QLabel* m_ratio;
+  QCheckBox* m_pinTail;
+  QCheckBox* m_pinHead;
+  QLabel* m_tooMany;  ///< meshes for the rest of the train to follow
 };
 
 /// Elements of several kinds: there is nothing that all of them have.

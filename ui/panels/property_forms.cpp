@@ -1,9 +1,13 @@
 #include "ui/panels/property_forms.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 
+#include "core/fitting/fitted_edits.h"
+#include "core/mechanism/pins.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/term_tips.h"
@@ -55,9 +59,13 @@ void PropertyForm::addRow(const QString& name, Term term, QWidget* field) {
   m_rows->addRow(rowLabel, field);
 }
 
-void PropertyForm::addButtons(const std::vector<QPushButton*>& buttons) {
+void PropertyForm::addWide(QWidget* widget) {
+  m_rows->addRow(widget);
+}
+
+void PropertyForm::addButtons(const std::vector<QAbstractButton*>& buttons) {
   auto* line = new QHBoxLayout;
-  for (QPushButton* button : buttons) line->addWidget(button);
+  for (QAbstractButton* button : buttons) line->addWidget(button);
   line->addStretch(1);
   m_rows->addRow(line);
 }
@@ -75,6 +83,28 @@ NumberField* PropertyForm::makeNumber(const QString& objectName) {
   connect(field, &NumberField::editingStarted, this, &PropertyForm::newGesture);
   connect(field, &NumberField::wrongChanged, this, &PropertyForm::showWrong);
   return field;
+}
+
+QCheckBox* PropertyForm::makePin(const QString& text, const QString& tip, const PinnedPart& of) {
+  auto* box = new QCheckBox(text, this);
+  box->setToolTip(tip);
+  connect(box, &QCheckBox::clicked, this, [this, of](bool on) {
+    newGesture();
+    apply(on ? tr("Pin") : tr("Unpin"), [of, on](Mechanism before, const ElementId& element) {
+      const ElementId part = of(before, element);
+      return withPinned(std::move(before), part, on);
+    });
+  });
+  return box;
+}
+
+void PropertyForm::showPin(QCheckBox& box, const PinnedPart& of) const {
+  const QSignalBlocker quiet(&box);
+  box.setChecked(std::all_of(m_elements.begin(), m_elements.end(), [&](const ElementId& element) {
+    const ElementId part = of(mechanism(), element);
+    return part.kind == ElementKind::axis ? isPinned(*mechanism().find(AxisId(part.id)))
+                                          : isPinned(*mechanism().find(LinkId(part.id)));
+  }));
 }
 
 void PropertyForm::showWrong(const QString& why) {

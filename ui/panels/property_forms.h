@@ -8,6 +8,8 @@
 #include "core/derivation/glossary.h"
 #include "ui/document/document.h"
 
+class QAbstractButton;
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -36,9 +38,14 @@ class PropertyForm : public QWidget {
   [[nodiscard]] QString label(const ElementId& element) const;
   void setTitle(const QString& title);
   void addRow(const QString& name, Term term, QWidget* field);
-  void addButtons(const std::vector<QPushButton*>& buttons);
+  void addButtons(const std::vector<QAbstractButton*>& buttons);
+  void addWide(QWidget* widget);
   void addNote(const QString& text);
   NumberField* makeNumber(const QString& objectName);
+  /// A box that pins, of each element of the form, what `of` says.
+  using PinnedPart = std::function<ElementId(const Mechanism&, const ElementId&)>;
+  QCheckBox* makePin(const QString& text, const QString& tip, const PinnedPart& of);
+  void showPin(QCheckBox& box, const PinnedPart& of) const;
 
   using Change = std::function<Expected<Mechanism>(Mechanism, const ElementId&)>;
   /// Applies a change to every element, as one edit of the gesture under way. Why it was refused stands below

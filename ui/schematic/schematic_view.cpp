@@ -1,9 +1,20 @@
 #include "ui/schematic/schematic_view.h"
 
+#include <QMenu>
+
+#include "core/fitting/axis_drag.h"
+#include "core/fitting/fitted_edits.h"
 #include "core/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
 
 namespace geargraph {
+namespace {
+
+QString lengthText(double length, const Mechanism& mechanism) {
+  return QStringLiteral("%1 %2").arg(length, 0, 'g', 5).arg(QString::fromStdString(mechanism.unit));
+}
+
+}  // namespace
 
 SchematicView::SchematicView(Document* document, Selection* selection, QWidget* parent)
     : DrawingView(document, selection, new DrawingScene, parent),
@@ -23,6 +34,7 @@ void SchematicView::showDrawing(const SchematicPtr& schematic) {
   m_sheet->show([schematic](const Emphases& emphases) { return schematicDrawing(*schematic, emphases); });
   updateEmphases();
   updateMessage();
+  if (m_drag) return emit drawn();  // the sheet stays put under the mouse
   if (m_fitNext || isFitted()) fit();
   m_fitNext = false;
   emit drawn();
@@ -62,15 +74,22 @@ void SchematicView::setTool(ToolKind tool) {
 Pointer SchematicView::meant(Pointer pointer) const {
   if (!pointer.on || pointer.on->kind != ElementKind::turningJoint) return pointer;
   const TurningJoint* joint = mechanism().find(JointId(pointer.on->id));
-  if (joint != nullptr) pointer.on = joint->head;
+  if (joint == nullptr) return pointer;
+  if (tool() == ToolKind::select) {
+    pointer.on = joint->axis;
+  } else {
+    pointer.on = joint->head;
+  }
   return pointer;
 }
 
 void SchematicView::pressed(const Pointer& pointer) {
   switch (tool()) {
-    case ToolKind::select:
     case ToolKind::pan:
       return DrawingView::pressed(pointer);
+    case ToolKind::select:
+      DrawingView::pressed(pointer);
+      return step(Pressed{meant(pointer)});
     case ToolKind::input: {
       const bool can = pointer.on && (pointer.on->kind == ElementKind::turningJoint ||
                                       pointer.on->kind == ElementKind::link);
@@ -97,6 +116,91 @@ void SchematicView::step(const ToolEvent& event) {
   if (!next.proposal) return;
   if (const auto* shaft = std::get_if<section_tool::AddShaft>(&*next.proposal)) addShaft(*shaft);
   if (const auto* mesh = std::get_if<section_tool::MeshLinks>(&*next.proposal)) meshLinks(*mesh);
+  if (const auto* drag = std::get_if<section_tool::DragAxis>(&*next.proposal)) dragAxis(*drag);
+  if (std::holds_alternative<section_tool::AxisDropped>(*next.proposal)) offerTeeth();
+  if (std::holds_alternative<section_tool::AxisPutBack>(*next.proposal) && m_drag) {
+    const MechanismPtr before = m_drag->before;
+    applyDragged([before](const Mechanism&) -> Expected<Mechanism> { return *before; });
+    endDrag();
+  }
+}
+
+// --- dragging an axis -------------------------------------------------------------------------------------
+
+void SchematicView::dragAxis(const section_tool::DragAxis& drag) {
+  if (!m_schematic) return;
+  if (!m_drag) m_drag = AxisDrag{document().newGesture(), document().mechanism(), m_schematic, drag.axis};
+  const DraggedAxis dragged{drag.axis, drag.from, drag.to, !drag.unsnapped};
+  applyDragged([dragged, at = *m_drag](const Mechanism&) {
+    return withAxisOnSheet(*at.before, at.schematic->frame, dragged);
+  });
+}
+
+/// Every edit of the drag begins where the drag did, so that one that is refused leaves the last valid one.
+void SchematicView::applyDragged(const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+  const bool done = document().apply(
+      {tr("Move axis %1").arg(QString::fromStdString(m_drag->axis.text())), reduce, m_drag->gesture});
+  const QString reach = reachText();
+  if (done && !reach.isEmpty()) setHint(tr("%1. Alt places freely, Esc puts back").arg(reach));
+}
+
+QString SchematicView::reachText() const {
+  const std::optional<AxisReach> reach = axisReach(mechanism(), m_drag->axis);
+  if (!reach) return {};
+  return tr("Axis %1 is %2 from axis %3, module %4")
+      .arg(QString::fromStdString(m_drag->axis.text()), lengthText(reach->distance, mechanism()),
+           QString::fromStdString(reach->from.text()), lengthText(reach->module, mechanism()));
+}
+
+void SchematicView::offerTeeth() {
+  if (!m_drag) return;
+  const MechanismPtr moved = document().mechanism();
+  const std::optional<AxisReach> reach = axisReach(*moved, m_drag->axis);
+  std::vector<TeethOffer> offers;
+  if (reach && moved != m_drag->before) offers = teethNear(*m_drag->before, m_drag->axis, reach->distance);
+  if (offers.empty()) return endDrag();
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("axisOffer"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto offer = [&](const QString& text,
+                         const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+    QAction* action = menu->addAction(text);
+    const auto take = [this, reduce] {
+      if (m_drag) applyDragged(reduce);
+    };
+    connect(action, &QAction::hovered, this, take);
+    connect(action, &QAction::triggered, this, take);
+    return action;
+  };
+  const auto stays = [moved](const Mechanism&) -> Expected<Mechanism> { return *moved; };
+  QAction* first = offer(tr("Module %1, teeth as they are").arg(lengthText(reach->module, *moved)), stays);
+  menu->addSeparator();
+  for (const TeethOffer& each : offers) {
+    const double off = each.distance - reach->distance;
+    const QString text =
+        tr("%1 : %2 teeth, %3 apart, %4 off")
+            .arg(each.tailTeeth)
+            .arg(each.headTeeth)
+            .arg(lengthText(each.distance, *moved),
+                 (off < 0 ? QStringLiteral("−") : QStringLiteral("+")) + lengthText(std::abs(off), *moved));
+    offer(text, [before = m_drag->before, each](const Mechanism&) {
+      return withTeethFitted(*before, each.mesh, each.tailTeeth, each.headTeeth);
+    });
+  }
+  // Closed without a choice, the axis stands where it was dropped. A choice is told after that.
+  connect(menu, &QMenu::aboutToHide, this, [this, stays] {
+    if (m_drag) applyDragged(stays);
+    QMetaObject::invokeMethod(this, &SchematicView::endDrag, Qt::QueuedConnection);
+  });
+  setHint(tr("%1. Choose tooth counts instead, or Esc").arg(reachText()));
+  menu->setActiveAction(first);
+  menu->popup(QCursor::pos());
+}
+
+void SchematicView::endDrag() {
+  m_drag.reset();
+  if (isFitted()) fit();
+  showState();
 }
 
 void SchematicView::addShaft(const section_tool::AddShaft& shaft) {
@@ -122,16 +226,40 @@ void SchematicView::meshLinks(const section_tool::MeshLinks& mesh) {
 
 /// The line that is being drawn, and what the tool expects next.
 void SchematicView::showState() {
-  setHint(tr(std::string(section_tool::hint(m_state, tool())).c_str()));
+  if (!m_drag) setHint(tr(std::string(section_tool::hint(m_state, tool())).c_str()));
   DisplayList list;
   if (const auto draft = section_tool::draft(m_state)) {
-    const Dash dash = draft->isShaft ? Dash::solid : Dash::dotted;
-    list.marks.push_back({{},
-                          MarkRole::ghost,
-                          kGhostDepth,
-                          Stroke{Polyline{{draft->from, draft->to}, false}, ColorRole::accent, 3, dash}});
+    using Look = section_tool::Draft::Look;
+    const Dash dash = draft->look == Look::shaft ? Dash::solid : Dash::dotted;
+    if (draft->look != Look::axis) {
+      list.marks.push_back({{},
+                            MarkRole::ghost,
+                            kGhostDepth,
+                            Stroke{Polyline{{draft->from, draft->to}, false}, ColorRole::accent, 3, dash}});
+    } else if (const auto ghost = axisGhost(draft->to - draft->from)) {
+      list.marks.push_back(*ghost);
+    }
   }
   m_sheet->setOverlay(std::move(list));
+}
+
+/// The dragged axis under the mouse.
+std::optional<Mark> SchematicView::axisGhost(SheetPoint moved) const {
+  if (!m_drag) return std::nullopt;
+  const SheetFrame::Line* line = m_drag->schematic->frame.line(m_drag->axis);
+  const auto& outlines = m_drag->schematic->outlines;
+  const auto drawn = std::find_if(outlines.begin(), outlines.end(), [&](const Outline& outline) {
+    return outline.element == ElementId(m_drag->axis) && std::holds_alternative<Curve>(outline.shape);
+  });
+  if (line == nullptr || drawn == outlines.end()) return std::nullopt;
+  const SheetPoint out = turned(line->along);
+  const SheetPoint way = dot(moved, out) * out;
+  const Curve& course = std::get<Curve>(drawn->shape);
+  return Mark{{},
+              MarkRole::ghost,
+              kGhostDepth,
+              Stroke{Polyline{{course.at(0) + way, course.at(1) + way}, false}, ColorRole::accent, 1.6,
+                     Dash::dashDotted}};
 }
 
 }  // namespace geargraph

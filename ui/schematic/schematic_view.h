@@ -10,7 +10,9 @@ namespace geargraph {
 /// own, whenever the document changes; until then the last drawing stands.
 ///
 /// The tools draw in it: Link a shaft, on an axis that is there or on a new one; Turning joint a shaft that a
-/// link carries; Gear mesh two wheels in mesh, or a wheel and a ring.
+/// link carries; Gear mesh two wheels in mesh, or a wheel and a ring. Select drags axes: the module follows
+/// the mouse, and where the axis is dropped the tooth counts that come near it are offered. All of that is
+/// one undo step; the last valid picture stands while something cannot be.
 class SchematicView : public DrawingView {
   Q_OBJECT
 
@@ -39,7 +41,22 @@ class SchematicView : public DrawingView {
   bool cancel() override;
 
  private:
+  /// An axis that goes along with the mouse, until the offer after it is closed.
+  struct AxisDrag {
+    quint64 gesture = 0;
+    MechanismPtr before;
+    SchematicPtr schematic;  ///< as it was then: what the mouse means
+    AxisId axis;
+  };
+
   void showDrawing(const SchematicPtr& schematic);
+  void dragAxis(const section_tool::DragAxis& drag);
+  void offerTeeth();
+  void applyDragged(const std::function<Expected<Mechanism>(const Mechanism&)>& reduce);
+  void endDrag();
+  [[nodiscard]] std::optional<Mark> axisGhost(SheetPoint moved) const;
+  /// "48 mm from axis a, module 2.3 mm"; empty where the axis has no such neighbour.
+  [[nodiscard]] QString reachText() const;
   void step(const ToolEvent& event);
   /// A bearing stands for the shaft in it, as far as tools go.
   [[nodiscard]] Pointer meant(Pointer pointer) const;
@@ -51,6 +68,7 @@ class SchematicView : public DrawingView {
   DrawingScene* m_sheet;
   SchematicPtr m_schematic;
   section_tool::State m_state;
+  std::optional<AxisDrag> m_drag;
   bool m_fitNext = true;  ///< the next drawing is another document's
 };
 

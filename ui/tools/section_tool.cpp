@@ -27,6 +27,8 @@ struct Transition {
   Step operator()(const Idle& idle, const Pressed& event) const {
     const Pointer& pointer = event.pointer;
     if (tool == ToolKind::link) return {Shaft{pointer.at, pointer.at}, {}};
+    if (tool == ToolKind::select && pointer.on && pointer.on->kind == ElementKind::axis && !pointer.add)
+      return {Grabbed{AxisId(pointer.on->id), pointer.at}, {}};
     const LinkId link = linkUnder(pointer);
     if (link.empty()) return {idle, {}};
     if (tool == ToolKind::turningJoint) return {Carried{link, pointer.at, pointer.at}, {}};
@@ -48,6 +50,18 @@ struct Transition {
     if (!wandered(state.from, event.pointer) || head == state.tail) return {Idle{}, {}};
     return {Idle{}, MeshLinks{state.tail, head, state.from, event.pointer.at}};
   }
+  Step operator()(const Grabbed& state, const Moved& event) const {
+    if (!wandered(state.from, event.pointer)) return {state, {}};
+    return (*this)(Dragging{state.axis, state.from, state.from}, event);
+  }
+  Step operator()(const Grabbed&, const Released&) const { return {Idle{}, {}}; }
+  Step operator()(const Dragging& state, const Moved& event) const {
+    const Pointer& pointer = event.pointer;
+    return {Dragging{state.axis, state.from, pointer.at},
+            DragAxis{state.axis, state.from, pointer.at, pointer.unsnapped}};
+  }
+  Step operator()(const Dragging&, const Released&) const { return {Idle{}, AxisDropped{}}; }
+  Step operator()(const Dragging&, const Escaped&) const { return {Idle{}, AxisPutBack{}}; }
   template <class AnyState>
   Step operator()(const AnyState&, const Escaped&) const {
     return {Idle{}, {}};
@@ -81,15 +95,20 @@ std::string_view hint(const State& state, ToolKind tool) {
     case ToolKind::pan:
       return "Drag to move the sheet";
     case ToolKind::select:
-      return "Click to select. The program lays the drawing out";
+      if (std::holds_alternative<Dragging>(state)) return "Alt places freely. Esc puts back";
+      return "Click to select, drag an axis to move it. The program lays the drawing out";
   }
   return {};
 }
 
 std::optional<Draft> draft(const State& state) {
-  if (const auto* shaft = std::get_if<Shaft>(&state)) return Draft{shaft->from, shaft->to, true};
-  if (const auto* carried = std::get_if<Carried>(&state)) return Draft{carried->from, carried->to, false};
-  if (const auto* meshing = std::get_if<Meshing>(&state)) return Draft{meshing->from, meshing->to, false};
+  using Look = Draft::Look;
+  if (const auto* shaft = std::get_if<Shaft>(&state)) return Draft{shaft->from, shaft->to, Look::shaft};
+  if (const auto* carried = std::get_if<Carried>(&state))
+    return Draft{carried->from, carried->to, Look::wish};
+  if (const auto* meshing = std::get_if<Meshing>(&state))
+    return Draft{meshing->from, meshing->to, Look::wish};
+  if (const auto* drag = std::get_if<Dragging>(&state)) return Draft{drag->from, drag->to, Look::axis};
   return std::nullopt;
 }
 

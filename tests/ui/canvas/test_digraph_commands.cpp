@@ -2,6 +2,7 @@
 #include <QMenu>
 #include <QUndoStack>
 
+#include "core/mechanism/pins.h"
 #include "tests/ui/canvas/view_driver.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/cycle_walk.h"
@@ -219,11 +220,16 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.center(3))),
-             (QStringList{"Rename", "Drive it", "Make it the ground", "Attach a gear", "Delete"}));
-    QCOMPARE(entries(*menuAt(d, d.center(0))),
-             (QStringList{
-                 "Rename", "[Drive it (the ground does not move)]", "[Make it the ground (it is the ground)]",
-                 "[Attach a gear (the ground does not move)]", "[Delete (the ground cannot be deleted)]"}));
+             (QStringList{"Rename", "Drive it", "Make it the ground", "Attach a gear", "Hold it with a brake",
+                          "[Tie it to another link with a clutch (select two links)]",
+                          "Teeth of its gears pinned", "Delete"}));
+    QCOMPARE(
+        entries(*menuAt(d, d.center(0))),
+        (QStringList{"Rename", "[Drive it (the ground does not move)]",
+                     "[Make it the ground (it is the ground)]", "[Attach a gear (the ground does not move)]",
+                     "[Hold it with a brake (the ground stands still)]",
+                     "[Tie it to another link with a clutch (select two links)]", "Teeth of its gears pinned",
+                     "[Delete (the ground cannot be deleted)]"}));
     QCOMPARE(d.selected(), QString("0"));
   }
 
@@ -231,7 +237,8 @@ class TestDigraphCommands : public QObject {
     ViewDriver d(placedRobot());
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.middle(MeshId("17")))),
-             (QStringList{"[Drive it (only turning joints can be driven)]", "Flip the arrow", "Delete"}));
+             (QStringList{"[Drive it (only turning joints can be driven)]", "Flip the arrow",
+                          "Make it internal", "Delete"}));
     const auto menu = menuAt(d, d.middle(JointId("12")));
     entry(*menu, "Drive it")->trigger();
     QVERIFY(isInput(d.mechanism(), JointId("12")));
@@ -240,6 +247,45 @@ class TestDigraphCommands : public QObject {
     QCOMPARE(d.mechanism().find(JointId("12"))->tail, LinkId("2"));
     entry(*menu, "Delete")->trigger();
     QVERIFY(d.mechanism().find(JointId("12")) == nullptr);
+  }
+
+  void menuPutsBrakesAndClutchesOn() {
+    ViewDriver d(placedRobot());
+    entry(*menuAt(d, d.center(3)), "Hold it")->trigger();
+    QCOMPARE(d.mechanism().couplings.size(), std::size_t{1});
+    QCOMPARE(d.mechanism().couplings[0].links, std::vector<LinkId>{LinkId("3")});
+    QCOMPARE(d.mechanism().couplings[0].kind, CouplingKind::brake);
+    d.selection.select({LinkId("2"), LinkId("5")});
+    entry(*menuAt(d, d.center(5)), "Tie link 2 and link 5")->trigger();
+    QCOMPARE(d.mechanism().couplings[1].kind, CouplingKind::clutch);
+    QCOMPARE(d.steps(), 2);
+    d.selection.select({LinkId("2"), LinkId("5")});
+    entry(*menuAt(d, d.center(5)), "Take clutch B off")->trigger();
+    entry(*menuAt(d, d.center(3)), "Take brake A off")->trigger();
+    QVERIFY(d.mechanism().couplings.empty());
+    d.selection.select({LinkId("0"), LinkId("5")});
+    QVERIFY(!entry(*menuAt(d, d.center(5)), "Tie link 0")->isEnabled());
+  }
+
+  void menuPinsAxesAndTeeth() {
+    ViewDriver d(placedRobot());
+    entry(*menuAt(d, d.center(3)), "Teeth of its gears pinned")->trigger();
+    QVERIFY(isPinned(*d.mechanism().find(LinkId("3"))));
+    QVERIFY(entry(*menuAt(d, d.center(3)), "Teeth of its gears pinned")->isChecked());
+    entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
+    QVERIFY(isPinned(*d.mechanism().find(AxisId("c"))));
+    entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
+    QVERIFY(!isPinned(*d.mechanism().find(AxisId("c"))));
+    QCOMPARE(d.steps(), 3);
+  }
+
+  void menuMakesAPairInternalAndExternal() {
+    ViewDriver d(placedRobot());
+    entry(*menuAt(d, d.middle(MeshId("15"))), "Make it internal")->trigger();
+    QCOMPARE(d.mechanism().find(MeshId("15"))->kind, std::optional(MeshKind::internal));
+    entry(*menuAt(d, d.middle(MeshId("15"))), "Make it external")->trigger();
+    QCOMPARE(d.mechanism().find(MeshId("15"))->kind, std::optional(MeshKind::external));
+    QCOMPARE(d.steps(), 2);
   }
 
   void menuMakesAnotherLinkTheGround() {

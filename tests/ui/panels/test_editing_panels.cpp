@@ -1,3 +1,4 @@
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -5,6 +6,7 @@
 #include <QTest>
 
 #include "core/mechanism/edits.h"
+#include "core/mechanism/pins.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/panels/inputs_panel.h"
@@ -250,6 +252,34 @@ class EditingPanelsTest : public QObject {
     }
     document->undoStack().undo();
     QCOMPARE(document->mechanism(), before);
+  }
+
+  void whatIsPinnedStaysAndIsBlamed() {
+    const auto pin = [this](const char* name) {
+      auto* box = properties->findChild<QCheckBox*>(QLatin1String(name));
+      QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+      return box;
+    };
+    document->replace(test::planetary(24, 18, 3), {});
+    selection.select({ElementId(LinkId("2"))});
+    QVERIFY(pin("pinTeeth")->isChecked());  // the ring
+    selection.select({ElementId(document->mechanism()->gearMeshes[0].id)});
+    type(property("tailTeeth"), QStringLiteral("30"));
+    QCOMPARE(document->mechanism()->gearMeshes[0].headTeeth, 15);  // the planets give way
+    QCOMPARE(document->mechanism()->gearMeshes[1].headTeeth, 60);
+    pin("pinHead");
+    type(property("tailTeeth"), QStringLiteral("24"));
+    auto* wrong = properties->findChild<QLabel*>("wrong");
+    QVERIFY2(wrong->text().contains("gear 2") && wrong->text().contains("pinned"), qPrintable(wrong->text()));
+    QCOMPARE(document->mechanism()->gearMeshes[0].tailTeeth, 30);
+
+    document->replace(test::planetary(24, 18, 3), {});
+    selection.select({ElementId(document->mechanism()->turningJoints[3].id)});
+    auto* box = pin("pinAxis");
+    QVERIFY(box->isChecked() && isPinned(document->mechanism()->axes[1]));
+    QVERIFY(!property("axisPoint.x")->isEnabled());
+    document->undoStack().undo();
+    QVERIFY(!box->isChecked() && property("axisPoint.x")->isEnabled());
   }
 };
 

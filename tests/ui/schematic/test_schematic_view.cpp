@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "core/fitting/axis_drag.h"
+#include "core/fitting/fitted_edits.h"
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "ui/schematic/schematic_view.h"
@@ -32,6 +34,27 @@ struct Driver {
   }
 
   void wait() const { QTRY_VERIFY(view.isUpToDate()); }
+
+  /// The axis of the second shaft, as the examples have it.
+  [[nodiscard]] AxisId axis() const { return document.mechanism()->axes[1].id; }
+
+  /// Presses on the axis' name and pulls it away from the other axis; returns the reach before.
+  AxisReach dragAxis() {
+    const AxisReach was = *axisReach(*document.mechanism(), axis());
+    const QPoint from = label(axis());
+    const int way = from.y() < label(document.mechanism()->axes[0].id).y() ? -1 : 1;
+    at = from + QPoint(0, way * 23);
+    QTest::mousePress(view.viewport(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(view.viewport(), from + QPoint(0, way * 11));
+    QTest::mouseMove(view.viewport(), at);
+    wait();
+    return was;
+  }
+  void drop() {
+    QTest::mouseRelease(view.viewport(), Qt::LeftButton, {}, at);
+    wait();
+  }
+  QPoint at;
 
   /// Where an element's label stands on the screen.
   [[nodiscard]] QPoint label(const ElementId& element) const {
@@ -114,10 +137,24 @@ class TestSchematicView : public QObject {
     const std::unique_ptr<QMenu> ofJoint(driver.view.contextMenuAt(driver.label(JointId("13"))));
     QVERIFY(entries(*ofJoint).contains("Drive it"));
     const std::unique_ptr<QMenu> ofAxis(driver.view.contextMenuAt(driver.label(AxisId("d"))));
-    QCOMPARE(entries(*ofAxis), QStringList{"Delete with its joints"});
+    QCOMPARE(entries(*ofAxis), (QStringList{"Axis d pinned", "", "Delete with its joints"}));
     const std::unique_ptr<QMenu> ofSheet(driver.view.contextMenuAt({3, 3}));
     QVERIFY(!entries(*ofSheet).contains("New link here"));
     QVERIFY(!entries(*ofSheet).contains("Tidy the drawing"));
+  }
+
+  void aMenuMovesABevelToTheOtherSideOfItsApex() {
+    Driver driver(example("robot"));
+    const auto signOf17 = [&driver] { return placementOf(*driver.document.mechanism()).meshes[2]->sign; };
+    const int was = signOf17();
+    const std::unique_ptr<QMenu> menu(driver.view.contextMenuAt(driver.label(MeshId("17"))));
+    const QStringList texts = entries(*menu);
+    QVERIFY(texts.contains("Move gear 7 to the other side of the apex"));
+    menu->actions().at(texts.indexOf("Move gear 6 to the other side of the apex"))->trigger();
+    QCOMPARE(signOf17(), -was);
+    driver.wait();
+    driver.document.undoStack().undo();
+    QCOMPARE(signOf17(), was);
   }
 
   void aDoubleClickOnAnAxisShowsItsJoint() {
@@ -163,6 +200,72 @@ class TestSchematicView : public QObject {
     QCOMPARE(mechanism(), emptyMechanism());
     while (driver.document.undoStack().canRedo()) driver.document.undoStack().redo();
     QCOMPARE(mechanism(), drawn);
+  }
+
+  void aDraggedAxisTakesItsModuleAlongAndTeethAreOffered() {
+    Driver driver(example("spur-pair"));
+    const MechanismPtr before = driver.document.mechanism();
+    const AxisReach was = driver.dragAxis();
+    // Live: the module has followed, the teeth have not, and it is one step.
+    const AxisReach now = *axisReach(*driver.document.mechanism(), driver.axis());
+    QVERIFY(now.distance > was.distance && now.module > was.module);
+    QCOMPARE(driver.document.mechanism()->gearMeshes[0].tailTeeth, before->gearMeshes[0].tailTeeth);
+    QVERIFY(std::abs(now.module / 0.05 - std::round(now.module / 0.05)) < 1e-9);
+    driver.drop();
+    auto* offer = driver.view.findChild<QMenu*>("axisOffer");
+    QVERIFY(offer != nullptr && offer->isVisible());
+    QAction* teeth = offer->actions().at(2);
+    QTest::mouseClick(offer, Qt::LeftButton, {}, offer->actionGeometry(teeth).center());
+    const Mechanism& after = *driver.document.mechanism();
+    QVERIFY(after.gearMeshes[0].tailTeeth + after.gearMeshes[0].headTeeth >
+            before->gearMeshes[0].tailTeeth + before->gearMeshes[0].headTeeth);
+    QVERIFY(std::abs(axisReach(after, driver.axis())->module - was.module) < 1e-9);
+    QVERIFY(std::abs(axisReach(after, driver.axis())->distance - now.distance) <= was.module / 4 + 1e-9);
+    QCOMPARE(driver.document.undoStack().count(), 1);
+    driver.document.undoStack().undo();
+    QCOMPARE(*driver.document.mechanism(), *before);
+  }
+
+  void escapeLeavesTheOfferAndTheAxisWhereItIs() {
+    Driver driver(example("spur-pair"));
+    const AxisReach was = driver.dragAxis();
+    const Mechanism dropped = *driver.document.mechanism();
+    driver.drop();
+    auto* offer = driver.view.findChild<QMenu*>("axisOffer");
+    QTest::keyClick(offer, Qt::Key_Down);
+    QVERIFY(driver.document.mechanism()->gearMeshes != dropped.gearMeshes);  // a preview of what is offered
+    QTest::keyClick(offer, Qt::Key_Escape);
+    QCOMPARE(*driver.document.mechanism(), dropped);
+    QCOMPARE(driver.document.undoStack().count(), 1);
+    QVERIFY(axisReach(dropped, driver.axis())->distance > was.distance);
+    QTRY_VERIFY(driver.view.findChild<QMenu*>("axisOffer") == nullptr);
+  }
+
+  void escapeInADragPutsTheAxisBack() {
+    Driver driver(example("spur-pair"));
+    const MechanismPtr before = driver.document.mechanism();
+    driver.dragAxis();
+    QTest::keyClick(&driver.view, Qt::Key_Escape);
+    QCOMPARE(*driver.document.mechanism(), *before);
+    QCOMPARE(driver.document.undoStack().count(), 0);
+    driver.drop();
+    QVERIFY(driver.view.findChild<QMenu*>("axisOffer") == nullptr);
+  }
+
+  void whatCannotFollowIsSaidAndTheLastPictureStays() {
+    Driver driver(example("spur-pair"));
+    driver.document.replace(*withPinned(*driver.document.mechanism(), driver.axis(), true), "test.geargraph");
+    driver.wait();
+    const Mechanism before = *driver.document.mechanism();
+    const std::string picture = textOf(driver.view.picture());
+    QSignalSpy refused(&driver.document, &Document::refused);
+    driver.dragAxis();
+    QVERIFY(!refused.empty());
+    QCOMPARE(refused.front().front().value<Diagnostics>().front().elements,
+             std::vector<ElementId>{driver.axis()});
+    QCOMPARE(*driver.document.mechanism(), before);
+    driver.drop();
+    QCOMPARE(textOf(driver.view.picture()), picture);
   }
 
   void escapeGivesADragUp() {

@@ -67,6 +67,22 @@ class TestSectionTool : public QObject {
     QVERIFY(!draft(Idle{}).has_value());
     QVERIFY(hint(Idle{}, ToolKind::link) != hint(moved.next, ToolKind::link));
   }
+
+  void selectDragsAnAxis() {
+    const ElementId axis = AxisId("b");
+    Step step = on(Idle{}, Pressed{at(0, 0, axis)}, ToolKind::select);
+    step = on(step.next, Moved{at(1, 1)}, ToolKind::select);
+    QVERIFY(!step.proposal);  // a click may wander
+    step = on(step.next, Moved{at(0, -9)}, ToolKind::select);
+    QCOMPARE(std::get<DragAxis>(*step.proposal), (DragAxis{AxisId("b"), {0, 0}, {0, -9}, false}));
+    QCOMPARE(draft(step.next)->look, Draft::Look::axis);
+    QCOMPARE(std::get<AxisDropped>(*on(step.next, Released{at(0, -9)}, ToolKind::select).proposal),
+             AxisDropped{});
+    QCOMPARE(std::get<AxisPutBack>(*on(step.next, Escaped{}, ToolKind::select).proposal), AxisPutBack{});
+    QVERIFY(!on(Idle{}, Released{at(0, 0)}, ToolKind::select).proposal);
+    for (const ToolKind tool : {ToolKind::turningJoint, ToolKind::gearMesh, ToolKind::input})
+      QVERIFY(std::holds_alternative<Idle>(on(Idle{}, Pressed{at(0, 0, axis)}, tool).next));
+  }
 };
 
 QTEST_APPLESS_MAIN(TestSectionTool)
