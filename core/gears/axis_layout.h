@@ -15,6 +15,13 @@ struct Stretch {
   int link = -1;  ///< whose it is; -1: nobody's, kept free
 };
 
+/// What shows of a bearing.
+enum class BearingForm {
+  eye,     ///< the parent's eye about the child's shaft
+  pin,     ///< the child turns on a pin of the parent's, whose collar stands at the bearing's place
+  hidden,  ///< nothing: the child turns on a pin without collar, or runs on what it encloses
+};
+
 /// A bearing: the parent's eye about the child's shaft.
 struct Bearing {
   int joint = 0;
@@ -22,7 +29,9 @@ struct Bearing {
   int child = 0;
   double at = 0;  ///< coordinate along the class's line
   bool placed = false;
-  bool pinned = false;  ///< the child turns on a pin of the parent's; `at` is where the pin's collar stands
+  BearingForm form = BearingForm::eye;
+
+  [[nodiscard]] bool isEye() const { return form == BearingForm::eye; }
 };
 
 /// What stands where along the line of an axis class. Coordinates run along the line from its point.
@@ -30,6 +39,7 @@ struct AxisLayout {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double module = 1;     ///< what all measures of the bodies go by
+  double thickness = 3;  ///< of bearings and arms, in modules
   int bearingSide = -1;  ///< end of the axis where bearings go that have no place of their own
   std::vector<Stretch> wheels;
   std::vector<Stretch> taken;  ///< wheels, and whatever was placed since
@@ -38,7 +48,7 @@ struct AxisLayout {
   [[nodiscard]] double coordinate(const Eigen::Vector3d& p) const { return (p - point).dot(direction); }
   [[nodiscard]] Eigen::Vector3d at(double coordinate) const { return point + coordinate * direction; }
   [[nodiscard]] bool isFree(double low, double high) const;
-  [[nodiscard]] double width() const { return 3 * module; }  ///< of bearings and arms
+  [[nodiscard]] double width() const { return thickness * module; }  ///< of bearings and arms
   [[nodiscard]] double gap() const { return 0.6 * module; }
   [[nodiscard]] bool slotIsFree(double middle) const {
     return isFree(middle - width() / 2 - gap() / 2, middle + width() / 2 + gap() / 2);

@@ -246,6 +246,49 @@ Solid tube(double outer, double inner, double from, double to, double tolerance)
   return lathed(meridian, tolerance);
 }
 
+Solid tubeSector(double outer, double inner, double from, double to, double half, double tolerance) {
+  GEARGRAPH_REQUIRE(inner > 0 && inner < outer && half > 0 && half < pi);
+  const int n = chordsOfArc(2 * half, outer, tolerance);
+  Solid solid;
+  ShellBuilder builder(solid);
+  const auto point = [&](double radius, int i, double z, const Vector3d& normal) {
+    const Vector2d p = radius * onCircle(-half + 2 * half * i / n);
+    return builder.addVertex({p.x(), p.y(), z}, normal);
+  };
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    builder.addTriangle(a, b, c);
+    builder.addTriangle(a, c, d);
+  };
+  for (int i = 0; i < n; ++i) {
+    const auto out = [&](int k, double sense) {
+      const Vector2d u = sense * onCircle(-half + 2 * half * k / n);
+      return Vector3d(u.x(), u.y(), 0);
+    };
+    const Vector3d up(0, 0, 1);
+    const int k = i + 1;
+    quad(point(outer, i, from, out(i, 1)), point(outer, k, from, out(k, 1)), point(outer, k, to, out(k, 1)),
+         point(outer, i, to, out(i, 1)));
+    quad(point(inner, k, from, out(k, -1)), point(inner, i, from, out(i, -1)),
+         point(inner, i, to, out(i, -1)), point(inner, k, to, out(k, -1)));
+    quad(point(inner, i, to, up), point(outer, i, to, up), point(outer, k, to, up), point(inner, k, to, up));
+    quad(point(inner, k, from, -up), point(outer, k, from, -up), point(outer, i, from, -up),
+         point(inner, i, from, -up));
+  }
+  for (const int i : {0, n}) {
+    const double sense = i == 0 ? -1 : 1;
+    const double angle = sense * half;
+    const Vector3d normal(-sense * std::sin(angle), sense * std::cos(angle), 0);
+    const std::uint32_t a = point(inner, i, from, normal), b = point(outer, i, from, normal);
+    const std::uint32_t c = point(outer, i, to, normal), d = point(inner, i, to, normal);
+    if (i == 0) {
+      quad(a, b, c, d);
+    } else {
+      quad(d, c, b, a);
+    }
+  }
+  return solid;
+}
+
 Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) {
   const Vector2d line = b.centre - a.centre;
   const double distance = line.norm();

@@ -20,6 +20,10 @@ namespace geargraph {
 /// A shaft or tube along z from `from` to `to`, its ends chamfered. `inner` 0: solid. Lengths.
 [[nodiscard]] Solid tube(double outer, double inner, double from, double to, double tolerance);
 
+/// A bar of a cage along z: the part of a tube within `half` (rad, below pi) of the x axis.
+[[nodiscard]] Solid tubeSector(double outer, double inner, double from, double to, double half,
+                               double tolerance);
+
 /// One end of an arm: an eye about an axis parallel to z.
 struct Eye {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();

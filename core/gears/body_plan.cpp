@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/gears/coaxial_plan.h"
+#include "core/gears/coaxial_sections.h"
 #include "core/gears/gear_body.h"
 #include "core/gears/gear_obstacles.h"
 #include "core/gears/train_wheels.h"
@@ -22,6 +24,7 @@ class Planner {
     m_plan.axes = axisLayouts(mechanism, placement, train);
     m_plan.shaftsOn.resize(m_plan.axes.size());
     m_gearsOn.resize(m_plan.axes.size());
+    m_coaxial.resize(m_plan.axes.size(), false);
     m_heldBy.resize(mechanism.links.size());
     m_armsOf.resize(mechanism.links.size());
     for (std::size_t g = 0; g < train.gears.size(); ++g) {
@@ -36,19 +39,26 @@ class Planner {
   }
 
   BodyPlan plan() {
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) planCoaxial(static_cast<int>(c));
     placeCups();
     const std::vector<int> links = m_tree.breadthFirst();
     for (const int link : links) placeLink(link);
     for (const int link : links) {
-      if (link != 0) addShaft(m_placement.classes->classOfLink(m_tree, link), link);
+      if (link == 0) continue;
+      const int c = m_placement.classes->classOfLink(m_tree, link);
+      if (!isCoaxial(c)) addShaft(c, link);
     }
     addFixedHubs();
     for (const PinPlan& pin : m_plan.pins) addShaft(pin.axisClass, pin.link);
-    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) nestShafts(static_cast<int>(c));
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+      if (!isCoaxial(static_cast<int>(c))) nestShafts(static_cast<int>(c));
+    }
     return std::move(m_plan);
   }
 
  private:
+  void planCoaxial(int axisClass);
+  [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
   void placeCups();
   void placeLink(int link);
   void placeParallel(int link, int home, const std::vector<Bearing*>& round);
@@ -82,17 +92,46 @@ class Planner {
   const GearTrain& m_train;
   GearObstacles m_obstacles;
   std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
+  std::vector<bool> m_coaxial;                      ///< axis classes that have a plan of their own
   std::vector<std::vector<std::pair<int, std::size_t>>>
       m_heldBy;                                    ///< bearings (class, place) by the link that holds
   std::vector<std::vector<std::size_t>> m_armsOf;  ///< arms by link
   BodyPlan m_plan;
 };
 
+/// Linked sets: sleeves, discs and drums of one axis, with the bearings and arms on it.
+void Planner::planCoaxial(int axisClass) {
+  if (!needsCoaxialPlan(axisClass, m_placement, m_train)) return;
+  const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train);
+  if (!plan) return;
+  m_coaxial[static_cast<std::size_t>(axisClass)] = true;
+  axis(axisClass).thickness = plan->width;
+  for (const CoaxialBearing& placed : plan->bearings) {
+    const int c = m_placement.classes->classOf[static_cast<std::size_t>(placed.joint)];
+    axis(c).thickness = plan->width;
+    for (Bearing& b : axis(c).bearings) {
+      if (b.joint != placed.joint) continue;
+      b.at = placed.at;
+      b.form = placed.form;
+      b.placed = true;
+    }
+  }
+  for (const ShaftPlan& shaft : plan->shafts) {
+    m_plan.shaftsOn[static_cast<std::size_t>(axisClass)].push_back(m_plan.shafts.size());
+    m_plan.shafts.push_back(shaft);
+  }
+  for (const ArmPlan& arm : plan->arms) addArm(arm);
+  m_plan.pins.insert(m_plan.pins.end(), plan->pins.begin(), plan->pins.end());
+  m_plan.lathes.insert(m_plan.lathes.end(), plan->lathes.begin(), plan->lathes.end());
+  m_plan.cages.insert(m_plan.cages.end(), plan->cages.begin(), plan->cages.end());
+  m_plan.hubs.insert(m_plan.hubs.end(), plan->hubs.begin(), plan->hubs.end());
+}
+
 /// Rings get the face on the bearing side, so that carriers find the other one free.
 void Planner::placeCups() {
   for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
     const TrainGear& gear = m_train.gears[g];
-    if (gear.spec.kind != GearKind::internal) continue;
+    if (gear.spec.kind != GearKind::internal || isCoaxial(gear.axisClass)) continue;
     AxisLayout& layout = axis(gear.axisClass);
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
@@ -113,7 +152,8 @@ std::vector<std::vector<Bearing*>> Planner::roundsOf(int link, int home) {
     AxisLayout& layout = axis(c);
     std::vector<Bearing*> here;
     for (; first < held.size() && held[first].first == c; ++first) {
-      here.push_back(&layout.bearings[held[first].second]);
+      Bearing& bearing = layout.bearings[held[first].second];
+      if (!bearing.placed) here.push_back(&bearing);
     }
     if (!parallel(home, c)) continue;
     const auto depth = [&](const Bearing* b) {
@@ -140,7 +180,7 @@ void Planner::placeLink(int link) {
   if (home < 0) home = held.back().first;  // the ground: the last of its axes
   for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
   for (const auto& [c, b] : held) {
-    if (!parallel(home, c)) placeCrossing(link, home, axis(c).bearings[b]);
+    if (!parallel(home, c) && !axis(c).bearings[b].placed) placeCrossing(link, home, axis(c).bearings[b]);
   }
 }
 
@@ -284,7 +324,7 @@ std::optional<PinPlan> Planner::pinFor(int link, int home, const Bearing& bearin
   };
   if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
   for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
-    if (other.child == link || other.pinned) continue;
+    if (other.child == link || !other.isEye()) continue;
     const auto span = own.wheelsOf(other.child);
     const double low = std::min(other.at, span ? span->low : other.at);
     const double high = std::max(other.at, span ? span->high : other.at);
@@ -336,7 +376,7 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
   }
   bearing.placed = true;
   if (const auto pin = bestHits > 0 ? pinFor(link, home, bearing) : std::nullopt) {
-    bearing.pinned = true;
+    bearing.form = BearingForm::pin;
     bearing.at = pin->to;
     m_plan.pins.push_back(*pin);
     return;
@@ -400,7 +440,7 @@ void Planner::addShaft(int axisClass, int link) {
   const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
   const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
   for (const Bearing& b : layout.bearings) {
-    if (b.pinned) continue;
+    if (!b.isEye()) continue;
     if (b.parent == link && (nearest == nullptr || away(b) < away(*nearest))) nearest = &b;
     if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
   }
@@ -418,8 +458,8 @@ void Planner::addShaft(int axisClass, int link) {
 void Planner::addFixedHubs() {
   for (const TrainGear& gear : m_train.gears) {
     const bool turns = m_placement.classes->classOfLink(m_tree, gear.link) == gear.axisClass;
-    if (turns) continue;
-    if (m_plan.shaftOf(gear.axisClass, gear.link) == nullptr) addShaft(gear.axisClass, gear.link);
+    if (turns || isCoaxial(gear.axisClass)) continue;
+    if (m_plan.shaftOf(gear.axisClass, gear.link, 0) == nullptr) addShaft(gear.axisClass, gear.link);
   }
 }
 
@@ -429,7 +469,7 @@ double Planner::boreRoom(int axisClass, int link) const {
   for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
     const TrainGear& gear = m_train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
-    room = std::min(room, gear.spec.bore > 0 ? gear.spec.bore / 2 : 0.45 * largestBore(gear.spec));
+    room = std::min(room, shaftRoom(gear.spec));
   }
   return room;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -16,6 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr int kCageBars = 5;
+
 class BodyBuilder {
  public:
   BodyBuilder(const BodyPlan& plan, const GearTrain& train, std::size_t links)
@@ -25,10 +28,14 @@ class BodyBuilder {
     for (const ShaftPlan& shaft : m_plan.shafts) addShaft(shaft);
     addArms();
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
+    for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
+    for (const CagePlan& plan : m_plan.cages) addCage(plan);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
-        if (b.pinned) {
+        if (b.form == BearingForm::pin) {
           addCollar(static_cast<int>(c), b);
+        } else if (!b.isEye()) {
+          continue;
         } else if (!isEyeOfArm(static_cast<int>(c), b)) {
           addBearing(static_cast<int>(c), b);
         }
@@ -66,15 +73,15 @@ class BodyBuilder {
       const bool parallel = axis(arm.from).direction.cross(axis(arm.to).direction).norm() < 1e-6;
       if (parallel && arm.to == c && arm.child == bearing.child) return true;
       return arm.from == c && std::abs(arm.level - bearing.at) < 1e-9 * axis(c).module &&
-             m_plan.shaftOf(c, arm.link) == nullptr;
+             m_plan.shaftOf(c, arm.link, arm.level) == nullptr;
     });
   }
 
   /// The end of a pin, which keeps what turns on it.
   void addCollar(int c, const Bearing& bearing) {
     const AxisLayout& layout = axis(c);
-    const ShaftPlan* held = m_plan.shaftOf(c, bearing.child);
-    const ShaftPlan* pin = m_plan.shaftOf(c, bearing.parent);
+    const ShaftPlan* held = m_plan.shaftOf(c, bearing.child, bearing.at);
+    const ShaftPlan* pin = m_plan.shaftOf(c, bearing.parent, bearing.at);
     if (held == nullptr || pin == nullptr) return;
     const double side = bearing.at < (held->low + held->high) / 2 ? -1 : 1;
     const double near = side < 0 ? held->low - 0.2 * layout.gap() : held->high + 0.2 * layout.gap();
@@ -99,6 +106,8 @@ class BodyBuilder {
   void addSpider(std::span<const ArmPlan* const> arms);
   void addPost(const ArmPlan& plan);
   void addCup(const CupPlan& cup);
+  void addLathe(const LathePlan& plan);
+  void addCage(const CagePlan& plan);
 
   const BodyPlan& m_plan;
   const GearTrain& m_train;
@@ -108,7 +117,7 @@ class BodyBuilder {
 /// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
 /// both hold together and no face of one lies on one of the other.
 Eye BodyBuilder::footOf(const ArmPlan& plan) const {
-  const ShaftPlan* own = m_plan.shaftOf(plan.from, plan.link);
+  const ShaftPlan* own = m_plan.shaftOf(plan.from, plan.link, plan.level);
   Eye eye;
   eye.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan.from, plan.level, plan.link);
   eye.radius = (own != nullptr ? own->outer : eye.hole) + wall(axis(plan.from));
@@ -179,7 +188,7 @@ void BodyBuilder::addPost(const ArmPlan& plan) {
 void BodyBuilder::addCup(const CupPlan& cup) {
   const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
   const AxisLayout& layout = axis(gear.axisClass);
-  const ShaftPlan* own = m_plan.shaftOf(gear.axisClass, gear.link);
+  const ShaftPlan* own = m_plan.shaftOf(gear.axisClass, gear.link, cup.plate);
   if (own == nullptr) return;
   // The wall reaches a little into the ring and stays a little behind its rim: no face of one lies on the
   // other's.
@@ -197,14 +206,46 @@ void BodyBuilder::addCup(const CupPlan& cup) {
   append(of(gear.link), lathed(meridian, tolerance(layout)), frameAlong(layout.point, layout.direction));
 }
 
+void BodyBuilder::addLathe(const LathePlan& plan) {
+  const AxisLayout& layout = axis(plan.axisClass);
+  for (const std::vector<Circle>& meridian : plan.meridians)
+    append(of(plan.link), lathed(meridian, tolerance(layout)), frameAlong(layout.point, layout.direction));
+}
+
+void BodyBuilder::addCage(const CagePlan& plan) {
+  const AxisLayout& layout = axis(plan.axisClass);
+  const double half = std::clamp(1.5 * layout.module / plan.outer, 0.12, 0.4);
+  const Solid bar = tubeSector(plan.outer, plan.inner, plan.low, plan.high, half, tolerance(layout));
+  for (int i = 0; i < kCageBars; ++i) {
+    const Eigen::AngleAxisd turn(2 * std::numbers::pi * i / kCageBars, Vector3d::UnitZ());
+    append(of(plan.link), bar, frameAlong(layout.point, layout.direction) * turn);
+  }
+}
+
+/// The bore about the link's own shaft, or with play about what passes.
+void fitBore(const BodyPlan& plan, TrainGear& gear) {
+  if (gear.spec.kind == GearKind::internal || gear.spec.bore != 0) return;
+  const AxisLayout& layout = plan.axes[static_cast<std::size_t>(gear.axisClass)];
+  const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
+  const AxialSpan hub = hubSpan(gear.spec);
+  const double middle = layout.coordinate(gear.pose.translation()) + sense * (hub.low + hub.high) / 2;
+  const ShaftPlan* own = plan.shaftOf(gear.axisClass, gear.link, middle);
+  if (own != nullptr && own->low <= middle && middle <= own->high) {
+    gear.spec.bore = 2 * own->outer;
+    return;
+  }
+  const double passing = plan.shaftAt(gear.axisClass, middle, gear.link);
+  if (passing > 0) gear.spec.bore = 2 * (passing + 0.12 * layout.module);
+}
+
 }  // namespace
 
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
-  for (TrainGear& gear : train.gears) {
-    if (gear.spec.kind == GearKind::internal) continue;
-    const ShaftPlan* shaft = plan.shaftOf(gear.axisClass, gear.link);
-    if (shaft != nullptr && gear.spec.bore == 0) gear.spec.bore = 2 * shaft->outer;
+  for (TrainGear& gear : train.gears) fitBore(plan, gear);
+  for (const auto& [gear, diameter] : plan.hubs) {
+    GearSpec& spec = train.gears[gear].spec;
+    spec.hub = std::max(diameter, 1.2 * spec.bore);
   }
   std::vector<Solid> solids = BodyBuilder(plan, train, mechanism.links.size()).build();
   for (std::size_t link = 0; link < solids.size(); ++link) {

@@ -175,9 +175,10 @@ class TestClearance : public QObject {
   /// Nothing of one link cuts into another, carriers moving.
   void linksPassEachOther_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"robot", "spur-pair", "three-planets", "planetary-ring-held",
-                             "redundant-planetary", "bevel-differential", "bevel-wrist", "humpage-reduction",
-                             "locked-train", "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
+    for (const char* name :
+         {"robot", "spur-pair", "three-planets", "planetary-ring-held", "redundant-planetary",
+          "bevel-differential", "bevel-wrist", "humpage-reduction", "locked-train", "eight-speed-gearbox",
+          "cannot-be-assembled", "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
       QTest::newRow(name) << QString(name);
     }
   }

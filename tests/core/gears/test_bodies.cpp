@@ -30,6 +30,12 @@ class TestBodies : public QObject {
     compareShell(tube(4, 2.5, 0, 3, 0.01), 1);
   }
 
+  void barsOfCagesAreClosed() {
+    const Solid bar = tubeSector(10, 9, -2, 5, 0.3, 0.01);
+    compareShell(bar, 0);
+    QVERIFY(std::abs(signedVolume(bar) / (0.3 * (100 - 81) * 7) - 1) < 0.01);
+  }
+
   void tubesHaveTheirVolume() {
     const double plain = pi * (16 - 6.25) * 30;
     QVERIFY(std::abs(signedVolume(tube(4, 2.5, 0, 30, 1e-4)) / plain - 1) < 0.01);  // but for the chamfers

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/gears/shell_builder.h"
+
+namespace geargraph {
+
+/// An arm of a link from its own axis to the bearing of another.
+struct ArmPlan {
+  int link = 0;
+  int from = 0;      ///< axis class it starts at
+  double level = 0;  ///< coordinate along it
+  int to = 0;        ///< axis class of the bearing
+  double at = 0;     ///< coordinate of the bearing
+  int child = 0;     ///< whose shaft the bearing holds
+};
+
+/// The stretch of an axis that one link holds: a shaft, or a tube about the shafts inside.
+struct ShaftPlan {
+  int axisClass = 0;
+  int link = 0;
+  double low = 1e300;
+  double high = -1e300;
+  double inner = 0;
+  double outer = 0;
+
+  void include(double from, double to) {
+    low = std::min(low, from);
+    high = std::max(high, to);
+  }
+};
+
+/// A pin that a link holds out along an axis that crosses its own, for a child that turns on it.
+struct PinPlan {
+  int link = 0;
+  int home = 0;      ///< the link's axis class
+  double level = 0;  ///< coordinate of the crossing along it
+  int axisClass = 0;
+  double from = 0;  ///< of the crossing along the pin's axis
+  double to = 0;    ///< behind the child's last wheel
+};
+
+/// The plate and wall that carry a ring on its link's shaft.
+struct CupPlan {
+  int gear = 0;
+  int side = -1;     ///< the ring's face that it closes
+  double plate = 0;  ///< coordinate of the plate's middle
+};
+
+/// Bars along an axis in place of a drum's wall, so that the wheels inside are seen.
+struct CagePlan {
+  int axisClass = 0;
+  int link = 0;
+  double inner = 0;
+  double outer = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// Bodies of revolution of a link about an axis: closed meridians, material on the left.
+struct LathePlan {
+  int axisClass = 0;
+  int link = 0;
+  std::vector<std::vector<Circle>> meridians;  ///< heights are coordinates along the axis
+};
+
+}  // namespace geargraph

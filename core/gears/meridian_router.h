@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace geargraph {
+
+/// Half a plane through an axis, cut into cells: columns along the axis, rows away from it. What turns about
+/// the axis covers the same cells for ever, so links that share no cell never meet.
+struct MeridianGrid {
+  static constexpr int kFree = -1;
+  static constexpr int kBlocked = -2;
+
+  int columns = 0;
+  int rows = 0;
+  std::vector<int> owner;       ///< by cell: kFree, kBlocked, or the net whose wheel lies there
+  std::vector<bool> plates;     ///< by column: is it wide enough for a disc?
+  std::vector<double> width;    ///< by column: what a way along it costs
+  std::vector<double> rowCost;  ///< by row: what a step away from the axis costs
+
+  [[nodiscard]] int cell(int column, int row) const { return column * rows + row; }
+  [[nodiscard]] int columnOf(int cell) const { return cell / rows; }
+  [[nodiscard]] int rowOf(int cell) const { return cell % rows; }
+};
+
+/// One way for a net to end somewhere: all of its cells become the net's, those kept free nobody's.
+struct MeridianLanding {
+  std::vector<int> cells;
+  std::vector<int> keptFree;
+  double cost = 0;
+};
+
+/// What one link has to join on the axis.
+struct MeridianNet {
+  std::vector<std::vector<MeridianLanding>> groups;  ///< one landing of each has to be reached
+  std::vector<MeridianLanding> supports;             ///< one of them, where it can be
+  bool needsSupport = false;                         ///< it must be
+};
+
+struct MeridianRoute {
+  std::vector<int> cells;    ///< those of the landings included
+  std::vector<int> landing;  ///< by group: which one
+  int support = -1;
+};
+
+/// Ways for all nets that share no cell: nets one after the other by their shortest ways, again with those
+/// first that found none, now and then in another order, until all have. Deterministic. Nothing after `tries`
+/// rounds. Cost: O(nets * cells * log cells) a round.
+[[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
+                                                                      const std::vector<MeridianNet>& nets,
+                                                                      int tries = 60);
+
+}  // namespace geargraph
