@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/drawing/emphasis.h"
 #include "core/drawing/obstacle_grid.h"
@@ -13,14 +14,34 @@ namespace {
 
 constexpr double kDiscRadius = 9.5;
 constexpr double kNumberSize = 11;
-constexpr double kNoteSize = 11;
 constexpr double kGap = 2.5;        ///< that a label keeps from everything
 constexpr double kLeaderFrom = 12;  ///< a label farther away than this has a leader
+/// A drawing of this size can be read in a small window (1366 x 768). One that is larger is shown smaller, so
+/// that its labels are larger by as much, up to kLargestType.
+constexpr double kReadWidth = 700;
+constexpr double kReadHeight = 320;
+constexpr double kLargestType = 2.4;
+
+Extent extentOf(const Section& section) {
+  Extent all;
+  for (std::size_t i = 0; i < section.marks.size(); ++i) {
+    const Extent mark = extentOf(section.marks[i]);
+    all = i == 0 ? mark : all.united(mark);
+  }
+  return all;
+}
+
+double typeScale(const Section& section) {
+  const Extent all = extentOf(section);
+  const double over = std::max(2 * all.halfWidth / kReadWidth, 2 * all.halfHeight / kReadHeight);
+  return std::clamp(over, 1.0, kLargestType);
+}
 
 /// Finds places that are free and takes them.
 class LabelPlacer {
  public:
-  explicit LabelPlacer(const Section& section) : m_taken(areaOf(section)) {
+  LabelPlacer(const Section& section, double scale)
+      : m_scale(scale), m_taken(extentOf(section).grown(60 * scale)) {
     for (const Mark& mark : section.marks) {
       if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(stroke->shape);
       if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(fill->shape);
@@ -33,29 +54,17 @@ class LabelPlacer {
     double away = 0;  ///< from the anchor to the label's edge
   };
 
-  /// The free place nearest to one of the anchors, the first ones preferred.
+  /// The free place nearest to one of the anchors, the first ones preferred. Where there is none it lies on
+  /// the first.
   Place take(const std::vector<SheetPoint>& anchors, double halfWidth, double halfHeight, bool mayCover) {
-    constexpr int kDirections = 24;
-    constexpr double kStep = 4;
-    constexpr double kFarthest = 400;
-    for (double away = 5; away < kFarthest; away += kStep) {
-      for (const SheetPoint anchor : anchors) {
-        for (int k = 0; k < kDirections; ++k) {
-          const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
-          const SheetPoint way{std::cos(angle), -std::sin(angle)};
-          const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),
-                                          halfHeight / std::max(std::abs(way.y), 1e-9));
-          const Extent box{anchor + (away + support) * way, halfWidth, halfHeight};
-          if (m_taken.touches(box, kGap) || (!mayCover && leaderHits(anchor, box.center))) continue;
-          take(box);
-          return {box.center, anchor, away};
-        }
-      }
-    }
-    const Extent box{anchors.front(), halfWidth, halfHeight};
-    take(box);
-    return {box.center, box.center, 0};
+    const std::optional<Place> place = find(anchors, halfWidth, halfHeight, mayCover);
+    m_found = m_found && place;
+    const Place taken = place.value_or(Place{anchors.front(), anchors.front(), 0});
+    take({taken.center, halfWidth, halfHeight});
+    return taken;
   }
+  /// Has every label found a free place?
+  [[nodiscard]] bool found() const { return m_found; }
 
   void take(const Extent& box) {
     m_taken.addBox(box);
@@ -64,14 +73,26 @@ class LabelPlacer {
   void line(SheetPoint from, SheetPoint to) { m_taken.addCurve(Curve::straight(from, to)); }
 
  private:
-  static Extent areaOf(const Section& section) {
-    Extent all;
-    bool first = true;
-    for (const Mark& mark : section.marks) {
-      all = first ? extentOf(mark) : all.united(extentOf(mark));
-      first = false;
+  [[nodiscard]] std::optional<Place> find(const std::vector<SheetPoint>& anchors, double halfWidth,
+                                          double halfHeight, bool mayCover) const {
+    constexpr int kDirections = 24;
+    constexpr double kStep = 4;
+    constexpr double kFarthest = 400;
+    for (double away = 5 * m_scale; away < kFarthest * m_scale; away += kStep) {
+      for (const SheetPoint anchor : anchors) {
+        for (int k = 0; k < kDirections; ++k) {
+          const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
+          const SheetPoint way{std::cos(angle), -std::sin(angle)};
+          const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),
+                                          halfHeight / std::max(std::abs(way.y), 1e-9));
+          const Extent box{anchor + (away + support) * way, halfWidth, halfHeight};
+          const bool free =
+              !m_taken.touches(box, kGap * m_scale) && (mayCover || !leaderHits(anchor, box.center));
+          if (free) return Place{box.center, anchor, away};
+        }
+      }
     }
-    return all.grown(60);
+    return std::nullopt;
   }
 
   void occupy(const Shape& shape) {
@@ -94,14 +115,20 @@ class LabelPlacer {
     return false;
   }
 
+  double m_scale;
+  bool m_found = true;
   ObstacleGrid m_taken;
   std::vector<Extent> m_labels;
 };
 
 class Labeller {
  public:
-  Labeller(const DrawnPart& part, const Section& section)
-      : m_part(part), m_section(section), m_placer(section) {}
+  Labeller(const DrawnPart& part, const Section& section, double scale)
+      : m_part(part),
+        m_section(section),
+        m_scale(scale),
+        m_size(kNumberSize * m_scale),
+        m_placer(section, m_scale) {}
 
   SectionLabels label(const std::vector<std::string>& notes) {
     for (std::size_t i = 0; i < m_section.links.size(); ++i) addDisc(i);
@@ -111,6 +138,7 @@ class Labeller {
     addNotes(notes);
     return std::move(m_labels);
   }
+  [[nodiscard]] bool found() const { return m_placer.found(); }
 
  private:
   [[nodiscard]] std::string numberOf(const ElementId& element) const {
@@ -129,13 +157,13 @@ class Labeller {
   }
 
   void leader(const ElementId& element, const LabelPlacer::Place& place, const Extent& box) {
-    if (place.away < kLeaderFrom) return;
+    if (place.away < kLeaderFrom * m_scale) return;
     const SheetPoint way = unit(place.anchor - box.center);
     const double support = std::min(box.halfWidth / std::max(std::abs(way.x), 1e-9),
                                     box.halfHeight / std::max(std::abs(way.y), 1e-9));
     const SheetPoint edge = box.center + (support + 1) * way;
     put(element, MarkRole::line,
-        Stroke{Polyline{{edge, place.anchor}, false}, ColorRole::secondary, 0.8, Dash::solid},
+        Stroke{Polyline{{edge, place.anchor}, false}, ColorRole::secondary, 0.8 * m_scale, Dash::solid},
         kLineDepth - 1);
     m_placer.line(edge, place.anchor);
   }
@@ -146,37 +174,37 @@ class Labeller {
     if (link == 0 || anchors.places.empty()) return;
     const int label = m_part.linkLabels[link];
     const std::string number = std::to_string(label);
-    const double half = std::max(kDiscRadius, textWidth(number, kNumberSize, true) / 2 + 3.5);
-    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kDiscRadius, false);
-    const Extent box{place.center, half, kDiscRadius};
+    const double radius = kDiscRadius * m_scale;
+    const double half = std::max(radius, textWidth(number, m_size, true) / 2 + 3.5 * m_scale);
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, radius, false);
+    const Extent box{place.center, half, radius};
     leader(anchors.element, place, box);
-    put(anchors.element, MarkRole::node, Fill{Box{box, kDiscRadius}, ColorRole::sheet}, kNodeDepth);
-    put(anchors.element, MarkRole::node, Stroke{Box{box, kDiscRadius}, Tint::ofLink(label), 2, Dash::solid},
+    put(anchors.element, MarkRole::node, Fill{Box{box, radius}, ColorRole::sheet}, kNodeDepth);
+    put(anchors.element, MarkRole::node,
+        Stroke{Box{box, radius}, Tint::ofLink(label), 2 * m_scale, Dash::solid}, kNodeDepth);
+    put(anchors.element, MarkRole::label, Text{number, place.center, m_size, true, ColorRole::ink},
         kNodeDepth);
-    put(anchors.element, MarkRole::label, Text{number, place.center, kNumberSize, true, ColorRole::ink},
-        kNodeDepth);
-    m_labels.outlines.push_back({anchors.element, kNodeDepth, Box{box, kDiscRadius}, 0});
+    m_labels.outlines.push_back({anchors.element, kNodeDepth, Box{box, radius}, 0});
   }
 
   void addNumber(const Section::Anchors& anchors, const std::string& number, bool bold) {
     if (anchors.places.empty()) return;
-    const double half = textWidth(number, kNumberSize, bold) / 2;
-    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kNumberSize / 2, false);
-    const Extent box{place.center, half, kNumberSize / 2};
+    const double half = textWidth(number, m_size, bold) / 2;
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, m_size / 2, false);
+    const Extent box{place.center, half, m_size / 2};
     leader(anchors.element, place, box);
-    put(anchors.element, MarkRole::label, Text{number, place.center, kNumberSize, bold, ColorRole::ink},
+    put(anchors.element, MarkRole::label, Text{number, place.center, m_size, bold, ColorRole::ink},
         kLabelDepth);
     m_labels.outlines.push_back({anchors.element, kLabelDepth, Box{box, 0}, 0});
   }
 
   void addAxisName(const Section::Anchors& anchors) {
     const std::string name = elided(anchors.element.id.text(), 12);
-    const double half = textWidth(name, kNumberSize, false) / 2;
-    const LabelPlacer::Place place = m_placer.take(anchors.places, half, kNumberSize / 2, true);
-    put(anchors.element, MarkRole::label, Text{name, place.center, kNumberSize, false, ColorRole::secondary},
+    const double half = textWidth(name, m_size, false) / 2;
+    const LabelPlacer::Place place = m_placer.take(anchors.places, half, m_size / 2, true);
+    put(anchors.element, MarkRole::label, Text{name, place.center, m_size, false, ColorRole::secondary},
         kLabelDepth);
-    m_labels.outlines.push_back(
-        {anchors.element, kLabelDepth, Box{{place.center, half, kNumberSize / 2}, 0}, 0});
+    m_labels.outlines.push_back({anchors.element, kLabelDepth, Box{{place.center, half, m_size / 2}, 0}, 0});
   }
 
   /// Under all that is drawn, from its middle.
@@ -185,16 +213,18 @@ class Labeller {
     Extent all = extentOf(m_section.marks.empty() ? m_labels.marks.front() : m_section.marks.front());
     for (const Mark& mark : m_section.marks) all = all.united(extentOf(mark));
     for (const Mark& mark : m_labels.marks) all = all.united(extentOf(mark));
-    double y = all.bottom() + 26;
+    double y = all.bottom() + 26 * m_scale;
     for (const std::string& note : notes) {
-      put(ElementId{}, MarkRole::name, Text{note, {all.center.x, y}, kNoteSize, false, ColorRole::secondary},
+      put(ElementId{}, MarkRole::name, Text{note, {all.center.x, y}, m_size, false, ColorRole::secondary},
           kLabelDepth);
-      y += 1.5 * kNoteSize;
+      y += 1.5 * m_size;
     }
   }
 
   const DrawnPart& m_part;
   const Section& m_section;
+  double m_scale;
+  double m_size;
   LabelPlacer m_placer;
   SectionLabels m_labels;
 };
@@ -256,7 +286,13 @@ std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& 
 }
 
 SectionLabels sectionLabels(const DrawnPart& part, const SheetLayout& layout, const Section& section) {
-  return Labeller(part, section).label(sectionNotes(part, layout));
+  constexpr double kSmaller = 0.8;
+  const std::vector<std::string> notes = sectionNotes(part, layout);
+  for (double scale = typeScale(section);; scale = std::max(1.0, kSmaller * scale)) {
+    Labeller labeller(part, section, scale);
+    SectionLabels labels = labeller.label(notes);
+    if (labeller.found() || scale <= 1) return labels;
+  }
 }
 
 }  // namespace geargraph

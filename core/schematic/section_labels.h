@@ -9,7 +9,8 @@ namespace geargraph {
 
 /// The labels of a section: a disc with its number for each link, the numbers of joints and meshes, the names
 /// of axes; and under the drawing what its reader has to know. No label lies on a line or another label; one
-/// that stands away from what it names has a thin line to it.
+/// that stands away from what it names has a thin line to it. A drawing too large for a small window has
+/// larger labels, so that they can be read when all of it is shown, where these find places.
 struct SectionLabels {
   std::vector<Mark> marks;
   std::vector<Outline> outlines;

@@ -159,6 +159,26 @@ class TestSchematic : public QObject {
                             textOf(schematicDrawing(schematicGeometry(example(name)), {})));
   }
 
+  void typeCanBeReadInASmallWindow_data() { examplesAreDrawnAsInTheGoldenText_data(); }
+  void typeCanBeReadInASmallWindow() {
+    QFETCH(QString, name);
+    constexpr double kWidth = 780;  // of the drawing in a window of 1366 x 768
+    constexpr double kHeight = 345;
+    constexpr double kReadable = 9;
+    const DisplayList list = schematicDrawing(schematicGeometry(example(name)), {});
+    Extent all = extentOf(list.marks.front());
+    for (const Mark& mark : list.marks) all = all.united(extentOf(mark));
+    const double shown = std::min({1.25, kWidth / (2 * all.halfWidth), kHeight / (2 * all.halfHeight)});
+    for (const Mark& mark : list.marks) {
+      const auto* text = std::get_if<Text>(&mark.what);
+      if (text == nullptr) continue;
+      QVERIFY2(
+          text->size * shown >= kReadable,
+          qPrintable(
+              QStringLiteral("%1: %2 px").arg(QString::fromStdString(text->text)).arg(text->size * shown)));
+    }
+  }
+
   void nothingTouchesAnythingInTheExamples_data() { examplesAreDrawnAsInTheGoldenText_data(); }
   void nothingTouchesAnythingInTheExamples() {
     QFETCH(QString, name);
