@@ -51,11 +51,11 @@ struct Elimination {
 /// Markowitz' sparsest pivots in what is left. Nothing where `stop` was requested.
 ///
 /// Cost: linear in the non-zeros, and the elimination of the core, which real trains keep small.
-/// @pre every column is below `columns`, unknowns <= columns
+/// @pre every column is below `columns`, unknowns <= columns; `peeling` is that of the rows' pattern
 template <class Field>
 [[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
-    const Field& field, SparseRows<typename Field::Value> rows, int unknowns, int columns,
-    const std::stop_token& stop = {}) {
+    const Field& field, SparseRows<typename Field::Value> rows, Peeling peeling, int unknowns, int columns,
+    const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(unknowns <= columns);
   using Value = typename Field::Value;
   Elimination<Value> result;
@@ -63,7 +63,6 @@ template <class Field>
   result.columns = columns;
   result.rows = std::move(rows);
 
-  Peeling peeling(result.rows.pattern(), unknowns);
   CoreElimination<Field> core(field, result.rows, peeling.coreRows, peeling.solved, columns);
   if (!core.run(stop)) return std::nullopt;
 
@@ -88,6 +87,14 @@ template <class Field>
   }
   result.coreRows = core.takeRows();
   return result;
+}
+
+template <class Field>
+[[nodiscard]] std::optional<Elimination<typename Field::Value>> eliminate(
+    const Field& field, SparseRows<typename Field::Value> rows, int unknowns, int columns,
+    const std::stop_token& stop = {}) {
+  Peeling peeling(rows.pattern(), unknowns);
+  return eliminate(field, std::move(rows), std::move(peeling), unknowns, columns, stop);
 }
 
 template <class Value>

@@ -12,7 +12,7 @@ std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
                                            int budget) {
   constexpr int kRoomToCancel = 4;
   const auto& rows = system.matrixOf(line.core);
-  RationalFunction sum = field.fromInteger(0);
+  RationalFunction sum;
   for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
     const int column = rows.column(entry);
     if (column == line.column) continue;
@@ -21,7 +21,8 @@ std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
     field.subtractProduct(sum, rows.value(entry), *x[column]);
     if (sum.termCount() > kRoomToCancel * budget) return std::nullopt;
   }
-  if (!sum.isZero()) sum = field.quotient(sum, pivotOf(rows, line.row, line.column));
+  const RationalFunction& pivot = pivotOf(rows, line.row, line.column);
+  if (!sum.isZero() && !pivot.isOne()) sum /= pivot;
   if (sum.termCount() > budget) return std::nullopt;
   return sum;
 }
@@ -33,8 +34,7 @@ bool expand(const RationalFunctionField& field, const Elimination<RationalFuncti
             const std::stop_token& stop, int budget) {
   for (const Line& line : system.lines) {
     if (stop.stop_requested()) return false;
-    x[line.column] =
-        vanishing[line.column] != 0 ? field.fromInteger(0) : expandLine(field, system, line, x, budget);
+    if (vanishing[line.column] == 0) x[line.column] = expandLine(field, system, line, x, budget);
   }
   return true;
 }

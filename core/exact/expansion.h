@@ -15,9 +15,9 @@ constexpr int kExpansionBudget = 200;
 
 /// Expands the solution of a symbolic system, line by line: every unknown as a function of the ratios alone.
 ///
-/// `x` has a place for every column, the given and the free ones are set. A place is none where the entry
-/// went over the budget; its line then says it factored. `vanishing`, by column: known to be identically zero
-/// (found by evaluation modulo a prime), so it is not computed. False where `stop` was requested.
+/// `x` has a place for every column, 0 but for the given and the free ones, which are set. A place is none
+/// where the entry went over the budget; its line then says it factored. `vanishing`, by column: known to be
+/// identically zero (found by evaluation modulo a prime), so it stays 0. False where `stop` was requested.
 [[nodiscard]] bool expand(const RationalFunctionField& field, const Elimination<RationalFunction>& system,
                           const std::vector<char>& vanishing, std::vector<std::optional<RationalFunction>>& x,
                           const std::stop_token& stop = {}, int budget = kExpansionBudget);

@@ -117,7 +117,7 @@ class RationalFunctionField {
       m_enough.request_stop();
       return;
     }
-    a -= b * c;
+    a.subtractProduct(b, c);
   }
   [[nodiscard]] Value quotient(const Value& a, const Value& b) const { return a / b; }
   [[nodiscard]] Value negated(const Value& a) const { return -a; }

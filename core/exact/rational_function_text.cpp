@@ -25,20 +25,29 @@ std::string latexName(const std::string& name) {
   return name.substr(0, at) + "_{" + label + "}";
 }
 
-std::string power(const std::string& name, ulong exponent, const Style& style) {
+std::string powerText(const std::string& name, ulong exponent, const Style& style) {
   const std::string base = style.latex ? latexName(name) : name;
   if (exponent == 1) return base;
   const std::string digits = std::to_string(exponent);
   return style.latex ? base + "^{" + digits + "}" : base + "^" + digits;
 }
 
-/// One polynomial, printed term by term.
-class Printer {
- public:
-  Printer(const fmpz_mpoly_struct* polynomial, const RatioRing& ring, const Style& style)
-      : m_polynomial(polynomial), m_ring(ring), m_style(style) {}
+std::string inParentheses(const std::string& text) {
+  return "(" + text + ")";
+}
 
-  [[nodiscard]] slong terms() const { return fmpz_mpoly_length(m_polynomial, m_ring.context()); }
+}  // namespace
+
+/// Numerator or denominator, printed term by term.
+class RationalFunction::Printer {
+ public:
+  Printer(const Terms& terms, const RatioRing& ring, const Style& style)
+      : m_terms(terms), m_ring(ring), m_style(style) {}
+
+  [[nodiscard]] std::size_t terms() const { return m_terms.size(); }
+  [[nodiscard]] bool isOne() const {
+    return terms() == 1 && m_terms.front().powers.empty() && m_terms.front().coefficient == Rational(1);
+  }
 
   /// May it stand behind "/" without parentheses? "i17", "3", "i17^2" may, "2*i17" may not.
   [[nodiscard]] bool isOneFactor() const {
@@ -47,68 +56,55 @@ class Printer {
 
   [[nodiscard]] std::string text() const {
     std::string sum;
-    for (slong term = 0; term < terms(); ++term) {
-      const Rational coefficient = coefficientOf(term);
-      const bool negative = coefficient.sign() < 0;
-      if (term == 0) {
+    for (const auto& term : m_terms) {
+      const bool negative = term.coefficient.sign() < 0;
+      if (sum.empty()) {
         if (negative) sum += "-";
       } else {
         sum += negative ? " - " : " + ";
       }
-      sum += product(coefficient.abs(), term);
+      sum += product(term.coefficient.abs(), term.powers);
     }
     return sum;
   }
 
  private:
-  [[nodiscard]] Rational coefficientOf(slong term) const {
-    Rational coefficient;
-    fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(coefficient.flint()), m_polynomial, term, m_ring.context());
-    return coefficient;
-  }
-
   /// A term without its sign: the coefficient where it is not 1, then the ratios, highest label first.
-  [[nodiscard]] std::string product(const Rational& coefficient, slong term) const {
-    std::vector<ulong> exponents(static_cast<std::size_t>(m_ring.variables()));
-    fmpz_mpoly_get_term_exp_ui(exponents.data(), m_polynomial, term, m_ring.context());
+  template <class Powers>
+  [[nodiscard]] std::string product(const Rational& coefficient, const Powers& powers) const {
     std::string factors;
     if (coefficient != Rational(1)) factors = coefficient.toString();
-    for (std::size_t i = exponents.size(); i-- > 0;) {
-      if (exponents[i] == 0) continue;
+    for (auto factor = powers.rbegin(); factor != powers.rend(); ++factor) {
       if (!factors.empty()) factors += m_style.times;
-      factors += power(m_ring.name(static_cast<int>(i)), exponents[i], m_style);
+      factors += powerText(m_ring.name(factor->first), factor->second, m_style);
     }
     return factors.empty() ? "1" : factors;
   }
 
-  const fmpz_mpoly_struct* m_polynomial;
+  const Terms& m_terms;
   const RatioRing& m_ring;
   Style m_style;
 };
 
-std::string inParentheses(const std::string& text) {
-  return "(" + text + ")";
-}
-
-}  // namespace
-
 std::string RationalFunction::toText() const {
   if (isZero()) return "0";
-  const Printer above(m_numerator, *m_ring, kText);
-  if (fmpz_mpoly_is_one(m_denominator, m_ring->context()) != 0) return above.text();
-  const Printer below(m_denominator, *m_ring, kText);
+  const Quotient terms = quotient();
+  const Printer above(terms.above, *m_ring, kText);
+  const Printer below(terms.below, *m_ring, kText);
+  if (below.isOne()) return above.text();
   return (above.terms() > 1 ? inParentheses(above.text()) : above.text()) + "/" +
          (below.isOneFactor() ? below.text() : inParentheses(below.text()));
 }
 
 std::string RationalFunction::toLatex() const {
   if (isZero()) return "0";
-  std::string above = Printer(m_numerator, *m_ring, kLatex).text();
-  if (fmpz_mpoly_is_one(m_denominator, m_ring->context()) != 0) return above;
-  const bool negative = above[0] == '-' && fmpz_mpoly_length(m_numerator, m_ring->context()) == 1;
+  const Quotient terms = quotient();
+  const Printer below(terms.below, *m_ring, kLatex);
+  std::string above = Printer(terms.above, *m_ring, kLatex).text();
+  if (below.isOne()) return above;
+  const bool negative = above[0] == '-' && terms.above.size() == 1;
   if (negative) above.erase(0, 1);
-  const std::string below = Printer(m_denominator, *m_ring, kLatex).text();
-  return std::string(negative ? "-" : "") + "\\frac{" + above + "}{" + below + "}";
+  return std::string(negative ? "-" : "") + "\\frac{" + above + "}{" + below.text() + "}";
 }
 
 }  // namespace geargraph

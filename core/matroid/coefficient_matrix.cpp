@@ -7,17 +7,31 @@
 namespace geargraph {
 
 std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(int mesh) const {
+  std::vector<Entry> entries;
+  appendRow(mesh, entries);
+  return entries;
+}
+
+void CoefficientMatrix::appendRow(int mesh, std::vector<Entry>& entries) const {
   const MeshGeometry& geometry = *m_placement.meshes[mesh];
   const AxisClasses& classes = *m_placement.classes;
-  std::vector<Entry> entries;
-  for (const PathStep& step : treePath(m_model.tree(), geometry.tail, geometry.head)) {
-    const bool tail = classes.classOf[step.joint] == geometry.tailClass;
-    const double radius = classes.sense[step.joint] * (tail ? geometry.tailRadius : geometry.headRadius);
-    // T is -1 where the walk from tail to head runs along the joint.
-    entries.push_back({step.joint, tail, -step.direction * (radius < 0 ? -1 : 1), -step.direction * radius});
-  }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.joint < b.joint; });
-  return entries;
+  const SpanningTree& tree = m_model.tree();
+  const auto first = static_cast<std::ptrdiff_t>(entries.size());
+  const int meeting = tree.commonAncestor(geometry.tail, geometry.head);
+  // T is -1 where the walk from tail to head runs along the joint.
+  const auto climb = [&](int node, int sign) {
+    for (; node != meeting; node = tree.parent(node)) {
+      const int joint = tree.jointToParent(node);
+      const bool tail = classes.classOf[joint] == geometry.tailClass;
+      const double radius = classes.sense[joint] * (tail ? geometry.tailRadius : geometry.headRadius);
+      const int direction = sign * tree.directionToGround(joint);
+      entries.push_back({joint, tail, direction * (radius < 0 ? -1 : 1), direction * radius});
+    }
+  };
+  climb(geometry.tail, -1);
+  climb(geometry.head, 1);
+  std::sort(entries.begin() + first, entries.end(),
+            [](const Entry& a, const Entry& b) { return a.joint < b.joint; });
 }
 
 std::optional<Rational> CoefficientMatrix::exactRadius(int mesh, bool tail) const {

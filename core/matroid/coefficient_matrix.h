@@ -33,6 +33,8 @@ class CoefficientMatrix {
   [[nodiscard]] int columns() const { return m_model.t(); }
   /// The non-zeros of a row, by joint.
   [[nodiscard]] std::vector<Entry> row(int mesh) const;
+  /// The same, put behind what is there.
+  void appendRow(int mesh, std::vector<Entry>& entries) const;
 
   /// |P_c,e| of the joints on the tail's axis (or the head's) in fractions; nothing where it is irrational.
   [[nodiscard]] std::optional<Rational> exactRadius(int mesh, bool tail) const;

@@ -1,5 +1,8 @@
 #include "core/matroid/symbolic_solution.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/matroid/live_solution.h"
 
 namespace geargraph {
@@ -16,7 +19,12 @@ class RatioSystem {
     m_joints = m_outputs;
     m_joints.insert(m_joints.end(), inputs.begin(), inputs.end());
     for (std::size_t i = 0; i < m_joints.size(); ++i) m_columnOf[m_joints[i]] = static_cast<int>(i);
-    for (const int mesh : meshes) m_rows.push_back(matrix.row(mesh));
+    m_starts.reserve(m_meshes.size() + 1);
+    m_entries.reserve(4 * m_meshes.size());
+    for (const int mesh : meshes) {
+      matrix.appendRow(mesh, m_entries);
+      m_starts.push_back(m_entries.size());
+    }
   }
 
   [[nodiscard]] int unknowns() const { return static_cast<int>(m_outputs.size()); }
@@ -25,18 +33,61 @@ class RatioSystem {
   [[nodiscard]] int joint(int column) const { return m_joints[static_cast<std::size_t>(column)]; }
   [[nodiscard]] int mesh(int row) const { return m_meshes[static_cast<std::size_t>(row)]; }
 
-  /// Its rows without the columns in `left`; ratio(mesh, sign) and whole(sign) are the field's numbers.
-  template <class Value, class Ratio, class Whole>
-  [[nodiscard]] SparseRows<Value> rows(const std::vector<char>& left, const Ratio& ratio,
-                                       const Whole& whole) const {
-    SparseRows<Value> result;
-    for (std::size_t row = 0; row < m_rows.size(); ++row) {
-      for (const CoefficientMatrix::Entry& entry : m_rows[row]) {
-        const int column = m_columnOf[entry.joint];
-        if (left[column] != 0) continue;
-        result.add(column, entry.tail ? ratio(m_meshes[row], entry.sign) : whole(entry.sign));
+  /// Its rows at some ratios, by mesh.
+  [[nodiscard]] SparseRows<Fused> rows(const FusedField& field, const std::vector<Fused>& drawn) const {
+    SparseRows<Fused> result;
+    result.reserve(m_meshes.size(), m_entries.size());
+    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+      for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
+        const CoefficientMatrix::Entry& entry = m_entries[i];
+        const Fused value = entry.tail ? drawn[m_meshes[row]] : field.one();
+        result.add(m_columnOf[entry.joint], entry.sign > 0 ? value : field.negated(value));
       }
       result.endRow();
+    }
+    return result;
+  }
+
+  /// The same over the ratios, without the columns in `left`. Rows that peeling gives a pivot are divided by
+  /// it, which is a ratio or 1: their other entries are the coefficients of the solution's lines, negated.
+  [[nodiscard]] SparseRows<RationalFunction> rows(const std::vector<char>& left, const Peeling& peeling,
+                                                  const RatioRingPtr& ring) const {
+    std::vector<int> pivots(m_meshes.size(), -1);
+    for (const Pivot& pivot : peeling.first) pivots[pivot.row] = pivot.column;
+    for (const Pivot& pivot : peeling.last) pivots[pivot.row] = pivot.column;
+    SparseRows<RationalFunction> result;
+    result.reserve(m_meshes.size(), m_entries.size());
+    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+      int sign = 1;
+      int power = 0;
+      for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
+        if (m_columnOf[m_entries[i].joint] != pivots[row]) continue;
+        sign = m_entries[i].sign;
+        power = m_entries[i].tail ? 1 : 0;
+      }
+      for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
+        const CoefficientMatrix::Entry& entry = m_entries[i];
+        const int column = m_columnOf[entry.joint];
+        if (left[column] != 0) continue;
+        result.add(column, RationalFunction::power(ring, sign * entry.sign, m_meshes[row],
+                                                   (entry.tail ? 1 : 0) - power));
+      }
+      result.endRow();
+    }
+    return result;
+  }
+
+  /// Where the rows without the columns in `left` have entries.
+  [[nodiscard]] SparsePattern pattern(const std::vector<char>& left) const {
+    SparsePattern result;
+    result.starts.reserve(m_meshes.size() + 1);
+    result.columns.reserve(m_entries.size());
+    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+      for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
+        const int column = m_columnOf[m_entries[i].joint];
+        if (left[column] == 0) result.columns.push_back(column);
+      }
+      result.starts.push_back(static_cast<int>(result.columns.size()));
     }
     return result;
   }
@@ -44,9 +95,10 @@ class RatioSystem {
  private:
   std::vector<int> m_outputs;
   std::vector<int> m_meshes;
-  std::vector<int> m_columnOf;  ///< by joint
-  std::vector<int> m_joints;    ///< by column
-  std::vector<std::vector<CoefficientMatrix::Entry>> m_rows;
+  std::vector<int> m_columnOf;                      ///< by joint
+  std::vector<int> m_joints;                        ///< by column
+  std::vector<std::size_t> m_starts{0};             ///< by row, and one behind the last
+  std::vector<CoefficientMatrix::Entry> m_entries;  ///< of the rows, one behind the other
 };
 
 /// Which entries are identically zero, found at ratios drawn at random modulo a prime.
@@ -60,47 +112,50 @@ std::optional<Zeros> zerosOf(const RatioSystem& ratios, const KinematicModel& mo
   const FusedField field;
   ResidueStream random(field.prime(), 0x726174696f73U);
   std::vector<Fused> drawn;
+  drawn.reserve(static_cast<std::size_t>(model.c()));
   for (int mesh = 0; mesh < model.c(); ++mesh) drawn.push_back({1, random.next()});
   const auto columns = static_cast<std::size_t>(ratios.columns());
-  const auto ratio = [&](int mesh, int sign) { return sign > 0 ? drawn[mesh] : field.negated(drawn[mesh]); };
-  const auto whole = [&](int sign) { return field.fromInteger(sign); };
-  const auto system = eliminate(field, ratios.rows<Fused>(std::vector<char>(columns, 0), ratio, whole),
-                                ratios.unknowns(), ratios.columns(), stop);
+  const auto system = eliminate(field, ratios.rows(field, drawn), ratios.unknowns(), ratios.columns(), stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());
   Zeros zeros;
   zeros.all.assign(columns, 1);
-  std::vector<Fused> x(columns);
-  for (int input = ratios.unknowns(); input < ratios.columns(); ++input) {
+  constexpr std::size_t kAtOnce = 4;
+  std::vector<Fused> x;
+  for (std::size_t first = static_cast<std::size_t>(ratios.unknowns()); first < columns; first += kAtOnce) {
     if (stop.stop_requested()) return std::nullopt;
-    x[input] = field.one();
-    substitute(field, *system, x);
-    std::vector<char> vanishing(columns);
-    for (std::size_t i = 0; i < columns; ++i) {
-      vanishing[i] = field.isZero(x[i]) ? 1 : 0;
-      if (vanishing[i] == 0) zeros.all[i] = 0;
+    const std::size_t width = std::min(kAtOnce, columns - first);
+    x.assign(columns * width, Fused());
+    for (std::size_t k = 0; k < width; ++k) x[(first + k) * width + k] = field.one();
+    substitute(field, *system, x, width);
+    for (std::size_t k = 0; k < width; ++k) {
+      std::vector<char>& vanishing = zeros.ofInput.emplace_back(columns);
+      for (std::size_t i = 0; i < columns; ++i) {
+        vanishing[i] = field.isZero(x[i * width + k]) ? 1 : 0;
+        zeros.all[i] &= vanishing[i];
+      }
     }
-    zeros.ofInput.push_back(std::move(vanishing));
-    x[input] = {};
   }
   return zeros;
 }
 
-std::vector<SymbolicLine> linesOf(const RatioSystem& ratios, const RationalFunctionField& field,
-                                  const Elimination<RationalFunction>& system) {
+std::vector<SymbolicLine> linesOf(const RatioSystem& ratios, const Elimination<RationalFunction>& system) {
   std::vector<SymbolicLine> lines;
+  lines.reserve(system.lines.size());
   for (const auto& line : system.lines) {
     const auto& rows = system.matrixOf(line.core);
     const RationalFunction& pivot = pivotOf(rows, line.row, line.column);
-    SymbolicLine result;
+    SymbolicLine& result = lines.emplace_back();
     result.joint = ratios.joint(line.column);
     result.mesh = line.core ? -1 : ratios.mesh(line.row);
+    result.terms.reserve(static_cast<std::size_t>(rows.end(line.row) - rows.begin(line.row)) - 1);
     for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
       if (rows.column(entry) == line.column) continue;
-      result.terms.push_back(
-          {ratios.joint(rows.column(entry)), field.negated(field.quotient(rows.value(entry), pivot))});
+      SymbolicLine::Term& term = result.terms.emplace_back();
+      term.joint = ratios.joint(rows.column(entry));
+      term.coefficient = -rows.value(entry);
+      if (!pivot.isOne()) term.coefficient /= pivot;
     }
-    lines.push_back(std::move(result));
   }
   return lines;
 }
@@ -109,12 +164,14 @@ std::vector<SymbolicLine> linesOf(const RatioSystem& ratios, const RationalFunct
 
 RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
   std::vector<std::string> names;
-  std::vector<Rational> values;
+  std::vector<RatioRing::Teeth> teeth;
+  names.reserve(mechanism.gearMeshes.size());
+  teeth.reserve(mechanism.gearMeshes.size());
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
     names.push_back("i" + std::to_string(mechanism.meshLabel(mesh)));
-    values.emplace_back(mechanism.gearMeshes[mesh].tailTeeth, mechanism.gearMeshes[mesh].headTeeth);
+    teeth.push_back({mechanism.gearMeshes[mesh].tailTeeth, mechanism.gearMeshes[mesh].headTeeth});
   }
-  return std::make_shared<RatioRing>(std::move(names), std::move(values));
+  return std::make_shared<RatioRing>(std::move(names), std::move(teeth));
 }
 
 std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const KinematicModel& model,
@@ -135,30 +192,31 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   const std::stop_callback forward(stop, [&] { enough.request_stop(); });
   const RationalFunctionField bounded(solution.ring, kMostTermsOfTheCore, enough);
   const RationalFunctionField field(solution.ring);
-  const auto ratio = [&](int mesh, int sign) {
-    RationalFunction i = RationalFunction::variable(solution.ring, mesh);
-    return sign > 0 ? i : -i;
-  };
-  const auto whole = [&](int sign) { return field.fromInteger(sign); };
   std::vector<char> left = zeros->all;
   std::fill(left.begin() + ratios.unknowns(), left.end(), 0);
-  auto system = eliminate(bounded, ratios.rows<RationalFunction>(left, ratio, whole), ratios.unknowns(),
-                          ratios.columns(), enough.get_token());
+  Peeling peeling(ratios.pattern(left), ratios.unknowns());
+  auto rows = ratios.rows(left, peeling, solution.ring);
+  const auto system = eliminate(bounded, std::move(rows), std::move(peeling), ratios.unknowns(),
+                                ratios.columns(), enough.get_token());
   if (!system) return std::nullopt;
 
-  solution.lines = linesOf(ratios, field, *system);
+  solution.lines = linesOf(ratios, *system);
   const std::size_t columns = inputs.size();
   solution.matrix.resize(solution.outputs.size() * columns);
   std::vector<std::optional<RationalFunction>> x(static_cast<std::size_t>(ratios.columns()),
-                                                 field.fromInteger(0));
+                                                 RationalFunction());
   for (std::size_t j = 0; j < columns; ++j) {
     auto& given = x[static_cast<std::size_t>(ratios.unknowns()) + j];
     given = field.one();
     if (!expand(field, *system, zeros->ofInput[j], x, stop, budget)) return std::nullopt;
-    given = field.fromInteger(0);
+    given = RationalFunction();
     for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
-      if (!x[i]) ++solution.skipped;
-      solution.matrix[i * columns + j] = x[i];
+      if (x[i]) {
+        solution.matrix[i * columns + j] = std::exchange(*x[i], RationalFunction());
+      } else {
+        ++solution.skipped;
+        x[i].emplace();
+      }
     }
   }
   return solution;

@@ -104,7 +104,7 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
   const RationalFunctionField& field = *symbolic->field;
   auto matrix = shapeOf<std::optional<RationalFunction>>(plan);
   for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
-    std::vector<std::optional<RationalFunction>> x(plan.jointAt.size(), field.fromInteger(0));
+    std::vector<std::optional<RationalFunction>> x(plan.jointAt.size(), RationalFunction());
     x[static_cast<std::size_t>(plan.firstInputColumn()) + input] = field.one();
     const std::vector<char>& vanishing = symbolic->vanishing[input];
     if (!expand(field, symbolic->system.direct(), vanishing, x, stop, budget) ||
@@ -124,14 +124,14 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
 
 RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming) {
   std::vector<std::string> names;
-  std::vector<Rational> values;
+  std::vector<RatioRing::Teeth> teeth;
   for (const RatioNames& name : ratioNames(graph.graph())) {
     names.push_back(naming == RatioNaming::matroid ? name.matroid : name.ttGraph);
   }
   for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
-    values.emplace_back(graph.terminal(mesh)->tailTeeth, graph.terminal(mesh)->headTeeth);
+    teeth.push_back({graph.terminal(mesh)->tailTeeth, graph.terminal(mesh)->headTeeth});
   }
-  return std::make_shared<const RatioRing>(std::move(names), std::move(values));
+  return std::make_shared<const RatioRing>(std::move(names), std::move(teeth));
 }
 
 }  // namespace geargraph

@@ -172,7 +172,9 @@ class TestElimination : public QObject {
   void symbolsEvaluateToTheFractions() {
     // a x0 - x1 = 0, x1 - b x0 - c g = 0 : x0 = c g/(a - b), a core of two rows.
     const std::vector<Rational> values{Rational(5, 2), Rational(1, 3), Rational(4, 7)};
-    const auto ring = std::make_shared<RatioRing>(std::vector<std::string>{"i5", "i6", "i7"}, values);
+    const auto ring =
+        std::make_shared<RatioRing>(std::vector<std::string>{"i5", "i6", "i7"},
+                                    std::vector<RatioRing::Teeth>{{50, 20}, {20, 60}, {40, 70}});
     const RationalFunctionField field(ring);
     SparseRows<RationalFunction> rows;
     rows.add(0, RationalFunction::variable(ring, 0));
@@ -194,7 +196,7 @@ class TestElimination : public QObject {
   void aPivotThatVanishesAtTheRatiosOwnValuesIsNotTaken() {
     // (i3 - i4) x0 + x1 - g = 0, x0 + x1 - 2 g = 0 with i3 = i4: x1 = g must come first.
     const auto ring = std::make_shared<RatioRing>(std::vector<std::string>{"i3", "i4"},
-                                                  std::vector<Rational>{Rational(1, 2), Rational(1, 2)});
+                                                  std::vector<RatioRing::Teeth>{{10, 20}, {15, 30}});
     const RationalFunctionField field(ring);
     SparseRows<RationalFunction> rows;
     rows.add(0, RationalFunction::variable(ring, 0) - RationalFunction::variable(ring, 1));

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <utility>
+
+namespace geargraph {
+
+/// A row of 32-bit words, a few of them in place: most values of an analysis allocate nothing.
+class SmallWords {
+ public:
+  SmallWords() = default;
+  SmallWords(const SmallWords& other);
+  SmallWords(SmallWords&& other) noexcept { take(other); }
+  SmallWords& operator=(const SmallWords& other);
+  SmallWords& operator=(SmallWords&& other) noexcept {
+    if (this == &other) return *this;
+    if (isOnHeap()) delete[] m_heap;
+    take(other);
+    return *this;
+  }
+  ~SmallWords() {
+    if (isOnHeap()) delete[] m_heap;
+  }
+
+  [[nodiscard]] std::size_t size() const { return m_size; }
+  [[nodiscard]] const std::uint32_t* data() const { return isOnHeap() ? m_heap : m_inPlace; }
+  [[nodiscard]] std::uint32_t* data() { return isOnHeap() ? m_heap : m_inPlace; }
+  void clear() { m_size = 0; }
+  /// So many words more, to be written by the caller.
+  std::uint32_t* grow(std::size_t more) {
+    if (m_size + more > m_capacity) reserve(m_size + more);
+    std::uint32_t* const place = data() + m_size;
+    m_size += static_cast<std::uint32_t>(more);
+    return place;
+  }
+  /// Gives the last words back.
+  void shrink(std::size_t less) { m_size -= static_cast<std::uint32_t>(less); }
+
+ private:
+  static constexpr std::uint32_t kInPlace = 14;
+
+  [[nodiscard]] bool isOnHeap() const { return m_capacity > kInPlace; }
+  void reserve(std::size_t capacity);
+  void take(SmallWords& other) noexcept {
+    m_size = std::exchange(other.m_size, 0U);
+    m_capacity = std::exchange(other.m_capacity, kInPlace);
+    if (isOnHeap()) {
+      m_heap = other.m_heap;
+    } else {
+      std::memcpy(m_inPlace, other.m_inPlace, sizeof m_inPlace);  // all: of fixed length it is two steps
+    }
+  }
+
+  std::uint32_t m_size = 0;
+  std::uint32_t m_capacity = kInPlace;
+  union {
+    std::uint32_t m_inPlace[kInPlace];
+    std::uint32_t* m_heap;
+  };
+};
+
+/// A sum of whole multiples of products of whole powers of the gear ratios, as -2 i15/i17 + 1: what solving
+/// one equation after another comes to, because each is divided by a ratio or by 1 only. No common divisor is
+/// ever looked for, and a term costs its own factors whatever the number of ratios.
+///
+/// Coefficients are below 2^62, powers below 128; where a result would not be, the functions say false.
+class LaurentPolynomial {
+ public:
+  LaurentPolynomial() = default;  ///< 0
+  LaurentPolynomial(const LaurentPolynomial&) = default;
+  LaurentPolynomial(LaurentPolynomial&& other) noexcept
+      : m_words(std::move(other.m_words)), m_terms(std::exchange(other.m_terms, 0)) {}
+  LaurentPolynomial& operator=(const LaurentPolynomial&) = default;
+  LaurentPolynomial& operator=(LaurentPolynomial&& other) noexcept {
+    m_words = std::move(other.m_words);
+    m_terms = std::exchange(other.m_terms, 0);
+    return *this;
+  }
+  ~LaurentPolynomial() = default;
+  /// factor * ratio^power. @pre isCoefficient(factor), |power| < 128
+  static LaurentPolynomial term(std::int64_t factor);
+  static LaurentPolynomial term(std::int64_t factor, int ratio, int power);
+
+  /// One product of powers, by ratio: packed(ratio, power) ascending.
+  using Powers = std::span<const std::uint32_t>;
+  struct Term {
+    std::int64_t coefficient = 0;
+    Powers powers;
+  };
+
+  static constexpr int kMostPower = 127;
+  [[nodiscard]] static bool isCoefficient(std::int64_t value) {
+    constexpr std::int64_t kMost = (std::int64_t{1} << 62) - 1;
+    return value >= -kMost && value <= kMost;
+  }
+  [[nodiscard]] static std::uint32_t packed(int ratio, int power) {
+    return (static_cast<std::uint32_t>(ratio) << 8U) | static_cast<std::uint32_t>(power + 128);
+  }
+  [[nodiscard]] static int ratioOf(std::uint32_t packed) { return static_cast<int>(packed >> 8U); }
+  [[nodiscard]] static int powerOf(std::uint32_t packed) { return static_cast<int>(packed & 255U) - 128; }
+
+  [[nodiscard]] bool isZero() const { return m_terms == 0; }
+  [[nodiscard]] int termCount() const { return m_terms; }
+  /// + or - a product of powers: everything may be divided by it.
+  [[nodiscard]] bool isUnit() const;
+  [[nodiscard]] bool isOne() const;
+
+  /// Calls use(term) for every term; of two, the one with the higher power of the first ratio in which they
+  /// differ comes first.
+  template <class Use>
+  void forEachTerm(const Use& use) const {
+    std::size_t at = 0;
+    for (int i = 0; i < m_terms; ++i) use(termAt(at));
+  }
+  /// Puts a term behind the others. @pre it comes behind them in order, and its coefficient is not 0
+  void append(const Term& term);
+
+  void negate();
+  /// this +- other. False, and as it was, where there is no room.
+  [[nodiscard]] bool add(const LaurentPolynomial& other) { return combine(other, 1); }
+  [[nodiscard]] bool subtract(const LaurentPolynomial& other) { return combine(other, -1); }
+  [[nodiscard]] bool subtract(LaurentPolynomial&& other) {
+    if (!isZero()) return combine(other, -1);
+    *this = std::move(other);
+    negate();
+    return true;
+  }
+  /// this = a * b. False, and of no use, where neither is a single term or there is no room.
+  /// @pre neither is this
+  [[nodiscard]] bool setProduct(const LaurentPolynomial& a, const LaurentPolynomial& b);
+  /// this = a / b; false likewise. @pre b.isUnit(), neither is this
+  [[nodiscard]] bool setQuotient(const LaurentPolynomial& a, const LaurentPolynomial& b);
+
+  friend bool operator==(const LaurentPolynomial& a, const LaurentPolynomial& b);
+
+ private:
+  /// A term in words: the number of its powers, its coefficient in two words, its powers.
+  static constexpr std::size_t kHead = 3;
+
+  [[nodiscard]] Term termAt(std::size_t& at) const;
+  std::uint32_t* appendHead(std::int64_t coefficient, std::size_t powers);
+  bool appendProduct(const Term& a, const Term& b, int sign);
+  bool combine(const LaurentPolynomial& other, int sign);
+
+  SmallWords m_words;
+  int m_terms = 0;
+};
+
+}  // namespace geargraph
