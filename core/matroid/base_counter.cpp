@@ -68,8 +68,6 @@ class Counter {
   }
 
  private:
-  static constexpr std::size_t kMostCells = 400'000;  ///< of a part that is swept
-
   /// True while there is budget.
   bool spend(std::size_t steps) {
     m_steps -= static_cast<long>(steps);
@@ -169,8 +167,6 @@ class Counter {
   std::optional<Rational> sweep(const Weighted& part) {
     Rational product = 1;
     for (const Weighted& piece : componentsOf(part)) {
-      const std::size_t elements = piece.rows.size() + static_cast<std::size_t>(piece.columns);
-      if (elements * static_cast<std::size_t>(piece.columns) > kMostCells) return std::nullopt;
       const auto value = sweepInSomeOrder(piece);
       if (!value) return std::nullopt;
       product *= *value;
@@ -181,11 +177,12 @@ class Counter {
   /// Nobody knows beforehand which order keeps the states few, so both are tried with growing patience.
   std::optional<Rational> sweepInSomeOrder(const Weighted& piece) {
     constexpr long kFirstPatience = 1'000'000;
-    const std::array orders{neighbourly(piece), labelled(piece)};
+    const std::array orders{representationOf(piece, neighbourly(piece)),
+                            representationOf(piece, labelled(piece))};
     for (long patience = kFirstPatience; patience < m_steps; patience *= 4) {
-      for (const std::vector<int>& order : orders) {
+      for (const Representation& elements : orders) {
         long steps = patience;
-        auto value = BaseSweep(m_field, representationOf(piece, order)).count(steps, m_stop);
+        auto value = BaseSweep(m_field, elements).count(steps, m_stop);
         m_steps -= patience - steps;
         if (value) return value;
         if (m_stop.stop_requested()) return std::nullopt;
@@ -246,15 +243,13 @@ class Counter {
     Representation result;
     result.rank = piece.columns;
     for (const int element : order) {
-      std::vector<Residue> vector(static_cast<std::size_t>(piece.columns), 0);
       if (element >= 0) {
-        for (const auto& [column, value] : piece.rows[element]) vector[column] = value;
+        result.vectors.push_back(piece.rows[element]);
         result.weights.push_back(piece.rowWeights[element]);
       } else {
-        vector[static_cast<std::size_t>(~element)] = m_field.one();
+        result.vectors.push_back({{~element, m_field.one()}});
         result.weights.push_back(piece.columnWeights[static_cast<std::size_t>(~element)]);
       }
-      result.vectors.push_back(std::move(vector));
     }
     return result;
   }

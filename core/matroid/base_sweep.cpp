@@ -6,159 +6,175 @@ namespace geargraph {
 namespace {
 
 using Residue = PrimeField::Residue;
+using Row = std::vector<std::pair<int, Residue>>;
 
-Residue* rowAt(std::vector<Residue>& state, int row, int width) {
-  return state.data() + static_cast<std::ptrdiff_t>(row) * width;
-}
-const Residue* rowAt(const std::vector<Residue>& state, int row, int width) {
-  return state.data() + static_cast<std::ptrdiff_t>(row) * width;
-}
-
-/// row -= factor * by, from a column on.
-void subtract(const PrimeField& field, Residue* row, const Residue* by, Residue factor, int from, int width) {
-  for (int k = from; k < width; ++k) row[k] = field.subtract(row[k], field.multiply(factor, by[k]));
+/// The value of a row at an element.
+Residue valueAt(const Row& row, int element) {
+  const auto place = std::lower_bound(row.begin(), row.end(), element,
+                                      [](const auto& entry, int wanted) { return entry.first < wanted; });
+  return place != row.end() && place->first == element ? place->second : 0;
 }
 
-/// Reduced echelon form of a full-rank state, in place. Cost: O(rows^2 width).
-void reduce(const PrimeField& field, std::vector<Residue>& state, int rows, int width) {
-  int done = 0;
-  for (int column = 0; column < width && done < rows; ++column) {
-    int pivot = done;
-    while (pivot < rows && rowAt(state, pivot, width)[column] == 0) ++pivot;
-    if (pivot == rows) continue;
-    if (pivot != done) {
-      std::swap_ranges(rowAt(state, pivot, width), rowAt(state, pivot, width) + width,
-                       rowAt(state, done, width));
-    }
-    Residue* by = rowAt(state, done, width);
-    const Residue inverse = field.inverse(by[column]);
-    for (int k = column; k < width; ++k) by[k] = field.multiply(by[k], inverse);
-    for (int row = 0; row < rows; ++row) {
-      Residue* other = rowAt(state, row, width);
-      if (row != done && other[column] != 0) subtract(field, other, by, other[column], column, width);
-    }
-    ++done;
+/// row - factor * by
+Row difference(const PrimeField& field, const Row& row, const Row& by, Residue factor) {
+  Row result;
+  result.reserve(row.size() + by.size());
+  auto mine = row.begin();
+  for (const auto& [element, value] : by) {
+    for (; mine != row.end() && mine->first < element; ++mine) result.push_back(*mine);
+    Residue left = 0;
+    if (mine != row.end() && mine->first == element) left = (mine++)->second;
+    left = field.subtract(left, field.multiply(factor, value));
+    if (left != 0) result.emplace_back(element, left);
   }
+  result.insert(result.end(), mine, row.end());
+  return result;
+}
+
+void scaleToOne(const PrimeField& field, Row& row) {
+  const Residue inverse = field.inverse(row.front().second);
+  for (auto& [element, value] : row) value = field.multiply(value, inverse);
 }
 
 }  // namespace
 
-BaseSweep::BaseSweep(const PrimeField& field, const Representation& elements)
-    : m_field(field),
-      m_elements(static_cast<int>(elements.vectors.size())),
-      m_weights(elements.weights),
-      m_states(static_cast<std::size_t>(elements.rank) + 1) {
-  State all(static_cast<std::size_t>(elements.rank) * elements.vectors.size());
-  for (int row = 0; row < elements.rank; ++row) {
-    for (int element = 0; element < m_elements; ++element) {
-      rowAt(all, row, m_elements)[element] = elements.vectors[element][row];
+/// The rows of the given vectors in reduced echelon form, numbered by their first elements.
+bool BaseSweep::begin(long& steps) {
+  std::vector<Row> rows(static_cast<std::size_t>(m_given.rank));
+  std::vector<std::vector<int>> at(m_given.vectors.size());  // by element: rows that may have it
+  for (std::size_t element = 0; element < at.size(); ++element) {
+    for (const auto& [place, value] : m_given.vectors[element]) {
+      rows[place].emplace_back(static_cast<int>(element), value);
+      at[element].push_back(place);
     }
   }
-  geargraph::reduce(field, all, elements.rank, m_elements);
-  m_states[static_cast<std::size_t>(elements.rank)].emplace(std::move(all), 1);
+  std::vector<char> placed(rows.size(), 0);
+  std::vector<int> order;
+  for (int element = 0; element < static_cast<int>(at.size()); ++element) {
+    int pivot = -1;
+    for (const int place : at[element]) {
+      if (placed[place] != 0 || valueAt(rows[place], element) == 0) continue;
+      if (pivot < 0 || rows[place].size() < rows[pivot].size()) pivot = place;
+    }
+    if (pivot < 0) continue;
+    placed[pivot] = 1;
+    order.push_back(pivot);
+    scaleToOne(m_field, rows[pivot]);
+    for (const int place : std::vector<int>(at[element])) {
+      const Residue factor = valueAt(rows[place], element);
+      if (place == pivot || factor == 0) continue;
+      steps -= static_cast<long>(rows[place].size() + rows[pivot].size());
+      if (steps <= 0) return false;
+      for (const auto& [filled, value] : rows[pivot]) {
+        if (valueAt(rows[place], filled) == 0) at[filled].push_back(place);
+      }
+      rows[place] = difference(m_field, rows[place], rows[pivot], factor);
+    }
+  }
+  for (const int place : order) (void)numberOf(std::move(rows[place]));
+  return true;
+}
+
+int BaseSweep::numberOf(Row row) {
+  const auto [place, isNew] = m_numbers.try_emplace(std::move(row), static_cast<int>(m_rows.size()));
+  if (isNew) m_rows.push_back(&place->first);
+  return place->second;
 }
 
 std::optional<Rational> BaseSweep::count(long& steps, const std::stop_token& stop) {
-  for (int element = 0; element < m_elements; ++element) {
-    std::vector<States> next(m_states.size());
-    for (std::size_t rows = 0; rows < m_states.size(); ++rows) {
-      for (const auto& [state, weight] : m_states[rows]) {
-        steps -= static_cast<long>(state.size()) + m_elements;
-        if (steps <= 0 || stop.stop_requested()) return std::nullopt;
-        decide(state, static_cast<int>(rows), element, weight, next);
-      }
+  constexpr long kState = 16;  // what one costs beside its rows
+  if (!begin(steps)) return std::nullopt;
+  States states;
+  states.emplace(State(), 1);
+  const int elements = static_cast<int>(m_given.vectors.size());
+  for (int element = 0; element < elements && !states.empty(); ++element) {
+    States next;
+    for (const auto& [state, weight] : states) {
+      steps -= kState + static_cast<long>(state.changed.size());
+      if (steps <= 0 || stop.stop_requested()) return std::nullopt;
+      decide(state, element, weight, next, steps);
     }
-    m_states = std::move(next);
+    states = std::move(next);
   }
+  for (const auto& [state, weight] : states) m_total += weight;  // of rank 0, behind the last element
   return m_total;
 }
 
-void BaseSweep::decide(const State& state, int rows, int element, const Rational& weight,
-                       std::vector<States>& next) {
-  if (rows <= 2) {
-    m_total += weight * closedForm(state, rows, element);
+void BaseSweep::decide(const State& state, int element, const Rational& weight, States& next, long& steps) {
+  if (rowsOf(state) <= 2) {
+    m_total += weight * closedForm(state, element);
     return;
   }
-  const int width = m_elements - element;
-  const auto add = [&](State left, int rank, const Rational& by) {
-    next[static_cast<std::size_t>(rank)][std::move(left)] += by;
-  };
-  if (state[0] == 0) {  // a loop: never in a basis
-    add(deleted(state, rows, width), rows, weight);
+  if (row(numberAt(state, 0)).front().first != element) {  // a loop: never in a basis
+    next[state] += weight;
     return;
   }
-  add(contracted(state, rows, width), rows - 1, weight * m_weights[element]);
-  const bool coloop = std::all_of(state.begin() + 1, state.begin() + width, [](Residue v) { return v == 0; });
-  if (!coloop) add(deleted(state, rows, width), rows, weight);
+  State contracted = state;
+  dropFirst(contracted);
+  fold(contracted);
+  next[std::move(contracted)] += weight * m_given.weights[static_cast<std::size_t>(element)];
+  if (auto without = deleted(state, steps)) next[std::move(*without)] += weight;
 }
 
-/// The rows that are 0 at the first element: all but the first, in reduced form.
-BaseSweep::State BaseSweep::contracted(const State& state, int rows, int width) const {
-  State result;
-  result.reserve(static_cast<std::size_t>(rows - 1) * static_cast<std::size_t>(width - 1));
-  for (int row = 1; row < rows; ++row) {
-    const Residue* from = rowAt(state, row, width);
-    result.insert(result.end(), from + 1, from + width);
+void BaseSweep::dropFirst(State& state) {
+  if (state.changed.empty()) {
+    ++state.next;
+  } else {
+    state.changed.erase(state.changed.begin());
   }
-  return result;
 }
 
-/// All rows without the first element: the first one finds a new place, the others stay reduced against each
-/// other.
-BaseSweep::State BaseSweep::deleted(const State& state, int rows, int width) const {
-  const int left = width - 1;
-  std::vector<Residue> first(state.begin() + 1, state.begin() + width);
-  const bool isPivot = state[0] != 0;
-  State result;
-  result.reserve(static_cast<std::size_t>(rows) * static_cast<std::size_t>(left));
-  if (!isPivot) {
-    for (int row = 0; row < rows; ++row) {
-      const Residue* from = rowAt(state, row, width);
-      result.insert(result.end(), from + 1, from + width);
-    }
-    return result;
+void BaseSweep::fold(State& state) {
+  while (!state.changed.empty() && state.changed.back() == state.next - 1) {
+    state.changed.pop_back();
+    --state.next;
   }
-  // It is reduced against the others already; only its own leading column has to go from theirs.
-  const int leading = static_cast<int>(
-      std::find_if(first.begin(), first.end(), [](Residue v) { return v != 0; }) - first.begin());
-  const Residue inverse = m_field.inverse(first[leading]);
-  for (Residue& value : first) value = m_field.multiply(value, inverse);
-  bool placed = false;
-  for (int row = 1; row < rows; ++row) {
-    const Residue* from = rowAt(state, row, width) + 1;
-    const auto start = std::find_if(from, from + left, [](Residue v) { return v != 0; }) - from;
-    if (!placed && leading < start) {
-      result.insert(result.end(), first.begin(), first.end());
-      placed = true;
-    }
-    result.insert(result.end(), from, from + left);
-    Residue* row0 = result.data() + result.size() - static_cast<std::size_t>(left);
-    if (row0[leading] != 0) subtract(m_field, row0, first.data(), row0[leading], leading, left);
+}
+
+/// The state without the first row's first element: that row finds a new place, the others stay reduced
+/// against each other. Nothing where the row has no other element: then that one is in every basis.
+std::optional<BaseSweep::State> BaseSweep::deleted(State state, long& steps) {
+  const Row& first = row(numberAt(state, 0));
+  if (first.size() == 1) return std::nullopt;
+  Row left(first.begin() + 1, first.end());
+  scaleToOne(m_field, left);
+  const int leading = left.front().first;
+  dropFirst(state);
+  while (state.next < m_given.rank && row(state.next).front().first < leading) {
+    state.changed.push_back(state.next++);
   }
-  if (!placed) result.insert(result.end(), first.begin(), first.end());
-  return result;
+  auto place = state.changed.begin();
+  for (; place != state.changed.end() && row(*place).front().first < leading; ++place) {
+    const Residue factor = valueAt(row(*place), leading);
+    if (factor == 0) continue;
+    steps -= static_cast<long>(row(*place).size() + left.size());
+    *place = numberOf(difference(m_field, row(*place), left, factor));
+  }
+  state.changed.insert(place, numberOf(std::move(left)));
+  fold(state);
+  return state;
 }
 
 /// Rank 0: 1. Rank 1: the weights of all that are no loops. Rank 2: of all pairs that are not parallel.
-Rational BaseSweep::closedForm(const State& state, int rows, int element) const {
+Rational BaseSweep::closedForm(const State& state, int element) const {
+  const int rows = rowsOf(state);
   if (rows == 0) return 1;
-  const int width = m_elements - element;
+  const Row& first = row(numberAt(state, 0));
+  const Row& second = rows == 2 ? row(numberAt(state, 1)) : first;
   Rational sum;
-  Rational squares;
   std::map<Residue, Rational> byPoint;  // the second coordinate over the first; 0 in the first: apart
   Rational apart;
-  for (int k = 0; k < width; ++k) {
-    const Residue x = state[k];
-    const Residue y = rows == 2 ? state[static_cast<std::size_t>(width) + k] : 0;
+  for (int of = element; of < static_cast<int>(m_given.vectors.size()); ++of) {
+    const Residue x = valueAt(first, of);
+    const Residue y = valueAt(second, of);
     if (x == 0 && y == 0) continue;
-    const Rational& weight = m_weights[static_cast<std::size_t>(element) + k];
+    const Rational& weight = m_given.weights[static_cast<std::size_t>(of)];
     sum += weight;
-    if (rows == 1) continue;
-    (x == 0 ? apart : byPoint[m_field.multiply(y, m_field.inverse(x))]) += weight;
+    if (rows == 2) (x == 0 ? apart : byPoint[m_field.multiply(y, m_field.inverse(x))]) += weight;
   }
   if (rows == 1) return sum;
-  squares = apart * apart;
-  for (const auto& [point, weight] : byPoint) squares += weight * weight;
+  Rational squares = apart * apart;
+  for (const auto& [point, together] : byPoint) squares += together * together;
   return (sum * sum - squares) / Rational(2);
 }
 

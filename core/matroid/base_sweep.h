@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/base/rational.h"
@@ -10,10 +11,11 @@
 
 namespace geargraph {
 
-/// Elements as vectors of length `rank`, in an order in which neighbours are close, each with a weight.
+/// Elements as sparse vectors of length `rank`, in an order in which neighbours are close, each with a
+/// weight.
 struct Representation {
   int rank = 0;
-  std::vector<std::vector<PrimeField::Residue>> vectors;
+  std::vector<std::vector<std::pair<int, PrimeField::Residue>>> vectors;  ///< (place, value), by place
   std::vector<Rational> weights;
 };
 
@@ -21,29 +23,52 @@ struct Representation {
 ///
 /// Elements are decided one by one: in the basis (contracted) or not (deleted). What is left is a space of
 /// rows over the remaining elements, kept in reduced echelon form; equal spaces are one state, so a train
-/// whose parts hang together loosely has few states at a time. Rank 2 has a closed form.
+/// whose parts hang together loosely has few states at a time. A state writes down only the rows that
+/// decisions have changed. Rank 2 has a closed form.
 class BaseSweep {
  public:
-  BaseSweep(const PrimeField& field, const Representation& elements);
+  /// Refers to both.
+  BaseSweep(const PrimeField& field, const Representation& elements) : m_field(field), m_given(elements) {}
 
   /// Counts `steps` down; nothing once there are none left, or `stop` was requested.
+  /// @pre the vectors have rank `rank`
   [[nodiscard]] std::optional<Rational> count(long& steps, const std::stop_token& stop);
 
  private:
   using Residue = PrimeField::Residue;
-  /// Rows of the space, one behind the other, each over all remaining elements.
-  using State = std::vector<Residue>;
+  using Row = std::vector<std::pair<int, Residue>>;  ///< (element, value), by element; the first value is 1
+
+  /// Rows by their numbers, by ascending first element: the changed ones, and then those of the beginning
+  /// from number `next` on. The changed ones do not end with the number before `next`.
+  struct State {
+    std::vector<int> changed;
+    int next = 0;
+    auto operator<=>(const State&) const = default;
+  };
   using States = std::map<State, Rational>;  ///< with the sum of products of weights that lead there
 
-  void decide(const State& state, int rows, int element, const Rational& weight, std::vector<States>& next);
-  [[nodiscard]] State contracted(const State& state, int rows, int width) const;
-  [[nodiscard]] State deleted(const State& state, int rows, int width) const;
-  [[nodiscard]] Rational closedForm(const State& state, int rows, int element) const;
+  [[nodiscard]] bool begin(long& steps);
+  void decide(const State& state, int element, const Rational& weight, States& next, long& steps);
+  [[nodiscard]] std::optional<State> deleted(State state, long& steps);
+  [[nodiscard]] Rational closedForm(const State& state, int element) const;
+
+  [[nodiscard]] int rowsOf(const State& state) const {
+    return static_cast<int>(state.changed.size()) + m_given.rank - state.next;
+  }
+  /// The number of its row at this place. @pre there is one
+  [[nodiscard]] static int numberAt(const State& state, std::size_t place) {
+    const std::size_t changed = state.changed.size();
+    return place < changed ? state.changed[place] : state.next + static_cast<int>(place - changed);
+  }
+  [[nodiscard]] const Row& row(int number) const { return *m_rows[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] int numberOf(Row row);
+  static void dropFirst(State& state);
+  static void fold(State& state);
 
   const PrimeField& m_field;
-  int m_elements;
-  std::vector<Rational> m_weights;
-  std::vector<States> m_states;  ///< by rank that is left to choose
+  const Representation& m_given;
+  std::map<Row, int> m_numbers;
+  std::vector<const Row*> m_rows;  ///< by number; those of the beginning come first, in order
   Rational m_total;
 };
 
