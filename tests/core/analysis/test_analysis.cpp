@@ -1,7 +1,9 @@
 #include <QTest>
+#include <algorithm>
 
 #include "core/analysis/analysis.h"
 #include "tests/core/support/textbook_trains.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {
@@ -15,6 +17,11 @@ std::vector<Code> codesOf(const AnalysisSnapshot& snapshot) {
   std::vector<Code> codes;
   for (const Diagnostic& diagnostic : snapshot.diagnostics) codes.push_back(diagnostic.code);
   return codes;
+}
+
+long timesSaid(const AnalysisSnapshot& snapshot, Code code) {
+  const std::vector<Code> codes = codesOf(snapshot);
+  return std::count(codes.begin(), codes.end(), code);
 }
 
 }  // namespace
@@ -78,6 +85,55 @@ class AnalysisTest : public QObject {
       if (code == Code::splitAxis || code == Code::mergedAxes) geometry.push_back(code);
     }
     QCOMPARE(geometry, (std::vector<Code>{Code::splitAxis, Code::mergedAxes}));
+  }
+
+  /// A chain of planetary stages with fixed rings: every second stage has four times the terms.
+  void anEntryOverItsBudgetIsLeftAsAChainAndSaid() {
+    constexpr int kStages = 12;
+    test::TrainSketch train(1 + 2 * kStages);
+    train.joint(0, 1, "a");
+    for (int stage = 0; stage < kStages; ++stage) {
+      const int sun = 2 * stage + (stage == 0 ? 1 : 0);
+      train.joint(0, 2 * stage + 2, "a").joint(2 * stage + 2, 2 * stage + 3, "p" + std::to_string(stage));
+      train.mesh(sun, 2 * stage + 3, 20, 15, MeshKind::external);
+      train.mesh(2 * stage + 3, 0, 15, 50, MeshKind::internal);
+    }
+    const SnapshotPtr snapshot = analysisOf(train.build());
+    QCOMPARE(timesSaid(*snapshot, Code::symbolicSkipped), 1L);
+    const SymbolicSolution& symbolic = *snapshot->solved->symbolic;
+    QVERIFY(symbolic.skipped > 0);
+    QCOMPARE(symbolic.lines.size(), symbolic.outputs.size());
+    QVERIFY(snapshot->solved->agreement->equal);
+  }
+
+  void moreSymbolsThanAnybodyReadsAreLeftOutAndSaid() {
+    constexpr int kPairs = 150;
+    test::TrainSketch train(2 * kPairs);
+    for (int link = 1; link <= 2 * kPairs; ++link) train.joint(0, link, "a" + std::to_string(link));
+    for (int pair = 0; pair < kPairs; ++pair) train.mesh(2 * pair + 1, 2 * pair + 2, 20, 30);
+    const SnapshotPtr snapshot = analysisOf(train.build());
+    QCOMPARE(timesSaid(*snapshot, Code::symbolicSkipped), 1L);
+    QVERIFY(!snapshot->solved->symbolic);
+    QVERIFY(snapshot->solved->agreement->equal);
+  }
+
+  /// Planetary sets between two dozen shafts, each tied to three far ones.
+  void equationsThatAreTooCoupledForSymbolsAreSaid() {
+    constexpr int kShafts = 24;
+    test::TrainSketch train(2 * kShafts - 2);
+    for (int shaft = 1; shaft <= kShafts; ++shaft) train.joint(0, shaft, "a");
+    for (int set = 0; set < kShafts - 2; ++set) {
+      const auto shaft = [&](int step) { return 1 + (set + step) % kShafts; };
+      const int planet = kShafts + 1 + set;
+      train.joint(shaft(7), planet, "p" + std::to_string(set));
+      train.mesh(shaft(0), planet, 20 + set, 15, MeshKind::external);
+      train.mesh(planet, shaft(3), 15, 50 + set, MeshKind::internal);
+    }
+    const SnapshotPtr snapshot = analysisOf(train.build());
+    QCOMPARE(timesSaid(*snapshot, Code::symbolicSkipped), 1L);
+    QVERIFY(!snapshot->solved->symbolic);
+    QCOMPARE(snapshot->matroid()->dof, 2);
+    QVERIFY(snapshot->solved->agreement->equal);
   }
 
   void aPitchPointOffItsPlaneIsStillSaid() {
