@@ -4,37 +4,20 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/gears/gear_solid.h"
 #include "core/render/egl_host.h"
+#include "tests/bench/gear_field.h"
 
 namespace geargraph {
 namespace {
 
 constexpr Viewport kView{1280, 720};
 
-/// A square of gears in a few shapes, each turned by an angle of its own.
-Scene gearField(int count) {
-  Scene scene;
-  GearSpec spec = standardGear(GearKind::external, 60, 2, 20);
-  scene.solids.push_back(std::make_shared<const Solid>(gearSolid(spec, kScreenTolerance).value()));
-  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
-  for (int i = 0; i < count; ++i) {
-    Instance instance;
-    instance.pose.translation() = Eigen::Vector3d(126.0 * (i % side), 126.0 * (i / side), 10.0 * (i % 3));
-    instance.pose.rotate(Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d::UnitZ()));
-    instance.colour = Rgb::fromHex(i % 2 == 0 ? 0x0072B2 : 0xD55E00);
-    instance.element = LinkId(std::to_string(i));
-    scene.instances.push_back(instance);
-  }
-  return scene;
-}
-
 struct Field {
   std::unique_ptr<EglHost> host;
   Scene scene;
   Frame frame;
 
-  Field(int count, int samples, bool shadow) : scene(gearField(count)) {
+  Field(int count, int samples, bool shadow) : scene(bench::gearField(count)) {
     auto made = EglHost::create();
     if (!made) return;
     host = std::move(made).value();
@@ -52,6 +35,20 @@ void picture(benchmark::State& state, int samples, bool shadow) {
   if (field.host == nullptr) return state.SkipWithError("no OpenGL");
   benchmark::DoNotOptimize(field.host->picture(field.frame));  // shaders are compiled at first use
   for (auto _ : state) benchmark::DoNotOptimize(field.host->picture(field.frame));
+}
+
+/// What moves: other poses each time, nothing else.
+void film(benchmark::State& state) {
+  Field field(static_cast<int>(state.range(0)), 1, false);
+  if (field.host == nullptr) return state.SkipWithError("no OpenGL");
+  std::vector<Pose> poses;
+  for (const Instance& instance : field.scene.instances) poses.push_back(instance.pose);
+  field.frame.poses = poses;
+  benchmark::DoNotOptimize(field.host->picture(field.frame));
+  for (auto _ : state) {
+    for (Pose& pose : poses) pose.rotate(Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitZ()));
+    benchmark::DoNotOptimize(field.host->picture(field.frame));
+  }
 }
 
 void pick(benchmark::State& state) {
@@ -81,6 +78,7 @@ BENCHMARK_CAPTURE(picture, samples4_shadow, 4, true)
     ->Arg(300)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK(film)->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK(pick)->Arg(30)->Arg(300)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(firstPicture)->Arg(30)->Unit(benchmark::kMillisecond)->UseRealTime();
 

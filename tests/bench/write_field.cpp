@@ -1,0 +1,28 @@
+// The field of gears that bench_render paints, for a peer to paint: geargraph_bench_field COUNT SHAPES
+// FILE.glb writes it; with FILE.png the same is painted from nothing, as a whole process.
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/meshfile/mesh_writer.h"
+#include "core/scene/stage_picture.h"
+#include "tests/bench/gear_field.h"
+
+int main(int count, char** words) {
+  using namespace geargraph;
+  if (count != 4) {
+    std::fprintf(stderr, "usage: geargraph_bench_field COUNT SHAPES FILE\n");
+    return 2;
+  }
+  auto stage = std::make_shared<Stage>();
+  stage->scene = bench::gearField(std::atoi(words[1]), std::atoi(words[2]));
+  const std::filesystem::path file = words[3];
+  if (file.extension() == ".glb") return writeMesh(sceneOf(*stage, {}), MeshFormat::glb, file) ? 1 : 0;
+  StageShot shot;
+  shot.stage = stage;
+  shot.size = {1280, 720};
+  shot.view.camera = Camera::from(-0.5, 0.6);
+  shot.view.look.samples = 4;
+  return writePicture(shot, file) ? 1 : 0;
+}
