@@ -11,8 +11,10 @@ namespace {
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, "One file is needed.");
   const std::string form = arguments.value("--to").value_or("");
+  const bool solid = arguments.value("--view") == "3d";
   if (const auto format = meshFormatFromName(form)) {
     if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
+    if (solid && format == MeshFormat::glb) return exportPicture(arguments, true);
     return exportSolids(arguments, *format);
   }
   if (form == "assembly") {
@@ -21,8 +23,8 @@ int run(const Arguments& arguments) {
   }
   if (const auto picture = pictureFormFromName(form)) {
     if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    const bool solid = picture == PictureForm::png && arguments.value("--view") == "3d";
-    return solid ? exportPicture(arguments) : exportDrawing(arguments, *picture);
+    return solid && picture == PictureForm::png ? exportPicture(arguments, false)
+                                                : exportDrawing(arguments, *picture);
   }
   if (form != "csv")
     return wrongUsage(kExport, "--to is one of csv, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
@@ -36,7 +38,7 @@ constexpr std::array kOptions = {
            "check"},
     Option{"--matrix", "NAME",
            "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
-    Option{"--all", "", "every matrix, into the folder that -o names"},
+    Option{"--all", "", "every matrix, or every picture of a film, into the folder that -o names"},
     Option{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"},
     Option{"--force", "", "with a folder: overwrite files that are there"},
     Option{"--no-labels", "", "without the header row and the first column"},
@@ -47,18 +49,29 @@ constexpr std::array kOptions = {
     Option{"--link", "LABEL", "the solids of one link"},
     Option{"--animate", "SECONDS", "with glb: how long one period plays (without: as long as it takes)"},
     Option{"--tolerance", "MODULES", "of solids: farthest chord from the exact form (0.002)"},
-    Option{"--view", "NAME", "of pictures: digraph, ttgraph or schematic; with png also 3d, the train"},
+    Option{"--view", "NAME",
+           "of pictures: digraph, ttgraph or schematic; with png and glb also 3d, the train as seen"},
     Option{"--size", "WxH", "of pictures: pixels (as large as the drawing is; 3d: 1600x1000)"},
-    Option{"--from", "NAME", "of 3d: front, back, left, right, top, bottom or iso"},
-    Option{"--time", "SECONDS", "of 3d: how far the inputs have turned (0)"},
     Option{"--dark", "", "of pictures: on a dark ground"},
     Option{"--transparent", "", "of pictures: on no ground"},
-    Option{"--frames", "N", "with assembly: poses of every gear, 12 or more (24)"},
+    Option{"--from", "NAME", "of 3d: front, back, left, right, top, bottom or iso"},
+    Option{"--camera", "AZ,EL", "of 3d: from this azimuth and elevation, degrees (-26,20)"},
+    Option{"--time", "SECONDS", "of 3d: how far the inputs have turned (0)"},
+    Option{"--section", "AXIS:PART", "of 3d: cut open square to x, y or z, so far along (y:0.5)"},
+    Option{"--explode", "PART", "of 3d: pulled apart along the axes, 0 to 1"},
+    Option{"--faces", "NAME", "of 3d: shaded, lines (hidden ones left out) or edges (all of them)"},
+    Option{"--show", "NAMES", "of 3d: pitch-circles,pitch-points,axes,instant-axes,velocities"},
+    Option{"--hide", "LABELS", "of 3d: links that are left out: 2,5"},
+    Option{"--ride", "LABEL", "of 3d: the link that is seen standing still"},
+    Option{"--turntable", "", "of 3d: a film once round the train, as an animated PNG (or --all)"},
+    Option{"--motion", "", "of 3d: a film of one period of the motion (a minute without one)"},
+    Option{"--fps", "N", "of a film: pictures a second (24)"},
+    Option{"--frames", "N", "of a film: pictures (72); with assembly: poses of every gear (24)"},
 };
 
 }  // namespace
 
 const Command kExport = {"export", "FILE --to FORM [...] -o OUT",
-                         "Writes matrices as CSV, and gears as 3D files.", kOptions, run};
+                         "Writes matrices as CSV, pictures and films, and gears as 3D files.", kOptions, run};
 
 }  // namespace geargraph::cli

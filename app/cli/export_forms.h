@@ -17,9 +17,10 @@ int exportSolids(const Arguments& arguments, MeshFormat format);
 /// `export FILE --to assembly [--frames N] [--tolerance MODULES] [--force] -o FOLDER`.
 int exportAssembly(const Arguments& arguments);
 
-/// `export FILE --to png --view 3d [--size WxH] [--from VIEW] [--time SECONDS] [--dark] [--transparent] -o
-/// OUT`.
-int exportPicture(const Arguments& arguments);
+/// `export FILE --to png --view 3d [--size WxH] [--from VIEW | --camera AZ,EL] [--time SECONDS] ... -o OUT`;
+/// with --turntable or --motion an animated PNG, with --all its pictures in a folder. `asSolids`: --to glb,
+/// the solids as the view shows them.
+int exportPicture(const Arguments& arguments, bool asSolids);
 
 /// `export FILE --to svg/pdf/png --view NAME [--size WxH] [--dark] [--transparent] -o OUT`.
 int exportDrawing(const Arguments& arguments, PictureForm form);

@@ -1,17 +1,19 @@
-// `export FILE --to png --view 3d -o OUT`: the train as the 3D view shows it, without a display.
+// `export FILE --to png/glb --view 3d -o OUT`: the train as the 3D view shows it, without a display.
 
 #include <unistd.h>
 
-#include <array>
 #include <charconv>
-#include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
+#include "app/cli/view3d_options.h"
 #include "core/analysis/analysis.h"
+#include "core/io/file.h"
+#include "core/meshfile/mesh_writer.h"
 #include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 
@@ -26,37 +28,31 @@ std::optional<Number> wholeText(std::string_view text) {
   return value;
 }
 
-std::optional<StandardView> viewNamed(std::string_view name) {
-  constexpr std::array kViews = {
-      std::pair{"front", StandardView::front},  std::pair{"back", StandardView::back},
-      std::pair{"left", StandardView::left},    std::pair{"right", StandardView::right},
-      std::pair{"top", StandardView::top},      std::pair{"bottom", StandardView::bottom},
-      std::pair{"iso", StandardView::isometric}};
-  for (const auto& [known, view] : kViews) {
-    if (name == known) return view;
-  }
-  return std::nullopt;
+std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const std::string& file) {
+  auto document = loadOrSay(file);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  const SnapshotPtr snapshot =
+      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  GearCache cache;
+  ShapeCache read;
+  const ShapeSource shapes{read, file == "-" ? "." : std::filesystem::absolute(file).parent_path()};
+  const StagePtr stage = trainStage(*snapshot, cache, &shapes);
+  for (const StageNote& note : stage->notes) std::cerr << file << ": " << note.text << '\n';
+  if (!stage->scene.instances.empty()) return std::pair(snapshot, stage);
+  std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
+  return static_cast<int>(kMechanismErrors);
 }
 
-std::variant<PictureOptions, UsageError> pictureOptions(const Arguments& arguments) {
-  PictureOptions options;
-  options.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
-  options.transparent = arguments.has("--transparent");
-  if (const auto text = arguments.value("--size")) {
-    const auto size = pictureSize(*text, kMostPictureSide);
-    if (!size) return UsageError{wrongSize(*text, kMostPictureSide)};
-    options.size = {size->first, size->second};
-  }
-  if (const auto text = arguments.value("--from")) {
-    options.from = viewNamed(*text);
-    if (!options.from) return UsageError{"--from is one of front, back, left, right, top, bottom, iso."};
-  }
-  if (const auto text = arguments.value("--time")) {
-    const auto time = wholeText<double>(*text);
-    if (!time || !std::isfinite(*time)) return UsageError{"--time takes seconds, not \"" + *text + "\"."};
-    options.time = *time;
-  }
-  return options;
+int failure(const ShotFailure& why) {
+  if (why.kind == ShotFailure::Kind::file) return fileFailure(why.message);
+  std::cerr << "geargraph-cli: " << why.message << '\n';
+  return kResourceLimit;
+}
+
+int failure(const MeshFileError& why) {
+  std::cerr << "geargraph-cli: " << why.message << '\n';
+  return why.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
 
 }  // namespace
@@ -85,30 +81,29 @@ int writePicture(std::string_view bytes, const std::string& path) {
   return error ? fileFailure(error->message) : kFine;
 }
 
-int exportPicture(const Arguments& arguments) {
-  const auto options = pictureOptions(arguments);
-  if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
-  const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
-  if (const int* status = std::get_if<int>(&document)) return *status;
-  const SnapshotPtr snapshot =
-      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
-  std::cerr << diagnosticLines(file, snapshot->diagnostics);
-  GearCache cache;
-  const StagePtr stage = trainStage(*snapshot, cache);
-  if (stage->scene.instances.empty()) {
-    std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
-    return kMechanismErrors;
+int exportPicture(const Arguments& arguments, bool asSolids) {
+  if (const auto error = wrongShot(arguments)) return wrongUsage(kExport, error->message);
+  if (asSolids && (arguments.has("--turntable") || arguments.has("--motion")))
+    return wrongUsage(kExport,
+                      "--to glb --view 3d stands still; without --view the file carries the motion.");
+  const std::string path = *arguments.value("-o");
+  if (arguments.has("--all") && path == "-")
+    return wrongUsage(kExport, "--all writes a folder; \"-\" is none.");
+  const auto made = stageOf(arguments.files.front());
+  if (const int* status = std::get_if<int>(&made)) return *status;
+  const auto& [snapshot, stage] = std::get<0>(made);
+  const auto wish = shotOf(arguments, stage, *snapshot);
+  if (const auto* error = std::get_if<UsageError>(&wish)) return wrongUsage(kExport, error->message);
+  const auto& shot = std::get<StageShot>(wish);
+  if (asSolids) {
+    if (const auto why = writeMesh(sceneOf(*stage, shot.view), MeshFormat::glb, path)) return failure(*why);
+  } else {
+    ShotRun run;
+    run.mayOverwrite = arguments.has("--force");
+    const auto why =
+        arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
+    if (why) return failure(*why);
   }
-  const auto image = stagePicture(*stage, std::get<PictureOptions>(options));
-  if (!image) {
-    std::cerr << "geargraph-cli: " << image.error().front().message << '\n';
-    return kResourceLimit;
-  }
-  const std::vector<std::uint8_t> png = pngBytes(*image);
-  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());  // NOLINT
-  const int written = writePicture(bytes, *arguments.value("-o"));
-  if (written != kFine) return written;
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
 }
 

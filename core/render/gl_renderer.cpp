@@ -52,7 +52,7 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
     return frame.camera.projection(frame.viewport, m_bounds.centre(), 2.5 * m_bounds.radius());
   }
-  [[nodiscard]] Disc disc() const;
+  [[nodiscard]] Disc disc(const Frame& frame) const;
   [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
     return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
   }
@@ -160,12 +160,12 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
 }
 
 // As wide as the train stands in its reference pose, and a little more for the carriers that will swing out.
-Disc GlRenderer::disc() const {
+Disc GlRenderer::disc(const Frame& frame) const {
   if (m_bounds.box.isEmpty()) return {};
   const Eigen::Vector3d centre = m_bounds.centre();
   const double radius = m_bounds.radius();
   const double half = 0.5 * m_bounds.box.sizes().head<2>().norm();
-  return {centre.x(), centre.y(), m_bounds.box.min().z() - 0.02 * radius,
+  return {centre.x(), centre.y(), frame.floor.value_or(m_bounds.box.min().z()) - 0.02 * radius,
           std::max(1.25 * half, 0.6 * radius)};
 }
 
@@ -207,13 +207,13 @@ void GlRenderer::drawGround(const Frame& frame) {
   m_gl->Disable(GL_DEPTH_TEST);
   m_gl->Disable(GL_CULL_FACE);
   if (!frame.look.transparent) m_passes.gradient(frame.look.groundTop, frame.look.groundBottom);
-  const Disc ground = disc();
+  const Disc ground = disc(frame);
   if (m_scene.instances.empty() || frame.camera.eye().z() < ground.z) return;
   m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.look);
 }
 
 void GlRenderer::drawShadow(const Frame& frame) {
-  const Disc ground = disc();
+  const Disc ground = disc(frame);
   m_passes.beginShadow(ground, m_bounds.radius());
   Eigen::Matrix4d seenFromAbove = Eigen::Matrix4d::Identity() / ground.radius;
   seenFromAbove(0, 3) = -ground.x / ground.radius;
@@ -258,7 +258,10 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
     const bool isPaper = isDrawing && state == Highlight::none;
     m_passes.lit(view * pose(frame, i).matrix(), m_scene.instances[i].colour,
                  isPaper ? frame.look.groundTop : frame.look.accent, tint, alpha);
+    const bool isOpen = m_scene.instances[i].isOpen;
+    if (isOpen) m_gl->Disable(GL_CULL_FACE);
     solid.drawTriangles();
+    if (isOpen) m_gl->Enable(GL_CULL_FACE);
   });
   m_gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
@@ -277,7 +280,7 @@ void GlRenderer::drawCaps(const Frame& frame) {
     const Ball& ball = m_balls[m_scene.instances[i].solid];
     const Eigen::Vector3d centre = pose(frame, i) * ball.centre;
     const double above = section.normal.dot(centre) - section.offset;
-    if (std::abs(above) > ball.radius) return;
+    if (std::abs(above) > ball.radius || m_scene.instances[i].isOpen) return;
     m_gl->Disable(GL_CULL_FACE);
     m_gl->Disable(GL_DEPTH_TEST);
     m_gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

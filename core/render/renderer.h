@@ -38,6 +38,7 @@ struct Frame {
   std::span<const Highlight> emphasis;
   std::span<const Showing> showing;
   std::optional<CutPlane> section;
+  std::optional<double> floor;      ///< z of the ground's disc; none: just below the scene's own poses
   std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid is before them
 };
 

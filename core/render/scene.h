@@ -34,6 +34,8 @@ struct Instance {
   ElementId element;
   std::vector<ElementId> also;  ///< lights up with these too: a gear with its mesh, a shaft with its joint
   bool castsShadow = true;
+  bool isOpen =
+      false;  ///< its solid may not be closed: its faces are seen from both sides, and it has no cut face
 };
 
 /// A solid made coarser and finer, for when it is small on the screen and when it is seen from close by.
@@ -71,5 +73,9 @@ struct Bounds {
 
 /// The eight corners of every instance's box, for Camera::fitted.
 [[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Scene& scene);
+
+/// Points of the solids themselves that reach farthest in many directions: what a picture has to hold, much
+/// tighter than the corners of boxes about round wheels. Cost: O(vertices of the solids + instances).
+[[nodiscard]] std::vector<Eigen::Vector3d> outlineOf(const Scene& scene);
 
 }  // namespace geargraph

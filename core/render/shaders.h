@@ -55,7 +55,7 @@ out vec4 o_colour;
 const vec3 kKey = vec3(-0.48, 0.55, 0.68);
 const vec3 kFill = vec3(0.78, 0.12, 0.61);
 void main() {
-  vec3 n = normalize(v_normal);
+  vec3 n = normalize(gl_FrontFacing ? v_normal : -v_normal);  // the inside of an open solid
   vec3 toEye = normalize(-v_position);
   float key = max(dot(n, kKey), 0.0);
   float fill = max(dot(n, kFill), 0.0);

@@ -59,16 +59,33 @@ struct Twist3 {
   }
 };
 
+/// Something that is not shown, and why, in a sentence.
+struct StageNote {
+  ElementId element;
+  std::string text;
+};
+
+/// A turning joint: how fast its head turns against its tail is the same combination of the inputs' speeds in
+/// every pose.
+struct StageJoint {
+  ElementId element;
+  std::string text;           ///< its label
+  Rgb colour;                 ///< of the link that it moves
+  std::vector<double> gains;  ///< one an input
+};
+
 /// A scene that moves: where every instance is for given angles of the inputs. Poses are a function of the
 /// angles, never a sum of steps, so nothing drifts however long the train runs.
 struct Stage {
   Scene scene;
   std::vector<StageLabel> labels;
   std::vector<StageHandle> handles;  ///< by instance; empty where nothing moves
+  std::vector<StageJoint> joints;    ///< empty where nothing moves
   std::vector<double> inputSpeeds;   ///< rad/s, one an input
   std::string unit = "mm";           ///< of all lengths
   std::vector<StageMark> marks;
   std::vector<StageContact> contacts;
+  std::vector<StageNote> notes;
   double period = 0;  ///< seconds after which everything is where it was; 0: not known, or it never is
   /// Fills one pose an instance from one angle an input (rad; at 0 the reference pose). Empty: nothing moves.
   std::function<void(std::span<const double> angles, std::span<Pose> poses)> place;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/drawing/palette.h"
 #include "core/gears/train_parts.h"
+#include "core/io/view_members.h"
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
@@ -30,8 +32,9 @@ Eigen::Vector3d middleOf(const GearSpec& spec) {
 /// The stage while it is built, with the link of every instance.
 class StageBuilder {
  public:
-  StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache)
-      : m_mechanism(mechanism), m_placement(placement), m_cache(cache) {}
+  StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache,
+               const ShapeSource* shapes)
+      : m_mechanism(mechanism), m_placement(placement), m_cache(cache), m_shapes(shapes) {}
 
   std::shared_ptr<Stage> build();
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
@@ -41,11 +44,13 @@ class StageBuilder {
   void addGear(const TrainGear& gear, const LinkPart& part);
   void addLevels(std::size_t solid, const GearSpec& spec);
   void addBody(const LinkPart& body);
+  void addShapes(int link);
   void addLabels();
 
   const Mechanism& m_mechanism;
   const Placement& m_placement;
   GearCache& m_cache;
+  const ShapeSource* m_shapes;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
   std::vector<std::optional<std::size_t>> m_instanceOfGear;
@@ -108,6 +113,41 @@ void StageBuilder::addBody(const LinkPart& body) {
   label.place = box.center();
 }
 
+/// A file's frame in the base frame, reference pose.
+Pose poseOf(const LinkShape& shape) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto triple = [](const std::optional<NumberTriple>& numbers) -> Eigen::Vector3d {
+    if (!numbers) return Eigen::Vector3d::Zero();
+    return {(*numbers)[0].value(), (*numbers)[1].value(), (*numbers)[2].value()};
+  };
+  const Eigen::Vector3d turns = kDegree * triple(shape.orientation);
+  Pose pose = Pose::Identity();
+  pose.translate(triple(shape.position));
+  for (const int axis : {2, 1, 0}) pose.rotate(Eigen::AngleAxisd(turns[axis], Eigen::Vector3d::Unit(axis)));
+  return pose;
+}
+
+void StageBuilder::addShapes(int link) {
+  const Link& wearer = m_mechanism.links[static_cast<std::size_t>(link)];
+  const std::string who = "Link " + std::to_string(m_mechanism.linkLabel(link)) + " wears ";
+  const auto shapes = linkShapes(wearer);
+  if (!shapes) {
+    m_stage->notes.push_back({wearer.id, who + "what cannot be read: " + shapes.error().front().message});
+    return;
+  }
+  for (const LinkShape& shape : *shapes) {
+    const double scale = shape.scale ? shape.scale->value() : 1;
+    const auto found = m_shapes->cache.find(m_shapes->folder / shape.file, scale, m_shapes->stop);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      m_stage->notes.push_back({wearer.id, who + "\"" + shape.file + "\", which is not shown: " + *why});
+      continue;
+    }
+    Instance& part =
+        add({link, shape.file, poseOf(shape), std::get<std::shared_ptr<const Solid>>(found), -1});
+    part.isOpen = true;
+  }
+}
+
 void StageBuilder::addLabels() {
   for (int link = 1; link <= m_mechanism.n(); ++link) {
     StageLabel& label = m_labelOf[static_cast<std::size_t>(link)];
@@ -131,6 +171,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
       addBody(part);
     }
   }
+  for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) addShapes(link);
   addLabels();
   m_stage->unit = m_mechanism.unit;
   addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
@@ -186,14 +227,29 @@ std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree)
   return handles;
 }
 
+std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism) {
+  std::vector<StageJoint> joints(mechanism.turningJoints.size());
+  const std::size_t columns = mover.motion.inputs.size();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const int position = static_cast<int>(i);
+    joints[i].element = mechanism.turningJoints[i].id;
+    joints[i].text = std::to_string(mechanism.jointLabel(position));
+    const auto first = mover.motion.gains.begin() + static_cast<std::ptrdiff_t>(i * columns);
+    joints[i].gains.assign(first, first + static_cast<std::ptrdiff_t>(columns));
+  }
+  for (int link = 1; link <= mechanism.n(); ++link)
+    joints[static_cast<std::size_t>(mover.tree.jointToParent(link))].colour = colourOf(link);
+  return joints;
+}
+
 }  // namespace
 
-StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache) {
+StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes) {
   const Mechanism& mechanism = *snapshot.mechanism;
   if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
   const Placement& placement = snapshot.kinematics->placement;
   const SpanningTree& tree = *snapshot.tree;
-  StageBuilder builder(mechanism, placement, cache);
+  StageBuilder builder(mechanism, placement, cache, shapes);
   const std::shared_ptr<Stage> stage = builder.build();
   const auto motion = jointMotion(snapshot);
   if (!motion) return stage;
@@ -205,6 +261,7 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache) {
       std::make_shared<const Mover>(Mover{tree, ForwardKinematics(tree, turningLines(placement)), *motion,
                                           builder.linkOfInstance(), std::move(reference)});
   stage->handles = handlesOf(*mover, tree);
+  stage->joints = jointsOf(*mover, mechanism);
   stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
   stage->twists = [mover](std::span<const double> angles, std::span<const double> speeds,
                           std::span<Twist3> twists) { mover->twists(angles, speeds, twists); };

@@ -3,6 +3,7 @@
 #include "core/analysis/analysis.h"
 #include "core/gears/gear_solid.h"
 #include "core/render/stage.h"
+#include "core/scene/shape_cache.h"
 
 namespace geargraph {
 
@@ -19,6 +20,10 @@ constexpr int kMostStageLinks = 2'000;
 /// `cache` keeps solids from one edit to the next, so that only what changed is made again.
 /// Placement and motion are those of the snapshot's live part; nothing is solved again.
 /// Cost: O(n + t + c), and what new solids cost.
-[[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache);
+///
+/// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
+/// them is said in Stage::notes.
+[[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,
+                                  const ShapeSource* shapes = nullptr);
 
 }  // namespace geargraph

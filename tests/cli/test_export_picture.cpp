@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -56,8 +57,17 @@ class TestExportPicture : public QObject {
     const Run plain = run(words);
     QCOMPARE(sizeOf(plain.output), std::pair(160, 100));
     QCOMPARE(run(words).output, plain.output);
-    for (const QStringList& more :
-         {QStringList{"--dark"}, {"--transparent"}, {"--from", "top"}, {"--time", "2.5"}}) {
+    for (const QStringList& more : {QStringList{"--dark"},
+                                    {"--transparent"},
+                                    {"--from", "top"},
+                                    {"--camera", "30,-20"},
+                                    {"--time", "2.5"},
+                                    {"--section", "y:0.4"},
+                                    {"--explode", "1"},
+                                    {"--faces", "lines"},
+                                    {"--show", "pitch-circles,velocities"},
+                                    {"--hide", "1,3"},
+                                    {"--ride", "1", "--time", "2.5"}}) {
       const Run other = run(words + more);
       QCOMPARE(other.status, 0);
       QVERIFY(other.output != plain.output);
@@ -72,12 +82,51 @@ class TestExportPicture : public QObject {
                                     {"--size", "wide"},
                                     {"--from", "nowhere"},
                                     {"--time", "soon"},
-                                    {"--time", "inf"}}) {
+                                    {"--time", "inf"},
+                                    {"--camera", "30"},
+                                    {"--camera", "0,91"},
+                                    {"--section", "w"},
+                                    {"--section", "x:2"},
+                                    {"--explode", "far"},
+                                    {"--faces", "round"},
+                                    {"--show", "everything"},
+                                    {"--frames", "10"},
+                                    {"--fps", "10"},
+                                    {"--all"},
+                                    {"--frames", "1", "--turntable"},
+                                    {"--motion", "--turntable"}}) {
       const Run made = run(words + QStringList{"--view", "3d"} + more);
       QCOMPARE(made.status, 2);
       QVERIFY2(made.errors.contains(more.front()), qPrintable(made.errors));
       QVERIFY(made.output.isEmpty());
     }
+  }
+
+  void filmsAreWrittenAsOneFileOrAsMany() {
+    QTemporaryDir folder;
+    const QStringList words = {"export", kRobot,  "--to",  "png", "--view",   "3d",
+                               "--size", "64x48", "--fps", "12",  "--frames", "3"};
+    QCOMPARE(run(words + QStringList{"--turntable", "-o", folder.filePath("turn.png")}).status, 0);
+    QFile film(folder.filePath("turn.png"));
+    QVERIFY(film.open(QIODevice::ReadOnly));
+    const QByteArray bytes = film.readAll();
+    QCOMPARE(sizeOf(bytes), std::pair(64, 48));
+    QCOMPARE(bytes.count("fcTL"), qsizetype{3});
+    const QStringList many = words + QStringList{"--motion", "--all", "-o", folder.filePath("motion")};
+    QCOMPARE(run(many).status, 0);
+    QCOMPARE(QDir(folder.filePath("motion")).entryList(QDir::Files).size(), qsizetype{3});
+    QCOMPARE(run(many).status, 2);
+    QCOMPARE(run(many + QStringList{"--force"}).status, 0);
+    QCOMPARE(run(words + QStringList{"--motion", "--hide", "99", "-o", "-"}).status, 2);
+  }
+
+  void solidsAreWrittenAsTheViewShowsThem() {
+    const QStringList words = {"export", kRobot, "--to", "glb", "--view", "3d", "-o", "-"};
+    const Run whole = run(words), less = run(words + QStringList{"--hide", "1", "--explode", "1"});
+    QCOMPARE(whole.status, 0);
+    QVERIFY(whole.output.startsWith("glTF") && less.output.startsWith("glTF"));
+    QVERIFY(less.output.size() < whole.output.size());
+    QCOMPARE(run(words + QStringList{"--motion"}).status, 2);
   }
 
   void drawingsAreWrittenInEveryForm_data() {

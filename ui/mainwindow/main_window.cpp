@@ -18,6 +18,7 @@
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
@@ -35,6 +36,7 @@
 #include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
+#include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -56,6 +58,12 @@ std::unordered_set<ElementId> elementsOf(const Mechanism& mechanism) {
 }
 
 constexpr std::size_t kMostChecked = 64;  // what a click selects; more come from the document itself
+
+/// Where the document's own files are; empty while it has no file.
+std::filesystem::path folderOf(const Document& document) {
+  if (document.filePath().isEmpty()) return {};
+  return QFile::encodeName(QFileInfo(document.filePath()).absolutePath()).toStdString();
+}
 
 QString whyNoGears(const AnalysisSnapshot& snapshot) {
   if (snapshot.mechanism->n() == 0)
@@ -95,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent)
   setStatusBar(m_status);
   m_recent = new RecentFiles(this);
   m_notices = new NoticeBar(this);
+  m_pictures = new PictureJobs(m_notices, this);
   m_files = std::make_unique<WindowFiles>(this, m_notices, m_recent);
   m_titles = new DockTitles(this);
   m_presentation = new Presentation(this);
@@ -213,6 +222,8 @@ void MainWindow::makeDocks() {
   m_gearbox = new GearboxPanel(m_document, m_selection, this);
   addDock("dock.gearbox", tr("Gearbox"), m_gearbox, Qt::RightDockWidgetArea);
   addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
+  m_motion = new MotionPanel(m_selection, m_view3d, this);
+  addDock("dock.speeds", tr("Speeds"), m_motion, Qt::BottomDockWidgetArea);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
 }
@@ -225,6 +236,7 @@ void MainWindow::applyDefaultLayout() {
   }
   addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
   tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
+  tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
   dock("dock.matrices")->raise();
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
@@ -288,7 +300,7 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
   connect(m_stages, &StageService::stageReady, this, &MainWindow::onStage);
-  connect(m_document, &Document::replaced, this, [this] { m_hasPicture = false; });
+  connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();
 }
 
@@ -302,8 +314,10 @@ void MainWindow::onStage(const StagePtr& stage) {
     m_view3d->setStage(stage);
     m_hasPicture = !empty;
   }
+  const QString notShown =
+      stage->notes.empty() ? QString() : QString::fromStdString(stage->notes.front().text);
   m_view3d->setNote(why.empty()
-                        ? QString()
+                        ? notShown
                         : tr("The picture before the last changes. %1").arg(shownText(why.front().message)));
   tellWhenSettled();
 }
@@ -351,7 +365,7 @@ void MainWindow::onDocumentChanged() {
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
-  m_stages->request(snapshot);  // its thread begins while the views are renewed
+  m_stages->request(snapshot, folderOf(*m_document));  // its thread begins while the views are renewed
   m_matrices->setSnapshot(snapshot);
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);

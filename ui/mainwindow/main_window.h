@@ -3,7 +3,6 @@
 #include <QMainWindow>
 #include <QTabWidget>
 #include <memory>
-#include <thread>
 
 #include "core/derivation/quantity_table.h"
 #include "core/graph/integer_matrix.h"
@@ -25,6 +24,8 @@ class InputsPanel;
 class InsertSetDialog;
 class MatricesPanel;
 class NoticeBar;
+class MotionPanel;
+class PictureJobs;
 class Presentation;
 class ProblemsPanel;
 class PropertiesPanel;
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
   [[nodiscard]] WindowFiles& files() { return *m_files; }
   [[nodiscard]] NoticeBar& notices() { return *m_notices; }
+  [[nodiscard]] PictureJobs& pictures() { return *m_pictures; }
   [[nodiscard]] StartPage& startPage() { return *m_start; }
 
   /// Opens a file or an example. A broken one is listed in the problems with its places, and the document
@@ -72,12 +74,17 @@ class MainWindow : public QMainWindow {
   bool openDocument(const QString& path);
   /// False, and said in the status bar, where it could not be written.
   bool saveDocument(const QString& path);
+  /// The document with what the views want kept: the camera of the 3D view, where somebody has chosen one.
+  [[nodiscard]] Mechanism documentToSave() const;
   bool exportCsv(const IntegerMatrix& matrix, const QString& path);
   /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
   /// for the 3D view. The status bar says what went wrong.
   void exportPicture(const PictureWish& wish, const QString& path);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
   bool saveTrace(const QString& path);
+  /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
+  bool saveSpeeds(const QString& path);
+  [[nodiscard]] MotionPanel& motion() { return *m_motion; }
 
   /// The places and sizes of windows and docks as they were when the last window closed.
   void restoreLayout();
@@ -120,6 +127,7 @@ class MainWindow : public QMainWindow {
   void wireMotion();
   void wireView3DCommands();
   void chooseAndSaveTrace();
+  void startView3DAnew();
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
@@ -145,7 +153,10 @@ class MainWindow : public QMainWindow {
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
   void askForPicture();
+  void chooseAndExportPicture(const PictureWish& wish);
+  void exportView3D(const PictureWish& wish, const QString& path);
   void writePicture(const Expected<std::string>& bytes, const QString& path);
+  void onPictureWritten(const QString& path);
   void showAbout();
 
   Document* m_document;
@@ -165,6 +176,7 @@ class MainWindow : public QMainWindow {
   PropertiesPanel* m_properties = nullptr;
   ResultsPanel* m_results = nullptr;
   GearboxPanel* m_gearbox = nullptr;
+  MotionPanel* m_motion = nullptr;
   InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
@@ -178,8 +190,8 @@ class MainWindow : public QMainWindow {
   std::vector<QDockWidget*> m_docks;
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
-  bool m_hasPicture = false;     ///< the 3D view shows something of this document
-  std::jthread m_pictureThread;  ///< paints a picture of the 3D view; last: it ends before all else
+  bool m_hasPicture = false;  ///< the 3D view shows something of this document
+  PictureJobs* m_pictures = nullptr;
 };
 
 }  // namespace geargraph

@@ -51,6 +51,15 @@ void NoticeBar::post(Notice notice) {
   renew();
 }
 
+void NoticeBar::setText(const QString& key, const QString& text) {
+  for (Notice& notice : m_notices) {
+    if (notice.key == key) notice.text = text;
+  }
+  if (m_notices.empty() || m_notices.front().key != key) return;
+  m_text->setText(text);
+  m_text->setToolTip(text);
+}
+
 void NoticeBar::withdraw(const QString& key) {
   std::erase_if(m_notices, [&](const Notice& each) { return each.key == key; });
   renew();

@@ -32,6 +32,8 @@ class NoticeBar : public QToolBar {
   explicit NoticeBar(QWidget* parent = nullptr);
 
   void post(Notice notice);
+  /// Another text for a notice that is there; its buttons stay, and what is being pressed with them.
+  void setText(const QString& key, const QString& text);
   void withdraw(const QString& key);
   /// The notice that is shown; null where there is none.
   [[nodiscard]] const Notice* current() const { return m_notices.empty() ? nullptr : &m_notices.front(); }

@@ -15,7 +15,9 @@
 namespace geargraph {
 namespace {
 
+/// By row of the choice; the last two are of the 3D view only.
 constexpr PictureForm kForms[] = {PictureForm::svg, PictureForm::pdf, PictureForm::png};
+constexpr int kPngRow = 2, kPicturesRow = 3, kGlbRow = 4;
 
 QSpinBox* pixels(int value, QWidget* parent) {
   auto* box = new QSpinBox(parent);
@@ -36,13 +38,18 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
       m_width(pixels(1600, this)),
       m_height(pixels(1000, this)),
       m_transparent(new QCheckBox(tr("Transparent ground"), this)),
-      m_dark(new QCheckBox(tr("Light on dark"), this)) {
+      m_dark(new QCheckBox(tr("Light on dark"), this)),
+      m_film(new QComboBox(this)),
+      m_frames(new QSpinBox(this)),
+      m_rate(new QDoubleSpinBox(this)),
+      m_fitted(new QCheckBox(tr("Nearer or farther until all is in view"), this)) {
   setWindowTitle(tr("Export picture"));
   for (const auto& [name, title] : views) {
     m_view->addItem(title, name);
     if (name == inFront) m_view->setCurrentIndex(m_view->count() - 1);
   }
-  m_form->addItems({tr("SVG, lines and text"), tr("PDF, lines and text"), tr("PNG, pixels")});
+  m_form->addItems({tr("SVG, lines and text"), tr("PDF, lines and text"), tr("PNG, pixels"),
+                    tr("PNG, a folder of pictures"), tr("GLB, the solids as they stand")});
   m_sized->setToolTip(tr("Without it the picture is as large as the drawing."));
   m_dark->setChecked(dark);
 
@@ -59,6 +66,8 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
   form->addRow(tr("View"), m_view);
   form->addRow(tr("File"), m_form);
   form->addRow(tr("Size"), size);
+  form->addRow(tr("Film"), makeFilm());
+  form->addRow(tr("Camera"), m_fitted);
   form->addRow(tr("Ground"), m_transparent);
   form->addRow(QString(), m_dark);
   form->addRow(buttons);
@@ -73,25 +82,70 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
   renew();
 }
 
+QWidget* PictureDialog::makeFilm() {
+  m_film->setObjectName(QStringLiteral("film"));
+  m_film->addItems({tr("None: one picture"), tr("Turntable: once round"), tr("Motion: one period")});
+  m_film->setItemData(2, tr("A minute where the motion has no period"), Qt::ToolTipRole);
+  m_frames->setRange(2, kMostFilmFrames);
+  m_frames->setValue(Film{}.frames);
+  m_frames->setSuffix(tr(" pictures"));
+  m_rate->setRange(1, 100);
+  m_rate->setDecimals(0);
+  m_rate->setValue(Film{}.framesPerSecond);
+  m_rate->setSuffix(tr(" a second"));
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* part :
+       {static_cast<QWidget*>(m_film), static_cast<QWidget*>(m_frames), static_cast<QWidget*>(m_rate)}) {
+    row->addWidget(part);
+  }
+  connect(m_film, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
+  connect(m_form, &QComboBox::currentIndexChanged, this, &PictureDialog::renew);
+  return box;
+}
+
+bool PictureDialog::isSolid() const {
+  return m_view->currentData().toString() == QLatin1String("3d");
+}
+
 void PictureDialog::renew() {
-  const bool solid = m_view->currentData().toString() == QLatin1String("3d");
+  const bool solid = isSolid();
   auto* forms = qobject_cast<QStandardItemModel*>(m_form->model());
   for (int i = 0; i < m_form->count(); ++i) {
-    const bool possible = !solid || kForms[i] == PictureForm::png;
+    const bool possible = solid ? i >= kPngRow : i <= kPngRow;
     forms->item(i)->setEnabled(possible);
-    forms->item(i)->setToolTip(possible ? QString() : tr("The 3D view is made of pixels."));
-    if (possible && !forms->item(m_form->currentIndex())->isEnabled()) m_form->setCurrentIndex(i);
+    forms->item(i)->setToolTip(possible ? QString()
+                               : solid  ? tr("The 3D view is made of pixels.")
+                                        : tr("Only the 3D view has it."));
   }
+  if (!forms->item(m_form->currentIndex())->isEnabled()) m_form->setCurrentIndex(kPngRow);
+  const bool pixels = m_form->currentIndex() != kGlbRow;
+  m_film->setEnabled(solid && pixels);
+  if (m_form->currentIndex() == kPicturesRow && m_film->currentIndex() == 0) m_film->setCurrentIndex(1);
+  const bool isFilm = m_film->isEnabled() && m_film->currentIndex() > 0;
+  m_frames->setEnabled(isFilm);
+  m_rate->setEnabled(isFilm && m_form->currentIndex() == kPngRow);
+  m_fitted->setEnabled(solid && pixels);
+  m_transparent->setEnabled(pixels);
+  m_dark->setEnabled(pixels);
   if (solid) m_sized->setChecked(true);  // it has no size of its own
   m_sized->setEnabled(!solid);
-  m_width->setEnabled(m_sized->isChecked());
-  m_height->setEnabled(m_sized->isChecked());
+  m_width->setEnabled(m_sized->isChecked() && pixels);
+  m_height->setEnabled(m_sized->isChecked() && pixels);
 }
 
 PictureWish PictureDialog::wish() const {
   PictureWish wish;
   wish.view = m_view->currentData().toString();
-  wish.picture.form = kForms[m_form->currentIndex()];
+  const int row = m_form->currentIndex();
+  wish.picture.form = kForms[qMin(row, kPngRow)];
+  wish.solid = row == kGlbRow ? SolidForm::glb : row == kPicturesRow ? SolidForm::pictures : SolidForm::png;
+  wish.isFitted = m_fitted->isChecked();
+  if (m_frames->isEnabled()) {
+    wish.film = Film{m_film->currentIndex() == 1 ? FilmKind::turntable : FilmKind::motion, m_frames->value(),
+                     m_rate->value(), 0};
+  }
   wish.picture.look.theme = m_dark->isChecked() ? Theme::dark : Theme::light;
   wish.picture.look.transparent = m_transparent->isChecked();
   if (m_sized->isChecked()) wish.picture.look.size = SheetLook::Size{m_width->value(), m_height->value()};

@@ -3,17 +3,25 @@
 #include <QDialog>
 
 #include "core/picture/picture.h"
+#include "core/render/film.h"
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QSpinBox;
 
 namespace geargraph {
 
+/// What the 3D view is written as: a PNG (animated where it is a film), a folder of them, or its solids.
+enum class SolidForm { png, pictures, glb };
+
 /// A picture that somebody wants: of which view, and how.
 struct PictureWish {
-  QString view;  ///< a drawing's name, or "3d"
-  DrawingPicture picture;
+  QString view;            ///< a drawing's name, or "3d"
+  DrawingPicture picture;  ///< of the 3D view: theme, ground and size
+  SolidForm solid = SolidForm::png;
+  std::optional<Film> film = {};  ///< of the 3D view
+  bool isFitted = false;          ///< the camera goes where all is in view; else it stays where it is
 };
 
 /// Asks what picture to export; the file is asked for afterwards. It does not lock the window.
@@ -32,6 +40,8 @@ class PictureDialog final : public QDialog {
 
  private:
   void renew();
+  QWidget* makeFilm();
+  [[nodiscard]] bool isSolid() const;
 
   QComboBox* m_view;
   QComboBox* m_form;
@@ -40,6 +50,10 @@ class PictureDialog final : public QDialog {
   QSpinBox* m_height;
   QCheckBox* m_transparent;
   QCheckBox* m_dark;
+  QComboBox* m_film;
+  QSpinBox* m_frames;
+  QDoubleSpinBox* m_rate;
+  QCheckBox* m_fitted;
 };
 
 }  // namespace geargraph

@@ -1,25 +1,61 @@
-// File > Export picture: drawings as SVG, PDF or PNG, the 3D view as PNG.
+// File > Export picture: drawings as SVG, PDF or PNG; the 3D view as PNG, as a film, or as solids.
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/io/file.h"
+#include "core/meshfile/mesh_writer.h"
 #include "core/scene/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
+#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/view3d/overlay.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
 namespace {
 
-/// The 3D view's picture as the bytes of a PNG.
-Expected<std::string> stagePng(const Stage& stage, const PictureOptions& options) {
-  const Expected<Image> image = stagePicture(stage, options);
-  if (!image) return image.error();
-  const std::vector<std::uint8_t> png = pngBytes(*image);
-  return std::string(png.begin(), png.end());
+/// The view's picture or film, with its labels, as a job for another thread.
+PictureJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool dark, SolidForm form,
+                         const QString& path) {
+  const auto run = [=](const PictureJobs::Progress& progress, const std::stop_token& stop) {
+    ShotRun how;
+    how.progress = progress;
+    how.stop = stop;
+    how.finish = [options, dark](Image& image, const StagePainter& painter) {
+      const SeenStage& seen = painter.seen();
+      paintOverlay(image,
+                   {seen.stage(), seen.poses(), seen.showing(), painter.view().camera, painter.shot().size,
+                    painter.pixelRatio()},
+                   options, dark);
+    };
+    const std::filesystem::path file = QFile::encodeName(path).toStdString();
+    const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)
+                                                     : geargraph::writePicture(shot, file, how);
+    return failure ? QString::fromStdString(failure->message) : QString();
+  };
+  return {path, shot.film.has_value(), run};
+}
+
+PictureJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
+  const auto run = [=](const PictureJobs::Progress&, const std::stop_token& stop) {
+    MeshWriteOptions how;
+    how.stop = stop;
+    const auto failure =
+        writeMesh(sceneOf(*stage, view), MeshFormat::glb, QFile::encodeName(path).toStdString(), how);
+    return failure ? QString::fromStdString(failure->message) : QString();
+  };
+  return {path, false, run};
+}
+
+QString suffixOf(const PictureWish& wish) {
+  if (wish.view == QLatin1String("3d") && wish.solid == SolidForm::glb) return QStringLiteral("glb");
+  if (wish.view == QLatin1String("3d") && wish.solid == SolidForm::pictures) return {};
+  const std::string_view form = pictureFormName(wish.picture.form);
+  return QString::fromLatin1(form.data(), static_cast<qsizetype>(form.size()));
 }
 
 }  // namespace
@@ -30,46 +66,36 @@ void MainWindow::askForPicture() {
     views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
   }
   views.emplace_back(QStringLiteral("3d"), tr("3D"));
-  auto* dialog = new PictureDialog(views, drawing().objectName(), drawing().theme() == Theme::dark, this);
+  const QWidget* focus = QApplication::focusWidget();
+  const bool solid = focus == m_view3d || m_view3d->isAncestorOf(focus);
+  auto* dialog = new PictureDialog(views, solid ? QStringLiteral("3d") : drawing().objectName(),
+                                   drawing().theme() == Theme::dark, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &PictureDialog::wanted, this, [this](const PictureWish& wish) {
-    const std::string_view form = pictureFormName(wish.picture.form);
-    const QString suffix = QString::fromLatin1(form.data(), static_cast<qsizetype>(form.size()));
-    QString name = QFileInfo(m_document->filePath()).completeBaseName();
-    if (name.isEmpty())
-      name = QFileInfo(windowTitle().section(QLatin1String("[*]"), 0, 0)).completeBaseName();
-    const QString proposed = QStringLiteral("%1-%2.%3").arg(name, wish.view, suffix);
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Export picture"), proposed,
-        QStringLiteral("%1 (*.%2);;%3 (*)").arg(suffix.toUpper(), suffix, tr("All files")));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
-    exportPicture(wish, path);
-  });
+  connect(dialog, &PictureDialog::wanted, this, &MainWindow::chooseAndExportPicture);
   dialog->show();
 }
 
-void MainWindow::exportPicture(const PictureWish& wish, const QString& path) {
-  if (wish.view == QLatin1String("3d")) {
-    // Painting it may take a second where there is no graphics card.
-    const SheetLook& look = wish.picture.look;
-    PictureOptions options;
-    if (look.size) options.size = {look.size->width, look.size->height};
-    options.theme = look.theme;
-    options.transparent = look.transparent;
-    options.time = m_view3d->playback().time();
-    const StagePtr stage = m_view3d->stage();
-    if (!stage || stage->scene.instances.empty()) {
-      m_status->showRefusal(tr("The 3D view is empty: there is nothing to export."));
-      return;
-    }
-    m_pictureThread = std::jthread([this, stage, options, path] {
-      const auto bytes = std::make_shared<const Expected<std::string>>(stagePng(*stage, options));
-      QMetaObject::invokeMethod(
-          this, [this, bytes, path] { writePicture(*bytes, path); }, Qt::QueuedConnection);
-    });
+void MainWindow::chooseAndExportPicture(const PictureWish& wish) {
+  const QString suffix = suffixOf(wish);
+  QString name = QFileInfo(m_document->filePath()).completeBaseName();
+  if (name.isEmpty()) name = QFileInfo(windowTitle().section(QLatin1String("[*]"), 0, 0)).completeBaseName();
+  const QString proposed = QStringLiteral("%1-%2").arg(name, wish.view);
+  if (suffix.isEmpty()) {
+    const QString folder = QFileDialog::getSaveFileName(this, tr("Export pictures into the new folder"),
+                                                        proposed, tr("Folders (*)"));
+    if (!folder.isEmpty()) exportPicture(wish, folder);
     return;
   }
+  QString path = QFileDialog::getSaveFileName(
+      this, tr("Export picture"), proposed + QLatin1Char('.') + suffix,
+      QStringLiteral("%1 (*.%2);;%3 (*)").arg(suffix.toUpper(), suffix, tr("All files")));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
+  exportPicture(wish, path);
+}
+
+void MainWindow::exportPicture(const PictureWish& wish, const QString& path) {
+  if (wish.view == QLatin1String("3d")) return exportView3D(wish, path);
   for (DrawingView* each : m_allDrawings) {
     if (each->objectName() != wish.view) continue;
     DrawingPicture picture = wish.picture;
@@ -78,16 +104,39 @@ void MainWindow::exportPicture(const PictureWish& wish, const QString& path) {
   }
 }
 
+// What the view shows at this moment, whatever happens to it while the pictures are painted.
+void MainWindow::exportView3D(const PictureWish& wish, const QString& path) {
+  const StagePtr stage = m_view3d->stage();
+  if (!stage || stage->scene.instances.empty()) {
+    m_status->showRefusal(tr("The 3D view is empty: there is nothing to export."));
+    return;
+  }
+  if (wish.solid == SolidForm::glb) return m_pictures->add(solidsJob(stage, m_view3d->view(), path));
+  const SheetLook& look = wish.picture.look;
+  StageShot shot;
+  shot.stage = stage;
+  shot.view = m_view3d->view();
+  shot.view.look = pictureLook(look.theme, look.transparent);
+  shot.view.look.faces = m_view3d->options().faces;
+  if (look.size) shot.size = {look.size->width, look.size->height};
+  shot.fits = wish.isFitted;
+  shot.film = wish.film;
+  m_pictures->add(shotJob(shot, m_view3d->options(), look.theme == Theme::dark, wish.solid, path));
+}
+
 void MainWindow::writePicture(const Expected<std::string>& bytes, const QString& path) {
-  const QString name = QFileInfo(path).fileName();
   if (!bytes) {
     m_status->showRefusal(QString::fromStdString(bytes.error().front().message));
   } else if (const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes)) {
     m_status->showRefusal(QString::fromStdString(error->message));
   } else {
-    m_status->showNote(tr("Exported %1").arg(name));
-    emit pictureExported(path);
+    onPictureWritten(path);
   }
+}
+
+void MainWindow::onPictureWritten(const QString& path) {
+  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  emit pictureExported(path);
 }
 
 }  // namespace geargraph

@@ -159,12 +159,14 @@ bool WindowFiles::save(const QString& path) {
 }
 
 bool WindowFiles::saveAnyway(const QString& path) {
-  if (const auto why = writeDocument(*m_document->mechanism(), path)) {
+  const auto saved = std::make_shared<const Mechanism>(m_window->documentToSave());
+  if (const auto why = writeDocument(*saved, path)) {
     m_window->statusLine().showRefusal(*why);
     return false;
   }
   m_document->markSaved(path);
   took(path);
+  m_onDisk = saved;
   m_window->statusLine().showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
   return true;
 }

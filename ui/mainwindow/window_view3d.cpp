@@ -5,27 +5,79 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "core/io/file.h"
+#include "core/io/view_members.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/shapes_dialog.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Camera cameraOf(const ViewCamera& camera) {
+  return Camera::from(camera.azimuth * kDegree, camera.elevation * kDegree)
+      .placedAt({camera.target[0], camera.target[1], camera.target[2]}, camera.distance);
+}
+
+}  // namespace
+
 void MainWindow::wireView3DCommands() {
+  connect(m_pictures, &PictureJobs::finished, this, &MainWindow::onPictureWritten);
+  connect(m_pictures, &PictureJobs::failed, m_status, &StatusLine::showRefusal);
   connect(m_view3d, &View3D::noteMade, m_status, &StatusLine::showNote);
   connect(m_view3d, &View3D::traceFileWanted, this, &MainWindow::chooseAndSaveTrace);
+  connect(m_motion, &MotionPanel::fileWanted, this, [this] {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the speeds"), tr("speeds.csv"),
+                                                      tr("CSV files (*.csv);;All files (*)"));
+    if (!path.isEmpty()) saveSpeeds(path);
+  });
   // The part that the menu is about is selected, so the commands of the menu bar mean it.
   connect(m_view3d, &View3D::menuOpening, this, [this](QMenu* menu, const std::optional<ElementId>& element) {
     if (!element) return;
     menu->addSeparator();
     menu->addActions({m_actions->drive, m_actions->makeGround, m_actions->rename});
+    menu->addAction(tr("3D files that it wears…"), this, [this, link = LinkId(element->id)] {
+      (new ShapesDialog(m_document, link, this))->show();
+    });
     menu->addAction(tr("Properties"), this, [this] {
       auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.properties"));
       dock->show();
       dock->raise();
     });
   });
+}
+
+/// Another document: what was chosen for the last one goes, and the camera is its own.
+void MainWindow::startView3DAnew() {
+  m_hasPicture = false;
+  const auto camera = viewCamera(m_document->mechanism()->view);
+  m_view3d->startAnew(camera ? std::optional(cameraOf(*camera)) : std::nullopt);
+  // The same mechanism, otherwise drawn: no other stage will come.
+  if (m_document->mechanicsRevision() != m_document->revision()) m_view3d->setStage(m_view3d->stage());
+}
+
+Mechanism MainWindow::documentToSave() const {
+  Mechanism saved = *m_document->mechanism();
+  if (!m_view3d->isCameraChosen()) return saved;
+  const Camera& camera = m_view3d->camera();
+  const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
+  const Eigen::Vector3d& target = camera.target();
+  saved.view =
+      withCamera(saved.view, ViewCamera{{rounded(target.x()), rounded(target.y()), rounded(target.z())},
+                                        rounded(camera.yaw() / kDegree),
+                                        rounded(camera.pitch() / kDegree),
+                                        std::max(rounded(camera.distance()), 1e-4)});
+  return saved;
 }
 
 void MainWindow::chooseAndSaveTrace() {
@@ -43,6 +95,24 @@ bool MainWindow::saveTrace(const QString& path) {
   }
   m_status->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
   return true;
+}
+
+bool MainWindow::saveSpeeds(const QString& path) {
+  const QFileInfo file(path);
+  int number = 0;
+  for (const CurveSheet& sheet : m_motion->sheets()) {
+    const QString next =
+        ++number == 1
+            ? path
+            : file.path() +
+                  QStringLiteral("/%1-%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix());
+    if (const auto error = writeFile(QFile::encodeName(next).toStdString(), curvesCsv(sheet))) {
+      m_status->showRefusal(QString::fromStdString(error->message));
+      return false;
+    }
+  }
+  m_status->showNote(tr("Saved %1").arg(file.fileName()));
+  return number > 0;
 }
 
 }  // namespace geargraph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 
 #include "core/analysis/analysis.h"
 #include "core/base/request_worker.h"
@@ -17,7 +18,8 @@ class StageService : public QObject {
  public:
   explicit StageService(QObject* parent = nullptr);
 
-  void request(const SnapshotPtr& snapshot);
+  /// `folder`: of the document, from which the 3D files that links wear are found; empty: they are left out.
+  void request(const SnapshotPtr& snapshot, const std::filesystem::path& folder = {});
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Has the newest request been answered?
   [[nodiscard]] bool isUpToDate() const { return m_arrived == m_wanted; }
@@ -29,16 +31,19 @@ class StageService : public QObject {
   struct Request {
     SnapshotPtr snapshot;
     quint64 number = 0;
+    std::filesystem::path folder;
   };
 
-  void make(const Request& request);
+  void make(const Request& request, const std::stop_token& stop);
   void arrived(const StagePtr& stage, quint64 number);
 
   quint64 m_wanted = 0;
   quint64 m_arrived = 0;
   MechanismPtr m_mechanism;  ///< of the newest request
+  std::filesystem::path m_folder;
   StagePtr m_stage;
-  GearCache m_cache{1024};          ///< of the worker's thread; three details a wheel, and the last edits'
+  GearCache m_cache{1024};  ///< of the worker's thread; three details a wheel, and the last edits'
+  ShapeCache m_shapes;
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 

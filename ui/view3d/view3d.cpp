@@ -20,8 +20,6 @@
 namespace geargraph {
 namespace {
 
-constexpr double kTraceWithoutPeriod = 60;  // s
-
 /// Why there can be no window of the graphics card; empty where there can. Under some platforms of Qt a
 /// QOpenGLWidget never gets its context, and nobody tells it.
 QString obstacle() {
@@ -233,7 +231,10 @@ View3D::View3D(Selection* selection, QWidget* parent)
     d->viewer.setTime(seconds);
   });
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
-  connect(&d->viewer, &Viewer::optionsChanged, this, [this] { d->onOptionsChanged(); });
+  connect(&d->viewer, &Viewer::optionsChanged, this, [this] {
+    d->onOptionsChanged();
+    emit contentChanged();
+  });
   connect(&d->viewer, &Viewer::menuWanted, this,
           [this](const std::optional<Hit>& hit, const QPointF& at) { d->openPartMenu(hit, at); });
   setDark(false);
@@ -253,6 +254,7 @@ void View3D::setStage(const StagePtr& stage) {
   d->viewer.setTime(d->playback.time());
   d->bar->refresh();
   setEmptyText(d->emptyText->text());
+  emit contentChanged();
 }
 
 const StagePtr& View3D::stage() const {
@@ -295,6 +297,16 @@ const Camera& View3D::camera() const {
 }
 void View3D::setCamera(const Camera& camera) {
   d->viewer.setCamera(camera);
+}
+
+void View3D::startAnew(const std::optional<Camera>& camera) {
+  d->viewer.startAnew(camera);
+}
+bool View3D::isCameraChosen() const {
+  return d->viewer.isCameraChosen();
+}
+const StageView& View3D::view() const {
+  return d->viewer.view();
 }
 
 void View3D::setDark(bool dark) {
@@ -340,7 +352,7 @@ bool View3D::hasAxis(const ElementId& link) const {
 }
 
 void View3D::trace(const Hit& hit) {
-  if (!d->viewer.trace(hit, kTraceWithoutPeriod)) return;
+  if (!d->viewer.trace(hit)) return;
   const TracedPath& path = traces().back().path;
   emit noteMade(tr("The point travels %1 %2 in %3 s.")
                     .arg(path.length, 0, 'g', 5)

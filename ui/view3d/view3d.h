@@ -46,6 +46,12 @@ class View3D : public QWidget {
 
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);
+  /// The next stage is that of another document: it is fitted, or seen from where the document says.
+  void startAnew(const std::optional<Camera>& camera);
+  /// Somebody has chosen the camera, here or in the document: it is worth being kept.
+  [[nodiscard]] bool isCameraChosen() const;
+  /// All that is shown, as a picture elsewhere takes it.
+  [[nodiscard]] const StageView& view() const;
   void setDark(bool dark);
   [[nodiscard]] const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
@@ -72,6 +78,7 @@ class View3D : public QWidget {
 
  signals:
   void cameraChanged();
+  void contentChanged();  ///< another stage, other traces: what moves, and what is said of it
   /// A context menu is about to open for an element, or for the ground: others may add what they know of it.
   void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
   void traceFileWanted();              ///< the newest of traces() is to be saved

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/contract.h"
 #include "core/render/exploded.h"
@@ -17,9 +18,10 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kMostZoomPerEvent = 4;
-constexpr double kKeyPixels = 32;  // an arrow key turns as far as a drag by so many pixels
-constexpr double kHalfFrame = 8;   // ms
-constexpr int kHandRests = 150;    // ms
+constexpr double kKeyPixels = 32;           // an arrow key turns as far as a drag by so many pixels
+constexpr double kHalfFrame = 8;            // ms
+constexpr int kHandRests = 150;             // ms
+constexpr double kTraceWithoutPeriod = 60;  // s
 
 }  // namespace
 
@@ -33,159 +35,163 @@ Viewer::Viewer(Selection* selection, QObject* parent) : QObject(parent), m_selec
 
 void Viewer::setStage(StagePtr stage) {
   const bool first = m_stage == nullptr || m_stage->scene.instances.empty();
-  m_stage = std::move(stage);
-  m_poses.clear();
+  const StagePtr before = std::exchange(m_stage, std::move(stage));
+  m_seen = {};
   m_separations.clear();
   m_bounds = {};
   if (m_stage != nullptr) {
-    for (const Instance& instance : m_stage->scene.instances) m_poses.push_back(instance.pose);
+    for (const Instance& instance : m_stage->scene.instances) m_seen.poses.push_back(instance.pose);
     m_separations = separations(*m_stage);
     m_bounds = boundsOf(m_stage->scene);
   }
-  m_traces.clear();
-  if (!instanceOf(m_ridden)) m_ridden.reset();
+  if (!instance(m_view.ridden)) m_view.ridden.reset();
   if (m_gesture == Gesture::turn) m_gesture = Gesture::none;  // what was held is gone
-  if (m_stage == nullptr || m_turned.size() != m_stage->inputSpeeds.size()) m_turned.clear();
-  if (first) m_fitted = false;
+  if (m_stage == nullptr || m_view.turned.size() != m_stage->inputSpeeds.size()) m_view.turned.clear();
+  if (before != nullptr && m_stage != nullptr) renewTraces(*before);
+  const bool isEmpty = m_stage == nullptr || m_stage->scene.instances.empty();
+  if (first || (m_isAnew && !isEmpty)) m_fitted = false;
   emit sceneChanged();
   lightUp();
   place();
   emit viewChanged();
-  if (!m_fitted) fit();
+  if (isEmpty) return;
+  if (m_isAnew && m_opening) {
+    setCamera(*m_opening);
+    m_fitted = true;
+  }
+  if (!m_fitted) fitNow();
+  m_isAnew = false;
+  m_opening.reset();
+}
+
+void Viewer::startAnew(const std::optional<Camera>& camera) {
+  m_isAnew = true;
+  m_opening = camera;
+  m_isCameraChosen = camera.has_value();
+  m_view.traces.clear();
+  m_view.turned.clear();
+  m_view.hidden.clear();
+  m_view.ridden.reset();
+  if (!camera) m_view.camera = Camera::home();
+  emit optionsChanged();
+}
+
+// A part is found again by its place among those of its link.
+void Viewer::renewTraces(const Stage& before) {
+  std::vector<ShownTrace> kept;
+  for (ShownTrace& trace : m_view.traces) {
+    const auto& old = before.scene.instances;
+    const auto isOfLink = [&](const Instance& part) { return part.element == trace.element; };
+    auto left =
+        std::count_if(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(trace.point.instance), isOfLink);
+    const auto& now = m_stage->scene.instances;
+    auto found = std::find_if(now.begin(), now.end(), isOfLink);
+    if (found == now.end()) continue;
+    for (auto next = found; left > 0 && next != now.end(); --left) {
+      next = std::find_if(next + 1, now.end(), isOfLink);
+      if (next != now.end()) found = next;
+    }
+    if (trace.point.watcher) {
+      trace.point.watcher = instance(old[*trace.point.watcher].element);
+      if (!trace.point.watcher) continue;
+    }
+    trace.point.instance = static_cast<std::size_t>(found - now.begin());
+    trace.path = pathOf(trace.point);
+    kept.push_back(std::move(trace));
+  }
+  if (kept.empty() && m_view.traces.empty()) return;
+  m_view.traces = std::move(kept);
+  emit optionsChanged();
+}
+
+/// Empty where nothing moves.
+TracedPath Viewer::pathOf(const TracedPoint& point) const {
+  if (!m_stage->place || m_stage->inputSpeeds.empty()) return {};
+  std::vector<double> start = m_view.turned;
+  start.resize(m_stage->inputSpeeds.size(), 0);
+  return tracedPath(*m_stage, point, start, m_stage->period > 0 ? m_stage->period : kTraceWithoutPeriod);
 }
 
 void Viewer::setTime(double seconds) {
-  m_time = seconds;
+  m_view.time = seconds;
   place();
 }
 
 void Viewer::setTurnedByHand(std::vector<double> angles) {
-  m_turned = std::move(angles);
+  m_view.turned = std::move(angles);
   place();
 }
 
-std::vector<double> Viewer::angles() const {
-  std::vector<double> angles;
-  for (std::size_t k = 0; k < m_turned.size(); ++k)
-    angles.push_back(m_stage->inputSpeeds[k] * m_time + m_turned[k]);
-  return angles;
-}
-
-std::optional<std::size_t> Viewer::instanceOf(const std::optional<ElementId>& link) const {
-  if (m_stage == nullptr || !link) return std::nullopt;
-  const auto& instances = m_stage->scene.instances;
-  const auto found = std::find_if(instances.begin(), instances.end(),
-                                  [&](const Instance& instance) { return instance.element == *link; });
-  if (found == instances.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - instances.begin());
+std::optional<std::size_t> Viewer::instance(const std::optional<ElementId>& link) const {
+  return m_stage == nullptr ? std::nullopt : instanceOf(*m_stage, link);
 }
 
 void Viewer::place() {
   if (m_stage == nullptr) return;
-  const Scene& scene = m_stage->scene;
-  if (m_stage->place) {
-    m_turned.resize(m_stage->inputSpeeds.size(), 0);
-    m_stage->place(angles(), m_poses);
-  } else {
-    for (std::size_t i = 0; i < m_poses.size(); ++i) m_poses[i] = scene.instances[i].pose;
-  }
-  m_ground = Pose::Identity();
-  if (const auto ridden = instanceOf(m_ridden)) {
-    m_ground = scene.instances[*ridden].pose * m_poses[*ridden].inverse();
-    for (Pose& pose : m_poses) pose = m_ground * pose;
-  }
-  pullApart(scene, m_separations, m_options.pulledApart, m_poses);
+  if (m_stage->place) m_view.turned.resize(m_stage->inputSpeeds.size(), 0);
+  m_seen = seenPoses(*m_stage, m_view, m_separations);
+  m_floor = floorOf(m_stage->scene, m_separations, m_view.pulledApart);
   renewMarks();
   emit viewChanged();
 }
 
 void Viewer::renewMarks() {
   m_marks.clear();
-  if (m_stage == nullptr || m_poses.empty()) return;
-  const bool isDark = m_look.letters.red > 0.5F;
-  const std::vector<double> now = angles();
-  const Moment moment{m_poses,        now,
-                      m_ground,       instanceOf(m_ridden),
-                      m_look.letters, Rgb::fromHex(isDark ? 0xFF8FC7 : 0xB0126B)};
-  m_marks = stageLines(*m_stage, m_options.marks, moment);
-  for (const ShownTrace& trace : m_traces) {
-    const Instance& instance = m_stage->scene.instances[trace.point.instance];
-    const auto watcher = instanceOf(m_ridden);
-    if (watcher != trace.point.watcher) continue;  // it was drawn in another frame
-    m_marks.push_back({trace.path.points, instance.colour, 2.4F, false});
-    const Eigen::Vector3d at = m_poses[trace.point.instance] * trace.point.place;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector3d arm = 0.018 * m_bounds.radius() * Eigen::Vector3d::Unit(axis);
-      m_marks.push_back({{at - arm, at + arm}, moment.motion, 2.4F, false});
-    }
-  }
+  if (m_stage != nullptr && !m_seen.poses.empty()) m_marks = seenLines(*m_stage, m_view, m_seen);
 }
 
 void Viewer::setOptions(const ViewOptions& options) {
   if (options == m_options) return;
   m_options = options;
-  m_look.faces = options.faces;
+  m_view.look.faces = options.faces;
+  m_view.section = options.section;
+  m_view.pulledApart = options.pulledApart;
+  m_view.marks = options.marks;
   renewShowing();
   place();
   emit optionsChanged();
 }
 
 void Viewer::rideAlong(const std::optional<ElementId>& link) {
-  if (link == m_ridden || (link && !instanceOf(link))) return;
-  m_ridden = link;
+  if (link == m_view.ridden || (link && !instance(link))) return;
+  m_view.ridden = link;
   place();
   emit optionsChanged();
 }
 
 void Viewer::setHidden(std::set<ElementId> links) {
-  if (links == m_hidden) return;
-  m_hidden = std::move(links);
+  if (links == m_view.hidden) return;
+  m_view.hidden = std::move(links);
   renewShowing();
   emit viewChanged();
   emit optionsChanged();
 }
 
 std::optional<Eigen::Vector3d> Viewer::axisOf(const ElementId& link) const {
-  const auto instance = instanceOf(link);
-  if (!instance || *instance >= m_stage->handles.size() || m_stage->handles[*instance].gains.empty()) {
+  const auto part = instance(link);
+  if (!part || *part >= m_stage->handles.size() || m_stage->handles[*part].gains.empty()) {
     return std::nullopt;
   }
   const Eigen::Matrix3d turned =
-      m_poses[*instance].linear() * m_stage->scene.instances[*instance].pose.linear().transpose();
-  return turned * m_stage->handles[*instance].direction;
+      m_seen.poses[*part].linear() * m_stage->scene.instances[*part].pose.linear().transpose();
+  return turned * m_stage->handles[*part].direction;
 }
 
-bool Viewer::trace(const Hit& hit, double seconds) {
+bool Viewer::trace(const Hit& hit) {
   if (m_stage == nullptr || !m_stage->place || m_stage->inputSpeeds.empty()) return false;
-  const TracedPoint point{hit.instance, m_poses[hit.instance].inverse() * hit.point, instanceOf(m_ridden)};
-  const double span = m_stage->period > 0 ? m_stage->period : seconds;
-  m_traces.push_back({hit.element, point, tracedPath(*m_stage, point, m_turned, span)});
+  const TracedPoint point{hit.instance, m_seen.poses[hit.instance].inverse() * hit.point,
+                          instance(m_view.ridden)};
+  m_view.traces.push_back({hit.element, point, pathOf(point)});
   place();
   emit optionsChanged();
   return true;
 }
 
 void Viewer::clearTraces() {
-  if (m_traces.empty()) return;
-  m_traces.clear();
+  if (m_view.traces.empty()) return;
+  m_view.traces.clear();
   place();
   emit optionsChanged();
-}
-
-std::optional<CutPlane> Viewer::section() const {
-  if (!m_options.section || m_bounds.box.isEmpty()) return std::nullopt;
-  const SectionChoice& choice = *m_options.section;
-  Eigen::AlignedBox3d box = m_bounds.box;
-  for (std::size_t i = 0; i < m_poses.size(); ++i) {  // pulled apart, the train is longer
-    box.extend(Eigen::Vector3d(m_poses[i].translation()));
-  }
-  const double low = box.min()[choice.axis], high = box.max()[choice.axis];
-  // What stands before the viewer of the standard views goes first: front looks along +y, right along -x.
-  const double sense = (choice.axis == 1) != choice.isTurned ? -1 : 1;
-  CutPlane section;
-  section.normal = sense * Eigen::Vector3d::Unit(choice.axis);
-  section.offset = sense * (low + choice.place * (high - low));
-  return section;
 }
 
 // The pointer's way along the circle of the held point, as the picture shows it, is the angle; where the
@@ -197,48 +203,56 @@ void Viewer::turn(const QPointF& step) {
   for (const double gain : handle.gains) strength += gain * gain;
   if (strength == 0) return;
   const auto displacement = [this] {
-    return m_poses[m_held->instance] * m_stage->scene.instances[m_held->instance].pose.inverse();
+    return m_seen.poses[m_held->instance] * m_stage->scene.instances[m_held->instance].pose.inverse();
   };
   const Pose before = displacement();
   const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
   const Eigen::Vector3d along = axis.cross(m_held->point - origin);  // of the held point, a rad
-  const double pixels = 1 / m_camera.millimetresPerPixel(m_viewport);
+  const double pixels = 1 / m_view.camera.millimetresPerPixel(m_viewport);
   const Eigen::Vector2d seen =
-      pixels * Eigen::Vector2d(along.dot(m_camera.right()), -along.dot(m_camera.up()));
+      pixels * Eigen::Vector2d(along.dot(m_view.camera.right()), -along.dot(m_view.camera.up()));
   const double least = 0.2 * pixels * along.norm();
   const Eigen::Vector2d moved(step.x() * m_pixelRatio, step.y() * m_pixelRatio);
   const double size = std::max(seen.squaredNorm(), least * least);
   if (size == 0) return;
   const double angle = moved.dot(seen) / size;
-  std::vector<double> turned = m_turned;
+  std::vector<double> turned = m_view.turned;
   for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * angle / strength;
   setTurnedByHand(std::move(turned));
   m_held->point = displacement() * before.inverse() * m_held->point;
 }
 
 void Viewer::setCamera(const Camera& camera) {
-  if (camera == m_camera) return;
-  m_camera = camera;
+  m_isCameraChosen = true;
+  if (camera == m_view.camera) return;
+  m_view.camera = camera;
   emit cameraChanged();
   emit viewChanged();
 }
 
 void Viewer::showFrom(StandardView view) {
-  setCamera(m_camera.turnedTo(view));
+  setCamera(m_view.camera.turnedTo(view));
   fit();
 }
 
 void Viewer::fit() {
+  fitNow();
+  m_isCameraChosen = m_isCameraChosen || m_fitted;
+}
+
+void Viewer::fitNow() {
   if (m_stage == nullptr || m_stage->scene.instances.empty() || m_viewport.width < 2) return;
   Scene now{m_stage->scene.solids, m_stage->scene.instances};
-  for (std::size_t i = 0; i < m_poses.size(); ++i) now.instances[i].pose = m_poses[i];
+  for (std::size_t i = 0; i < m_seen.poses.size(); ++i) now.instances[i].pose = m_seen.poses[i];
   m_fitted = true;
-  setCamera(m_camera.fitted(cornersOf(now), m_viewport, 0.09));
+  const bool wasChosen = m_isCameraChosen;
+  setCamera(m_view.camera.fitted(outlineOf(now), m_viewport, 0.09));
+  m_isCameraChosen = wasChosen;
 }
 
 void Viewer::setLook(const Look& look) {
-  m_look = look;
-  m_look.faces = m_options.faces;
+  m_view.look = look;
+  m_view.look.faces = m_options.faces;
   renewMarks();
   emit viewChanged();
 }
@@ -246,19 +260,20 @@ void Viewer::setLook(const Look& look) {
 void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
   m_viewport = viewport;
   m_pixelRatio = pixelRatio;
-  if (!m_fitted) fit();
+  if (!m_fitted) fitNow();
 }
 
 Frame Viewer::frame(bool quick) const {
   Frame frame;
   frame.viewport = m_viewport;
   frame.pixelRatio = m_pixelRatio;
-  frame.camera = m_camera;
-  frame.look = quick ? m_look.cheaper() : m_look;
-  frame.poses = m_poses;
+  frame.camera = m_view.camera;
+  frame.look = quick ? m_view.look.cheaper() : m_view.look;
+  frame.poses = m_seen.poses;
   frame.emphasis = m_emphasis;
   frame.showing = m_showing;
-  frame.section = section();
+  frame.section = cutPlane(m_bounds, m_seen.poses, m_view.section);
+  frame.floor = m_floor;
   frame.marks = m_marks;
   return frame;
 }
@@ -292,7 +307,7 @@ void Viewer::renewShowing() {
   const bool isChosen = m_options.ghostOthers && std::find(m_emphasis.begin(), m_emphasis.end(),
                                                            Highlight::selected) != m_emphasis.end();
   for (std::size_t i = 0; i < m_showing.size(); ++i) {
-    if (m_hidden.contains(m_stage->scene.instances[i].element)) {
+    if (m_view.hidden.contains(m_stage->scene.instances[i].element)) {
       m_showing[i] = Showing::hidden;
     } else if (isChosen && m_emphasis[i] != Highlight::selected) {
       m_showing[i] = Showing::ghost;
@@ -346,8 +361,8 @@ bool Viewer::mouseMove(const QMouseEvent& event) {
     return true;
   }
   setCamera(m_gesture == Gesture::orbit
-                ? m_camera.orbited(step.x(), step.y())
-                : m_camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
+                ? m_view.camera.orbited(step.x(), step.y())
+                : m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
   return true;
 }
 
@@ -369,7 +384,7 @@ bool Viewer::mouseRelease(const QMouseEvent& event) {
 void Viewer::zoomAt(const QPointF& place, double factor) {
   const double x = place.x() * m_pixelRatio, y = place.y() * m_pixelRatio;
   const auto hit = hitAt(place);
-  setCamera(m_camera.zoomed(factor, hit ? hit->point : m_camera.atTargetDepth(x, y, m_viewport)));
+  setCamera(m_view.camera.zoomed(factor, hit ? hit->point : m_view.camera.atTargetDepth(x, y, m_viewport)));
 }
 
 bool Viewer::wheel(const QWheelEvent& event) {
@@ -378,7 +393,7 @@ bool Viewer::wheel(const QWheelEvent& event) {
   if (isPad && !event.modifiers().testFlag(Qt::ControlModifier)) {
     const QPointF step = event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 8 : event.pixelDelta();
     emit moving();
-    setCamera(m_camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
+    setCamera(m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
     return true;
   }
   const double notches = event.angleDelta().y() / 120.0;
@@ -400,16 +415,16 @@ bool Viewer::keyPress(const QKeyEvent& event) {
   const QPointF middle(0.5 * m_viewport.width / m_pixelRatio, 0.5 * m_viewport.height / m_pixelRatio);
   switch (event.key()) {
     case Qt::Key_Left:
-      setCamera(m_camera.orbited(-kKeyPixels, 0));
+      setCamera(m_view.camera.orbited(-kKeyPixels, 0));
       return true;
     case Qt::Key_Right:
-      setCamera(m_camera.orbited(kKeyPixels, 0));
+      setCamera(m_view.camera.orbited(kKeyPixels, 0));
       return true;
     case Qt::Key_Up:
-      setCamera(m_camera.orbited(0, -kKeyPixels));
+      setCamera(m_view.camera.orbited(0, -kKeyPixels));
       return true;
     case Qt::Key_Down:
-      setCamera(m_camera.orbited(0, kKeyPixels));
+      setCamera(m_view.camera.orbited(0, kKeyPixels));
       return true;
     case Qt::Key_Plus:
     case Qt::Key_Equal:

@@ -9,7 +9,7 @@
 
 #include "core/render/renderer.h"
 #include "core/render/stage.h"
-#include "core/render/traced_path.h"
+#include "core/render/stage_view.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/view_options.h"
 
@@ -31,13 +31,6 @@ namespace geargraph {
 ///
 /// A part that is turned by hand takes the inputs with it, as little as will do (least squares), and they all
 /// the rest.
-/// A point of a part whose path is shown.
-struct ShownTrace {
-  ElementId element;
-  TracedPoint point;
-  TracedPath path;
-};
-
 class Viewer : public QObject {
   Q_OBJECT
 
@@ -47,33 +40,40 @@ class Viewer : public QObject {
 
   explicit Viewer(Selection* selection, QObject* parent = nullptr);
 
+  /// What is shown. Camera, time and traced paths stay, paths for links that are still there.
   void setStage(StagePtr stage);
+  /// The next stage is that of another document: it is fitted, or seen from where the document says.
+  void startAnew(const std::optional<Camera>& camera);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Poses for this time: all inputs run at their speeds from where hands have put them.
   void setTime(double seconds);
   /// Angles that hands have added to the inputs, rad.
-  [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_turned; }
+  [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_view.turned; }
   void setTurnedByHand(std::vector<double> angles);
-  [[nodiscard]] std::span<const Pose> poses() const { return m_poses; }
+  [[nodiscard]] std::span<const Pose> poses() const { return m_seen.poses; }
   [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
 
   [[nodiscard]] const ViewOptions& options() const { return m_options; }
   void setOptions(const ViewOptions& options);
   /// The link that stands still while all else moves about it; none: the ground.
-  [[nodiscard]] const std::optional<ElementId>& ridden() const { return m_ridden; }
+  [[nodiscard]] const std::optional<ElementId>& ridden() const { return m_view.ridden; }
   void rideAlong(const std::optional<ElementId>& link);
-  [[nodiscard]] const std::set<ElementId>& hidden() const { return m_hidden; }
+  [[nodiscard]] const std::set<ElementId>& hidden() const { return m_view.hidden; }
   void setHidden(std::set<ElementId> links);
   /// The direction of the line that a link turns about, as it is seen; none where it does not turn.
   [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
 
-  /// Shows the path of the point over one period, or `seconds` where there is none, as the ridden link sees
+  /// Shows the path of the point over one period, or a minute where there is none, as the ridden link sees
   /// it. False where nothing moves.
-  bool trace(const Hit& hit, double seconds);
+  bool trace(const Hit& hit);
   void clearTraces();
-  [[nodiscard]] const std::vector<ShownTrace>& traces() const { return m_traces; }
+  [[nodiscard]] const std::vector<ShownTrace>& traces() const { return m_view.traces; }
 
-  [[nodiscard]] const Camera& camera() const { return m_camera; }
+  [[nodiscard]] const Camera& camera() const { return m_view.camera; }
+  /// Somebody has chosen the camera, here or in the document: it is worth being kept.
+  [[nodiscard]] bool isCameraChosen() const { return m_isCameraChosen; }
+  /// All that is shown, as a picture elsewhere takes it.
+  [[nodiscard]] const StageView& view() const { return m_view; }
   void setCamera(const Camera& camera);
   void showFrom(StandardView view);
   void fit();
@@ -117,9 +117,10 @@ class Viewer : public QObject {
   void place();
   void renewShowing();
   void renewMarks();
-  [[nodiscard]] std::optional<std::size_t> instanceOf(const std::optional<ElementId>& link) const;
-  [[nodiscard]] std::optional<CutPlane> section() const;
-  [[nodiscard]] std::vector<double> angles() const;
+  void fitNow();
+  [[nodiscard]] std::optional<std::size_t> instance(const std::optional<ElementId>& link) const;
+  void renewTraces(const Stage& before);
+  [[nodiscard]] TracedPath pathOf(const TracedPoint& point) const;
   void turn(const QPointF& step);
   void lightUpHovered();
   [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
@@ -127,24 +128,21 @@ class Viewer : public QObject {
 
   Selection* m_selection;
   StagePtr m_stage;
-  std::vector<Pose> m_poses;
-  double m_time = 0;
-  std::vector<double> m_turned;
-  Pose m_ground = Pose::Identity();  ///< where the base frame is seen
+  StageView m_view;
+  SeenPoses m_seen;
+  std::optional<double> m_floor;  ///< where it is not that of the scene
   std::vector<Eigen::Vector3d> m_separations;
   Bounds m_bounds;  ///< of the scene, pulled apart as far as it goes
   ViewOptions m_options;
-  std::optional<ElementId> m_ridden;
-  std::set<ElementId> m_hidden;
-  std::vector<ShownTrace> m_traces;
   std::vector<Highlight> m_emphasis;
   std::vector<Showing> m_showing;
   std::vector<MarkLine> m_marks;
-  Camera m_camera = Camera::home();
-  Look m_look = Look::light();
   Viewport m_viewport;
   double m_pixelRatio = 1;
   bool m_fitted = false;  ///< the first size a stage is seen in fits it
+  bool m_isAnew = false;  ///< the next stage is that of another document
+  bool m_isCameraChosen = false;
+  std::optional<Camera> m_opening;  ///< where that document wants to be seen from
   Pick m_pick;
   Gesture m_gesture = Gesture::none;
   QPointF m_pressedAt;

@@ -359,9 +359,11 @@ class TestTrainStage : public QObject {
   void aPictureShowsTheTrainAtItsTime() {
     GearCache cache;
     const StagePtr stage = stageOf(paperRobot(), cache);
-    PictureOptions options;
-    options.size = {300, 200};
-    const auto light = stagePicture(*stage, options);
+    StageShot shot;
+    shot.stage = stage;
+    shot.size = {300, 200};
+    shot.view.look = pictureLook(Theme::light, false);
+    const auto light = stagePicture(shot);
     QVERIFY(light.has_value());
     QCOMPARE(light->width, 300);
     const auto differing = [&](const Image& image) {
@@ -372,17 +374,15 @@ class TestTrainStage : public QObject {
       }
       return count;
     };
-    QCOMPARE(differing(*stagePicture(*stage, options)), 0);
-    options.time = 1;
-    QVERIFY(differing(*stagePicture(*stage, options)) > 1000);
-    options.time = stage->period;
-    QVERIFY(differing(*stagePicture(*stage, options)) < 20);
-    options = {};
-    options.size = {300, 200};
-    options.transparent = true;
-    QCOMPARE(int(stagePicture(*stage, options)->at(2, 2)[3]), 0);
-    options.size = {1'000'000, 10};
-    const auto tooLarge = stagePicture(*stage, options);
+    QCOMPARE(differing(*stagePicture(shot)), 0);
+    shot.view.time = 1;
+    QVERIFY(differing(*stagePicture(shot)) > 1000);
+    shot.view.time = stage->period;
+    QVERIFY(differing(*stagePicture(shot)) < 20);
+    shot.view.look = pictureLook(Theme::light, true);
+    QCOMPARE(int(stagePicture(shot)->at(2, 2)[3]), 0);
+    shot.size = {1'000'000, 10};
+    const auto tooLarge = stagePicture(shot);
     QVERIFY(!tooLarge.has_value());
     QCOMPARE(tooLarge.error().front().code, Code::graphics);
   }

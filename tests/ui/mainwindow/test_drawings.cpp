@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QPushButton>
@@ -10,8 +11,11 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_dialog.h"
+#include "ui/mainwindow/picture_jobs.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
@@ -91,6 +95,58 @@ class DrawingsTest : public QObject {
     QCOMPARE(QImage::fromData(exported(solid, "g.png")).size(), QSize(160, 100));
   }
 
+  void exportsOfTheSolidViewWaitForEachOtherAndNotTheWindow() {
+    PictureWish film = wish("3d", PictureForm::png);
+    film.picture.look.size = SheetLook::Size{64, 48};
+    film.film = Film{FilmKind::turntable, 4, 24, 0};
+    PictureWish pictures = film, solids = film;
+    pictures.solid = SolidForm::pictures;
+    solids.solid = SolidForm::glb;
+    QSignalSpy done(window.get(), &MainWindow::pictureExported);
+    window->exportPicture(film, folder.filePath("film.png"));
+    window->exportPicture(pictures, folder.filePath("pictures"));
+    window->exportPicture(solids, folder.filePath("view.glb"));
+    QVERIFY(window->notices().current() != nullptr);
+    QVERIFY(done.empty());  // nothing was waited for
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), qsizetype{3}, 60'000);
+    QCOMPARE(QDir(folder.filePath("pictures")).entryList(QDir::Files).size(), qsizetype{4});
+    QCOMPARE(done.back().front().toString(), folder.filePath("view.glb"));
+    QVERIFY(window->notices().current() == nullptr);
+  }
+
+  void anExportThatIsStoppedWritesNothing() {
+    PictureWish film = wish("3d", PictureForm::png);
+    film.picture.look.size = SheetLook::Size{64, 48};
+    film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
+    QSignalSpy failed(&window->pictures(), &PictureJobs::failed);
+    window->exportPicture(film, folder.filePath("long.png"));
+    auto answers = window->notices().current()->answers;
+    QCOMPARE(answers.front().text, QString("Stop"));
+    answers.front().run();
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), qsizetype{1}, 60'000);
+    QVERIFY(!QFile::exists(folder.filePath("long.png")));
+    QVERIFY(!window->pictures().isBusy());
+  }
+
+  void anExportShowsWhatTheWindowShows() {
+    PictureWish solid = wish("3d", PictureForm::png);
+    solid.picture.look.size = SheetLook::Size{160, 100};
+    const QByteArray before = exported(solid, "h.png");
+    window->view3d().setCamera(Camera::looking(StandardView::top).placedAt({0, 0, 0}, 600));
+    const QByteArray turned = exported(solid, "i.png");
+    QVERIFY(turned != before);
+    ViewOptions options = window->view3d().options();
+    options.section = SectionChoice{};
+    window->view3d().setOptions(options);
+    QVERIFY(exported(solid, "j.png") != turned);
+    options.section.reset();
+    options.linkLabels = false;
+    window->view3d().setOptions(options);
+    QVERIFY(exported(solid, "k.png") != turned);  // labels are painted too
+    solid.picture.look.transparent = true;
+    QCOMPARE(QImage::fromData(exported(solid, "l.png")).pixelColor(2, 2).alpha(), 0);
+  }
+
   void whatCannotBeWrittenIsSaid() {
     QSignalSpy done(window.get(), &MainWindow::pictureExported);
     window->exportPicture(wish("digraph", PictureForm::svg), "/nowhere/at/all.svg");
@@ -106,6 +162,11 @@ class DrawingsTest : public QObject {
     dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1);
     QCOMPARE(dialog.wish().picture.form, PictureForm::png);
     QVERIFY(dialog.wish().picture.look.size.has_value());
+    QVERIFY(!dialog.wish().film);
+    dialog.findChild<QComboBox*>("film")->setCurrentIndex(2);
+    QVERIFY(dialog.wish().film->kind == FilmKind::motion);
+    dialog.findChildren<QComboBox*>()[1]->setCurrentIndex(4);
+    QVERIFY(dialog.wish().solid == SolidForm::glb && !dialog.wish().film);
   }
 };
 

@@ -1,5 +1,6 @@
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/viewer.h"
@@ -21,6 +22,71 @@ class ViewerTest : public QObject {
     QCOMPARE(changed.count(), 2);
     selection.hover(ElementId(MeshId("nowhere else")));
     QCOMPARE(changed.count(), 2);  // nothing here was lit before or is now
+  }
+
+  void tracedPathsSurviveAnEditAndFollowIt() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setStage(test::toyStage());
+    QVERIFY(viewer.trace({0, LinkId("1"), {15, -22, 0}}));
+    QVERIFY(viewer.trace({2, LinkId("3"), {0, 0, 30}}));
+    const double length = viewer.traces()[0].path.length;
+    viewer.setStage(test::toyStage(8));  // twice the period: twice round
+    QCOMPARE(viewer.traces().size(), std::size_t{2});
+    QVERIFY(std::abs(viewer.traces()[0].path.length - 2 * length) < 1e-3 * length);
+
+    auto fewer = std::make_shared<Stage>(*test::toyStage());
+    fewer->scene.instances[0].element = LinkId("9");  // link 1 has gone
+    std::swap(fewer->scene.instances[1].element, fewer->scene.instances[2].element);
+    viewer.setStage(fewer);
+    QCOMPARE(viewer.traces().size(), std::size_t{1});
+    QCOMPARE(viewer.traces()[0].point.instance, std::size_t{1});
+
+    auto still = std::make_shared<Stage>(*fewer);
+    still->place = {};
+    still->inputSpeeds.clear();
+    viewer.setStage(still);
+    QVERIFY(viewer.traces()[0].path.points.empty());
+    viewer.setStage(fewer);
+    QVERIFY(!viewer.traces()[0].path.points.empty());
+    viewer.startAnew(std::nullopt);
+    QVERIFY(viewer.traces().empty());
+  }
+
+  void aPathSeenFromALinkGoesWithThatLink() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setStage(test::toyStage());
+    viewer.rideAlong(ElementId(LinkId("2")));
+    QVERIFY(viewer.trace({0, LinkId("1"), {15, -22, 0}}));
+    viewer.setStage(test::toyStage());
+    QCOMPARE(viewer.traces()[0].point.watcher, std::optional<std::size_t>(1));
+    auto without = std::make_shared<Stage>(*test::toyStage());
+    without->scene.instances[1].element = LinkId("9");
+    viewer.setStage(without);
+    QVERIFY(viewer.traces().empty());
+  }
+
+  void anotherDocumentIsFittedOrSeenFromWhereItSays() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setViewport({640, 420}, 1);
+    viewer.setStage(test::toyStage());
+    QVERIFY(!viewer.isCameraChosen());
+    const Camera fitted = viewer.camera();
+    const Camera own = Camera::from(1, 0.5).placedAt({1, 2, 3}, 77);
+    viewer.setCamera(own);
+    QVERIFY(viewer.isCameraChosen());
+    viewer.setStage(test::toyStage());  // an edit
+    QVERIFY(viewer.camera() == own);
+    viewer.startAnew(std::nullopt);
+    viewer.setStage(std::make_shared<const Stage>());  // nothing to see yet
+    viewer.setStage(test::toyStage());
+    QVERIFY(viewer.camera() == fitted);
+    QVERIFY(!viewer.isCameraChosen());
+    viewer.startAnew(own);
+    viewer.setStage(test::toyStage());
+    QVERIFY(viewer.camera() == own && viewer.isCameraChosen());
   }
 
   void dearPicturesWaitUntilTheHandRests() {

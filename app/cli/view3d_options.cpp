@@ -1,0 +1,220 @@
+#include "app/cli/view3d_options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "app/cli/export_forms.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kLongestTime = 1e9;  // s
+
+std::optional<double> numberIn(std::string_view text, double least, double most) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value >= least && value <= most ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string> parts(std::string_view text, char between) {
+  std::vector<std::string> result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(between, begin), text.size());
+    result.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+template <class Value, std::size_t Count>
+const Value* named(const std::array<std::pair<std::string_view, Value>, Count>& values,
+                   std::string_view name) {
+  for (const auto& [known, value] : values) {
+    if (known == name) return &value;
+  }
+  return nullptr;
+}
+
+using ViewName = std::pair<std::string_view, StandardView>;
+constexpr std::array kViews = {
+    ViewName{"front", StandardView::front},  ViewName{"back", StandardView::back},
+    ViewName{"left", StandardView::left},    ViewName{"right", StandardView::right},
+    ViewName{"top", StandardView::top},      ViewName{"bottom", StandardView::bottom},
+    ViewName{"iso", StandardView::isometric}};
+
+using FacesName = std::pair<std::string_view, Faces>;
+constexpr std::array kFaces = {FacesName{"shaded", Faces::shaded}, FacesName{"lines", Faces::hiddenLine},
+                               FacesName{"edges", Faces::wireframe}};
+
+using MarkName = std::pair<std::string_view, bool MarkChoice::*>;
+constexpr std::array kMarks = {
+    MarkName{"pitch-circles", &MarkChoice::pitchCircles}, MarkName{"pitch-points", &MarkChoice::pitchPoints},
+    MarkName{"axes", &MarkChoice::axes}, MarkName{"instant-axes", &MarkChoice::instantAxes},
+    MarkName{"velocities", &MarkChoice::velocities}};
+
+/// Reads options one by one into a shot; the first that is wrong stays said.
+class ShotReader {
+ public:
+  explicit ShotReader(const Arguments& arguments) : m_arguments(arguments) {}
+
+  std::variant<StageShot, UsageError> read() {
+    readSize();
+    readCamera();
+    readMoment();
+    readLook();
+    readFilm();
+    if (m_error) return *m_error;
+    return std::move(m_shot);
+  }
+
+ private:
+  void wrong(const std::string& message) {
+    if (!m_error) m_error = UsageError{message};
+  }
+
+  void readSize() {
+    const auto text = m_arguments.value("--size");
+    if (!text) return;
+    if (const auto size = pictureSize(*text, kMostPictureSide)) {
+      m_shot.size = {size->first, size->second};
+    } else {
+      wrong(wrongSize(*text, kMostPictureSide));
+    }
+  }
+
+  void readCamera() {
+    if (m_arguments.has("--from") && m_arguments.has("--camera"))
+      return wrong("Give --from or --camera, not both.");
+    if (const auto text = m_arguments.value("--from")) {
+      const StandardView* view = named(kViews, *text);
+      if (view == nullptr) return wrong("--from is one of front, back, left, right, top, bottom, iso.");
+      m_shot.view.camera = Camera::looking(*view);
+    }
+    if (const auto text = m_arguments.value("--camera")) {
+      const std::vector<std::string> angles = parts(*text, ',');
+      const auto azimuth = numberIn(angles.front(), -360, 360);
+      const auto elevation = angles.size() == 2 ? numberIn(angles[1], -90, 90) : std::nullopt;
+      if (!azimuth || !elevation) {
+        return wrong("--camera takes AZIMUTH,ELEVATION in degrees, up to 360 and 90, not \"" + *text + "\".");
+      }
+      m_shot.view.camera = Camera::from(*azimuth * kDegree, *elevation * kDegree);
+    }
+  }
+
+  void readMoment() {
+    if (const auto text = m_arguments.value("--time")) {
+      const auto time = numberIn(*text, -kLongestTime, kLongestTime);
+      if (!time) return wrong("--time takes seconds, not \"" + *text + "\".");
+      m_shot.view.time = *time;
+    }
+    if (const auto text = m_arguments.value("--explode")) {
+      const auto part = numberIn(*text, 0, 1);
+      if (!part) return wrong("--explode takes a part from 0 to 1, not \"" + *text + "\".");
+      m_shot.view.pulledApart = *part;
+    }
+    if (const auto text = m_arguments.value("--section")) readSection(*text);
+  }
+
+  void readSection(const std::string& text) {
+    const std::vector<std::string> cut = parts(text, ':');
+    const std::size_t axis = std::string_view("xyz").find(cut.front());
+    const auto place = cut.size() == 2 ? numberIn(cut[1], 0, 1) : std::optional(0.5);
+    if (cut.front().size() != 1 || axis == std::string_view::npos || cut.size() > 2 || !place)
+      return wrong("--section takes x, y or z, and how far along from 0 to 1: y:0.5, not \"" + text + "\".");
+    m_shot.view.section = SectionChoice{static_cast<int>(axis), *place, false};
+  }
+
+  void readLook() {
+    const Theme theme = m_arguments.has("--dark") ? Theme::dark : Theme::light;
+    m_shot.view.look = pictureLook(theme, m_arguments.has("--transparent"));
+    if (const auto text = m_arguments.value("--faces")) {
+      const Faces* faces = named(kFaces, *text);
+      if (faces == nullptr) return wrong("--faces is one of shaded, lines, edges.");
+      m_shot.view.look.faces = *faces;
+    }
+    for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
+      const auto* mark = named(kMarks, name);
+      if (mark != nullptr) {
+        m_shot.view.marks.*(*mark) = true;
+      } else if (m_arguments.has("--show")) {
+        wrong("--show names pitch-circles, pitch-points, axes, instant-axes, velocities, with commas.");
+      }
+    }
+  }
+
+  void readFilm() {
+    const bool turns = m_arguments.has("--turntable"), moves = m_arguments.has("--motion");
+    if (turns && moves) return wrong("Give --turntable or --motion, not both.");
+    for (const char* option : {"--frames", "--fps", "--all"}) {
+      if (!turns && !moves && m_arguments.has(option))
+        return wrong(std::string(option) + " needs --turntable or --motion.");
+    }
+    if (!turns && !moves) return;
+    Film film;
+    film.kind = turns ? FilmKind::turntable : FilmKind::motion;
+    const std::string frames = m_arguments.value("--frames").value_or(std::to_string(film.frames));
+    const auto count = numberIn(frames, 2, kMostFilmFrames);
+    if (!count || *count != std::floor(*count)) {
+      return wrong("--frames takes a whole number from 2 to " + std::to_string(kMostFilmFrames) + ", not \"" +
+                   frames + "\".");
+    }
+    film.frames = static_cast<int>(*count);
+    if (const auto text = m_arguments.value("--fps")) {
+      const auto rate = numberIn(*text, 0.1, 100);
+      if (!rate) return wrong("--fps takes pictures a second from 0.1 to 100, not \"" + *text + "\".");
+      film.framesPerSecond = *rate;
+    }
+    m_shot.film = film;
+  }
+
+  const Arguments& m_arguments;
+  StageShot m_shot;
+  std::optional<UsageError> m_error;
+};
+
+/// The link of a label, "3".
+std::optional<ElementId> linkLabelled(const Mechanism& mechanism, const std::string& label) {
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    if (std::to_string(mechanism.linkLabel(static_cast<int>(i))) == label) return mechanism.links[i].id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<UsageError> wrongShot(const Arguments& arguments) {
+  const auto read = ShotReader(arguments).read();
+  const auto* error = std::get_if<UsageError>(&read);
+  return error == nullptr ? std::nullopt : std::optional(*error);
+}
+
+std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const StagePtr& stage,
+                                           const AnalysisSnapshot& snapshot) {
+  auto read = ShotReader(arguments).read();
+  auto* shot = std::get_if<StageShot>(&read);
+  if (shot == nullptr) return read;
+  shot->stage = stage;
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const auto unknown = [](const std::string& label) {
+    return UsageError{"There is no link \"" + label + "\"."};
+  };
+  if (const auto label = arguments.value("--ride")) {
+    shot->view.ridden = linkLabelled(mechanism, *label);
+    if (!shot->view.ridden) return unknown(*label);
+  }
+  if (const auto labels = arguments.value("--hide")) {
+    for (const std::string& label : parts(*labels, ',')) {
+      const auto link = linkLabelled(mechanism, label);
+      if (!link) return unknown(label);
+      shot->view.hidden.insert(*link);
+    }
+  }
+  return read;
+}
+
+}  // namespace geargraph::cli

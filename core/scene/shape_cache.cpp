@@ -1,0 +1,39 @@
+#include "core/scene/shape_cache.h"
+
+namespace geargraph {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kMostKept = 64;
+
+Solid scaled(Solid solid, double scale) {
+  for (Float3& point : solid.positions) {
+    for (float& coordinate : point) coordinate = static_cast<float>(coordinate * scale);
+  }
+  return solid;
+}
+
+}  // namespace
+
+std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const fs::path& file, double scale,
+                                                                         const std::stop_token& stop) {
+  std::error_code error;
+  Key key{file.lexically_normal().string(), 0, 0, scale};
+  key.size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
+  const auto changed = fs::last_write_time(file, error);
+  if (!error) key.changed = changed.time_since_epoch().count();
+  if (const auto known = m_known.find(key); known != m_known.end() && !error) return known->second;
+  auto read = readForeignMesh(m_reader, file, m_limits, stop);
+  Found found;
+  if (auto* solid = std::get_if<Solid>(&read)) {
+    found = std::make_shared<const Solid>(scaled(std::move(*solid), scale));
+  } else {
+    const auto& why = std::get<MeshFileError>(read);
+    found = why.message;
+    if (why.kind == MeshFileError::Kind::stopped) return found;
+  }
+  if (m_known.size() >= kMostKept) m_known.clear();
+  return m_known[key] = std::move(found);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,72 @@
+#include "ui/mainwindow/picture_jobs.h"
+
+#include <QFileInfo>
+
+#include "ui/mainwindow/notice_bar.h"
+
+namespace geargraph {
+namespace {
+
+const QString kKey = QStringLiteral("pictures");
+
+}  // namespace
+
+PictureJobs::PictureJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
+
+PictureJobs::~PictureJobs() {
+  m_waiting.clear();
+  m_thread.request_stop();
+}
+
+void PictureJobs::add(Job job) {
+  m_waiting.push_back(std::move(job));
+  if (!m_isBusy) startNext();
+}
+
+void PictureJobs::stop() {
+  m_thread.request_stop();
+}
+
+void PictureJobs::startNext() {
+  if (m_waiting.empty()) return;
+  const Job job = std::move(m_waiting.front());
+  m_waiting.pop_front();
+  m_isBusy = true;
+  const QString name = QFileInfo(job.path).fileName();
+  if (job.isLong) {
+    m_notices->post({kKey,
+                     Severity::info,
+                     tr("Painting %1.").arg(name),
+                     {{tr("Stop"), tr("Give up this export; nothing is written"), [this] { stop(); }}}});
+  }
+  // The one before has said its last word, so joining it waits for nothing.
+  m_thread = std::jthread([this, job, name](const std::stop_token& stop) {
+    const Progress progress = [this, name](int done, int all) {
+      QMetaObject::invokeMethod(
+          this,
+          [this, name, done, all] {
+            m_notices->setText(kKey, tr("Painting %1: %2 of %3 pictures.").arg(name).arg(done).arg(all));
+          },
+          Qt::QueuedConnection);
+    };
+    const QString why = job.run(progress, stop);
+    QMetaObject::invokeMethod(
+        this, [this, job, why, stopped = stop.stop_requested()] { onDone(job, why, stopped); },
+        Qt::QueuedConnection);
+  });
+}
+
+void PictureJobs::onDone(const Job& job, const QString& why, bool stopped) {
+  m_isBusy = false;
+  if (job.isLong) m_notices->withdraw(kKey);
+  if (why.isEmpty()) {
+    emit finished(job.path);
+  } else {
+    emit failed(
+        stopped ? tr("The export of %1 was stopped; nothing was written.").arg(QFileInfo(job.path).fileName())
+                : why);
+  }
+  if (!m_isBusy) startNext();  // whoever heard of it may have added one
+}
+
+}  // namespace geargraph

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <deque>
+#include <functional>
+#include <stop_token>
+#include <thread>
+
+namespace geargraph {
+
+class NoticeBar;
+
+/// Files that take a while to be made: painted on a thread, one after the other, so that no second one waits
+/// for the first in the window. A notice shows how far the one of several pictures is, and stops it.
+class PictureJobs : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Called on the job's thread.
+  using Progress = std::function<void(int done, int all)>;
+  struct Job {
+    QString path;
+    bool isLong = false;  ///< worth a notice
+    /// What went wrong, as a sentence; empty where all went well. Runs on another thread.
+    std::function<QString(const Progress& progress, const std::stop_token& stop)> run;
+  };
+
+  explicit PictureJobs(NoticeBar* notices, QObject* parent = nullptr);
+  ~PictureJobs() override;
+
+  void add(Job job);
+  void stop();  ///< the one that runs
+  [[nodiscard]] bool isBusy() const { return m_isBusy; }
+
+ signals:
+  void finished(const QString& path);
+  void failed(const QString& why);
+
+ private:
+  void startNext();
+  void onDone(const Job& job, const QString& why, bool stopped);
+
+  NoticeBar* m_notices;
+  std::deque<Job> m_waiting;
+  bool m_isBusy = false;
+  std::jthread m_thread;  ///< last: it ends before what it reports to goes
+};
+
+}  // namespace geargraph

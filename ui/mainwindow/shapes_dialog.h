@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QDialog>
+
+#include "core/io/view_members.h"
+#include "ui/document/document.h"
+
+class QTableWidget;
+class QToolButton;
+
+namespace geargraph {
+
+/// The 3D files that a link wears: which, where, how turned and how large. Every change is an edit that can
+/// be undone. It does not lock the window.
+class ShapesDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  ShapesDialog(Document* document, LinkId link, QWidget* parent = nullptr);
+
+  /// Puts on a file; refused, and said by the document, where it has no place relative to the document.
+  bool add(const QString& path);
+
+ private:
+  void renew();
+  void onCell(int row, int column);
+  void chooseAndAdd();
+  void removeChosen();
+  bool apply(const QString& text, const std::vector<LinkShape>& shapes);
+  [[nodiscard]] std::vector<LinkShape> shapes() const;
+
+  Document* m_document;
+  LinkId m_link;
+  QTableWidget* m_table;
+  QToolButton* m_remove;
+};
+
+}  // namespace geargraph

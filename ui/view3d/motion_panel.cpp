@@ -1,0 +1,95 @@
+#include "ui/view3d/motion_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/view3d/motion_plot.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kSpanWithoutPeriod = 60;  // s
+
+}  // namespace
+
+MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
+    : QWidget(parent),
+      m_selection(selection),
+      m_view(view),
+      m_empty(new QLabel(this)),
+      m_components(new QCheckBox(tr("x, y, z"), this)),
+      m_save(new QToolButton(this)) {
+  m_components->setToolTip(tr("Coordinates beside the magnitudes of links and points"));
+  m_save->setText(tr("CSV…"));
+  m_save->setToolTip(tr("Save what is plotted as CSV"));
+  m_save->setAutoRaise(true);
+  auto* hint = new QLabel(tr("Select joints or links; trace points in the 3D view."), this);
+  hint->setProperty("look", "hint");
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setText(tr("Nothing moves yet: the speeds appear here when the mechanism has valid inputs."));
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 2, 8, 2);
+  row->addWidget(hint, 1);
+  row->addWidget(m_components);
+  row->addWidget(m_save);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  whole->addLayout(row);
+  whole->addWidget(m_empty, 1);
+  auto* sheets = new QHBoxLayout;
+  sheets->setContentsMargins(0, 0, 0, 0);
+  sheets->setSpacing(1);
+  whole->addLayout(sheets, 1);
+  for (int i = 0; i < 2; ++i) {
+    auto* plot = new MotionPlot(this);
+    plot->setObjectName(QStringLiteral("motionPlot%1").arg(i));
+    plot->hide();
+    sheets->addWidget(plot, 1);
+    m_plots.push_back(plot);
+    connect(plot, &MotionPlot::timeWanted, &view->playback(), &Playback::setTime);
+    connect(&view->playback(), &Playback::timeChanged, plot, &MotionPlot::setTime);
+  }
+  connect(selection, &Selection::selectionChanged, this, &MotionPanel::renewIfSeen);
+  connect(view, &View3D::contentChanged, this, &MotionPanel::renewIfSeen);
+  connect(m_components, &QCheckBox::toggled, this, &MotionPanel::renewIfSeen);
+  connect(m_save, &QToolButton::clicked, this, &MotionPanel::fileWanted);
+}
+
+void MotionPanel::setComponents(bool shown) {
+  m_components->setChecked(shown);
+}
+
+void MotionPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  renew();
+}
+
+void MotionPanel::renewIfSeen() {
+  if (isVisible()) renew();
+}
+
+void MotionPanel::renew() {
+  m_sheets.clear();
+  const StagePtr& stage = m_view->stage();
+  if (stage != nullptr) {
+    const double span = stage->period > 0 ? stage->period : kSpanWithoutPeriod;
+    m_sheets =
+        motionCurves(*stage, m_view->view(), {m_selection->selected(), m_components->isChecked(), span});
+  }
+  for (std::size_t i = 0; i < m_plots.size(); ++i) {
+    const bool isThere = i < m_sheets.size();
+    m_plots[i]->setVisible(isThere);
+    if (isThere) m_plots[i]->setSheet(m_sheets[i]);
+    m_plots[i]->setTime(m_view->playback().time());
+  }
+  m_empty->setVisible(m_sheets.empty());
+  m_save->setEnabled(!m_sheets.empty());
+}
+
+}  // namespace geargraph

@@ -1,0 +1,270 @@
+#include "ui/view3d/motion_plot.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+constexpr double kLeft = 62, kTop = 24, kBelow = 34, kLegend = 156, kRight = 8;  // logical pixels
+constexpr double kZoomPerNotch = 1.25;
+constexpr double kNearest = 1e-4;  // of the whole time: no nearer
+constexpr int kDragBegins = 4;
+constexpr double kMargin = 0.08;  // of the values, above and below
+
+QString text(double value) {
+  return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 5)
+      .replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::Base).lightness() < 128;
+}
+
+}  // namespace
+
+std::vector<double> niceTicks(double low, double high, int most) {
+  const double rough = (high - low) / most;
+  const double decade = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * decade;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * decade >= rough) {
+      step = factor * decade;
+      break;
+    }
+  }
+  std::vector<double> ticks;
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
+    ticks.push_back(k * step);
+  return ticks;
+}
+
+MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent) {
+  setMouseTracking(true);
+  setMinimumSize(260, 96);
+  setToolTip(tr("Wheel: zoom in time; Ctrl+wheel: in value; drag: move; click: go there; double click: all"));
+}
+
+void MotionPlot::setSheet(const CurveSheet& sheet) {
+  const bool sameTimes =
+      !m_sheet.times.empty() && !sheet.times.empty() && m_sheet.times.back() == sheet.times.back();
+  m_sheet = sheet;
+  if (!sameTimes) m_times = {0, sheet.times.empty() ? 1 : sheet.times.back()};
+  fitValues();
+  update();
+}
+
+void MotionPlot::setTime(double seconds) {
+  if (seconds == m_time) return;
+  m_time = seconds;
+  update();
+}
+
+void MotionPlot::showAll() {
+  m_times = {0, m_sheet.times.empty() ? 1 : m_sheet.times.back()};
+  fitValues();
+  update();
+}
+
+void MotionPlot::fitValues() {
+  Range range{0, 0};  // zero is always seen: a speed is read against it
+  for (const MotionCurve& curve : m_sheet.curves) {
+    for (const double value : curve.values) {
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+  }
+  const double margin = range.size() > 0 ? kMargin * range.size() : 1;
+  m_values = {range.low < 0 ? range.low - margin : 0, range.high + margin};
+}
+
+QRectF MotionPlot::area() const {
+  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 420 ? kLegend : kRight), -kBelow);
+}
+
+QPointF MotionPlot::placeOf(double time, double value) const {
+  const QRectF inside = area();
+  return {inside.left() + (time - m_times.low) / m_times.size() * inside.width(),
+          inside.bottom() - (value - m_values.low) / m_values.size() * inside.height()};
+}
+
+double MotionPlot::timeAt(double x) const {
+  return m_times.low + (x - area().left()) / area().width() * m_times.size();
+}
+
+// Colours of links are made for shapes; a line on a dark ground has to be lighter to be seen.
+QColor MotionPlot::inkOf(const MotionCurve& curve) const {
+  const QColor own = QColor::fromRgbF(curve.colour.red, curve.colour.green, curve.colour.blue);
+  return isDark(palette()) && own.lightness() < 120 ? own.lighter(150) : own;
+}
+
+double MotionPlot::valueAt(const MotionCurve& curve, double time) const {
+  const double place = time / m_sheet.times.back() * static_cast<double>(m_sheet.times.size() - 1);
+  const auto before =
+      static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(m_sheet.times.size() - 1)));
+  const std::size_t after = std::min(before + 1, m_sheet.times.size() - 1);
+  const double part = place - static_cast<double>(before);
+  return (1 - part) * curve.values[before] + part * curve.values[after];
+}
+
+void MotionPlot::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), palette().color(QPalette::Base));
+  if (m_sheet.times.size() < 2) return;
+  paintAxes(painter);
+  paintCurves(painter);
+  paintMoments(painter);
+  paintLegend(painter);
+}
+
+void MotionPlot::paintAxes(QPainter& painter) const {
+  const QRectF inside = area();
+  const QColor ink = palette().color(QPalette::Text),
+               quiet = isDark(palette()) ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80);
+  const QColor hair = isDark(palette()) ? QColor(0x3A, 0x41, 0x4B) : QColor(0xD9, 0xDD, 0xE3);
+  painter.setPen(ink);
+  painter.drawText(
+      QRectF(inside.left(), 2, inside.width(), kTop - 4), Qt::AlignLeft | Qt::AlignVCenter,
+      tr("%1, %2").arg(QString::fromStdString(m_sheet.title), QString::fromStdString(m_sheet.unit)));
+  for (const double tick : niceTicks(m_values.low, m_values.high, qMax(2, qRound(inside.height() / 34)))) {
+    const double y = placeOf(0, tick).y();
+    painter.setPen(QPen(tick == 0 ? quiet : hair, 1));
+    painter.drawLine(QPointF(inside.left(), y), QPointF(inside.right(), y));
+    painter.setPen(quiet);
+    painter.drawText(QRectF(0, y - 9, kLeft - 6, 18), Qt::AlignRight | Qt::AlignVCenter, text(tick));
+  }
+  for (const double tick : niceTicks(m_times.low, m_times.high, qMax(2, qRound(inside.width() / 80)))) {
+    const double x = placeOf(tick, 0).x();
+    painter.setPen(QPen(hair, 1));
+    painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
+    painter.setPen(quiet);
+    painter.drawText(QRectF(x - 40, inside.bottom() + 1, 80, 16), Qt::AlignHCenter | Qt::AlignTop,
+                     text(tick));
+  }
+  painter.drawText(QRectF(inside.left(), inside.bottom() + 15, inside.width(), 18), Qt::AlignHCenter,
+                   tr("time, s"));
+}
+
+void MotionPlot::paintCurves(QPainter& painter) const {
+  painter.save();
+  painter.setClipRect(area());
+  int coordinate = 0;
+  for (const MotionCurve& curve : m_sheet.curves) {
+    coordinate = curve.isComponent ? coordinate + 1 : 0;
+    QPen pen(inkOf(curve), curve.isComponent ? 1.2 : 2.0);
+    constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+    pen.setStyle(kStyles[coordinate % 4]);
+    painter.setPen(pen);
+    QPainterPath path(placeOf(m_sheet.times.front(), curve.values.front()));
+    for (std::size_t i = 1; i < curve.values.size(); ++i)
+      path.lineTo(placeOf(m_sheet.times[i], curve.values[i]));
+    painter.drawPath(path);
+  }
+  painter.restore();
+}
+
+void MotionPlot::paintMoments(QPainter& painter) const {
+  const QRectF inside = area();
+  const QColor accent = isDark(palette()) ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2F, 0x6F, 0xED);
+  const auto line = [&](double time, const QColor& colour, Qt::PenStyle style) {
+    if (time < m_times.low || time > m_times.high) return;
+    painter.setPen(QPen(colour, 1, style));
+    const double x = placeOf(time, 0).x();
+    painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
+  };
+  line(m_time, accent, Qt::SolidLine);
+  if (m_pointed) line(*m_pointed, palette().color(QPalette::Text), Qt::DotLine);
+}
+
+void MotionPlot::paintLegend(QPainter& painter) const {
+  const QRectF inside = area();
+  if (inside.right() > width() - kLegend / 2) return;
+  const double time = m_pointed.value_or(std::clamp(m_time, 0.0, m_sheet.times.back()));
+  const double row = painter.fontMetrics().height() + 1;
+  double y = inside.top();
+  painter.setPen(palette().color(QPalette::Text));
+  painter.drawText(QRectF(inside.right() + 12, 2, kLegend - 16, kTop - 4), Qt::AlignLeft | Qt::AlignVCenter,
+                   tr("at %1 s").arg(text(time)));
+  int coordinate = 0;
+  for (const MotionCurve& curve : m_sheet.curves) {
+    coordinate = curve.isComponent ? coordinate + 1 : 0;
+    if (y + row > height()) break;
+    constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+    painter.setPen(QPen(inkOf(curve), 2, kStyles[coordinate % 4]));
+    painter.drawLine(QPointF(inside.right() + 12, y + row / 2), QPointF(inside.right() + 30, y + row / 2));
+    painter.setPen(palette().color(QPalette::Text));
+    const QString value = text(valueAt(curve, time));
+    const QRectF line(inside.right() + 34, y, kLegend - 42, row);
+    const double room = line.width() - painter.fontMetrics().horizontalAdvance(value) - 6;
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, value);
+    painter.drawText(
+        line, Qt::AlignLeft | Qt::AlignVCenter,
+        painter.fontMetrics().elidedText(QString::fromStdString(curve.name), Qt::ElideRight, qRound(room)));
+    y += row;
+  }
+}
+
+void MotionPlot::moveTimes(double low, double size) {
+  const double whole = m_sheet.times.empty() ? 1 : m_sheet.times.back();
+  const double kept = std::clamp(size, kNearest * whole, whole);
+  m_times.low = std::clamp(low, 0.0, whole - kept);
+  m_times.high = m_times.low + kept;
+  update();
+}
+
+void MotionPlot::wheelEvent(QWheelEvent* event) {
+  const double factor = std::pow(kZoomPerNotch, -event->angleDelta().y() / 120.0);
+  if (event->modifiers().testFlag(Qt::ControlModifier)) {
+    const double part = (area().bottom() - event->position().y()) / area().height();
+    const double at = m_values.low + part * m_values.size(), size = factor * m_values.size();
+    m_values = {at - part * size, at + (1 - part) * size};
+    update();
+  } else {
+    const double at = timeAt(event->position().x()), part = (at - m_times.low) / m_times.size();
+    moveTimes(at - part * factor * m_times.size(), factor * m_times.size());
+  }
+  event->accept();
+}
+
+void MotionPlot::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  m_pressed = event->position();
+  m_lowAtPress = m_times.low;
+  m_dragged = false;
+}
+
+void MotionPlot::mouseMoveEvent(QMouseEvent* event) {
+  if (m_pressed) {
+    const double moved = event->position().x() - m_pressed->x();
+    m_dragged = m_dragged || std::abs(moved) >= kDragBegins;
+    if (m_dragged) moveTimes(m_lowAtPress - moved / area().width() * m_times.size(), m_times.size());
+    return;
+  }
+  const double whole = m_sheet.times.empty() ? 0 : m_sheet.times.back();
+  m_pointed.reset();
+  if (area().contains(event->position()) && whole > 0)
+    m_pointed = std::clamp(timeAt(event->position().x()), 0.0, whole);
+  update();
+}
+
+void MotionPlot::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !m_pressed) return;
+  m_pressed.reset();
+  if (!m_dragged && area().contains(event->position())) emit timeWanted(timeAt(event->position().x()));
+}
+
+void MotionPlot::mouseDoubleClickEvent(QMouseEvent*) {
+  showAll();
+}
+
+void MotionPlot::leaveEvent(QEvent*) {
+  m_pointed.reset();
+  update();
+}
+
+}  // namespace geargraph

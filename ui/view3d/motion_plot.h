@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/render/motion_curves.h"
+
+namespace geargraph {
+
+/// Ticks that read well: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
+/// @pre low < high, most > 1
+[[nodiscard]] std::vector<double> niceTicks(double low, double high, int most);
+
+/// Curves over time, with axes, units and a legend.
+///
+///     wheel         zoom along the time, at the pointer      drag            move along the time
+///     Ctrl+wheel    zoom along the values                    click           go to that time
+///     double click  all of it                                pointer         values there
+class MotionPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MotionPlot(QWidget* parent = nullptr);
+
+  /// The range that is shown stays where times do; it begins with all of them.
+  void setSheet(const CurveSheet& sheet);
+  [[nodiscard]] const CurveSheet& sheet() const { return m_sheet; }
+  /// The time that the 3D view shows, as a line.
+  void setTime(double seconds);
+  void showAll();
+
+  struct Range {
+    double low = 0;
+    double high = 1;
+    [[nodiscard]] double size() const { return high - low; }
+  };
+  [[nodiscard]] const Range& times() const { return m_times; }
+  [[nodiscard]] const Range& values() const { return m_values; }
+  [[nodiscard]] double timeAt(double x) const;
+  [[nodiscard]] QRectF area() const;  ///< of the curves
+
+ signals:
+  void timeWanted(double seconds);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QPointF placeOf(double time, double value) const;
+  [[nodiscard]] QColor inkOf(const MotionCurve& curve) const;
+  [[nodiscard]] double valueAt(const MotionCurve& curve, double time) const;
+  void fitValues();
+  void moveTimes(double low, double size);
+  void paintAxes(QPainter& painter) const;
+  void paintCurves(QPainter& painter) const;
+  void paintLegend(QPainter& painter) const;
+  void paintMoments(QPainter& painter) const;
+
+  CurveSheet m_sheet;
+  Range m_times;
+  Range m_values;
+  double m_time = 0;
+  std::optional<double> m_pointed;  ///< the time under the pointer
+  std::optional<QPointF> m_pressed;
+  double m_lowAtPress = 0;
+  bool m_dragged = false;
+};
+
+}  // namespace geargraph
