@@ -222,6 +222,7 @@ void JointForm::refresh() {
                           : tr("Turning joint %1: %2 → %3")
                                 .arg(label(first), label(all.front()->tail), label(all.front()->head)));
   refreshAxes(all);
+  m_offset->setLengthUnit(mechanism().unit);
   m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
 }
 
@@ -231,6 +232,7 @@ void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {
   const auto axis = shared(all, [](const TurningJoint& joint) { return joint.axis; });
   m_axis->setPlaceholderText(tr("several"));
   m_axis->setCurrentIndex(axis ? m_axis->findText(shownText(axis->text())) : -1);
+  m_point->setLengthUnit(mechanism().unit);
   TripleField::Triples points;
   TripleField::Triples directions;
   for (const TurningJoint* joint : all) {
@@ -346,6 +348,7 @@ void MeshForm::refresh() {
   const QSignalBlocker quiet(m_kind);
   m_kind->setPlaceholderText(tr("several"));
   m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
+  m_pitchPoint->setLengthUnit(mechanism().unit);
   TripleField::Triples points;
   for (const GearMesh* mesh : all) points.push_back(mesh->pitchPoint);
   m_pitchPoint->setTriples(points);

@@ -5,6 +5,7 @@
 #include <QStyle>
 #include <QWheelEvent>
 
+#include "core/mechanism/length.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {
@@ -19,9 +20,25 @@ void NumberField::setWhole(int least, int most) {
   m_most = most;
 }
 
+void NumberField::setLengthUnit(const std::string& unit) {
+  m_unit = unit;
+  if (!property("wrong").toBool()) setToolTip(hint());
+}
+
+QString NumberField::hint() const {
+  if (!m_unit) return {};
+  return tr("In %1; a length with another unit, such as 1/2 in or 2.5 cm, is converted.")
+      .arg(QString::fromStdString(*m_unit).toHtmlEscaped());
+}
+
+std::optional<Number> NumberField::read(const QString& text) const {
+  const std::string typed = text.trimmed().toStdString();
+  return m_unit ? lengthFromText(typed, *m_unit) : Number::fromText(typed);
+}
+
 void NumberField::setNumber(const std::optional<Number>& number) {
   m_number = number;
-  const auto typed = Number::fromText(text().trimmed().toStdString());
+  const auto typed = read(text());
   const bool beingTyped = hasFocus() && typed && number && typed->exact() == number->exact();
   if (beingTyped) return;
   if (hasFocus() && property("wrong").toBool()) return;
@@ -37,8 +54,11 @@ void NumberField::onText(const QString& typed) {
     emit edited(std::nullopt);
     return;
   }
-  const auto number = Number::fromText(trimmed.toStdString());
-  if (!number) return setWrong(tr("Type a number such as 12, 0.5 or 22/7."));
+  const auto number = read(trimmed);
+  if (!number) {
+    return setWrong(m_unit ? tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.")
+                           : tr("Type a number such as 12, 0.5 or 22/7."));
+  }
   const bool whole = number->exact().isInteger();
   const bool outside =
       m_least && (!whole || number->exact() < Rational(*m_least) || number->exact() > Rational(*m_most));
@@ -49,7 +69,7 @@ void NumberField::onText(const QString& typed) {
 }
 
 void NumberField::setWrong(const QString& why) {
-  setToolTip(why);
+  setToolTip(why.isEmpty() ? hint() : why);
   if (property("wrong").toBool() == !why.isEmpty()) return;
   setProperty("wrong", !why.isEmpty());
   style()->unpolish(this);

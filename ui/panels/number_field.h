@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <optional>
+#include <string>
 
 #include "core/mechanism/number.h"
 
@@ -17,6 +18,8 @@ class NumberField : public QLineEdit {
 
   /// Whole numbers from `least` to `most` only.
   void setWhole(int least, int most);
+  /// A length in this unit of the document's: others may be typed and are converted (lengthFromText()).
+  void setLengthUnit(const std::string& unit);
   void setStep(const Rational& step) { m_step = step; }
   /// What stands in the field while it has no number: "auto", "several".
   void setEmptyText(const QString& text) { setPlaceholderText(text); }
@@ -42,6 +45,8 @@ class NumberField : public QLineEdit {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  [[nodiscard]] QString hint() const;  ///< while nothing is wrong
+  [[nodiscard]] std::optional<Number> read(const QString& text) const;
   void onText(const QString& text);
   void spin(int steps);
   void setWrong(const QString& why);
@@ -51,6 +56,7 @@ class NumberField : public QLineEdit {
   Rational m_step = 1;
   std::optional<int> m_least;
   std::optional<int> m_most;
+  std::optional<std::string> m_unit;  ///< of a length
   bool m_optional = false;
   bool m_selectOnRelease = false;
 };

@@ -155,6 +155,10 @@ TripleField::TripleField(const QString& objectName) {
   }
 }
 
+void TripleField::setLengthUnit(const std::string& unit) {
+  for (NumberField* field : m_fields) field->setLengthUnit(unit);
+}
+
 void TripleField::setTriples(const Triples& triples) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto at = [i](const std::optional<NumberTriple>& triple) {

@@ -75,6 +75,8 @@ class TripleField : public QWidget {
   explicit TripleField(const QString& objectName);
 
   using Triples = std::vector<std::optional<NumberTriple>>;
+  /// A point, in this unit of length.
+  void setLengthUnit(const std::string& unit);
   /// One for each element.
   void setTriples(const Triples& triples);
 

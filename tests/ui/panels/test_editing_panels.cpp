@@ -101,6 +101,24 @@ class EditingPanelsTest : public QObject {
     QVERIFY(!teeth->QObject::property("wrong").toBool());
   }
 
+  void lengthsMayBeTypedInOtherUnits() {
+    selection.select({ElementId(JointId("8"))});
+    NumberField* offset = property("offset");
+    QVERIFY2(offset->toolTip().contains(QStringLiteral("mm")), qPrintable(offset->toolTip()));
+    const auto value = [this] { return document->mechanism()->find(JointId("8"))->offset.exact(); };
+    type(offset, QStringLiteral("1/2 in"));
+    QCOMPARE(value(), Rational(127, 10));
+    QCOMPARE(offset->text(), QStringLiteral("1/2 in"));  // what is typed stays until the field is left
+    type(offset, QStringLiteral("2.5cm"));
+    QCOMPARE(value(), Rational(25));
+    type(offset, QStringLiteral("3 parsec"));
+    QVERIFY(offset->QObject::property("wrong").toBool());
+    offset->clearFocus();
+    QCOMPARE(offset->text(), QStringLiteral("3"));
+    type(property("axisDirection.x"), QStringLiteral("1 in"));
+    QVERIFY(property("axisDirection.x")->QObject::property("wrong").toBool());  // is no length
+  }
+
   void severalMeshesChangeTogether() {
     selection.select({ElementId(MeshId("15")), ElementId(MeshId("16"))});
     QVERIFY(property("tailTeeth")->text().isEmpty());  // 18 and 20
