@@ -30,6 +30,7 @@ struct Bearing {
   double at = 0;  ///< coordinate along the class's line
   bool placed = false;
   BearingForm form = BearingForm::eye;
+  double wall = 1;  ///< of the eye, in modules
 
   [[nodiscard]] bool isEye() const { return form == BearingForm::eye; }
 };

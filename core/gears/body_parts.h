@@ -42,6 +42,17 @@ struct PinPlan {
   double to = 0;    ///< behind the child's last wheel
 };
 
+/// A link's shaft that ends in an eye about a shaft across its own axis.
+struct TeePlan {
+  int link = 0;
+  int home = 0;      ///< the link's axis class
+  double level = 0;  ///< coordinate of the crossing along it
+  int axisClass = 0;
+  double at = 0;  ///< of the crossing along the other axis
+  int child = 0;  ///< whose shaft the eye holds
+  double low = 0, high = 0;  ///< how far that one reaches, for others that run on it
+};
+
 /// The plate and wall that carry a ring on its link's shaft.
 struct CupPlan {
   int gear = 0;

@@ -53,6 +53,7 @@ class Planner {
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       if (!isCoaxial(static_cast<int>(c))) nestShafts(static_cast<int>(c));
     }
+    trimTees();
     return std::move(m_plan);
   }
 
@@ -67,6 +68,8 @@ class Planner {
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
   [[nodiscard]] bool fits(int home, const std::vector<Bearing*>& round, double level) const;
   [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
+  bool placeTee(int link, int home, int axisClass);
+  void trimTees();
   [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
   void addShaft(int axisClass, int link);
@@ -179,6 +182,10 @@ void Planner::placeLink(int link) {
   int home = m_placement.classes->classOfLink(m_tree, link);
   if (home < 0) home = held.back().first;  // the ground: the last of its axes
   for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int c = held[i].first;
+    if (!parallel(home, c) && (i == 0 || held[i - 1].first != c)) placeTee(link, home, c);
+  }
   for (const auto& [c, b] : held) {
     if (!parallel(home, c) && !axis(c).bearings[b].placed) placeCrossing(link, home, axis(c).bearings[b]);
   }
@@ -301,6 +308,75 @@ int Planner::shaftHits(const ArmPlan& arm) const {
     count += !inBearing && isInShaft(onPost) ? 1 : 0;
   }
   return count;
+}
+
+/// Where axes meet and a shaft with wheels on both sides passes the crossing, the link's own shaft can end in
+/// an eye about it. Whatever else turns there on the link runs on the shaft that it encloses.
+bool Planner::placeTee(int link, int home, int axisClass) {
+  AxisLayout& own = axis(home);
+  AxisLayout& target = axis(axisClass);
+  const Vector3d across = own.direction.cross(target.direction);
+  const Vector3d apart = target.point - own.point;
+  if (link == 0 || std::abs(apart.dot(across)) > 0.01 * own.module * across.norm()) return false;
+  const double level = apart.cross(target.direction).dot(across) / across.squaredNorm();
+  const double at = target.coordinate(own.at(level));
+  const auto isOthers = [](const Stretch& s, double low, double high) {
+    return s.link >= 0 && s.low < high && low < s.high;
+  };
+  const double half = target.width() / 2 + target.gap() / 2;
+  const double reach = (kShaftRadius + 1.5) * own.module;
+  for (const Stretch& s : target.taken) {
+    if (isOthers(s, at - half, at + half)) return false;
+  }
+  for (const Stretch& s : own.taken) {
+    if (isOthers(s, level - reach, level + reach)) return false;
+    if (s.link == link && s.low < level && level < s.high) return false;
+  }
+  const auto passes = [&](const Bearing& b) {
+    const auto wheels = target.wheelsOf(b.child);
+    return b.parent == link && !b.placed && wheels && wheels->low < at && wheels->high > at;
+  };
+  const auto through = std::find_if(target.bearings.begin(), target.bearings.end(), passes);
+  if (through == target.bearings.end()) return false;
+  if (std::count_if(target.bearings.begin(), target.bearings.end(), passes) != 1) return false;
+  TeePlan tee{link, home, level, axisClass, at, through->child, at, at};
+  for (const Bearing& b : target.bearings) {  // what runs on the shaft stands on one side
+    const auto wheels = target.wheelsOf(b.child);
+    if (&b == &*through || b.parent != link) continue;
+    if (!wheels || b.placed || (wheels->low < at && wheels->high > at)) return false;
+    tee.low = std::min(tee.low, wheels->low);
+    tee.high = std::max(tee.high, wheels->high);
+  }
+  for (Bearing& b : target.bearings) {
+    if (b.parent != link) continue;
+    b.placed = true;
+    b.at = at;
+    b.form = &b == &*through ? BearingForm::eye : BearingForm::hidden;
+  }
+  const double cosine = std::abs(own.direction.dot(target.direction));
+  through->wall = 1 + kShaftRadius * cosine;
+  target.take(at, link);
+  m_plan.tees.push_back(tee);
+  return true;
+}
+
+/// The shafts of tees end in the walls of their eyes: not nearer than their edge may come to what turns there.
+void Planner::trimTees() {
+  for (const TeePlan& tee : m_plan.tees) {
+    const double hole = m_plan.shaftAt(tee.axisClass, tee.at, tee.link) + 0.08 * axis(tee.axisClass).module;
+    const double sine = axis(tee.home).direction.cross(axis(tee.axisClass).direction).norm();
+    const double cosine = std::abs(axis(tee.home).direction.dot(axis(tee.axisClass).direction));
+    for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(tee.home)]) {
+      ShaftPlan& shaft = m_plan.shafts[s];
+      if (shaft.link != tee.link) continue;
+      const double off = (hole + 0.4 * axis(tee.home).module + shaft.outer * cosine) / sine;
+      if (std::abs(shaft.high - tee.level) < std::abs(shaft.low - tee.level)) {
+        shaft.high = tee.level - off;
+      } else {
+        shaft.low = tee.level + off;
+      }
+    }
+  }
 }
 
 /// Where axes meet, a link can hold out a pin along the other from its own shaft, for wheels that all stand
@@ -431,6 +507,10 @@ void Planner::addShaft(int axisClass, int link) {
   for (const CupPlan& cup : m_plan.cups) {
     const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
     if (gear.link == link && gear.axisClass == axisClass) shaft.include(cup.plate - half, cup.plate + half);
+  }
+  for (const TeePlan& tee : m_plan.tees) {
+    if (tee.link == link && tee.home == axisClass) shaft.include(tee.level, tee.level);
+    if (tee.child == link && tee.axisClass == axisClass) shaft.include(tee.low, tee.high);
   }
   for (const PinPlan& pin : m_plan.pins) {
     if (pin.link == link && pin.home == axisClass) shaft.include(pin.level, pin.level);

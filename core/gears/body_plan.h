@@ -16,6 +16,7 @@ struct BodyPlan {
   std::vector<ShaftPlan> shafts;
   std::vector<CupPlan> cups;
   std::vector<PinPlan> pins;
+  std::vector<TeePlan> tees;
   std::vector<LathePlan> lathes;
   std::vector<CagePlan> cages;
   std::vector<std::pair<std::size_t, double>> hubs;  ///< gears, and the diameter that their hub has to have

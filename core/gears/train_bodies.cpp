@@ -96,7 +96,7 @@ class BodyBuilder {
     const double hole = holeFor(c, bearing.at, bearing.parent);
     const double half = layout.width() / 2;
     append(of(bearing.parent),
-           tube(hole + wall(layout), hole, bearing.at - half, bearing.at + half, tolerance(layout)),
+           tube(hole + bearing.wall * wall(layout), hole, bearing.at - half, bearing.at + half, tolerance(layout)),
            frameAlong(layout.point, layout.direction));
   }
 

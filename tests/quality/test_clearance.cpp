@@ -177,7 +177,7 @@ class TestClearance : public QObject {
     QTest::addColumn<QString>("name");
     for (const char* name :
          {"robot", "spur-pair", "three-planets", "planetary-ring-held", "redundant-planetary",
-          "bevel-differential", "bevel-wrist", "humpage-reduction", "locked-train", "eight-speed-gearbox",
+          "bevel-differential", "bevel-wrist", "humpage-reduction", "locked-train", "three-roll-wrist", "eight-speed-gearbox",
           "cannot-be-assembled", "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
       QTest::newRow(name) << QString(name);
     }
