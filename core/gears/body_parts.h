@@ -48,8 +48,8 @@ struct TeePlan {
   int home = 0;      ///< the link's axis class
   double level = 0;  ///< coordinate of the crossing along it
   int axisClass = 0;
-  double at = 0;  ///< of the crossing along the other axis
-  int child = 0;  ///< whose shaft the eye holds
+  double at = 0;             ///< of the crossing along the other axis
+  int child = 0;             ///< whose shaft the eye holds
   double low = 0, high = 0;  ///< how far that one reaches, for others that run on it
 };
 

@@ -106,7 +106,11 @@ class Planner {
 void Planner::planCoaxial(int axisClass) {
   if (!needsCoaxialPlan(axisClass, m_placement, m_train)) return;
   const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train);
-  if (!plan) return;
+  if (!plan) {
+    m_plan.blocked.emplace_back();
+    for (const Bearing& b : axis(axisClass).bearings) m_plan.blocked.back().push_back(b.child);
+    return;
+  }
   m_coaxial[static_cast<std::size_t>(axisClass)] = true;
   axis(axisClass).thickness = plan->width;
   for (const CoaxialBearing& placed : plan->bearings) {
@@ -248,6 +252,8 @@ double Planner::commonLevel(int link, int home, const std::vector<Bearing*>& rou
   for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
     if (fits(home, round, candidates[i])) return candidates[i];
   }
+  m_plan.blocked.push_back({link});
+  for (const Bearing* b : round) m_plan.blocked.back().push_back(b->child);
   const auto outmost = std::max_element(candidates.begin(), candidates.end(),
                                         [&](double a, double b) { return side * a < side * b; });
   return *outmost;
@@ -360,7 +366,8 @@ bool Planner::placeTee(int link, int home, int axisClass) {
   return true;
 }
 
-/// The shafts of tees end in the walls of their eyes: not nearer than their edge may come to what turns there.
+/// The shafts of tees end in the walls of their eyes: not nearer than their edge may come to what turns
+/// there.
 void Planner::trimTees() {
   for (const TeePlan& tee : m_plan.tees) {
     const double hole = m_plan.shaftAt(tee.axisClass, tee.at, tee.link) + 0.08 * axis(tee.axisClass).module;
@@ -457,6 +464,7 @@ void Planner::placeCrossing(int link, int home, Bearing& bearing) {
     m_plan.pins.push_back(*pin);
     return;
   }
+  if (bestHits > 0) m_plan.blocked.push_back({link, bearing.child});
   bearing.at = best.at;
   target.take(best.at, link);
   if (std::find(standing.begin(), standing.end(), best.level) == standing.end()) own.take(best.level, link);

@@ -19,6 +19,9 @@ struct BodyPlan {
   std::vector<TeePlan> tees;
   std::vector<LathePlan> lathes;
   std::vector<CagePlan> cages;
+  /// Links whose arms, shafts or discs have no way past the others: carrier and carried, or the links of one
+  /// axis.
+  std::vector<std::vector<int>> blocked;
   std::vector<std::pair<std::size_t, double>> hubs;  ///< gears, and the diameter that their hub has to have
   std::vector<std::vector<std::size_t>> shaftsOn;    ///< shafts by axis class
 

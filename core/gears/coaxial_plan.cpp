@@ -36,6 +36,7 @@ class CoaxialMaker {
     }
     for (std::size_t n = 0; n < m_routes.size(); ++n) addSleeves(static_cast<int>(n));
     nestSleeves();
+    joinSleeves();
     setWidth();
     for (std::size_t n = 0; n < m_routes.size(); ++n) {
       markBodies(static_cast<int>(n));
@@ -55,6 +56,7 @@ class CoaxialMaker {
   };
   void addSleeves(int net);
   void nestSleeves();
+  void joinSleeves();
   void setWidth();
   void markBodies(int net);
   void carryPlanets(int net);
@@ -161,6 +163,37 @@ void CoaxialMaker::nestSleeves() {
     shaft.inner *= scale;
     shaft.outer *= scale;
   }
+}
+
+/// Sleeves of a net that lie over each other and came out equally wide are one.
+void CoaxialMaker::joinSleeves() {
+  const auto shaftOf = [&](const Sleeve& s) -> ShaftPlan& { return m_plan.shafts[s.shaft]; };
+  const auto isOne = [&](const Sleeve& a, const Sleeve& b) {
+    return a.net == b.net && a.first <= b.last && b.first <= a.last &&
+           std::abs(shaftOf(a).outer - shaftOf(b).outer) < 1e-9 * m_sections.module &&
+           std::abs(shaftOf(a).inner - shaftOf(b).inner) < 1e-9 * m_sections.module;
+  };
+  for (std::size_t i = 0; i < m_sleeves.size(); ++i) {
+    for (std::size_t k = i + 1; k < m_sleeves.size();) {
+      Sleeve& one = m_sleeves[i];
+      const Sleeve other = m_sleeves[k];
+      if (!isOne(one, other)) {
+        ++k;
+        continue;
+      }
+      shaftOf(one).include(shaftOf(other).low, shaftOf(other).high);
+      one.first = std::min(one.first, other.first);
+      one.last = std::max(one.last, other.last);
+      m_sleeves.erase(m_sleeves.begin() + static_cast<std::ptrdiff_t>(k));
+      k = i + 1;  // the longer one may reach others
+    }
+  }
+  std::vector<ShaftPlan> kept;
+  for (Sleeve& s : m_sleeves) {
+    kept.push_back(shaftOf(s));
+    s.shaft = kept.size() - 1;
+  }
+  m_plan.shafts = std::move(kept);
 }
 
 /// Arms are as wide as the narrowest slot that one stands in.

@@ -52,6 +52,17 @@ class SectionMaker {
     double distance = 0;
   };
   void findWheels();
+  /// Does the gear run in a ring of this axis?
+  [[nodiscard]] bool meshesInside(std::size_t gear) const {
+    const auto isRing = [&](int g) {
+      const TrainGear& other = m_train.gears[at(g)];
+      return other.axisClass == m_class && other.spec.kind == GearKind::internal;
+    };
+    return std::any_of(m_train.meshes.begin(), m_train.meshes.end(), [&](const TrainMesh& mesh) {
+      return (at(mesh.tailGear) == gear && isRing(mesh.headGear)) ||
+             (at(mesh.headGear) == gear && isRing(mesh.tailGear));
+    });
+  }
   void cutColumns();
   void addSlots(double low, double high);
   void cutRows();
@@ -60,6 +71,7 @@ class SectionMaker {
   void makeNets();
   void addWheel(const Wheel& wheel);
   void addCarried();
+  void addHousing(int net);
   void addSupports(int net, bool onGround);
   [[nodiscard]] std::vector<MeridianLanding> pinLandings(const CoaxialPlanets& planets) const;
   int netOf(int link);
@@ -127,7 +139,8 @@ void SectionMaker::findWheels() {
     const Eigen::Vector3d apart = other.point - m_axis.point;
     wheel.distance = (apart - apart.dot(m_axis.direction) * m_axis.direction).norm();
     const int top = classes.classes[at(c)].top;
-    if (classes.classOfLink(tree, top) != m_class) {
+    const bool inRing = top == 0 && meshesInside(g);  // the ground is a carrier, too
+    if (classes.classOfLink(tree, top) != m_class && !inRing) {
       m_beside.push_back(wheel);
       continue;
     }
@@ -327,11 +340,22 @@ void SectionMaker::addCarried() {
     const int net = netOf(m_made.planets[i].carrier);
     m_made.nets[at(net)].groups.push_back(pinLandings(m_made.planets[i]));
     m_made.planetsOf[at(net)].emplace_back();
+    if (m_made.planets[i].carrier == 0) addHousing(net);
     for (std::size_t k = i; k < m_made.planets.size(); ++k) {
       if (done[k] || !alike(m_made.planets[i], m_made.planets[k])) continue;
       done[k] = true;
       m_made.planetsOf[at(net)].back().push_back(k);
     }
+  }
+}
+
+/// What the ground carries hangs on the housing, which is outside of everything.
+void SectionMaker::addHousing(int net) {
+  MeridianNet& held = m_made.nets[at(net)];
+  held.needsSupport = true;
+  for (int c = 0; c < m_made.grid.columns; ++c) {
+    if (m_made.grid.plates[at(c)])
+      held.supports.push_back({{m_made.grid.cell(c, m_made.grid.rows - 1)}, {}, 0});
   }
 }
 

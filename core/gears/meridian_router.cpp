@@ -13,6 +13,9 @@ namespace geargraph {
 namespace {
 
 constexpr double kFar = 1e300;
+constexpr double kSpread = 15;  // columns' widths
+
+using Sources = std::vector<std::pair<int, double>>;  ///< cells, and what it costs to begin there
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -21,8 +24,14 @@ std::size_t at(int i) {
 /// One round: nets are laid in an order, each by shortest ways among what is left.
 class Round {
  public:
-  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets)
-      : m_grid(grid), m_nets(nets), m_owner(grid.owner), m_routes(nets.size()) {}
+  /// Landings and rows are dearer by chance, by up to `spread`: other rounds choose others.
+  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, unsigned seed, double spread)
+      : m_grid(grid),
+        m_nets(nets),
+        m_owner(grid.owner),
+        m_routes(nets.size()),
+        m_random(seed),
+        m_spread(spread) {}
 
   /// The net that found no way; -1: all did.
   int lay(const std::vector<int>& order) {
@@ -40,8 +49,16 @@ class Round {
   bool layNet(int net);
   bool support(int net);
   /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
-  int reach(int net, const std::vector<MeridianLanding>& landings, std::vector<int>& sources);
-  void search(int net, const std::vector<int>& sources);
+  int reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources);
+  void search(int net, const Sources& sources);
+  [[nodiscard]] double chance() {
+    return m_spread * static_cast<double>(m_random()) / static_cast<double>(std::minstd_rand::max());
+  }
+  [[nodiscard]] Sources laid(int net) const {
+    Sources sources;
+    for (const int c : m_routes[at(net)].cells) sources.emplace_back(c, 0);
+    return sources;
+  }
   void claim(int net, int cell) {
     if (m_owner[at(cell)] == net && m_grid.owner[at(cell)] != net) return;
     m_owner[at(cell)] = net;
@@ -64,18 +81,24 @@ class Round {
   const std::vector<MeridianNet>& m_nets;
   std::vector<int> m_owner;
   std::vector<MeridianRoute> m_routes;
+  std::minstd_rand m_random;
+  double m_spread;
+  std::vector<double> m_rowExtra;
   std::vector<double> m_cost;
   std::vector<int> m_from;
 };
 
-void Round::search(int net, const std::vector<int>& sources) {
+void Round::search(int net, const Sources& sources) {
+  m_rowExtra.clear();
+  for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
   m_cost.assign(m_owner.size(), kFar);
   m_from.assign(m_owner.size(), -1);
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const int s : sources) {
-    m_cost[at(s)] = 0;
-    queue.push({0, s});
+  for (const auto& [cell, cost] : sources) {
+    if (cost >= m_cost[at(cell)]) continue;
+    m_cost[at(cell)] = cost;
+    queue.push({cost, cell});
   }
   while (!queue.empty()) {
     const auto [cost, cell] = queue.top();
@@ -89,7 +112,7 @@ void Round::search(int net, const std::vector<int>& sources) {
       m_from[at(next)] = cell;
       queue.push({cost + price, next});
     };
-    const double along = m_grid.width[at(column)] * (1 + m_grid.rowCost[at(row)]);
+    const double along = m_grid.width[at(column)] * (1 + m_grid.rowCost[at(row)] + m_rowExtra[at(row)]);
     if (column > 0) step(m_grid.cell(column - 1, row), along);
     if (column + 1 < m_grid.columns) step(m_grid.cell(column + 1, row), along);
     if (!m_grid.plates[at(column)]) continue;
@@ -98,7 +121,7 @@ void Round::search(int net, const std::vector<int>& sources) {
   }
 }
 
-int Round::reach(int net, const std::vector<MeridianLanding>& landings, std::vector<int>& sources) {
+int Round::reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources) {
   search(net, sources);
   struct Way {
     double cost;
@@ -107,8 +130,9 @@ int Round::reach(int net, const std::vector<MeridianLanding>& landings, std::vec
   std::vector<Way> ways;
   for (std::size_t l = 0; l < landings.size(); ++l) {
     if (!open(net, landings[l])) continue;
+    const double extra = landings[l].cost + chance();
     for (const int c : landings[l].cells) {
-      if (m_cost[at(c)] < kFar) ways.push_back({m_cost[at(c)] + landings[l].cost, static_cast<int>(l), c});
+      if (m_cost[at(c)] < kFar) ways.push_back({m_cost[at(c)] + extra, static_cast<int>(l), c});
     }
   }
   std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.cost < b.cost; });
@@ -122,14 +146,14 @@ int Round::reach(int net, const std::vector<MeridianLanding>& landings, std::vec
     if (!clear) continue;
     for (int c = way.end; c >= 0; c = m_from[at(c)]) claim(net, c);
     take(net, landing);
-    sources = m_routes[at(net)].cells;
+    sources = laid(net);
     return way.landing;
   }
   return -1;
 }
 
 bool Round::support(int net) {
-  std::vector<int> sources = m_routes[at(net)].cells;
+  Sources sources = laid(net);
   m_routes[at(net)].support = reach(net, m_nets[at(net)].supports, sources);
   return m_routes[at(net)].support >= 0;
 }
@@ -140,9 +164,11 @@ bool Round::layNet(int net) {
   route.landing.assign(wanted.groups.size(), -1);
   if (wanted.groups.empty()) return true;
   // The first landing is whichever the way to the next leads from.
-  std::vector<int> sources;
+  Sources sources;
   for (const MeridianLanding& landing : wanted.groups.front()) {
-    if (open(net, landing)) sources.insert(sources.end(), landing.cells.begin(), landing.cells.end());
+    if (!open(net, landing)) continue;
+    const double extra = landing.cost + chance();
+    for (const int c : landing.cells) sources.emplace_back(c, extra);
   }
   if (sources.empty()) return false;
   const auto start = [&] {
@@ -158,7 +184,7 @@ bool Round::layNet(int net) {
     if (found == landings.end()) return false;
     route.landing.front() = static_cast<int>(found - landings.begin());
     take(net, *found);
-    sources = route.cells;
+    sources = laid(net);
     return true;
   };
   for (std::size_t g = 1; g < wanted.groups.size(); ++g) {
@@ -181,7 +207,7 @@ std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid
   std::iota(order.begin(), order.end(), 0);
   std::minstd_rand random(1);
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets);
+    Round round(grid, nets, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
     const int failed = round.lay(order);
     if (failed < 0) return round.take();
     if (i % 4 == 3) {  // out of the circles that moving one forward runs in

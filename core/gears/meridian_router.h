@@ -48,6 +48,6 @@ struct MeridianRoute {
 /// rounds. Cost: O(nets * cells * log cells) a round.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
-                                                                      int tries = 60);
+                                                                      int tries = 40);
 
 }  // namespace geargraph

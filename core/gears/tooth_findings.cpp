@@ -107,9 +107,7 @@ void ToothFinder::addMesh(const TrainMesh& mesh) {
                            std::to_string(tail.spec.teeth) + " and " + std::to_string(head.spec.teeth) +
                            " teeth";
   const double distance = distanceOf(tail, head);
-  if (const auto ratio = contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance)) {
-    addContact(*ratio, pair, id);
-  }
+  addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
   if (tail.spec.kind == GearKind::bevel) {
     addFace(tail.spec, pair, id);
   } else if (tail.spec.kind == GearKind::internal) {

@@ -31,15 +31,17 @@ ActiveFlank planeFlank(const GearSpec& spec, const HalfTooth& tooth) {
   return {roll(tooth.formRad), roll(tooth.tipRad)};
 }
 
-std::optional<double> bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
-                                        const HalfTooth& toothB) {
-  if (std::max(a.coneAngle, b.coneAngle) > std::numbers::pi / 2 - 0.02) return std::nullopt;
+/// On the great circle through the pitch point that makes the pressure angle with the pitch cones' common
+/// plane a point has the colatitude c with cos c = cos(arc) cos(base cone): for crowns and internal cones,
+/// too.
+double bevelContactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                         const HalfTooth& toothB) {
   const auto baseCosine = [](const GearSpec& spec) {
     const double sine = std::sin(spec.coneAngle) * std::cos(spec.pressureAngle);
     return std::sqrt(1 - sine * sine);
   };
   const auto arc = [&](const GearSpec& spec, double colatitude) {
-    return std::acos(std::min(std::cos(colatitude) / baseCosine(spec), 1.0));
+    return std::acos(std::clamp(std::cos(colatitude) / baseCosine(spec), -1.0, 1.0));
   };
   const double line = arc(a, a.coneAngle) + arc(b, b.coneAngle);
   const double begin = std::max(arc(a, toothA.formRad), line - arc(b, toothB.tipRad));
@@ -86,8 +88,8 @@ double trochoidMargin(const GearSpec& pinion, const GearSpec& ring, double dista
   return turn1 * pinion.teeth / ring.teeth + involute(working) - involute(angleAt(ring, tip2)) - turn2;
 }
 
-std::optional<double> contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
-                                   const HalfTooth& toothB, double distance) {
+double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b, const HalfTooth& toothB,
+                    double distance) {
   if (a.kind == GearKind::bevel) return bevelContactRatio(a, toothA, b, toothB);
   if (a.kind == GearKind::internal) return contactRatio(b, toothB, a, toothA, distance);
   const bool inRing = b.kind == GearKind::internal;

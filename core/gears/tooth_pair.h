@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "core/gears/gear_spec.h"
 #include "core/gears/half_tooth.h"
 
@@ -28,9 +26,8 @@ namespace geargraph {
 
 /// Mean number of pairs in contact: the path between the ends of the flanks along the line of action (bevels:
 /// along its great circle), in base pitches. Below 1 the drive is interrupted. `distance`
-/// of the axes in modules, unused for bevels. Crown gears and internal cones have none here. The teeth are
-/// those of the specs.
-[[nodiscard]] std::optional<double> contactRatio(const GearSpec& a, const HalfTooth& toothA,
-                                                 const GearSpec& b, const HalfTooth& toothB, double distance);
+/// of the axes in modules, unused for bevels. The teeth are those of the specs.
+[[nodiscard]] double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
+                                  const HalfTooth& toothB, double distance);
 
 }  // namespace geargraph

@@ -74,7 +74,19 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   stackWheels(wheels);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
-  train.diagnostics = findingsOf(mechanism, placement, train, {});
+  const Diagnostics findings = findingsOf(mechanism, placement, train, {});
+  train.diagnostics.insert(train.diagnostics.begin(), findings.begin(), findings.end());
+  for (const auto& [a, b] : wheelsInOnePlace(wheels)) {
+    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
+    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
+    train.diagnostics.push_back(
+        finding(Code::interference,
+                "Gears " + one.name + " and " + other.name +
+                    " stand in one place and do not mesh. Move the pitch point of one along its axis, or "
+                    "leave it open.",
+                {mechanism.links[static_cast<std::size_t>(one.link)].id,
+                 mechanism.links[static_cast<std::size_t>(other.link)].id}));
+  }
   return train;
 }
 

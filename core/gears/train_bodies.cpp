@@ -11,6 +11,7 @@
 #include "core/gears/bodies.h"
 #include "core/gears/body_plan.h"
 #include "core/gears/gear_body.h"
+#include "core/gears/train_findings.h"
 
 namespace geargraph {
 namespace {
@@ -95,11 +96,14 @@ class BodyBuilder {
     const AxisLayout& layout = axis(c);
     const double hole = holeFor(c, bearing.at, bearing.parent);
     const double half = layout.width() / 2;
-    append(of(bearing.parent),
-           tube(hole + bearing.wall * wall(layout), hole, bearing.at - half, bearing.at + half, tolerance(layout)),
+    const double outer = hole + bearing.wall * wall(layout);
+    append(of(bearing.parent), tube(outer, hole, bearing.at - half, bearing.at + half, tolerance(layout)),
            frameAlong(layout.point, layout.direction));
+    if (bearing.parent == 0) addFlange(c, bearing, hole, outer);
   }
 
+  void addFlange(int c, const Bearing& bearing, double hole, double outer);
+  [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
   [[nodiscard]] Eye footOf(const ArmPlan& plan) const;
   [[nodiscard]] Eye endOf(const ArmPlan& plan) const;
   void addArms();
@@ -113,6 +117,51 @@ class BodyBuilder {
   const GearTrain& m_train;
   std::vector<Solid> m_solids;
 };
+
+/// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
+/// away from the wheels, where no wheel goes round so near.
+void BodyBuilder::addFlange(int c, const Bearing& bearing, double hole, double outer) {
+  const AxisLayout& layout = axis(c);
+  const double module = layout.module;
+  const double foot = 0.9 * module;
+  const double distance = outer + 1.3 * module;
+  if (!hasRoom(c, bearing.at, distance + foot)) return;
+  double middle = 0;
+  for (const Stretch& s : layout.wheels)
+    middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
+  const double side = bearing.at < middle ? -1 : 1;
+  const double far = bearing.at + side * 0.45 * layout.width();
+  const double near = far - side * 0.4 * layout.width();
+  std::vector<Eye> feet;
+  for (int i = 0; i < 4; ++i) {
+    const double angle = std::numbers::pi / 4 + std::numbers::pi / 2 * i;
+    feet.push_back({distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)), foot, 0.45 * foot});
+  }
+  const double seat = hole + 0.4 * (outer - hole);  // within the bearing's wall
+  append(of(0),
+         spider({{0, 0}, outer + 0.1 * module, seat}, feet, std::min(near, far), std::max(near, far),
+                tolerance(layout)),
+         frameAlong(layout.point, layout.direction));
+}
+
+/// Does no gear of another axis come nearer to this one, beside the coordinate?
+bool BodyBuilder::hasRoom(int c, double coordinate, double radius) const {
+  const AxisLayout& layout = axis(c);
+  return std::none_of(m_train.gears.begin(), m_train.gears.end(), [&](const TrainGear& gear) {
+    if (gear.axisClass == c) return false;
+    const AxialSpan span = axialSpan(gear.spec);
+    const Vector3d k = gear.pose.linear().col(2);
+    const Vector3d middle = gear.pose.translation() + (span.low + span.high) / 2 * k;
+    const double half = (span.high - span.low) / 2;
+    const double tip =
+        gear.spec.kind == GearKind::internal ? rimDiameter(gear.spec) / 2 : nominalTipRadius(gear.spec);
+    const double tilt = k.cross(layout.direction).norm();
+    const double along = half * std::abs(k.dot(layout.direction)) + tip * tilt;
+    if (std::abs(layout.coordinate(middle) - coordinate) > along + layout.width()) return false;
+    const double apart = (middle - layout.at(layout.coordinate(middle))).norm();
+    return apart < radius + tip + half * tilt;
+  });
+}
 
 /// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
 /// both hold together and no face of one lies on one of the other.
@@ -240,8 +289,28 @@ void fitBore(const BodyPlan& plan, TrainGear& gear) {
 
 }  // namespace
 
+namespace {
+
+Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& links) {
+  std::string who;
+  std::vector<ElementId> elements;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const char* before = i == 0 ? "" : i + 1 < links.size() ? ", " : " and ";
+    who += before + std::to_string(links[i]);
+    elements.emplace_back(mechanism.links[static_cast<std::size_t>(links[i])].id);
+  }
+  return finding(Code::interference,
+                 "Found no way for the bodies of links " + who +
+                     " past each other: in three dimensions some are shown through others. Leave more room "
+                     "along the axes, or leave pitch points open.",
+                 std::move(elements));
+}
+
+}  // namespace
+
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
+  for (const auto& links : plan.blocked) train.diagnostics.push_back(blockedFinding(mechanism, links));
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
   for (const auto& [gear, diameter] : plan.hubs) {
     GearSpec& spec = train.gears[gear].spec;

@@ -8,6 +8,7 @@ namespace geargraph {
 constexpr double kBodyTolerance = 0.02;
 
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
+/// What finds no way past others is an `interference` of the train.
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train);
 
 }  // namespace geargraph

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/gears/gear_body.h"
 #include "core/gears/train_wheels.h"
@@ -10,8 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Room between stacked planes, for a carrier's arm, in modules.
+/// Room between stacked planes, in modules: for a carrier's arm, and where several sets are linked for the
+/// discs that join them.
 constexpr double kPlaneGap = 5;
+constexpr double kLinkedGap = 12;
 
 /// The room of a wheel: a disc or an annulus of some width.
 struct Room {
@@ -92,13 +95,16 @@ void stackWheels(TrainWheels& train) {
                          [&](int other) { return collide(room(w), room(other)); });
     });
   };
+  const auto isRing = [](const TrainWheel& wheel) { return wheel.spec.kind == GearKind::internal; };
+  const auto rings = std::count_if(train.wheels.begin(), train.wheels.end(), isRing);
+  const double gap = rings > 1 ? kLinkedGap : kPlaneGap;
   std::vector<Vector3d> moved(train.wheels.size(), Vector3d::Zero());
   for (const Plane& plane : planes) {
     const Vector3d direction = room(plane.wheels.front()).axis;
     double step = 0;
     for (const int w : plane.wheels) {
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
-      step = std::max(step, spec.faceWidth + kPlaneGap * spec.module);
+      step = std::max(step, spec.faceWidth + gap * spec.module);
     }
     double at = 0;
     for (int attempt = 1; plane.movable && blocked(plane) && attempt < 60; ++attempt) {
@@ -113,6 +119,29 @@ void stackWheels(TrainWheels& train) {
     standing.insert(standing.end(), plane.wheels.begin(), plane.wheels.end());
   }
   for (TrainPair& pair : train.pairs) pair.pitchPoint += moved[static_cast<std::size_t>(pair.tail)];
+}
+
+std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train) {
+  std::vector<Room> rooms;
+  std::vector<std::set<int>> near;  // the wheel itself and those it meshes with
+  for (std::size_t w = 0; w < train.wheels.size(); ++w) {
+    rooms.emplace_back(train.wheels[w]);
+    near.push_back({static_cast<int>(w)});
+  }
+  for (const TrainPair& pair : train.pairs) {
+    near[static_cast<std::size_t>(pair.tail)].insert(pair.head);
+    near[static_cast<std::size_t>(pair.head)].insert(pair.tail);
+  }
+  std::vector<std::pair<int, int>> found;
+  for (std::size_t a = 0; a < rooms.size(); ++a) {
+    for (std::size_t b = a + 1; b < rooms.size(); ++b) {
+      if (train.wheels[a].link == train.wheels[b].link || !collide(rooms[a], rooms[b])) continue;
+      const bool neighbours =
+          std::any_of(near[a].begin(), near[a].end(), [&](int w) { return near[b].contains(w); });
+      if (!neighbours) found.emplace_back(static_cast<int>(a), static_cast<int>(b));
+    }
+  }
+  return found;
 }
 
 }  // namespace geargraph

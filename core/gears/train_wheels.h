@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/gears/gear_spec.h"
@@ -46,6 +47,10 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
 
 /// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.
 void stackWheels(TrainWheels& train);
+
+/// Wheels of different links that still stand in one place and do not mesh, nor have a wheel in common that
+/// both mesh with (neighbours, whose own finding says more).
+[[nodiscard]] std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train);
 
 [[nodiscard]] inline Eigen::Vector3d wide(const Vector3& v) {
   return {v[0], v[1], v[2]};

@@ -188,7 +188,7 @@ class TestTeethMesh : public QObject {
     const auto ratioOf = [](const GearTrain& train) {
       const GearSpec& a = train.gears[0].spec;
       const GearSpec& b = train.gears[1].spec;
-      return *contactRatio(a, externalTooth(a, 0.01), b, externalTooth(b, 0.01), 24);
+      return contactRatio(a, externalTooth(a, 0.01), b, externalTooth(b, 0.01), 24);
     };
     QVERIFY(ratioOf(pair("0.53")) > 1.2);
     QVERIFY(ratioOf(pair("0")) < 1);

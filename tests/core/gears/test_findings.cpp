@@ -101,10 +101,10 @@ class TestFindings : public QObject {
       };
       return (reach(z1) + reach(z2) - (z1 + z2) / 2 * std::sin(alpha)) / (pi * std::cos(alpha));
     };
-    QVERIFY(std::abs(*ratio(20, 40, MeshKind::external) - expected(20, 40)) < 1e-9);
-    QVERIFY(std::abs(*ratio(20, 40, MeshKind::external) - 1.64) < 0.01);
-    QVERIFY(std::abs(*ratio(40, 40, MeshKind::external) - expected(40, 40)) < 1e-9);
-    QVERIFY(*ratio(8, 40, MeshKind::external) < expected(8, 40) - 0.3);  // undercut shortens the flank
+    QVERIFY(std::abs(ratio(20, 40, MeshKind::external) - expected(20, 40)) < 1e-9);
+    QVERIFY(std::abs(ratio(20, 40, MeshKind::external) - 1.64) < 0.01);
+    QVERIFY(std::abs(ratio(40, 40, MeshKind::external) - expected(40, 40)) < 1e-9);
+    QVERIFY(ratio(8, 40, MeshKind::external) < expected(8, 40) - 0.3);  // undercut shortens the flank
     // The ring's tip begins the contact, or the end of the pinion's flank above its fillet does.
     const double z1 = 30, z2 = 80;
     const double inner = std::sqrt(std::pow(z2 / 2 - 1, 2) - std::pow(z2 / 2 * std::cos(alpha), 2));
@@ -112,7 +112,7 @@ class TestFindings : public QObject {
     const double begin =
         std::max(inner - (z2 - z1) / 2 * std::sin(alpha), z1 / 2 * std::sin(alpha) - 1 / std::sin(alpha));
     const double ringRatio = (outer - begin) / (pi * std::cos(alpha));
-    QVERIFY(std::abs(*ratio(30, 80, MeshKind::internal) - ringRatio) <
+    QVERIFY(std::abs(ratio(30, 80, MeshKind::internal) - ringRatio) <
             1e-4);  // rho is 0.38, not c/(1 - sin a)
   }
 
@@ -122,7 +122,7 @@ class TestFindings : public QObject {
     GearSpec b = standardGear(GearKind::bevel, 40, 1, 5);
     a.coneAngle = std::atan2(20.0, 40.0);
     b.coneAngle = pi / 2 - a.coneAngle;
-    const double exact = *contactRatio(a, bevelTooth(a, 0.1), b, bevelTooth(b, 0.1), 0);
+    const double exact = contactRatio(a, bevelTooth(a, 0.1), b, bevelTooth(b, 0.1), 0);
     const double alpha = pi / 9;
     const auto reach = [&](double r) {
       return std::sqrt(std::pow(r + 1, 2) - std::pow(r * std::cos(alpha), 2));
@@ -130,6 +130,33 @@ class TestFindings : public QObject {
     const double r1 = 10 / std::cos(a.coneAngle), r2 = 20 / std::cos(b.coneAngle);
     const double flat = (reach(r1) + reach(r2) - (r1 + r2) * std::sin(alpha)) / (pi * std::cos(alpha));
     QVERIFY2(std::abs(exact - flat) < 0.02, qPrintable(QString("%1 %2").arg(exact).arg(flat)));
+  }
+
+  /// A crown gear is nearly a rack, an internal cone nearly a ring of z / cos d teeth.
+  void crownsAndInternalConesHaveAContactRatio() {
+    const double alpha = pi / 9;
+    const auto ratio = [](double sum, double crownOrRing) {
+      GearSpec a = standardGear(GearKind::bevel, 24, 1, 5);
+      GearSpec b = standardGear(GearKind::bevel, 48, 1, 5);
+      b.coneAngle = crownOrRing;
+      a.coneAngle = sum - crownOrRing;
+      return contactRatio(a, bevelTooth(a, 0.1), b, bevelTooth(b, 0.1), 0);
+    };
+    const auto reach = [&](double r, double height) {
+      return std::sqrt(std::pow(r + height, 2) - std::pow(r * std::cos(alpha), 2));
+    };
+    const double pitch = pi * std::cos(alpha);
+    const double r1 = 12 / std::cos(pi / 6);
+    const double rack = (reach(r1, 1) - r1 * std::sin(alpha) + 1 / std::sin(alpha)) / pitch;
+    const double crown = ratio(2 * pi / 3, pi / 2);
+    QVERIFY2(std::abs(crown - rack) < 0.05, qPrintable(QString("%1 %2").arg(crown).arg(rack)));
+    const double cone = 2 * pi / 3;
+    const double own = std::asin(std::sin(cone) / 2);
+    const double p = 12 / std::cos(own), r = -24 / std::cos(cone);
+    const double flat = (reach(p, 1) - std::max(reach(r, -1) - (r - p) * std::sin(alpha), 0.0)) / pitch;
+    const double inner = ratio(cone + own, cone);
+    QVERIFY2(std::abs(inner - flat) < 0.15, qPrintable(QString("%1 %2").arg(inner).arg(flat)));
+    QVERIFY(inner > crown);
   }
 
   void shortContactIsReported() {
