@@ -5,6 +5,7 @@
 #include "core/matroid/symbolic_solution.h"
 #include "core/screws/screw.h"
 #include "tests/core/support/matroid_fixture.h"
+#include "tests/core/support/robot_variants.h"
 #include "tests/core/support/trains.h"
 
 using namespace geargraph;
@@ -240,6 +241,7 @@ class TestMatroidPaper : public QObject {
       Rational sum;
       for (std::size_t j = 0; j < 3; ++j) sum += exact->matrix[i * 3 + j] * paper().analysis.speeds[j];
       QCOMPARE(sum, exact->rates[static_cast<std::size_t>(exact->outputs[i])]);
+      QCOMPARE(paper().analysis.solution->rates[static_cast<std::size_t>(exact->outputs[i])], sum.toDouble());
     }
     QCOMPARE(exact->matrix[0], Rational(-1, 2));
     QCOMPARE(exact->matrix[9], Rational(-8, 27));  // -i18 i17 i16 i15 = -(2/3)(4/3)(2/3)(1/2)
@@ -279,6 +281,26 @@ class TestMatroidPaper : public QObject {
     }
   }
 
+  void eq25_holdsForTheRobotAgainstItsArrows() {
+    const Worked against(robotAgainstItsArrows());
+    const std::vector<int> inputs{joint(8), joint(9), joint(11)};
+    const auto exact = solveExact(against.model, inputs, std::vector<Rational>(3, Rational(1)));
+    QCOMPARE(exact->matrix, solutionAgainstItsArrows());
+    const CoefficientMatrix rows(against.mechanism, against.model, against.placement);
+    const auto solved =
+        solveSymbolic(against.mechanism, against.model, rows, against.analysis.independentMeshes, inputs);
+    for (std::size_t i = 0; i < exact->matrix.size(); ++i) {
+      QCOMPARE(solved->matrix[i]->valueAt(solved->ring->values()).value(), exact->matrix[i]);
+    }
+    for (int row = 0; row < 4; ++row) {  // (17)
+      double sum = 0;
+      for (const auto& entry : rows.row(row)) {
+        sum += entry.length * exact->rates[static_cast<std::size_t>(entry.joint)].toDouble();
+      }
+      QVERIFY(std::abs(sum) < 1e-12);
+    }
+  }
+
   void eq25_linesAreFoundInThePapersOrder() {
     const SymbolicSolution solution = symbolic();
     QCOMPARE(solution.lines.size(), std::size_t{4});
@@ -286,6 +308,15 @@ class TestMatroidPaper : public QObject {
     for (std::size_t i = 0; i < 4; ++i) {
       QCOMPARE(solution.lines[i].joint, joint(order[i]));
       QCOMPARE(solution.lines[i].mesh, static_cast<int>(i));
+    }
+    // The rows of (24), solved one by one.
+    const std::vector<QString> expected{"-i15 q8", "-i16 q9 i16 q10", "-i17 q11 i17 q12", "i18 q13"};
+    for (std::size_t i = 0; i < 4; ++i) {
+      QStringList terms;
+      for (const SymbolicLine::Term& term : solution.lines[i].terms) {
+        terms << QString("%1 q%2").arg(QString::fromStdString(term.coefficient.toText())).arg(term.joint + 8);
+      }
+      QCOMPARE(terms.join(' '), expected[i]);
     }
   }
 };

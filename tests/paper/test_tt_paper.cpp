@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "core/ttgraph/substitution_steps.h"
-#include "tests/core/support/trains.h"
+#include "tests/core/support/robot_variants.h"
 
 namespace geargraph {
 namespace {
@@ -221,6 +221,17 @@ class TtPaperTest : public QObject {
     QCOMPARE(numbers.result(), 45);
   }
   // clang-format on
+
+  void eq45_holdsForTheRobotAgainstItsArrows() {
+    const Mechanism against = test::robotAgainstItsArrows();
+    const auto edges = std::make_shared<const Digraph>(against);
+    const auto branches = std::make_shared<const SpanningTree>(SpanningTree::of(*edges).value());
+    const TtGraph found(against, edges, branches, referenceLines(placementOf(against)));
+    const auto rates = ttSolution(found, substitutionPlan(found, std::vector<int>{0, 1, 3})).value();
+    std::vector<Rational> entries;
+    for (const auto& row : rates.entries) entries.insert(entries.end(), row.begin(), row.end());
+    QCOMPARE(entries, test::solutionAgainstItsArrows());
+  }
 };
 
 }  // namespace geargraph

@@ -96,6 +96,8 @@ class TestMatroidLaws : public QObject {
       }
       for (std::size_t k = 0; k < live.rates.size(); ++k) {
         QCOMPARE(live.rates[k] == 0, exact->rates[k].isZero());
+        const double value = exact->rates[k].toDouble();
+        QVERIFY(std::abs(live.rates[k] - value) <= 1e-9 * std::max(1.0, std::abs(value)));
       }
     }
   }
@@ -169,6 +171,27 @@ class TestMatroidLaws : public QObject {
         };
         const double size = 1 + (length(angular[mesh->tail]) + length(angular[mesh->head])) * 1e6;
         QVERIFY(length(velocity(mesh->tail) - velocity(mesh->head)) < 1e-9 * size);
+      }
+    }
+  }
+
+  /// Eq. (15): what the head turns against the tail is what the joints of the cycle add up to, negated.
+  void meshVelocitiesCloseTheirCycles() {
+    for (int i = 0; i < kTrains; i += 3) {
+      const Worked worked(train(i));
+      const auto cycles = spanningTreeMatrix(worked.graph, worked.tree);
+      std::vector<MatrixEntry> row;
+      for (int mesh = 0; mesh < worked.model.c(); ++mesh) {
+        Vector3 sum = worked.analysis.meshVelocities[mesh];
+        double size = 1;
+        cycles->rowEntries(mesh, row);
+        for (const MatrixEntry& entry : row) {
+          const double rate = worked.analysis.solution->rates[entry.column];
+          sum = sum + (entry.value * rate) *
+                          worked.placement.axes[worked.placement.tree->axisOf[entry.column]].direction;
+          size += std::abs(rate);
+        }
+        QVERIFY(length(sum) < 1e-9 * size);
       }
     }
   }

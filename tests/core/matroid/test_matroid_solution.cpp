@@ -40,6 +40,31 @@ class TestMatroidSolution : public QObject {
   void planetaryWithTheSunHeld() { QCOMPARE(ratesOf(planetaryDriven(1, 2))[2], Rational(60, 84)); }
   void planetaryWithTheCarrierHeld() { QCOMPARE(ratesOf(planetaryDriven(3, 1))[1], Rational(-24, 60)); }
 
+  /// 1 drives 3 by 20/40, 3 drives 2 by 20/40; 2 turns on the line of 1, which its own axis names the other
+  /// way round: it turns as 1 does in space, so against its axis.
+  void anAxisThatPointsAgainstTheOneItLiesOnIsMinded() {
+    TrainSketch train(3);
+    train.axis("a", {"0", "0", "0"}).axis("b", {"0", "0", "0"}, {"0", "0", "-1"}).axis("c", {"60", "0", "0"});
+    train.joint(0, 1, "a").joint(0, 2, "b").joint(0, 3, "c");
+    train.mesh(1, 3, 20, 40).mesh(3, 2, 20, 40).inputs({{4, "1"}});
+    const Worked worked(train.build());
+    const auto solution = solveExact(worked.model, worked.analysis.choice.joints, worked.analysis.speeds);
+    QCOMPARE(solution->rates, (std::vector<Rational>{1, Rational(-1, 4), Rational(-1, 2)}));
+    QVERIFY(worked.analysis.linkVelocities[2] == (Vector3{0, 0, 0.25}));
+    const CoefficientMatrix matrix(worked.mechanism, worked.model, worked.placement);
+    for (int mesh = 0; mesh < 2; ++mesh) {
+      double sum = 0;
+      Rational normalised;
+      for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
+        sum += entry.length * solution->rates[static_cast<std::size_t>(entry.joint)].toDouble();
+        normalised += Rational(entry.sign) * (entry.tail ? matrix.ratio(mesh) : Rational(1)) *
+                      solution->rates[static_cast<std::size_t>(entry.joint)];
+      }
+      QCOMPARE(sum, 0.0);
+      QVERIFY(normalised.isZero());
+    }
+  }
+
   void fergusonsParadox() {
     // One planet 20 meshes with wheels 100, 99 and 101 on the axis of the carrier; the 100 is held.
     TrainSketch train(5);

@@ -113,10 +113,18 @@ class TtEquationsTest : public QObject {
     // Every step holds at the ratios' own values, whatever its stages.
     const auto exact = ttSolution(train.found.graph, train.plan).value();
     for (const SubstitutionStep& step : train.steps) {
-      const auto row = static_cast<std::size_t>(
-          std::find(exact.outputs.begin(), exact.outputs.end(), step.joint) - exact.outputs.begin());
       for (std::size_t input = 0; input < 2; ++input) {
-        QCOMPARE(step.after[input]->valueAt(train.ring->values()).value(), exact.entries[row][input]);
+        const auto rateOf = [&](int joint) {
+          if (joint < 2) return Rational(joint == static_cast<int>(input) ? 1 : 0);
+          const auto output = std::find(exact.outputs.begin(), exact.outputs.end(), joint);
+          return exact.entries[static_cast<std::size_t>(output - exact.outputs.begin())][input];
+        };
+        QCOMPARE(step.after[input]->valueAt(train.ring->values()).value(), rateOf(step.joint));
+        Rational before;
+        for (const SolvedTerm& term : step.before) {
+          before += term.coefficient.valueAt(train.ring->values()).value() * rateOf(term.joint);
+        }
+        QCOMPARE(before, rateOf(step.joint));
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include "core/ttgraph/tt_solution.h"
 #include "tests/core/support/textbook_trains.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "tests/core/support/tt_case.h"
 
@@ -77,6 +78,19 @@ class TtTextbookTest : public QObject {
     QVERIFY(!determination.valid());
     QCOMPARE(determination.openJoints.size(), std::size_t(1));
     QVERIFY(!determination.contradictory);
+  }
+
+  /// 1 drives 3 by 20/40, 3 drives 2 by 20/40; 2 turns on the line of 1, which its own axis names the other
+  /// way round: it turns as 1 does in space, so against its axis.
+  void anAxisThatPointsAgainstTheOneItLiesOnIsMinded() {
+    test::TrainSketch train(3);
+    train.axis("a", {"0", "0", "0"}).axis("b", {"0", "0", "0"}, {"0", "0", "-1"}).axis("c", {"60", "0", "0"});
+    train.joint(0, 1, "a").joint(0, 2, "b").joint(0, 3, "c");
+    train.mesh(1, 3, 20, 40).mesh(3, 2, 20, 40).inputs({{4, "1"}});
+    const test::TtCase found(train.build());
+    const SubstitutionPlan plan = substitutionPlan(found.graph, found.inputs());
+    QCOMPARE(ttRates(found.graph, plan, found.speeds()).value(),
+             (std::vector<Rational>{1, Rational(-1, 4), Rational(-1, 2)}));
   }
 
   void tooManyInputsContradict() {
