@@ -174,9 +174,6 @@ void ToothPattern::sewTip(std::size_t top, std::size_t corner, std::size_t last)
   }
 }
 
-/// Vertices of a usual circle of a body; only a guess at the room that vectors need.
-constexpr std::size_t kBodyCircle = 128;
-
 struct Turn {
   double c;
   double s;
@@ -202,17 +199,19 @@ void repeat(const std::vector<Seed>& seeds, const std::vector<Turn>& turns, Floa
 /// The vertices and triangles of walls and faces, and where the loops that the body needs begin.
 class ToothedShell {
  public:
-  ToothedShell(const GearBlank& blank, const ToothPattern& pattern, Solid& solid)
+  /// `circle`: vertices of each circle of the body, which finds its room here.
+  ToothedShell(const GearBlank& blank, const ToothPattern& pattern, std::size_t circle, Solid& solid)
       : m_teeth(static_cast<Index>(blank.teeth)), m_inward(blank.inward), m_pattern(pattern), m_solid(solid) {
     m_walls = static_cast<Index>(pattern.wallTop.size());
     m_faces = static_cast<Index>(pattern.faceTop.size());
     const std::size_t triangles = 2 * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
     const std::size_t vertices = 2 * m_teeth * std::size_t{m_walls + m_faces};
-    const std::size_t body =
-        2 * kBodyCircle * blank.body.size() + vertices / 16;  // so that the body finds room
+    const std::size_t windows = blank.windows ? vertices / 16 + 4 * circle : 0;
+    const std::size_t body = 2 * circle * blank.body.size() + windows;
+    const std::size_t joints = 2 * m_teeth * pattern.base.size();  // between the faces and the body
     m_solid.positions.reserve(vertices + body);
     m_solid.normals.reserve(vertices + body);
-    m_solid.triangles.reserve(m_teeth * triangles + 2 * body);
+    m_solid.triangles.reserve(m_teeth * triangles + joints + 2 * circle + body + windows);
     m_solid.positions.resize(vertices);
     m_solid.normals.resize(m_solid.positions.size());
     m_solid.triangles.resize(m_teeth * triangles);
@@ -320,12 +319,12 @@ Solid meshed(const GearBlank& blank) {
   GEARGRAPH_REQUIRE(blank.teeth >= 3 && blank.body.size() >= 2);
   Solid solid;
   const ToothPattern pattern(blank);
-  const ToothedShell teeth(blank, pattern, solid);
-  ShellBuilder builder(solid, blank.inward);
   double largest = 0;
   for (const Circle& c : blank.body) largest = std::max(largest, c.radius);
   int count = circleCount(largest, blank.tolerance);
   if (blank.windows) count += (blank.windows->count - count % blank.windows->count) % blank.windows->count;
+  const ToothedShell teeth(blank, pattern, static_cast<std::size_t>(count), solid);
+  ShellBuilder builder(solid, blank.inward);
   const double start = -pi / blank.teeth;
   // The faces go on below the teeth with the normal they have in the middle of the tooth, where y = 0.
   const Vector3d& up = blank.half.back().topNormal;
