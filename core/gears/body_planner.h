@@ -1,0 +1,102 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/gears/body_plan.h"
+#include "core/gears/gear_obstacles.h"
+#include "core/gears/train_wheels.h"
+
+namespace geargraph {
+
+constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
+
+/// How planBodies() goes: linked sets first, then rings' cups, bearings and arms link by link, shafts at
+/// last.
+class BodyPlanner {
+ public:
+  BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train)
+      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_obstacles(train) {
+    m_plan.axes = axisLayouts(mechanism, placement, train);
+    m_plan.shaftsOn.resize(m_plan.axes.size());
+    m_gearsOn.resize(m_plan.axes.size());
+    m_coaxial.resize(m_plan.axes.size(), false);
+    m_heldBy.resize(mechanism.links.size());
+    m_armsOf.resize(mechanism.links.size());
+    for (std::size_t g = 0; g < train.gears.size(); ++g) {
+      m_gearsOn[static_cast<std::size_t>(train.gears[g].axisClass)].push_back(g);
+    }
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+      for (std::size_t b = 0; b < m_plan.axes[c].bearings.size(); ++b) {
+        m_heldBy[static_cast<std::size_t>(m_plan.axes[c].bearings[b].parent)].push_back(
+            {static_cast<int>(c), b});
+      }
+    }
+  }
+
+  BodyPlan plan() {
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) planCoaxial(static_cast<int>(c));
+    placeCups();
+    const std::vector<int> links = m_tree.breadthFirst();
+    for (const int link : links) placeLink(link);
+    for (const int link : links) {
+      if (link == 0) continue;
+      const int c = m_placement.classes->classOfLink(m_tree, link);
+      if (!isCoaxial(c)) addShaft(c, link);
+    }
+    addFixedHubs();
+    for (const PinPlan& pin : m_plan.pins) addShaft(pin.axisClass, pin.link);
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+      if (!isCoaxial(static_cast<int>(c))) nestShafts(static_cast<int>(c));
+    }
+    trimTees();
+    return std::move(m_plan);
+  }
+
+ private:
+  void planCoaxial(int axisClass);
+  [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
+  void placeCups();
+  void placeLink(int link);
+  void placeParallel(int link, int home, const std::vector<Bearing*>& round);
+  void placeCrossing(int link, int home, Bearing& bearing);
+  [[nodiscard]] int armHits(const ArmPlan& arm) const;
+  [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
+  [[nodiscard]] bool fits(int home, const std::vector<Bearing*>& round, double level) const;
+  [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
+  bool placeTee(int link, int home, int axisClass);
+  void trimTees();
+  [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
+  [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
+  void addShaft(int axisClass, int link);
+  void addArm(const ArmPlan& arm) {
+    m_armsOf[static_cast<std::size_t>(arm.link)].push_back(m_plan.arms.size());
+    m_plan.arms.push_back(arm);
+  }
+  [[nodiscard]] std::optional<double> heldLevel(int axisClass, int link) const;
+  void addFixedHubs();
+  void nestShafts(int axisClass);
+  [[nodiscard]] double boreRoom(int axisClass, int link) const;
+
+  AxisLayout& axis(int c) { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] bool parallel(int a, int b) const {
+    return axis(a).direction.cross(axis(b).direction).norm() < 1e-6;
+  }
+  /// Coordinate along class b of the plane through coordinate x of a parallel class a.
+  [[nodiscard]] double carried(int a, double x, int b) const { return axis(b).coordinate(axis(a).at(x)); }
+
+  const Placement& m_placement;
+  const JointTree& m_tree;
+  const GearTrain& m_train;
+  GearObstacles m_obstacles;
+  std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
+  std::vector<bool> m_coaxial;                      ///< axis classes that have a plan of their own
+  std::vector<std::vector<std::pair<int, std::size_t>>>
+      m_heldBy;                                    ///< bearings (class, place) by the link that holds
+  std::vector<std::vector<std::size_t>> m_armsOf;  ///< arms by link
+  BodyPlan m_plan;
+};
+
+}  // namespace geargraph
