@@ -19,13 +19,13 @@ namespace geargraph {
   F(DELETEBUFFERS, DeleteBuffers) F(DELETEFRAMEBUFFERS, DeleteFramebuffers) F(DELETEPROGRAM, DeleteProgram) \
   F(DELETERENDERBUFFERS, DeleteRenderbuffers) F(DELETESHADER, DeleteShader) F(DELETETEXTURES, DeleteTextures) \
   F(DELETEVERTEXARRAYS, DeleteVertexArrays) F(DEPTHFUNC, DepthFunc) F(DEPTHMASK, DepthMask) \
-  F(DISABLE, Disable) F(DRAWARRAYS, DrawArrays) F(DRAWELEMENTS, DrawElements) F(ENABLE, Enable) \
-  F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
+  F(DISABLE, Disable) F(DRAWARRAYS, DrawArrays) F(DRAWELEMENTSINSTANCED, DrawElementsInstanced) \
+  F(ENABLE, Enable) F(VERTEXATTRIBDIVISOR, VertexAttribDivisor) F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
   F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) F(GENBUFFERS, GenBuffers) F(GENFRAMEBUFFERS, GenFramebuffers) \
   F(GENRENDERBUFFERS, GenRenderbuffers) F(GENTEXTURES, GenTextures) F(GENVERTEXARRAYS, GenVertexArrays) \
   F(GETERROR, GetError) F(GETINTEGERV, GetIntegerv) F(GETPROGRAMINFOLOG, GetProgramInfoLog) \
   F(GETPROGRAMIV, GetProgramiv) F(GETSHADERINFOLOG, GetShaderInfoLog) F(GETSHADERIV, GetShaderiv) \
-  F(GETSTRING, GetString) F(GETUNIFORMLOCATION, GetUniformLocation) F(LINKPROGRAM, LinkProgram) \
+  F(GETSTRING, GetString) F(GETUNIFORMLOCATION, GetUniformLocation) F(ISENABLED, IsEnabled) F(LINKPROGRAM, LinkProgram) \
   F(PIXELSTOREI, PixelStorei) F(POLYGONOFFSET, PolygonOffset) F(READPIXELS, ReadPixels) \
   F(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) F(SHADERSOURCE, ShaderSource) \
   F(STENCILFUNC, StencilFunc) F(STENCILOP, StencilOp) F(STENCILOPSEPARATE, StencilOpSeparate) \

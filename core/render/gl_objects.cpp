@@ -47,7 +47,7 @@ GLuint GlProgram::compiled(GLenum stage, const char* source) {
   return shader;
 }
 
-GlSolid::GlSolid(const GlApi& gl, const Solid& solid) : m_gl(gl) {
+GlSolid::GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances) : m_gl(gl) {
   const std::vector<std::uint32_t> edges = featureEdges(solid);
   m_triangleIndices = static_cast<GLsizei>(3 * solid.triangles.size());
   m_edgeIndices = static_cast<GLsizei>(edges.size());
@@ -56,7 +56,7 @@ GlSolid::GlSolid(const GlApi& gl, const Solid& solid) : m_gl(gl) {
   const auto edgeBytes = static_cast<GLsizeiptr>(edges.size() * sizeof edges[0]);
   gl.GenVertexArrays(1, &m_vertexArray);
   gl.GenBuffers(2, m_buffers);
-  bind();
+  gl.BindVertexArray(m_vertexArray);
   gl.BindBuffer(GL_ARRAY_BUFFER, m_buffers[0]);
   gl.BufferData(GL_ARRAY_BUFFER, 2 * vertexBytes, nullptr, GL_STATIC_DRAW);
   gl.BufferSubData(GL_ARRAY_BUFFER, 0, vertexBytes, solid.positions.data());
@@ -69,6 +69,14 @@ GlSolid::GlSolid(const GlApi& gl, const Solid& solid) : m_gl(gl) {
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, triangleBytes + edgeBytes, nullptr, GL_STATIC_DRAW);
   gl.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, triangleBytes, solid.triangles.data());
   gl.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, triangleBytes, edgeBytes, edges.data());
+  gl.BindBuffer(GL_ARRAY_BUFFER, instances.buffer());
+  for (GLuint column = 0; column < 6; ++column) {  // four of the matrix, colour, accent
+    const GLuint place = 2 + column;
+    gl.EnableVertexAttribArray(place);
+    gl.VertexAttribPointer(place, 4, GL_FLOAT, GL_FALSE, sizeof(SolidInstance),
+                           offset(column * 4 * sizeof(float)));
+    gl.VertexAttribDivisor(place, 1);
+  }
   gl.BindVertexArray(0);
 }
 
@@ -77,13 +85,20 @@ GlSolid::~GlSolid() {
   m_gl.DeleteBuffers(2, m_buffers);
 }
 
-void GlSolid::drawTriangles() const {
-  m_gl.DrawElements(GL_TRIANGLES, m_triangleIndices, GL_UNSIGNED_INT, nullptr);
+void GlSolid::draw(Part part, std::size_t count) const {
+  const std::size_t behindTriangles = static_cast<std::size_t>(m_triangleIndices) * sizeof(std::uint32_t);
+  const bool isEdges = part == Part::edges;
+  m_gl.BindVertexArray(m_vertexArray);
+  m_gl.DrawElementsInstanced(isEdges ? GL_LINES : GL_TRIANGLES, isEdges ? m_edgeIndices : m_triangleIndices,
+                             GL_UNSIGNED_INT, isEdges ? offset(behindTriangles) : nullptr,
+                             static_cast<GLsizei>(count));
+  m_gl.BindVertexArray(0);
 }
 
-void GlSolid::drawEdges() const {
-  const std::size_t behindTriangles = static_cast<std::size_t>(m_triangleIndices) * sizeof(std::uint32_t);
-  m_gl.DrawElements(GL_LINES, m_edgeIndices, GL_UNSIGNED_INT, offset(behindTriangles));
+void GlInstances::set(std::span<const SolidInstance> instances) const {
+  m_gl.BindBuffer(GL_ARRAY_BUFFER, m_buffer);
+  m_gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(),
+                  GL_STREAM_DRAW);
 }
 
 bool GlTarget::ensure(int width, int height, int samples) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -35,17 +36,42 @@ class GlProgram {
   std::string m_log;
 };
 
-/// A solid on the graphics card: vertices, triangles and feature edges, uploaded once.
+/// What differs from one place of a solid to the next.
+struct SolidInstance {
+  std::array<float, 16> modelView{};  ///< column by column
+  std::array<float, 4> colour{};      ///< with alpha
+  std::array<float, 4> accent{};      ///< alpha: how much of it
+};
+
+/// The instances of one draw, in a buffer that all solids read them from.
+class GlInstances {
+ public:
+  explicit GlInstances(const GlApi& gl) : m_gl(gl) { gl.GenBuffers(1, &m_buffer); }
+  ~GlInstances() { m_gl.DeleteBuffers(1, &m_buffer); }
+  GlInstances(const GlInstances&) = delete;
+  GlInstances& operator=(const GlInstances&) = delete;
+
+  [[nodiscard]] GLuint buffer() const { return m_buffer; }
+  void set(std::span<const SolidInstance> instances) const;
+
+ private:
+  const GlApi& m_gl;
+  GLuint m_buffer = 0;
+};
+
+/// A solid on the graphics card: vertices, triangles and feature edges, uploaded once, painted at as many
+/// places at once as there are instances.
 class GlSolid {
  public:
-  GlSolid(const GlApi& gl, const Solid& solid);
+  enum class Part { triangles, edges };
+
+  GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances);
   ~GlSolid();
   GlSolid(const GlSolid&) = delete;
   GlSolid& operator=(const GlSolid&) = delete;
 
-  void bind() const { m_gl.BindVertexArray(m_vertexArray); }
-  void drawTriangles() const;
-  void drawEdges() const;
+  /// The first `count` of the instances that are set.
+  void draw(Part part, std::size_t count) const;
 
  private:
   const GlApi& m_gl;

@@ -23,19 +23,12 @@ GlPasses::GlPasses(const GlApi& gl)
       m_halo(gl, shaders::kFullVertex, shaders::kHaloFragment),
       m_overlayProgram(gl, shaders::kOverlayVertex, shaders::kOverlayFragment),
       m_cap(gl, shaders::kCapVertex, shaders::kCapFragment) {
-  m_at.litModelView = m_lit.uniform("u_modelView");
   m_at.litProjection = m_lit.uniform("u_projection");
-  m_at.litColour = m_lit.uniform("u_colour");
   m_at.litUp = m_lit.uniform("u_up");
-  m_at.litAccent = m_lit.uniform("u_accent");
-  m_at.litAlpha = m_lit.uniform("u_alpha");
   m_at.litSection = m_lit.uniform("u_section");
-  m_at.flatModelView = m_flat.uniform("u_modelView");
   m_at.flatProjection = m_flat.uniform("u_projection");
   m_at.flatNearer = m_flat.uniform("u_nearer");
-  m_at.flatColour = m_flat.uniform("u_flat");
   m_at.flatSection = m_flat.uniform("u_section");
-  m_at.shadowModel = m_shadow.uniform("u_modelView");
 }
 
 std::string GlPasses::log() const {
@@ -43,7 +36,6 @@ std::string GlPasses::log() const {
          m_halo.log() + m_overlayProgram.log() + m_cap.log();
 }
 
-// Products are formed in double before they are narrowed, so that a far camera does not make parts tremble.
 void GlPasses::set(GLint uniform, const Eigen::Matrix4d& matrix) const {
   const Eigen::Matrix4f narrowed = matrix.cast<float>();
   m_gl.UniformMatrix4fv(uniform, 1, GL_FALSE, narrowed.data());
@@ -90,11 +82,6 @@ void GlPasses::beginShadow(const Disc& disc, double size) {
   m_shadow.use();
   set(m_shadow.uniform("u_disc"), disc);
   m_gl.Uniform1f(m_shadow.uniform("u_reach"), static_cast<float>(kShadowReach * size));
-}
-
-void GlPasses::castShadow(const Eigen::Matrix4d& model, const GlSolid& solid) const {
-  set(m_at.shadowModel, model);
-  solid.drawTriangles();
 }
 
 void GlPasses::endShadow() {
@@ -153,14 +140,6 @@ void GlPasses::beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& proj
                  static_cast<float>(view(2, 2)));
 }
 
-void GlPasses::lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint,
-                   float alpha) const {
-  set(m_at.litModelView, modelView);
-  set(m_at.litColour, colour);
-  m_gl.Uniform4f(m_at.litAccent, accent.red, accent.green, accent.blue, tint);
-  m_gl.Uniform1f(m_at.litAlpha, alpha);
-}
-
 void GlPasses::beginFlat(const Eigen::Matrix4d& projection, float nearer) const {
   m_flat.use();
   set(m_at.flatProjection, projection);
@@ -168,16 +147,10 @@ void GlPasses::beginFlat(const Eigen::Matrix4d& projection, float nearer) const 
   m_gl.Uniform4f(m_at.flatSection, m_section[0], m_section[1], m_section[2], m_section[3]);
 }
 
-void GlPasses::flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const {
-  set(m_at.flatModelView, modelView);
-  m_gl.Uniform4f(m_at.flatColour, colour.red, colour.green, colour.blue, alpha);
-}
-
-void GlPasses::flatNumber(const Eigen::Matrix4d& modelView, std::uint32_t number) const {
-  const auto byte = [number](unsigned shift) {
-    return static_cast<float>((number >> shift) & 255U) / 255.0F;
-  };
-  flat(modelView, Rgb{byte(0), byte(8), byte(16)}, 1);
+void GlPasses::draw(const GlSolid& solid, GlSolid::Part part,
+                    std::span<const SolidInstance> instances) const {
+  m_instances.set(instances);
+  solid.draw(part, instances.size());
 }
 
 void GlPasses::halo(GLuint mask, const Viewport& viewport, double pixelRatio, const Rgb& colour,
@@ -199,6 +172,21 @@ void GlPasses::overlay(std::span<const OverlayVertex> triangles, const Viewport&
   m_gl.Uniform2f(m_overlayProgram.uniform("u_size"), static_cast<float>(viewport.width),
                  static_cast<float>(viewport.height));
   m_overlay.draw(triangles);
+}
+
+// Products are formed in double before they are narrowed, so that a far camera does not make parts tremble.
+SolidInstance instanceAt(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) {
+  SolidInstance instance;
+  Eigen::Map<Eigen::Matrix4f>(instance.modelView.data()) = modelView.cast<float>();
+  instance.colour = {colour.red, colour.green, colour.blue, alpha};
+  return instance;
+}
+
+Rgb colourOfNumber(std::uint32_t number) {
+  const auto byte = [number](unsigned shift) {
+    return static_cast<float>((number >> shift) & 255U) / 255.0F;
+  };
+  return {byte(0), byte(8), byte(16)};
 }
 
 void turnUpright(Image& image) {

@@ -43,7 +43,6 @@ class GlPasses {
 
   /// The contact shadow's picture, seen from above; `size` of the scene sets how far up parts still darken.
   void beginShadow(const Disc& disc, double size);
-  void castShadow(const Eigen::Matrix4d& model, const GlSolid& solid) const;
   void endShadow();
 
   /// From here on nothing of the solids is painted at normal . x > offset (in the frame of the eye), until
@@ -55,12 +54,10 @@ class GlPasses {
            const Rgb& colour, bool leansLeft) const;
 
   void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const;
-  void lit(const Eigen::Matrix4d& modelView, const Rgb& colour, const Rgb& accent, float tint,
-           float alpha) const;
-
   void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
-  void flat(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha) const;
-  void flatNumber(const Eigen::Matrix4d& modelView, std::uint32_t number) const;
+  /// Between beginShadow (the matrix leads to the world then), beginLit or beginFlat and what follows.
+  void draw(const GlSolid& solid, GlSolid::Part part, std::span<const SolidInstance> instances) const;
+  [[nodiscard]] const GlInstances& instances() const { return m_instances; }
 
   void halo(GLuint mask, const Viewport& viewport, double pixelRatio, const Rgb& colour,
             float strength) const;
@@ -79,17 +76,22 @@ class GlPasses {
 
   const GlApi& m_gl;
   GlOverlay m_overlay{m_gl};
+  GlInstances m_instances{m_gl};
   GlProgram m_gradient, m_lit, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram, m_cap;
   Eigen::Vector4f m_section{0, 0, 0, 1};
   GlTarget m_shadowImage{m_gl, GlTarget::Colours::coverage, false};
   GlTarget m_blurredImage{m_gl, GlTarget::Colours::coverage, false};
 
-  struct Uniforms {  // of the programs that are set once an instance
-    GLint litModelView, litProjection, litColour, litUp, litAccent, litAlpha, litSection;
-    GLint flatModelView, flatProjection, flatNearer, flatColour, flatSection;
-    GLint shadowModel;
+  struct Uniforms {  // of the programs that are begun several times a picture
+    GLint litProjection, litUp, litSection;
+    GLint flatProjection, flatNearer, flatSection;
   } m_at{};
 };
+
+/// The instance in the frame of the eye (or, for shadows, of the world).
+[[nodiscard]] SolidInstance instanceAt(const Eigen::Matrix4d& modelView, const Rgb& colour, float alpha = 1);
+/// A colour that holds a number, for NumberedPixels.
+[[nodiscard]] Rgb colourOfNumber(std::uint32_t number);
 
 /// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not.
 void turnUpright(Image& image);

@@ -62,6 +62,11 @@ class GlRenderer final : public Renderer {
   /// Visits what may be seen through this clip matrix and is shown in this way.
   template <class Visit>
   void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, Visit visit);
+  /// Paints a part of the same, equal solids in one go: `look` gives what differs, or nothing to leave one
+  /// out.
+  template <class Look>
+  void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+               Look look);
   /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                         double radius);
@@ -93,6 +98,13 @@ class GlRenderer final : public Renderer {
   };
   std::vector<Ball> m_balls;  ///< by solid
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
+  struct Batch {
+    const GlSolid* solid = nullptr;
+    bool isOpen = false;
+    std::vector<SolidInstance> instances;
+  };
+  std::vector<Batch> m_batches;  ///< of the pass that is painted, in the order of the scene
+  std::map<std::pair<const GlSolid*, bool>, std::size_t> m_batchOf;
 
   GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
   GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
@@ -139,7 +151,7 @@ const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const
     solid = &levels.chosen(*solid, pixels);
   }
   std::unique_ptr<GlSolid>& place = m_solids[solid->get()];
-  if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, **solid);
+  if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, **solid, m_passes.instances());
   return *place;
 }
 
@@ -152,11 +164,30 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
     const Ball& ball = m_balls[shape];
     const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
     if (!frustum.mayShow(middle, ball.radius)) continue;
-    const GlSolid& solid = detailed(frame, shape, middle, ball.radius);
-    solid.bind();
-    visit(i, solid);
+    visit(i, detailed(frame, shape, middle, ball.radius));
   }
-  m_gl->BindVertexArray(0);
+}
+
+// The order of the scene decides, not that of addresses: the same scene gives the same picture.
+template <class Look>
+void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+                         Look look) {
+  m_batches.clear();
+  m_batchOf.clear();
+  eachInstance(frame, clip, wanted, [&](std::size_t i, const GlSolid& solid) {
+    const std::optional<SolidInstance> instance = look(i);
+    if (!instance) return;
+    const bool isOpen = m_scene.instances[i].isOpen;
+    const auto [place, isNew] = m_batchOf.try_emplace({&solid, isOpen}, m_batches.size());
+    if (isNew) m_batches.push_back({&solid, isOpen, {}});
+    m_batches[place->second].instances.push_back(*instance);
+  });
+  const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
+  for (const Batch& batch : m_batches) {
+    if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
+    m_passes.draw(*batch.solid, part, batch.instances);
+    if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);
+  }
 }
 
 // As wide as the train stands in its reference pose, and a little more for the carriers that will swing out.
@@ -220,9 +251,11 @@ void GlRenderer::drawShadow(const Frame& frame) {
   seenFromAbove(1, 3) = -ground.y / ground.radius;
   seenFromAbove.row(2) *= 1e-6;  // however high
   seenFromAbove(3, 3) = 1;
-  eachInstance(frame, seenFromAbove, Showing::solid, [&](std::size_t i, const GlSolid& solid) {
-    if (m_scene.instances[i].castsShadow) m_passes.castShadow(pose(frame, i).matrix(), solid);
-  });
+  drawAll(frame, seenFromAbove, Showing::solid, GlSolid::Part::triangles,
+          [&](std::size_t i) -> std::optional<SolidInstance> {
+            if (!m_scene.instances[i].castsShadow) return std::nullopt;
+            return instanceAt(pose(frame, i).matrix(), Rgb{});
+          });
   m_passes.endShadow();
 }
 
@@ -249,20 +282,20 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   m_gl->PolygonOffset(1, 1);
   const bool isDrawing = frame.look.faces == Faces::hiddenLine;
   m_passes.beginLit(view, projection(frame));
-  eachInstance(frame, projection(frame) * view, wanted, [&](std::size_t i, const GlSolid& solid) {
-    const Highlight state = emphasis(frame, i);
-    const float tint = state == Highlight::selected  ? kSelectedTint
-                       : state == Highlight::hovered ? kHoverTint
-                       : isDrawing                   ? 1
-                                                     : 0;
-    const bool isPaper = isDrawing && state == Highlight::none;
-    m_passes.lit(view * pose(frame, i).matrix(), m_scene.instances[i].colour,
-                 isPaper ? frame.look.groundTop : frame.look.accent, tint, alpha);
-    const bool isOpen = m_scene.instances[i].isOpen;
-    if (isOpen) m_gl->Disable(GL_CULL_FACE);
-    solid.drawTriangles();
-    if (isOpen) m_gl->Enable(GL_CULL_FACE);
-  });
+  drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::triangles,
+          [&](std::size_t i) -> std::optional<SolidInstance> {
+            const Highlight state = emphasis(frame, i);
+            const float tint = state == Highlight::selected  ? kSelectedTint
+                               : state == Highlight::hovered ? kHoverTint
+                               : isDrawing                   ? 1
+                                                             : 0;
+            const bool isPaper = isDrawing && state == Highlight::none;
+            const Rgb& accent = isPaper ? frame.look.groundTop : frame.look.accent;
+            SolidInstance instance =
+                instanceAt(view * pose(frame, i).matrix(), m_scene.instances[i].colour, alpha);
+            instance.accent = {accent.red, accent.green, accent.blue, tint};
+            return instance;
+          });
   m_gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -288,8 +321,8 @@ void GlRenderer::drawCaps(const Frame& frame) {
     m_gl->StencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     m_gl->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     m_passes.beginFlat(through, 1);
-    m_passes.flat(view * pose(frame, i).matrix(), Rgb{}, 1);
-    solid.drawTriangles();
+    const SolidInstance instance = instanceAt(view * pose(frame, i).matrix(), Rgb{});
+    m_passes.draw(solid, GlSolid::Part::triangles, {&instance, 1});
     m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     m_gl->Enable(GL_DEPTH_TEST);
     m_gl->StencilFunc(GL_NOTEQUAL, 0, 255);
@@ -324,13 +357,13 @@ void GlRenderer::drawEdges(const Frame& frame, Showing wanted, float part) {
   const float strength = part * full * static_cast<float>(fade);
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
-  eachInstance(frame, projection(frame) * view, wanted, [&](std::size_t i, const GlSolid& solid) {
-    const bool marked = coloured && emphasis(frame, i) != Highlight::none;
-    const Rgb& own = marked ? frame.look.accent : m_scene.instances[i].colour;
-    const Rgb& ink = frame.look.faces == Faces::hiddenLine ? frame.look.letters : frame.look.edge;
-    m_passes.flat(view * pose(frame, i).matrix(), coloured ? own : ink, strength);
-    solid.drawEdges();
-  });
+  const Rgb& ink = frame.look.faces == Faces::hiddenLine ? frame.look.letters : frame.look.edge;
+  drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::edges,
+          [&](std::size_t i) -> std::optional<SolidInstance> {
+            const bool marked = coloured && emphasis(frame, i) != Highlight::none;
+            const Rgb& own = marked ? frame.look.accent : m_scene.instances[i].colour;
+            return instanceAt(view * pose(frame, i).matrix(), coloured ? own : ink, strength);
+          });
   m_gl->DepthMask(GL_TRUE);
 }
 
@@ -365,11 +398,11 @@ void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
     if (frame.section) beginSection(frame);
     m_passes.beginFlat(projection(frame), 1);
     for (const Showing shown : {Showing::solid, Showing::ghost}) {
-      eachInstance(frame, projection(frame) * view, shown, [&](std::size_t i, const GlSolid& solid) {
-        if (emphasis(frame, i) != wanted) return;
-        m_passes.flat(view * pose(frame, i).matrix(), Rgb{1, 1, 1}, 1);
-        solid.drawTriangles();
-      });
+      drawAll(frame, projection(frame) * view, shown, GlSolid::Part::triangles,
+              [&](std::size_t i) -> std::optional<SolidInstance> {
+                if (emphasis(frame, i) != wanted) return std::nullopt;
+                return instanceAt(view * pose(frame, i).matrix(), Rgb{1, 1, 1});
+              });
     }
     m_passes.endSection();
     m_gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -423,10 +456,11 @@ std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
   m_gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   for (const Showing wanted : {Showing::solid, Showing::ghost}) {
     wanted == Showing::solid ? m_gl->StencilFunc(GL_ALWAYS, 1, 255) : m_gl->StencilFunc(GL_EQUAL, 0, 255);
-    eachInstance(frame, cut * through * view, wanted, [&](std::size_t i, const GlSolid& solid) {
-      m_passes.flatNumber(view * pose(frame, i).matrix(), static_cast<std::uint32_t>(i + 1));
-      solid.drawTriangles();
-    });
+    drawAll(frame, cut * through * view, wanted, GlSolid::Part::triangles,
+            [&](std::size_t i) -> std::optional<SolidInstance> {
+              return instanceAt(view * pose(frame, i).matrix(),
+                                colourOfNumber(static_cast<std::uint32_t>(i + 1)));
+            });
   }
   m_gl->Disable(GL_STENCIL_TEST);
   m_passes.endSection();

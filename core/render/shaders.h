@@ -25,19 +25,25 @@ void main() {
 
 /// u_nearer < 1 draws nearer to the eye by that factor, so that lines win against their own faces.
 inline constexpr const char* kSolidVertex = R"(
-uniform mat4 u_modelView;
 uniform mat4 u_projection;
 uniform float u_nearer;
 uniform vec4 u_section;  // what is beyond this plane is cut away, where cutting is switched on
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
+layout(location = 2) in mat4 a_modelView;  // from here on one an instance
+layout(location = 6) in vec4 a_colour;
+layout(location = 7) in vec4 a_accent;
 out vec3 v_normal;
 out vec3 v_position;
+flat out vec4 v_colour;
+flat out vec4 v_accent;
 void main() {
-  vec4 seen = u_modelView * vec4(a_position, 1.0);
+  v_colour = a_colour;
+  v_accent = a_accent;
+  vec4 seen = a_modelView * vec4(a_position, 1.0);
   v_position = seen.xyz;
   gl_ClipDistance[0] = u_section.w - dot(u_section.xyz, seen.xyz);
-  v_normal = mat3(u_modelView) * a_normal;
+  v_normal = mat3(a_modelView) * a_normal;
   gl_Position = u_projection * vec4(seen.xyz * u_nearer, 1.0);
 })";
 
@@ -45,12 +51,11 @@ void main() {
 /// colour, flanks fall to a half of it, and nothing turns black or glares. The key comes from the upper left
 /// of the viewer, the fill from the right; a rim of light parts a silhouette from what is behind it.
 inline constexpr const char* kSolidFragment = R"(
-uniform vec3 u_colour;
 uniform vec3 u_up;
-uniform vec4 u_accent;
-uniform float u_alpha;
 in vec3 v_normal;
 in vec3 v_position;
+flat in vec4 v_colour;
+flat in vec4 v_accent;
 out vec4 o_colour;
 const vec3 kKey = vec3(-0.48, 0.55, 0.68);
 const vec3 kFill = vec3(0.78, 0.12, 0.61);
@@ -63,16 +68,16 @@ void main() {
   float shade = 0.38 + 0.22 * sky + 0.64 * key + 0.14 * fill;
   float grazing = 1.0 - max(dot(n, toEye), 0.0);
   float rim = 0.16 * grazing * grazing * grazing * sky;
-  vec3 lit = shade < 1.0 ? u_colour * shade : mix(u_colour, vec3(1.0), min(1.5 * (shade - 1.0), 0.3));
+  vec3 lit = shade < 1.0 ? v_colour.rgb * shade : mix(v_colour.rgb, vec3(1.0), min(1.5 * (shade - 1.0), 0.3));
   lit = mix(lit, vec3(1.0), rim);
-  o_colour = vec4(mix(lit, u_accent.rgb, u_accent.a), u_alpha);
+  o_colour = vec4(mix(lit, v_accent.rgb, v_accent.a), v_colour.a);
 })";
 
 /// One colour: feature edges, masks, numbers of instances.
 inline constexpr const char* kFlatFragment = R"(
-uniform vec4 u_flat;
+flat in vec4 v_colour;
 out vec4 o_colour;
-void main() { o_colour = u_flat; })";
+void main() { o_colour = v_colour; })";
 
 /// The disc on the ground: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w.
 inline constexpr const char* kDiscVertex = R"(
@@ -103,13 +108,13 @@ void main() {
 
 /// Seen from above into the shadow's square: the nearer to the ground, the darker.
 inline constexpr const char* kShadowVertex = R"(
-uniform mat4 u_modelView;  // to the world
 uniform vec4 u_disc;
 uniform float u_reach;
 layout(location = 0) in vec3 a_position;
+layout(location = 2) in mat4 a_modelView;  // to the world
 out float v_darkness;
 void main() {
-  vec3 point = (u_modelView * vec4(a_position, 1.0)).xyz;
+  vec3 point = (a_modelView * vec4(a_position, 1.0)).xyz;
   v_darkness = exp(-max(point.z - u_disc.z, 0.0) / u_reach);
   gl_Position = vec4((point.xy - u_disc.xy) / u_disc.w, 0.0, 1.0);
 })";
