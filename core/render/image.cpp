@@ -10,8 +10,9 @@ std::vector<std::uint8_t> pngBytes(const Image& image) {
   header.width = static_cast<png_uint_32>(image.width);
   header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = 0;
-  if (!png_image_write_get_memory_size(header, size, 0, image.rgba.data(), 0, nullptr)) return {};
+  if (image.rgba.empty()) return {};
+  // Asking for the size would compress everything once more.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::vector<std::uint8_t> bytes(size);
   if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgba.data(), 0, nullptr)) return {};
   bytes.resize(size);
