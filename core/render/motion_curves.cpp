@@ -8,7 +8,7 @@
 namespace geargraph {
 namespace {
 
-constexpr std::size_t kMostTimes = 721, kFewestTimes = 61;
+constexpr std::size_t kMostTimes = 2881, kFewestTimes = 61;
 constexpr std::size_t kMostTwists = 200'000;
 constexpr std::size_t kMostJoints = 12;  // that are plotted where nothing is chosen
 constexpr double kSameDirection = 1e-9;

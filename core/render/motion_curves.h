@@ -37,7 +37,7 @@ struct CurveChoice {
 /// against the ground, signed where the link turns about one direction all the time, else the magnitude. For
 /// every traced point its speed in the frame that its path is drawn in. Sheets without curves are left out.
 /// Velocities come from the twists of the exact angles, not from differences of positions.
-/// Cost: O(instances) for each of up to 721 times, fewer for large trains.
+/// Cost: O(instances) for each of up to 2,881 times, fewer for large trains.
 [[nodiscard]] std::vector<CurveSheet> motionCurves(const Stage& stage, const StageView& view,
                                                    const CurveChoice& choice);
 

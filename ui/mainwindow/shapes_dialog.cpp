@@ -39,12 +39,12 @@ ShapesDialog::ShapesDialog(Document* document, LinkId link, QWidget* parent)
       m_remove(new QToolButton(this)) {
   setObjectName(QStringLiteral("shapes"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(640, 240);
+  resize(780, 240);
   m_table->setHorizontalHeaderLabels({tr("File"), tr("x"), tr("y"), tr("z"), tr("about x, °"),
                                       tr("about y, °"), tr("about z, °"), tr("Scale")});
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_table->horizontalHeader()->setSectionResizeMode(kFile, QHeaderView::Stretch);
-  m_table->horizontalHeader()->setDefaultSectionSize(62);
+  m_table->horizontalHeader()->setDefaultSectionSize(80);
   m_table->verticalHeader()->hide();
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   auto* add = new QToolButton(this);

@@ -10,7 +10,8 @@
 namespace geargraph {
 namespace {
 
-constexpr double kLeft = 62, kTop = 24, kBelow = 34, kLegend = 156, kRight = 8;  // logical pixels
+constexpr double kLeft = 50, kTop = 24, kBelow = 34, kLegend = 136, kRight = 8;  // logical pixels
+constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall of lines
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
@@ -53,7 +54,7 @@ void MotionPlot::setSheet(const CurveSheet& sheet) {
   const bool sameTimes =
       !m_sheet.times.empty() && !sheet.times.empty() && m_sheet.times.back() == sheet.times.back();
   m_sheet = sheet;
-  if (!sameTimes) m_times = {0, sheet.times.empty() ? 1 : sheet.times.back()};
+  if (!sameTimes) m_times = {0, sheet.times.empty() ? 1 : std::min(sheet.times.back(), kSeenAtFirst)};
   fitValues();
   update();
 }
@@ -83,7 +84,7 @@ void MotionPlot::fitValues() {
 }
 
 QRectF MotionPlot::area() const {
-  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 420 ? kLegend : kRight), -kBelow);
+  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 320 ? kLegend : kRight), -kBelow);
 }
 
 QPointF MotionPlot::placeOf(double time, double value) const {
@@ -99,7 +100,7 @@ double MotionPlot::timeAt(double x) const {
 // Colours of links are made for shapes; a line on a dark ground has to be lighter to be seen.
 QColor MotionPlot::inkOf(const MotionCurve& curve) const {
   const QColor own = QColor::fromRgbF(curve.colour.red, curve.colour.green, curve.colour.blue);
-  return isDark(palette()) && own.lightness() < 120 ? own.lighter(150) : own;
+  return isDark(palette()) && own.lightness() < 120 ? own.lighter(125) : own;
 }
 
 double MotionPlot::valueAt(const MotionCurve& curve, double time) const {

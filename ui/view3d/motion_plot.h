@@ -22,7 +22,7 @@ class MotionPlot : public QWidget {
  public:
   explicit MotionPlot(QWidget* parent = nullptr);
 
-  /// The range that is shown stays where times do; it begins with all of them.
+  /// The range that is shown stays where times do; it begins with all of them, or the first of a long period.
   void setSheet(const CurveSheet& sheet);
   [[nodiscard]] const CurveSheet& sheet() const { return m_sheet; }
   /// The time that the 3D view shows, as a line.

@@ -246,7 +246,7 @@ void Viewer::fitNow() {
   for (std::size_t i = 0; i < m_seen.poses.size(); ++i) now.instances[i].pose = m_seen.poses[i];
   m_fitted = true;
   const bool wasChosen = m_isCameraChosen;
-  setCamera(m_view.camera.fitted(outlineOf(now), m_viewport, 0.09));
+  setCamera(m_view.camera.fitted(outlineOf(now), m_viewport, 0.13));
   m_isCameraChosen = wasChosen;
 }
 
