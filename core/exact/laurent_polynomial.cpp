@@ -153,6 +153,10 @@ bool LaurentPolynomial::appendProduct(const Term& a, const Term& b, int sign) {
   }
   const std::size_t most = a.powers.size() + b.powers.size();
   std::uint32_t* const powers = appendHead(coefficient, most);
+  if (b.powers.empty()) {
+    std::copy(a.powers.begin(), a.powers.end(), powers);
+    return true;
+  }
   std::uint32_t* end = powers;
   std::size_t j = 0;
   for (const std::uint32_t power : a.powers) {

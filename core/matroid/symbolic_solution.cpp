@@ -168,7 +168,7 @@ RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
   names.reserve(mechanism.gearMeshes.size());
   teeth.reserve(mechanism.gearMeshes.size());
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-    names.push_back("i" + std::to_string(mechanism.meshLabel(mesh)));
+    names.emplace_back("i").append(std::to_string(mechanism.meshLabel(mesh)));
     teeth.push_back({mechanism.gearMeshes[mesh].tailTeeth, mechanism.gearMeshes[mesh].headTeeth});
   }
   return std::make_shared<RatioRing>(std::move(names), std::move(teeth));
@@ -211,11 +211,14 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
     if (!expand(field, *system, zeros->ofInput[j], x, stop, budget)) return std::nullopt;
     given = RationalFunction();
     for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
-      if (x[i]) {
-        solution.matrix[i * columns + j] = std::exchange(*x[i], RationalFunction());
-      } else {
+      auto& entry = solution.matrix[i * columns + j];
+      if (!x[i]) {
         ++solution.skipped;
         x[i].emplace();
+      } else if (x[i]->isZero()) {
+        entry.emplace();
+      } else {
+        entry.emplace(std::exchange(*x[i], RationalFunction()));
       }
     }
   }
