@@ -43,7 +43,7 @@ class Sampler {
         moving[k].push_back(velocityOf(m_view.traces[k].point, poses, twists));
     }
     std::vector<CurveSheet> sheets = {{"Angular speed", "rad/s", m_times, {}},
-                                      {"Speed of traced points", m_stage.unit + "/s", m_times, {}}};
+                                      {"Traced points", m_stage.unit + "/s", m_times, {}}};
     addJoints(sheets[0], links.empty());
     for (std::size_t k = 0; k < links.size(); ++k) {
       const Instance& part = m_stage.scene.instances[links[k]];

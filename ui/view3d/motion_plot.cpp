@@ -17,8 +17,8 @@ constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
 constexpr double kMargin = 0.08;  // of the values, above and below
 
-QString text(double value) {
-  return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', 5)
+QString text(double value, int digits = 5) {
+  return QString::number(std::abs(value) < 1e-12 ? 0 : value, 'g', digits)
       .replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
@@ -199,7 +199,7 @@ void MotionPlot::paintLegend(QPainter& painter) const {
     painter.setPen(QPen(inkOf(curve), 2, kStyles[coordinate % 4]));
     painter.drawLine(QPointF(inside.right() + 12, y + row / 2), QPointF(inside.right() + 30, y + row / 2));
     painter.setPen(palette().color(QPalette::Text));
-    const QString value = text(valueAt(curve, time));
+    const QString value = text(valueAt(curve, time), 4);
     const QRectF line(inside.right() + 34, y, kLegend - 42, row);
     const double room = line.width() - painter.fontMetrics().horizontalAdvance(value) - 6;
     painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, value);
