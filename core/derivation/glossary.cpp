@@ -105,6 +105,33 @@ const std::vector<Definition>& glossary() {
        "The rate of every other joint for one unit of each input: minus the inverse of P's output part times "
        "its input part.",
        23},
+      {Term::ttGraph, "", "T–T graph",
+       "The mechanism after Tsai and Tokad: a node for each link, a branch of the tree for each turning "
+       "joint "
+       "with the level it turns on, and for each gear mesh two chords, from its gears to their carrier arm. "
+       "An arrow from i to k carries the velocity of link i relative to link k.",
+       0},
+      {Term::level, "a, b …", "Level",
+       "The axis that a branch of the T–T graph turns about. Joints that stay coaxial in every motion are on "
+       "one level.",
+       0},
+      {Term::transferVertex, "", "Transfer vertex",
+       "The carrier arm of a gear mesh: the node on the walk from gear to gear through the tree where the "
+       "level changes.",
+       0},
+      {Term::chord, "", "Chord",
+       "A thin line from a gear of a mesh to its transfer vertex. The two chords of a mesh bear the same "
+       "number of primes. Chords are no part of the tree: each closes one f-circuit.",
+       0},
+      {Term::terminalEquation, "", "Terminal equation",
+       "What the teeth say about the two chords of a mesh: the velocity of gear i relative to the carrier "
+       "arm "
+       "is that of gear j times ± N(j) / N(i), plus where both gears turn the same way, seen from the arm.",
+       26},
+      {Term::fundamentalCircuit, "", "f-circuit",
+       "A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with "
+       "signs by their direction. Eqs. (31) to (38) are the paper's.",
+       31},
   };
   return definitions;
 }

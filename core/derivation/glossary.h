@@ -43,6 +43,12 @@ enum class Term {
   screw,
   coefficientMatrix,
   solution,
+  ttGraph,
+  level,
+  transferVertex,
+  chord,
+  terminalEquation,
+  fundamentalCircuit,
 };
 
 struct Definition {

@@ -7,7 +7,7 @@
 #include "core/mechanism/edits.h"
 #include "core/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
-#include "ui/canvas/tt_terms.h"
+#include "ui/models/term_tips.h"
 
 namespace geargraph {
 namespace {
@@ -126,28 +126,28 @@ QString TtGraphView::toolTipFor(const ElementId& element) const {
     }
     if (carried.empty()) return plain;
     return plain + paragraph(tr("Transfer vertex of %1").arg(carried.join(QStringLiteral(", ")))) +
-           tipOf(TtTerm::transferVertex);
+           tipOf(Term::transferVertex);
   }
   for (int edge = 0; edge < digraph.edgeCount(); ++edge) {
     if (digraph.edgeId(edge) != element) continue;
     if (edge >= digraph.t()) return plain + meshTip(edge - digraph.t());
     const QString name = QString::fromStdString(inPrint(branchName(digraph, edge).toText()));
     const QString level = QString::fromStdString(graph()->levels().levelOf(edge));
-    return plain + paragraph(tr("Branch %1 on level %2").arg(name, level)) + tipOf(TtTerm::level);
+    return plain + paragraph(tr("Branch %1 on level %2").arg(name, level)) + tipOf(Term::level);
   }
   return plain;
 }
 
 QString TtGraphView::meshTip(int mesh) const {
   const std::optional<MeshWords> words = meshWords(*graph(), mesh);
-  if (!words) return paragraph(tr("It has no transfer vertex.")) + tipOf(TtTerm::transferVertex);
+  if (!words) return paragraph(tr("It has no transfer vertex.")) + tipOf(Term::transferVertex);
   QString tip = QString::fromStdString(words->set + ": " + words->path);
   if (!words->terminal.empty()) tip += QStringLiteral(". ") + QString::fromStdString(words->terminal);
-  return paragraph(tip) + tipOf(TtTerm::chord);
+  return paragraph(tip) + tipOf(Term::chord);
 }
 
 QString TtGraphView::captionToolTip() const {
-  return tipOf(TtTerm::transferVertex) + tipOf(TtTerm::terminalEquation) + tipOf(TtTerm::fundamentalCircuit);
+  return tipOf(Term::transferVertex) + tipOf(Term::terminalEquation) + tipOf(Term::fundamentalCircuit);
 }
 
 // --- places -----------------------------------------------------------------------------------------------

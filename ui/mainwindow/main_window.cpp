@@ -14,7 +14,6 @@
 #include "core/mechanism/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
-#include "ui/canvas/tt_terms.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -25,6 +24,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/joint_preview.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
@@ -32,7 +32,6 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
-#include "ui/panels/term_tips.h"
 #include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
@@ -141,7 +140,7 @@ void MainWindow::makeDrawings() {
   m_digraph = new DigraphView(m_document, m_selection, m_drawings);
   addDrawing(m_digraph, "digraph", tr("Digraph"), tipOf(Term::digraph));
   m_ttGraph = new TtGraphView(m_document, m_selection, m_drawings);
-  addDrawing(m_ttGraph, "ttgraph", tr("T–T graph"), tipOf(TtTerm::graph));
+  addDrawing(m_ttGraph, "ttgraph", tr("T–T graph"), tipOf(Term::ttGraph));
   m_schematic = new SchematicView(m_document, m_selection, m_drawings);
   addDrawing(m_schematic, "schematic", tr("Schematic"), tipOf(Term::functionalSchematic));
   connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);

@@ -16,7 +16,7 @@
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/thumbnails.h"
-#include "ui/panels/term_tips.h"
+#include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

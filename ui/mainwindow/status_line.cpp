@@ -5,7 +5,7 @@
 #include <QToolButton>
 
 #include "ui/models/freedom_text.h"
-#include "ui/panels/term_tips.h"
+#include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 

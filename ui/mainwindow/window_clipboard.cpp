@@ -10,7 +10,7 @@
 #include "core/mechanism/fragment.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
-#include "ui/panels/term_tips.h"
+#include "ui/models/term_tips.h"
 
 namespace geargraph {
 namespace {

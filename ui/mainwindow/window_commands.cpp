@@ -23,9 +23,9 @@
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
-#include "ui/panels/term_tips.h"
 #include "ui/search/search_field.h"
 #include "ui/theme/application_theme.h"
 

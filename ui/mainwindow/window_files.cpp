@@ -16,8 +16,8 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/mainwindow/window_set.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/problems_panel.h"
-#include "ui/panels/term_tips.h"
 
 namespace geargraph {
 namespace {

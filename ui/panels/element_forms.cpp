@@ -9,8 +9,8 @@
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
-#include "ui/panels/term_tips.h"
 
 namespace geargraph {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/mechanism/edits.h"
 #include "core/mechanism/shift_edits.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/states_table.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

@@ -11,11 +11,11 @@
 
 #include "core/matroid/input_roles.h"
 #include "core/mechanism/edits.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/panels/speed_slider.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

@@ -8,9 +8,9 @@
 
 #include "core/synthesis/bevel_sets.h"
 #include "core/synthesis/shifting_sets.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

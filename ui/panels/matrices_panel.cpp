@@ -15,8 +15,8 @@
 #include <algorithm>
 
 #include "core/derivation/matrix_text.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/models/term_tips.h"
 #include "ui/panels/fix_row.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 

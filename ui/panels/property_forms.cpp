@@ -8,9 +8,9 @@
 
 #include "core/fitting/fitted_edits.h"
 #include "core/mechanism/pins.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
-#include "ui/panels/term_tips.h"
 
 namespace geargraph {
 

@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "core/matroid/input_roles.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
-#include "ui/panels/term_tips.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

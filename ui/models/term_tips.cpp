@@ -1,4 +1,4 @@
-#include "ui/panels/term_tips.h"
+#include "ui/models/term_tips.h"
 
 #include <QCoreApplication>
 
