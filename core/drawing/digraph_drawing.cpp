@@ -1,6 +1,7 @@
 #include "core/drawing/digraph_drawing.h"
 
 #include "core/drawing/arrow_marks.h"
+#include "core/drawing/coupling_marks.h"
 #include "core/drawing/edge_routing.h"
 
 namespace geargraph {
@@ -101,6 +102,8 @@ DisplayList digraphDrawing(const DigraphGeometry& geometry, const Emphases& emph
     list.append(edgeDrawing(edge, emphasisOf(emphases, edge.element)));
   for (const NodePlace& node : geometry.nodes)
     list.append(nodeDrawing(node, emphasisOf(emphases, node.link)));
+  for (const CouplingPlace& coupling : geometry.couplings)
+    list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
   list.sortByDepth();
   return list;
 }

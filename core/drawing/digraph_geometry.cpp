@@ -3,6 +3,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "core/drawing/coupling_marks.h"
 #include "core/drawing/edge_routing.h"
 #include "core/drawing/label_placement.h"
 #include "core/drawing/node_placement.h"
@@ -81,6 +82,13 @@ class Changes {
     for (const EdgePlace& edge : now.edges) {
       const EdgePlace* const was = former.edge(edge.element);
       if (was == nullptr || !(was->curve == edge.curve)) m_grid.addCurve(edge.curve);
+    }
+    if (former.geometry().couplings == now.couplings) return;
+    for (const auto* couplings : {&former.geometry().couplings, &now.couplings}) {
+      for (const CouplingPlace& place : *couplings) {
+        m_grid.addCurve(place.line);
+        m_grid.addBox(couplingExtent(place));
+      }
     }
   }
 
@@ -230,6 +238,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     place.height = course->height;
     geometry.edges.push_back(place);
   }
+  geometry.couplings = placedCouplings(mechanism, graph, centers, taken);
   if (!former.edges.empty() && known.isInOrderOf(geometry)) {
     placeLabelsAgain(geometry, taken, known, Changes(areaOf(centers), known, geometry));
   } else {

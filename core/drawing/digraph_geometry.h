@@ -54,10 +54,25 @@ struct EdgePlace {
   friend bool operator==(const EdgePlace&, const EdgePlace&) = default;
 };
 
+/// A brake or a clutch in the digraph. They are no joints of it, so they have no arrow and no number: a
+/// dashed line from a link to a piece of the frame, or between two links, with two plates that face each
+/// other.
+struct CouplingPlace {
+  CouplingId coupling;
+  CouplingKind kind = CouplingKind::brake;
+  std::string name;        ///< as shown
+  Curve line;              ///< brake: from the link's rim outward; clutch: from rim to rim
+  SheetPoint plates;       ///< between both plates
+  SheetPoint way;          ///< from the link's plate to the other one, a unit vector
+  SheetPoint labelCenter;  //
+  friend bool operator==(const CouplingPlace&, const CouplingPlace&) = default;
+};
+
 /// Where everything in a drawing of the digraph is.
 struct DigraphGeometry {
   std::vector<NodePlace> nodes;  ///< of the links that have a position, in the document's order
   std::vector<EdgePlace> edges;  ///< between those, turning joints first
+  std::vector<CouplingPlace> couplings;
 
   [[nodiscard]] const NodePlace* node(LinkId link) const;
   [[nodiscard]] const EdgePlace* edge(const ElementId& element) const;

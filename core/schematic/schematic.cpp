@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/schematic/coupling_symbols.h"
 #include "core/schematic/stacker.h"
 
 namespace geargraph {
@@ -109,6 +110,7 @@ SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_
   if (layout.axes.empty()) return geometry;
   Section section = SectionSearch(part, placement, layout).best(stop);
   if (stop.stop_requested()) return geometry;
+  addCouplings(part, layout, section);
   geometry.frame = sheetFrame(part, layout);
   SectionLabels labels = sectionLabels(part, layout, section);
   geometry.notes = sectionNotes(part, layout);

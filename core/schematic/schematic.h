@@ -25,13 +25,13 @@ struct SchematicGeometry {
 /// Draws what the mechanism has so far: axes, and the links that turning joints tie to the ground. Axes that
 /// do not lie in one plane are unfolded, and a note says so.
 ///
-/// Cost: milliseconds for 15 links, some tenths of a second for kMostDrawnLinks: not for the thread of the
-/// windows. When `stop` is requested meanwhile, what comes back is of no use.
+/// Cost: milliseconds for 15 links, half a second for 60, two seconds for 100 and ten for 200: not for the
+/// thread of the windows. When `stop` is requested meanwhile, what comes back is of no use.
 /// @pre the mechanism is well formed
 [[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
                                                   const std::stop_token& stop = {});
-/// A section of more links would not be a drawing that anybody reads.
-constexpr std::size_t kMostDrawnLinks = 60;
+/// Links, the ground among them; arms and bearings of more take too long to find their places.
+constexpr std::size_t kMostDrawnLinks = 201;
 
 /// The drawing with what stands out: halos behind what is hovered, accent on what is selected. Equal planets
 /// stand out together.

@@ -29,7 +29,8 @@ struct Section {
   std::vector<Anchors> links;   ///< by link of the part
   std::vector<Anchors> joints;  //
   std::vector<Anchors> meshes;  ///< those that are drawn
-  std::vector<Anchors> axes;    ///< both ends of the dash-dotted lines
+  std::vector<Anchors> couplings;
+  std::vector<Anchors> axes;  ///< both ends of the dash-dotted lines
 };
 
 constexpr double kShaftWidth = 3.4;

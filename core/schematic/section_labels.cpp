@@ -8,6 +8,7 @@
 #include "core/drawing/emphasis.h"
 #include "core/drawing/obstacle_grid.h"
 #include "core/drawing/text_metrics.h"
+#include "core/mechanism/pins.h"
 
 namespace geargraph {
 namespace {
@@ -134,6 +135,8 @@ class Labeller {
     for (std::size_t i = 0; i < m_section.links.size(); ++i) addDisc(i);
     for (const Section::Anchors& mesh : m_section.meshes) addNumber(mesh, numberOf(mesh.element), false);
     for (const Section::Anchors& joint : m_section.joints) addNumber(joint, numberOf(joint.element), true);
+    for (const Section::Anchors& coupling : m_section.couplings)
+      addNumber(coupling, elided(coupling.element.id.text(), 10), true);
     for (const Section::Anchors& axis : m_section.axes) addAxisName(axis);
     addNotes(notes);
     return std::move(m_labels);
@@ -199,7 +202,9 @@ class Labeller {
   }
 
   void addAxisName(const Section::Anchors& anchors) {
-    const std::string name = elided(anchors.element.id.text(), 12);
+    const Axis* axis = m_part.mechanism.find(AxisId(anchors.element.id));
+    const std::string pin = axis != nullptr && isPinned(*axis) ? " (pinned)" : "";
+    const std::string name = elided(anchors.element.id.text(), 12) + pin;
     const double half = textWidth(name, m_size, false) / 2;
     const LabelPlacer::Place place = m_placer.take(anchors.places, half, m_size / 2, true);
     put(anchors.element, MarkRole::label, Text{name, place.center, m_size, false, ColorRole::secondary},

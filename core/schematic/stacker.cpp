@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 
 namespace geargraph {
@@ -232,12 +234,17 @@ std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
   return columns;
 }
 
+/// Does the link turn about the axis?
+bool Stacker::isOwn(int axis, int link) const {
+  return link != 0 && axisOfLink(m_placement, link) == axis;
+}
+
 Stacker::Range Stacker::rangeOf(int axis, int link) const {
   Range range;
   for (const Column& column : columnsOn(axis)) {
     if (column.link == link) range.include(column.at, column.at);
   }
-  const bool own = link != 0 && axisOfLink(m_placement, link) == axis;
+  const bool own = isOwn(axis, link);
   for (const int joint : m_on[at(axis)].bearings) {
     const SheetBearing& bearing = m_bearings[at(joint)];
     if (bearing.child == link) {
@@ -262,20 +269,58 @@ double Stacker::freeEndOf(const SheetBearing& bearing) const {
   return sum < 0 ? 1 : -1;
 }
 
-/// How many things on an axis cannot get past a shaft of another link, whichever of the two is hollow.
-int Stacker::conflictsOn(int axis) const {
-  const std::vector<int> links = linksOn(axis);
-  const std::vector<Column> columns = columnsOn(axis);
-  std::vector<Range> ranges;
-  for (const int link : links) ranges.push_back(rangeOf(axis, link));
-  const auto inside = [&](std::size_t i, std::size_t j) {
-    return static_cast<int>(std::count_if(columns.begin(), columns.end(), [&](const Column& column) {
-      return column.link == links[i] && column.at > ranges[j].low - 5 && column.at < ranges[j].high + 5;
-    }));
+std::vector<Stacker::OnShaft> Stacker::shaftsOn(int axis) const {
+  std::map<int, OnShaft> shafts;
+  for (const int link : linksOn(axis)) shafts[link].link = link;
+  for (const Column& column : columnsOn(axis)) {
+    const auto found = shafts.find(column.link);
+    if (found == shafts.end()) continue;
+    found->second.columns.push_back(column.at);
+    found->second.range.include(column.at, column.at);
+  }
+  for (const int joint : m_on[at(axis)].bearings) {
+    const SheetBearing& bearing = m_bearings[at(joint)];
+    OnShaft& child = shafts.at(bearing.child);
+    child.range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
+    if (bearing.driven) {
+      const double sum = std::accumulate(child.columns.begin(), child.columns.end(), 0.0) -
+                         static_cast<double>(child.columns.size()) * bearing.at;
+      const double end = bearing.at + kDrivenEnd * (sum < 0 ? 1 : -1);
+      child.range.include(end, end);
+    }
+    const auto parent = shafts.find(bearing.parent);
+    if (parent != shafts.end() && isOwn(axis, bearing.parent))
+      parent->second.range.include(bearing.at, bearing.at);
+  }
+  std::vector<OnShaft> result;
+  for (auto& [link, shaft] : shafts) {
+    if (!isOwn(axis, link) && !shaft.range.isEmpty())
+      shaft.range.include(shaft.range.low - 12, shaft.range.high + 12);
+    std::sort(shaft.columns.begin(), shaft.columns.end());
+    result.push_back(std::move(shaft));
+  }
+  return result;
+}
+
+/// How many things on an axis cannot get past a shaft of another link, whichever of the two is hollow, as far
+/// as one of the two links is among these: the others do not change while an item is moved.
+int Stacker::conflictsOn(int axis, const std::vector<int>& moved) const {
+  const std::vector<OnShaft> shafts = shaftsOn(axis);
+  const auto isMoved = [&](const OnShaft& shaft) {
+    return std::find(moved.begin(), moved.end(), shaft.link) != moved.end();
+  };
+  const auto inside = [](const OnShaft& inner, const OnShaft& outer) {
+    const auto first = std::upper_bound(inner.columns.begin(), inner.columns.end(), outer.range.low - 5);
+    const auto last = std::lower_bound(first, inner.columns.end(), outer.range.high + 5);
+    return static_cast<int>(last - first);
   };
   int conflicts = 0;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) conflicts += std::min(inside(i, j), inside(j, i));
+  for (const OnShaft& shaft : shafts) {
+    if (!isMoved(shaft)) continue;
+    for (const OnShaft& other : shafts) {
+      if (&other == &shaft || (isMoved(other) && other.link < shaft.link)) continue;
+      conflicts += std::min(inside(shaft, other), inside(other, shaft));
+    }
   }
   return conflicts;
 }
@@ -291,6 +336,13 @@ std::vector<std::pair<int, Stacker::Range>> Stacker::tubesTouchedBy(const Item& 
     tubes.emplace_back(home, rangeOf(home, bearing.parent));
   }
   return tubes;
+}
+
+/// Links whose shafts and columns go with an item.
+std::vector<int> Stacker::movedBy(const Item& item) const {
+  if (item.isCup) return {m_layout.wheels[at(m_cups[at(item.index)].wheel)].link};
+  const SheetBearing& bearing = m_bearings[at(item.index)];
+  return {bearing.child, bearing.parent};
 }
 
 /// Short shafts, bearings near what they hold.
@@ -367,7 +419,7 @@ double Stacker::cost(const Item& item, const Scene& scene) const {
       const Piece& piece = scene.pieces[k];
       if (scene.axisOf[k] != tubeAxis && piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
     }
-    sum += 1.3 * kCrossing * conflictsOn(tubeAxis);
+    sum += 1.3 * kCrossing * conflictsOn(tubeAxis, movedBy(item));
   }
   return sum;
 }

@@ -88,7 +88,16 @@ class Stacker {
   [[nodiscard]] std::vector<Column> columnsOn(int axis) const;
   [[nodiscard]] Range rangeOf(int axis, int link) const;
   [[nodiscard]] double freeEndOf(const SheetBearing& bearing) const;
-  [[nodiscard]] int conflictsOn(int axis) const;
+  /// What a link has on an axis, for all links at once.
+  struct OnShaft {
+    int link = 0;
+    Range range;
+    std::vector<double> columns;  ///< ascending
+  };
+  [[nodiscard]] std::vector<OnShaft> shaftsOn(int axis) const;
+  [[nodiscard]] bool isOwn(int axis, int link) const;
+  [[nodiscard]] std::vector<int> movedBy(const Item& item) const;
+  [[nodiscard]] int conflictsOn(int axis, const std::vector<int>& moved) const;
   [[nodiscard]] std::vector<std::pair<int, Range>> tubesTouchedBy(const Item& item) const;
   [[nodiscard]] Extent boxOn(int axis, double low, double high, double from, double to) const;
   void addShafts(ShaftPlan& plan, int axis) const;

@@ -4,15 +4,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/drawing/coupling_marks.h"
+
 namespace geargraph {
 namespace {
 
-/// How many outlines an element has: an arrow's line and label, a node's disc and badge.
+/// How many outlines an element has: an arrow's line and label, a node's disc and badge, a coupling's line
+/// and plates.
 int outlinesOf(const EdgePlace&) {
   return 2;
 }
 int outlinesOf(const NodePlace& node) {
   return node.input ? 2 : 1;
+}
+int outlinesOf(const CouplingPlace&) {
+  return 2;
 }
 
 /// Do both show the same elements in the same order?
@@ -22,7 +28,14 @@ bool hasSameOutlines(const DigraphGeometry& a, const DigraphGeometry& b) {
     return x.link == y.link && x.input == y.input;
   };
   return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), sameEdge) &&
-         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameNode);
+         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameNode) &&
+         std::equal(a.couplings.begin(), a.couplings.end(), b.couplings.begin(), b.couplings.end(),
+                    [](const CouplingPlace& x, const CouplingPlace& y) { return x.coupling == y.coupling; });
+}
+
+/// Of everything that is put up.
+std::size_t sizeOf(const DigraphGeometry& geometry) {
+  return geometry.edges.size() + geometry.nodes.size() + geometry.couplings.size();
 }
 
 }  // namespace
@@ -45,7 +58,7 @@ void DigraphScene::show(NodePositions positions, DigraphGeometryPtr geometry) {
 
 void DigraphScene::drawAll() {
   constexpr std::size_t kLarge = 4'000;  // elements, which take some 50 ms
-  const std::size_t size = m_geometry->edges.size() + m_geometry->nodes.size();
+  const std::size_t size = sizeOf(*m_geometry);
   const bool isUnderWay = !isDrawn();
   editableOutlines().clear();
   beginDrawing();
@@ -60,13 +73,16 @@ void DigraphScene::drawAll() {
 void DigraphScene::putUp(std::size_t end) {
   std::vector<Outline>& all = editableOutlines();
   const std::size_t edges = m_geometry->edges.size();
+  const std::size_t nodes = m_geometry->nodes.size();
   for (; *m_putUp < end; ++*m_putUp) {
     const std::size_t at = *m_putUp;
-    const std::vector<Outline> outlines =
-        at < edges ? draw(m_geometry->edges[at]) : draw(m_geometry->nodes[at - edges]);
+    const std::vector<Outline> outlines = at < edges ? draw(m_geometry->edges[at])
+                                          : at < edges + nodes
+                                              ? draw(m_geometry->nodes[at - edges])
+                                              : draw(m_geometry->couplings[at - edges - nodes]);
     all.insert(all.end(), outlines.begin(), outlines.end());
   }
-  if (end < edges + m_geometry->nodes.size()) return;
+  if (end < sizeOf(*m_geometry)) return;
   m_putUp.reset();
   endDrawing();
 }
@@ -74,7 +90,7 @@ void DigraphScene::putUp(std::size_t end) {
 void DigraphScene::putUpSlice() {
   constexpr std::size_t kSlice = 1'000;  // elements
   if (isDrawn()) return;                 // a small drawing came in between
-  const std::size_t size = m_geometry->edges.size() + m_geometry->nodes.size();
+  const std::size_t size = sizeOf(*m_geometry);
   putUp(std::min(*m_putUp + kSlice, size));
   if (isDrawn()) {
     emit drawn();
@@ -94,6 +110,8 @@ void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
   };
   for (std::size_t i = 0; i < former.edges.size(); ++i) update(former.edges[i], m_geometry->edges[i]);
   for (std::size_t i = 0; i < former.nodes.size(); ++i) update(former.nodes[i], m_geometry->nodes[i]);
+  for (std::size_t i = 0; i < former.couplings.size(); ++i)
+    update(former.couplings[i], m_geometry->couplings[i]);
 }
 
 std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
@@ -107,6 +125,13 @@ std::vector<Outline> DigraphScene::draw(const EdgePlace& edge) {
   DisplayList drawing = edgeDrawing(edge, emphasisOf(emphases(), edge.element));
   std::vector<Outline> outlines = std::move(drawing.outlines);
   redraw(edge.element, std::move(drawing), kLineDepth);
+  return outlines;
+}
+
+std::vector<Outline> DigraphScene::draw(const CouplingPlace& place) {
+  DisplayList drawing = couplingDrawing(place, emphasisOf(emphases(), place.coupling));
+  std::vector<Outline> outlines = std::move(drawing.outlines);
+  redraw(place.coupling, std::move(drawing), kLineDepth);
   return outlines;
 }
 
@@ -125,6 +150,9 @@ void DigraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
   }
   for (const EdgePlace& edge : m_geometry->edges) {
     if (changed.contains(edge.element)) draw(edge);
+  }
+  for (const CouplingPlace& place : m_geometry->couplings) {
+    if (changed.contains(place.coupling)) draw(place);
   }
 }
 

@@ -47,10 +47,11 @@ class DigraphScene final : public DrawingScene {
   void drawWhatDiffers(const DigraphGeometry& former);
   std::vector<Outline> draw(const NodePlace& node);
   std::vector<Outline> draw(const EdgePlace& edge);
+  std::vector<Outline> draw(const CouplingPlace& place);
 
   NodePositions m_positions;
   DigraphGeometryPtr m_geometry = std::make_shared<const DigraphGeometry>();
-  std::optional<std::size_t> m_putUp;  ///< while that goes on: how many arrows, then nodes, are there
+  std::optional<std::size_t> m_putUp;  ///< while that goes on: how many arrows, nodes, couplings are there
 };
 
 }  // namespace geargraph

@@ -21,6 +21,8 @@ bool exists(const Mechanism& mechanism, const ElementId& element) {
       return mechanism.find(JointId(element.id)) != nullptr;
     case ElementKind::gearMesh:
       return mechanism.find(MeshId(element.id)) != nullptr;
+    case ElementKind::coupling:
+      return mechanism.find(CouplingId(element.id)) != nullptr;
     default:
       return true;  // other views' elements are theirs to drop
   }

@@ -10,7 +10,8 @@ bool sameDrawing(const Mechanism& a, const Mechanism& b) {
   const auto ids = [](const Link& x, const Link& y) { return x.id == y.id; };
   return std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), ids) &&
          a.axes == b.axes && a.turningJoints == b.turningJoints && a.gearMeshes == b.gearMeshes &&
-         a.wheels == b.wheels && a.gearDefaults == b.gearDefaults && a.inputs == b.inputs;
+         a.wheels == b.wheels && a.gearDefaults == b.gearDefaults && a.inputs == b.inputs &&
+         a.couplings == b.couplings;
 }
 
 }  // namespace

@@ -41,9 +41,14 @@ void SchematicView::showDrawing(const SchematicPtr& schematic) {
 }
 
 QString SchematicView::message() const {
-  if (!m_schematic || !m_schematic->isEmpty()) return {};
+  constexpr std::size_t kMany = 60;  ///< take more than a moment
+  if (!m_schematic) {
+    return mechanism().links.size() > kMany ? tr("Finding places for %1 links …").arg(mechanism().n())
+                                            : QString();
+  }
+  if (!m_schematic->isEmpty()) return {};
   if (m_schematic->isTooLarge) {
-    return tr("The schematic shows up to %1 links; this train has %2")
+    return tr("The schematic shows up to %1 links; this train has %2. Digraph and T–T graph show all of them")
         .arg(kMostDrawnLinks - 1)
         .arg(mechanism().links.size() - 1);
   }

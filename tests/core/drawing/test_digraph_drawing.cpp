@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <random>
 
+#include "core/drawing/coupling_marks.h"
 #include "core/drawing/digraph_drawing.h"
 #include "core/drawing/hit_test.h"
 #include "core/drawing/layout.h"
@@ -10,6 +11,7 @@
 #include "core/drawing/text_metrics.h"
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "core/mechanism/shift_edits.h"
 #include "tests/core/drawing/drawing_checks.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -49,6 +51,11 @@ QString collisions(const DigraphGeometry& geometry) {
   for (const EdgePlace& edge : geometry.edges) {
     boxes.push_back({QString("label %1").arg(edge.label), edgeLabelExtent(edge.labelCenter, edge.label)});
   }
+  for (const CouplingPlace& coupling : geometry.couplings) {
+    const double halfWidth = textWidth(coupling.name, kNameSize, true) / 2;
+    boxes.push_back({QString("name of ") + QString::fromStdString(coupling.name),
+                     {coupling.labelCenter, halfWidth, kNameSize / 2}});
+  }
   for (const NodePlace& node : geometry.nodes) {
     if (node.input) boxes.push_back({QString("badge of %1").arg(node.label), badgeExtent(node.badgeCenter)});
     if (!node.name.empty()) {
@@ -70,6 +77,11 @@ QString collisions(const DigraphGeometry& geometry) {
         if (boxes[i].box.grown(kTurningWidth / 2).meetsSegment(from, to)) {
           found << QString("%1 on arrow %2").arg(boxes[i].name).arg(edge.label);
         }
+      });
+    }
+    for (const CouplingPlace& coupling : geometry.couplings) {
+      forEachChord(coupling.line, [&](SheetPoint from, SheetPoint to) {
+        if (boxes[i].box.meetsSegment(from, to)) found << boxes[i].name + " on the line of a coupling";
       });
     }
     for (std::size_t j = 0; j < i; ++j) {
@@ -267,8 +279,37 @@ class TestDigraphDrawing : public QObject {
     QCOMPARE(count({.walk = -1}, MarkRole::walk, "accent"), 1);
   }
 
+  void brakesAndClutchesAreDashedLinesOfTheirOwn() {
+    Mechanism mechanism = withBrake(drivenRobot(), LinkId("3")).value();
+    mechanism = withClutch(mechanism, LinkId("5"), LinkId("4")).value();
+    const DigraphGeometry geometry = digraphGeometry(mechanism, robotPositions());
+    QCOMPARE(geometry.edges.size(), digraphGeometry(drivenRobot(), robotPositions()).edges.size());
+    QCOMPARE(geometry.couplings.size(), std::size_t{2});
+    QCOMPARE(collisions(geometry), QString());
+    const CouplingPlace& brake = geometry.couplings[0];
+    QCOMPARE(brake.name, std::string("A"));
+    QVERIFY(distance(brake.line.from, robotPositions().at(LinkId("3"))) < kNodeRadius + kRingWidth);
+    const CouplingPlace& clutch = geometry.couplings[1];
+    QVERIFY(distance(clutch.line.from, robotPositions().at(LinkId("5"))) < 2 * kNodeRadius);
+    QVERIFY(distance(clutch.line.to, robotPositions().at(LinkId("4"))) < 2 * kNodeRadius);
+    const DisplayList list = digraphDrawing(geometry, {});
+    const auto count = [&](const ElementId& element, MarkRole role) {
+      return std::count_if(list.marks.begin(), list.marks.end(),
+                           [&](const Mark& mark) { return mark.element == element && mark.role == role; });
+    };
+    QVERIFY(count(brake.coupling, MarkRole::hatching) > 2);    // a piece of the frame
+    QCOMPARE(count(clutch.coupling, MarkRole::hatching), 0);   // two plates alone
+    QCOMPARE(count(clutch.coupling, MarkRole::arrowhead), 0);  // no mesh
+    QCOMPARE(elementAt(list.outlines, clutch.plates, 1), std::optional<ElementId>(clutch.coupling));
+    // The matrices know nothing of it.
+    QCOMPARE(Digraph(mechanism).edgeCount(), Digraph(drivenRobot()).edgeCount());
+  }
+
   void geometryAfterADragIsThatOfAFreshDrawing() {
-    const Mechanism mechanism = test::randomTree(9, 60, 40);
+    Mechanism mechanism = test::randomTree(9, 60, 40);
+    for (const std::size_t link : {5, 17, 40})
+      mechanism = withBrake(mechanism, mechanism.links[link].id).value();
+    mechanism = withClutch(mechanism, mechanism.links[9].id, mechanism.links[30].id).value();
     NodePositions positions = layoutOf(mechanism);
     DigraphGeometry followed = digraphGeometry(mechanism, positions);
     std::mt19937 random(4);
@@ -283,6 +324,7 @@ class TestDigraphDrawing : public QObject {
       const DigraphGeometry fresh = digraphGeometry(mechanism, positions);
       QVERIFY(followed.nodes == fresh.nodes);
       QVERIFY(followed.edges == fresh.edges);
+      QVERIFY(followed.couplings == fresh.couplings);
     }
   }
 

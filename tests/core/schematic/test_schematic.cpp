@@ -5,6 +5,7 @@
 #include "core/drawing/hit_test.h"
 #include "core/drawing/text_metrics.h"
 #include "core/io/mechanism_file.h"
+#include "core/mechanism/pins.h"
 #include "core/schematic/schematic.h"
 #include "tests/core/drawing/drawing_checks.h"
 #include "tests/core/support/textbook_trains.h"
@@ -99,7 +100,7 @@ QStringList labelsInTheWay(const SchematicGeometry& geometry) {
   return found;
 }
 
-/// Lines of different links that cut through each other.
+/// Lines of different links that cut through each other; a clutch's arm may have no way round.
 QStringList crossings(const SchematicGeometry& geometry) {
   QStringList found;
   const std::vector<Segment> segments = segmentsOf(geometry);
@@ -109,6 +110,7 @@ QStringList crossings(const SchematicGeometry& geometry) {
       const Segment& a = segments[i];
       const Segment& b = segments[j];
       if (!a.link || !b.link || *a.link == *b.link) continue;
+      if (a.element.kind == ElementKind::coupling || b.element.kind == ElementKind::coupling) continue;
       if (side(a.from, b) * side(a.to, b) >= -1e-3 || side(b.from, a) * side(b.to, a) >= -1e-3) continue;
       found << QString("link %1 across link %2 at %3, %4")
                    .arg(*a.link)
@@ -131,6 +133,7 @@ QStringList missing(const Mechanism& mechanism, const SchematicGeometry& geometr
   };
   for (std::size_t i = 1; i < mechanism.links.size(); ++i) check(mechanism.links[i].id);
   for (const TurningJoint& joint : mechanism.turningJoints) check(joint.id);
+  for (const Coupling& coupling : mechanism.couplings) check(coupling.id);
   const Placement placement = placementOf(mechanism);
   for (std::size_t m = 0; m < mechanism.gearMeshes.size(); ++m) {
     if (placement.meshes[m]) check(mechanism.gearMeshes[m].id);
@@ -289,6 +292,40 @@ class TestSchematic : public QObject {
     sketch.joint(0, 1, "a", "-30").joint(0, 2, "b", "30").joint(0, 3, "c", "30");
     sketch.mesh(1, 2, 20, 20).mesh(1, 3, 20, 20);
     QVERIFY(says(schematicGeometry(sketch.build()), "turned into the sheet"));
+  }
+
+  void brakesAndClutchesHaveTwoPlates() {
+    const Mechanism mechanism = example("simpson");  // B1 and B2 hold links, C ties two
+    const SchematicGeometry geometry = schematicGeometry(mechanism);
+    for (const Coupling& coupling : mechanism.couplings) {
+      std::vector<Polyline> plates;
+      int hatches = 0;
+      for (const Mark& mark : geometry.marks) {
+        if (mark.element != ElementId(coupling.id)) continue;
+        if (mark.role == MarkRole::hatching) ++hatches;
+        const auto* stroke = std::get_if<Stroke>(&mark.what);
+        if (stroke != nullptr && stroke->width > 2.5) plates.push_back(std::get<Polyline>(stroke->shape));
+      }
+      QCOMPARE(plates.size(), std::size_t{2});
+      const SheetPoint across = unit(plates[0].points[1] - plates[0].points[0]);
+      const SheetPoint between = plates[1].points[0] - plates[0].points[0];
+      QVERIFY(std::abs(dot(between, across)) < 1e-6 && length(between) > 3);  // they face each other
+      QCOMPARE(hatches > 0, coupling.kind == CouplingKind::brake);
+    }
+    Mechanism without = mechanism;
+    without.couplings.clear();
+    const auto shafts = [](const SchematicGeometry& drawn) {
+      return std::count_if(drawn.marks.begin(), drawn.marks.end(),
+                           [](const Mark& mark) { return mark.element.kind != ElementKind::coupling; });
+    };
+    QCOMPARE(shafts(geometry), shafts(schematicGeometry(without)));
+  }
+
+  void whatIsPinnedSaysSo() {
+    const Mechanism pinned = withPinMark(example("spur-pair"), AxisId("b"), true).value();
+    const auto labels = labelsOf(schematicGeometry(pinned));
+    QVERIFY(std::any_of(labels.begin(), labels.end(),
+                        [](const Label& label) { return label.text.endsWith("b (pinned)"); }));
   }
 
   void whatHangsOnNoJointIsToldOf() {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/drawing/display_list.h"
+#include "core/drawing/emphasis.h"
+#include "core/drawing/node_placement.h"
+
+namespace geargraph {
+
+/// Places for the couplings whose links have one. `taken` holds nodes, arrows and badges, and gets what is
+/// placed. Cost: O(couplings).
+[[nodiscard]] std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Digraph& graph,
+                                                         const Centers& centers, ObstacleGrid& taken);
+
+/// Plates and name.
+[[nodiscard]] Extent couplingExtent(const CouplingPlace& place);
+
+/// Two outlines each: of the line, and of plates and name.
+[[nodiscard]] DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis);
+
+}  // namespace geargraph

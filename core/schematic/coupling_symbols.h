@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/schematic/section.h"
+
+namespace geargraph {
+
+/// Draws the brakes and clutches of a part into its section, where nothing stands yet: two plates that face
+/// each other, the one on the link, the other one on a hatched piece of the frame, or on the other link. A
+/// clutch stands where both links face each other, else an arm of the one goes round to a plate of the other.
+/// Couplings of links that are not drawn are left out.
+void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& section);
+
+}  // namespace geargraph
