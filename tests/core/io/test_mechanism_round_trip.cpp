@@ -1,5 +1,7 @@
 #include <QtTest>
 
+#include "core/io/view_places.h"
+#include "core/mechanism/edits.h"
 #include "tests/core/io/support.h"
 
 using namespace geargraph;
@@ -14,6 +16,7 @@ class TestMechanismRoundTrip : public QObject {
   void numbersKeepTheirSpelling_data();
   void numbersKeepTheirSpelling();
   void unknownMembersOfEveryLevelSurvive();
+  void placesOfTheTtGraphSurvive();
   void textsSurvive();
   void theRobotsFile_isCanonical();
   void theRobotsPitchPoints_lieOnBothPitchSurfaces();
@@ -99,6 +102,23 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
   }
   QCOMPARE(count, 19);  // every object of the document but the nodes
   QVERIFY(read(written) == read(text));
+}
+
+void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
+  const Mechanism before = robot();
+  const std::vector<std::pair<LinkId, SheetPoint>> places{{LinkId("4"), {130.5, -0.1}},
+                                                          {LinkId("7"), {1.0 / 3, 2e5}}};
+  const Mechanism placed = withViewPlaces(before, kTtNodes, places).value();
+  const Mechanism again = readMechanism(writeMechanism(placed)).value();
+  QCOMPARE(again, placed);
+  QCOMPARE(viewPlaces(again, kTtNodes), ViewPlaces(places.begin(), places.end()));
+  QCOMPARE(again.view.nodes, before.view.nodes);  // the digraph's own places are another matter
+  // A place of a link that went is passed over, the others stay.
+  const std::vector<ElementId> gone{LinkId("7")};
+  const Mechanism without = readMechanism(writeMechanism(withoutElements(again, gone).value())).value();
+  QCOMPARE(viewPlaces(without, kTtNodes), (ViewPlaces{places.front()}));
+  QCOMPARE(withoutViewPlaces(again, kTtNodes), before);
+  QCOMPARE(withViewPlaces(before, kTtNodes, {{LinkId("none"), {0, 0}}}).error()[0].code, Code::unknownId);
 }
 
 void TestMechanismRoundTrip::textsSurvive() {

@@ -1,11 +1,13 @@
 #include "tests/ui/mainwindow/hand.h"
 
+#include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "ui/canvas/digraph_view.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/theme/application_theme.h"
 
 namespace geargraph::test {
 
@@ -105,6 +107,21 @@ void isolateSettings() {
   QCoreApplication::setApplicationName(QStringLiteral("GearGraphTest"));
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+}
+
+void setUpProgram() {
+  isolateSettings();
+  applyTheme(*qApp, Theme::light);
+}
+
+std::unique_ptr<MainWindow> openedWindow(const QString& path) {
+  auto window = std::make_unique<MainWindow>();
+  if (!window->openDocument(path)) return nullptr;
+  window->show();
+  window->activateWindow();
+  if (!QTest::qWaitForWindowActive(window.get())) return nullptr;
+  if (!QTest::qWaitFor([&] { return window->isSettled(); })) return nullptr;
+  return window;
 }
 
 }  // namespace geargraph::test

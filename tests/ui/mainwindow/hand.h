@@ -2,6 +2,7 @@
 
 #include <QPoint>
 #include <QStringList>
+#include <memory>
 
 #include "core/mechanism/mechanism.h"
 #include "ui/mainwindow/main_window.h"
@@ -40,5 +41,10 @@ class Hand {
 
 /// Settings in a folder of their own, thrown away at the end of the program; call before the first window.
 void isolateSettings();
+/// That, and the light theme, whatever the machine's is.
+void setUpProgram();
+
+/// A window that shows a document, active and with its analysis; none where it does not come to that.
+[[nodiscard]] std::unique_ptr<MainWindow> openedWindow(const QString& path);
 
 }  // namespace geargraph::test

@@ -5,7 +5,6 @@
 #include "core/mechanism/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
-#include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -37,16 +36,10 @@ class LiveTeethTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
-    window = std::make_unique<MainWindow>();
-    QVERIFY(window->openDocument(robotExamplePath()));
-    window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-    QTRY_VERIFY(window->isSettled());
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
   }
   void cleanup() { window.reset(); }
 

@@ -48,16 +48,10 @@ class MainWindowTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
-    window = std::make_unique<MainWindow>();
-    QVERIFY(window->openDocument(robotExamplePath()));
-    window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
-    QTRY_VERIFY(window->isSettled());
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
   }
   void cleanup() { window.reset(); }
 

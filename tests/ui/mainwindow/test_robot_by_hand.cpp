@@ -6,7 +6,6 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/panels/matrices_panel.h"
-#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 
@@ -22,8 +21,7 @@ class RobotByHandTest : public QObject {
 
  private slots:
   void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
+    test::setUpProgram();
     window = std::make_unique<MainWindow>();
     window->resize(1366, 768);
     window->show();

@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -11,6 +12,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/window_set.h"
+#include "ui/panels/gearbox_panel.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/results_panel.h"
@@ -61,6 +63,15 @@ class Person {
     }
   }
 
+  /// The same for a tab whose title begins so.
+  void raiseAny(const QString& begin) {
+    for (auto* tabs : m_window.findChildren<QTabBar*>()) {
+      for (int i = 0; i < tabs->count(); ++i) {
+        if (tabs->tabText(i).startsWith(begin)) return raise(tabs->tabText(i));
+      }
+    }
+  }
+
   int gestures = 0;
 
  private:
@@ -70,13 +81,21 @@ class Person {
 
 }  // namespace
 
-/// Two stories from an empty window, by mouse and keyboard alone, with their gestures counted.
+/// Stories from an empty window: what somebody does with mouse and keyboard, with the gestures counted.
 class StoriesTest : public QObject {
   Q_OBJECT
 
   std::unique_ptr<QTemporaryDir> folder;
   std::unique_ptr<WindowSet> windows;
   MainWindow* window = nullptr;
+
+  [[nodiscard]] const MechanismPtr& now() const { return window->document().mechanism(); }
+  void insertSet() {
+    window->actions().insertSet->trigger();
+    auto* dialog = window->findChild<QDialog*>(QStringLiteral("insertSet"));
+    QVERIFY(QTest::qWaitForWindowExposed(dialog));
+    QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("insert")), Qt::LeftButton);
+  }
 
   /// What a person reads in the row of this link: its rate now.
   [[nodiscard]] QString rateOfLink(int label) const {
@@ -183,6 +202,79 @@ class StoriesTest : public QObject {
     QCOMPARE(formulas(3), (QStringList{"-i18*i17*i16*i15", "-i18*i17*i16", "i18*i17"}));
     qInfo("The paper's robot: %d gestures", person.gestures);
     QVERIFY(person.gestures < 40);
+  }
+
+  void theRobotDrawnWrongIsMendedInTheProblemsPanel() {
+    Person person(*window);
+    QVERIFY(window->openDocument(QStringLiteral(":/examples/robot-to-mend.geargraph")));
+    QTRY_VERIFY(window->isSettled());
+    person.raiseAny(QStringLiteral("Problems"));
+    ProblemsPanel& problems = window->problems();
+    QTRY_VERIFY(problems.isVisible());
+    const auto codes = [&problems] {
+      QStringList all;
+      for (int row = 0; row < problems.model().rowCount(); ++row)
+        all << problems.model().index(row).data(DiagnosticModel::CodeRole).toString();
+      return all;
+    };
+    // One mistake hides the next: each click brings up what is still wrong.
+    for (const QString& wrong : {QStringLiteral("turning-loop"), QStringLiteral("teeth-geometry"),
+                                 QStringLiteral("invalid-inputs")}) {
+      QVERIFY2(codes().contains(wrong), qPrintable(codes().join(' ')));
+      QPushButton* mend = nullptr;
+      for (auto* button : problems.findChildren<QPushButton*>(QStringLiteral("fix"))) {
+        if (button->isVisible() && mend == nullptr) mend = button;
+      }
+      QVERIFY(mend != nullptr);
+      person.clickButton(mend);
+      QTRY_VERIFY(window->isSettled());
+      QVERIFY2(!codes().contains(wrong), qPrintable(codes().join(' ')));
+    }
+    QVERIFY2(codes().isEmpty(), qPrintable(codes().join(' ')));
+    QCOMPARE(window->document().undoStack().count(), 3);
+    QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 3"));
+    QCOMPARE(formulas(0), (QStringList{"-i15", "0", "0"}));  // [AU, Eq. (25)]
+    QVERIFY(person.gestures == 4);
+  }
+
+  void aPlanetarySetFromTheDialogTakesThreeGestures() {
+    window->actions().newDocument->trigger();  // 1
+    insertSet();                               // 2 and 3
+    QCOMPARE(now()->n(), 6);
+    QTRY_VERIFY(window->isSettled());
+    QCOMPARE(window->results().verdict(),
+             QStringLiteral("Matroid method = T–T graph method, exactly, for all 4 joints"));
+    // The carrier turns at 2/7 of the sun: the ratio 7/2 that the dialog proposes.
+    QCOMPARE(window->results().model().index(0, 3).data().toString(), QStringLiteral("2/7"));
+    window->document().undoStack().undo();
+    QCOMPARE(now()->n(), 0);
+  }
+
+  void aPlanetGetsCompanionsWithTwoGestures() {
+    window->document().replace(emptyMechanism(), {});
+    insertSet();
+    const std::vector<ElementId> twins{now()->links[5].id, now()->links[6].id};
+    for (const ElementId& twin : twins) {
+      window->selection().select({twin});
+      window->actions().remove->trigger();
+    }
+    QCOMPARE(now()->n(), 4);
+    window->selection().select({now()->links[4].id});
+    window->actions().planets[1]->trigger();
+    QCOMPARE(now()->n(), 6);
+    QCOMPARE(now()->c(), 6);
+    QTRY_VERIFY(window->isSettled());
+  }
+
+  void aGearboxRunsInTheStateThatIsChosen() {
+    QVERIFY(window->openDocument(QStringLiteral(":/examples/eight-speed-gearbox.geargraph")));
+    QTRY_VERIFY(window->isSettled());
+    StatesModel& states = window->gearbox().model();
+    QCOMPARE(states.rowCount(), 9);
+    window->gearbox().run(4);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(states.isRunning(4));
+    QVERIFY(!states.isRunning(0));
   }
 };
 

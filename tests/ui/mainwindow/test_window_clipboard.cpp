@@ -10,7 +10,6 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
-#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 
@@ -35,10 +34,7 @@ class WindowClipboardTest : public QObject {
   [[nodiscard]] QString said() { return window->statusLine().text(); }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
     QApplication::clipboard()->clear();
     window = opened(robotExamplePath());

@@ -61,17 +61,10 @@ class WindowHabitsTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
-    window = std::make_unique<MainWindow>();
-    QVERIFY(window->openDocument(robotExamplePath()));
-    window->show();
-    window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
-    QTRY_VERIFY(window->isSettled());
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
     window->digraph().setFocus();
   }
   void cleanup() { window.reset(); }

@@ -9,7 +9,6 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/panels/problems_panel.h"
-#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 
@@ -47,17 +46,10 @@ class WindowProblemsTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
-    window = std::make_unique<MainWindow>();
-    QVERIFY(window->openDocument(robotExamplePath()));
-    window->show();
-    window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
-    QTRY_VERIFY(window->isSettled());
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
     showProblems();
   }
   void cleanup() { window.reset(); }

@@ -9,7 +9,6 @@
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/search/search_field.h"
-#include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph {
@@ -34,17 +33,10 @@ class WindowSearchTest : public QObject {
   void press(Qt::Key key) { QTest::keyClick(search(), key); }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    applyTheme(*qApp, Theme::light);
-  }
+  void initTestCase() { test::setUpProgram(); }
   void init() {
-    window = std::make_unique<MainWindow>();
-    QVERIFY(window->openDocument(robotExamplePath()));
-    window->show();
-    window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(window.get()));
-    QTRY_VERIFY(window->isSettled());
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
     window->digraph().setFocus();
   }
   void cleanup() { window.reset(); }
