@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace geargraph {
@@ -43,11 +44,15 @@ struct MeridianRoute {
   int support = -1;
 };
 
+/// Rounds before a way is given up.
+constexpr int kMostRounds = 40;
+
 /// Ways for all nets that share no cell: nets one after the other by their shortest ways, again with those
 /// first that found none, now and then in another order, until all have. Deterministic. Nothing after `tries`
-/// rounds. Cost: O(nets * cells * log cells) a round.
+/// rounds, and when `stop` was requested meanwhile. Cost: O(nets * cells * log cells) a round.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
-                                                                      int tries = 40);
+                                                                      int tries = kMostRounds,
+                                                                      const std::stop_token& stop = {});
 
 }  // namespace geargraph
