@@ -114,6 +114,16 @@ AxialSpan axialSpan(const GearSpec& spec) {
   return span;
 }
 
+std::vector<Circle> bevelOutline(const GearSpec& spec) {
+  std::vector<Circle> outline = bodyMeridian(spec);
+  const double large = coneDistance(spec);
+  const double small = large - spec.faceWidth;
+  const double tip = -(spec.addendum + spec.profileShift) * spec.module;
+  outline.push_back(belowCone(small, tip * small / large, spec.coneAngle));
+  outline.push_back(belowCone(large, tip, spec.coneAngle));
+  return outline;
+}
+
 std::vector<Circle> bodyMeridian(const GearSpec& spec) {
   switch (spec.kind) {
     case GearKind::internal:

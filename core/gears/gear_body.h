@@ -14,6 +14,9 @@ namespace geargraph {
 /// only. Dressed: hub, recessed web and rim where there is room for them.
 [[nodiscard]] std::vector<Circle> bodyMeridian(const GearSpec& spec);
 
+/// Body and teeth of a bevel together: a closed outline in the half plane through its axis, the teeth last.
+[[nodiscard]] std::vector<Circle> bevelOutline(const GearSpec& spec);
+
 /// Openings in the web of a dressed wheel, where it is large enough to have them.
 [[nodiscard]] std::optional<WebWindows> bodyWindows(const GearSpec& spec);
 

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/gears/bevel_room.h"
 #include "core/gears/gear_body.h"
 #include "core/gears/train_wheels.h"
 
@@ -135,7 +136,12 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train) {
   std::vector<std::pair<int, int>> found;
   for (std::size_t a = 0; a < rooms.size(); ++a) {
     for (std::size_t b = a + 1; b < rooms.size(); ++b) {
-      if (train.wheels[a].link == train.wheels[b].link || !collide(rooms[a], rooms[b])) continue;
+      if (train.wheels[a].link == train.wheels[b].link) continue;
+      const auto isBevel = [&](std::size_t w) { return train.wheels[w].spec.kind == GearKind::bevel; };
+      // The room of a bevel is a disc that its cone does not fill.
+      const bool apart = isBevel(a) && isBevel(b) ? !bevelsCollide(train.wheels[a], train.wheels[b])
+                                                  : !collide(rooms[a], rooms[b]);
+      if (apart) continue;
       const bool neighbours =
           std::any_of(near[a].begin(), near[a].end(), [&](int w) { return near[b].contains(w); });
       if (!neighbours) found.emplace_back(static_cast<int>(a), static_cast<int>(b));

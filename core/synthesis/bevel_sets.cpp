@@ -1,8 +1,25 @@
 #include "core/synthesis/bevel_sets.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
 #include "core/synthesis/set_sketch.h"
 
 namespace geargraph {
+namespace {
+
+/// A third of the cone distance, less where a smaller one of the distances is near; whole units, 2 at least.
+std::int64_t faceOf(double distance, std::span<const double> distances) {
+  double room = distance / 3;
+  for (const double other : distances) {
+    if (other < distance) room = std::min(room, distance - other - 1);
+  }
+  return std::max<std::int64_t>(2, static_cast<std::int64_t>(room));
+}
+
+}  // namespace
 
 Expected<Mechanism> bevelDifferentialSet(int sideTeeth, int pinionTeeth, int pinions) {
   if (2 * sideTeeth % pinions != 0) {
@@ -48,12 +65,18 @@ Mechanism bevelWrist(const WristTeeth& teeth) {
   const auto at = [](int across, int along) {
     return NumberTriple{Number(0), Number(across), Number(along)};
   };
-  set.mesh(bendShaft, bend, teeth.bendShaft, teeth.bend, MeshKind::bevel).pitchPoint =
-      at(-teeth.bendShaft, -teeth.bend);
-  set.mesh(rollShaft, idler, teeth.rollShaft, teeth.idler, MeshKind::bevel).pitchPoint =
-      at(teeth.rollShaft, -teeth.idler);
-  set.mesh(idler, tool, teeth.idlerPinion, teeth.tool, MeshKind::bevel).pitchPoint =
-      at(teeth.tool, teeth.idlerPinion);
+  // All cones share one apex: a pair ends where the next smaller one begins.
+  const std::array distances = {std::hypot(teeth.bendShaft, teeth.bend),
+                                std::hypot(teeth.rollShaft, teeth.idler),
+                                std::hypot(teeth.idlerPinion, teeth.tool)};
+  const auto pair = [&](int tail, int head, int tailTeeth, int headTeeth, const NumberTriple& pitchPoint) {
+    GearMesh& mesh = set.mesh(tail, head, tailTeeth, headTeeth, MeshKind::bevel);
+    mesh.pitchPoint = pitchPoint;
+    mesh.faceWidth = Number(faceOf(std::hypot(tailTeeth, headTeeth), distances));
+  };
+  pair(bendShaft, bend, teeth.bendShaft, teeth.bend, at(-teeth.bendShaft, -teeth.bend));
+  pair(rollShaft, idler, teeth.rollShaft, teeth.idler, at(teeth.rollShaft, -teeth.idler));
+  pair(idler, tool, teeth.idlerPinion, teeth.tool, at(teeth.tool, teeth.idlerPinion));
   set.input(housing, Number(0));
   set.input(bendShaft, Number(1));
   set.input(rollShaft, Number(0));

@@ -10,8 +10,8 @@
 namespace geargraph {
 namespace {
 
-/// Free ids: whole numbers for links, joints and meshes, letters for axes, the set's own names for couplings
-/// and states as long as they are free.
+/// Free ids: whole numbers for links, joints and meshes, letters for axes, the set's own names for wheels,
+/// couplings and states as long as they are free.
 class FreshNames {
  public:
   explicit FreshNames(const Mechanism& mechanism) {
@@ -19,6 +19,7 @@ class FreshNames {
     for (const TurningJoint& joint : mechanism.turningJoints) m_taken.insert(joint.id.text());
     for (const GearMesh& mesh : mechanism.gearMeshes) m_taken.insert(mesh.id.text());
     for (const Axis& axis : mechanism.axes) m_axes.insert(axis.id.text());
+    for (const Wheel& wheel : mechanism.wheels) m_wheels.insert(wheel.id.text());
     for (const Coupling& coupling : mechanism.couplings) m_couplings.insert(coupling.id.text());
     for (const ShiftState& state : mechanism.states) m_states.insert(state.name);
   }
@@ -37,6 +38,7 @@ class FreshNames {
       }
     }
   }
+  std::string wheel(const std::string& wanted) { return free(wanted, m_wheels); }
   std::string coupling(const std::string& wanted) { return free(wanted, m_couplings); }
   std::string state(const std::string& wanted) { return free(wanted, m_states); }
 
@@ -49,6 +51,7 @@ class FreshNames {
 
   std::set<std::string> m_taken;
   std::set<std::string> m_axes;
+  std::set<std::string> m_wheels;
   std::set<std::string> m_couplings;
   std::set<std::string> m_states;
   int m_next = 1;
@@ -136,10 +139,20 @@ class Inserter {
   }
 
   void addMeshes() {
+    std::map<WheelId, WheelId> wheels;
+    for (Wheel wheel : m_set.wheels) {
+      const WheelId fresh(m_names.wheel(wheel.id.text()));
+      wheels[wheel.id] = fresh;
+      wheel.id = fresh;
+      wheel.link = m_links.at(wheel.link);
+      m_result.wheels.push_back(std::move(wheel));
+    }
     for (GearMesh mesh : m_set.gearMeshes) {
       mesh.id = MeshId(m_names.number());
       mesh.tail = m_links.at(mesh.tail);
       mesh.head = m_links.at(mesh.head);
+      if (mesh.tailWheel) mesh.tailWheel = wheels.at(*mesh.tailWheel);
+      if (mesh.headWheel) mesh.headWheel = wheels.at(*mesh.headWheel);
       shift(mesh.pitchPoint, m_shift);
       m_result.gearMeshes.push_back(std::move(mesh));
     }

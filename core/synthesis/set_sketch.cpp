@@ -41,6 +41,14 @@ GearMesh& SetSketch::mesh(int tail, int head, int tailTeeth, int headTeeth, Mesh
   return mesh;
 }
 
+WheelId SetSketch::wheel(const std::string& id, int link) {
+  Wheel wheel;
+  wheel.id = WheelId(id);
+  wheel.link = m_mechanism.links[static_cast<std::size_t>(link)].id;
+  m_mechanism.wheels.push_back(wheel);
+  return wheel.id;
+}
+
 void SetSketch::input(int link, const Number& speed) {
   if (!m_mechanism.inputs) m_mechanism.inputs.emplace();
   m_mechanism.inputs->push_back(

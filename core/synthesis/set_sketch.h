@@ -19,6 +19,8 @@ class SetSketch {
   /// An axis with a place.
   void axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction);
   GearMesh& mesh(int tail, int head, int tailTeeth, int headTeeth, MeshKind kind);
+  /// A wheel on a link, for meshes to name: meshes that name several do not share one.
+  WheelId wheel(const std::string& id, int link);
   void input(int link, const Number& speed);
   void brake(const std::string& id, int link);
   void clutch(const std::string& id, int link, int other);

@@ -142,10 +142,11 @@ Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   const int output = set.link(0, "a", "output");
   const int carrier = set.link(0, "a", "second carrier");
   const auto stage = [&](int on, int around, const std::string& axis, const std::string& name) {
+    const WheelId sun = set.wheel(name + "-sun", suns);
     for (int i = 0; i < planets; ++i) {
       const std::string number = std::to_string(i + 1);
       const int planet = set.link(on, axis + number, name + " planet " + number);
-      set.mesh(suns, planet, teeth.sun, teeth.planet, MeshKind::external);
+      set.mesh(suns, planet, teeth.sun, teeth.planet, MeshKind::external).tailWheel = sun;
       set.mesh(planet, around, teeth.planet, teeth.ring(), MeshKind::internal);
     }
   };

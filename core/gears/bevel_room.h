@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/gears/train_wheels.h"
+
+namespace geargraph {
+
+/// Do two bevel wheels on one line take up the same room, as their outlines in the half plane through the
+/// line say? Bores count as filled. False for wheels on other lines.
+[[nodiscard]] bool bevelsCollide(const TrainWheel& a, const TrainWheel& b);
+
+}  // namespace geargraph
