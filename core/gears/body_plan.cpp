@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 /// Linked sets: sleeves, discs and drums of one axis, with the bearings and arms on it.
 void BodyPlanner::planCoaxial(int axisClass) {
   if (!needsCoaxialPlan(axisClass, m_placement, m_train)) return;
-  const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train, m_stop);
+  const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train);
   if (!plan) {
     m_plan.blocked.emplace_back();
     for (const Bearing& b : axis(axisClass).bearings) m_plan.blocked.back().push_back(b.child);
@@ -302,9 +302,8 @@ void BodyPlanner::nestShafts(int axisClass) {
   }
 }
 
-BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                    const std::stop_token& stop) {
-  return BodyPlanner(mechanism, placement, train, stop).plan();
+BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
+  return BodyPlanner(mechanism, placement, train).plan();
 }
 
 }  // namespace geargraph

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stop_token>
 #include <vector>
 
 #include "core/gears/axis_layout.h"
@@ -49,8 +48,7 @@ struct BodyPlan {
 
 /// Plans the bodies. Greedy, links nearest the ground first; deterministic.
 /// Cost: O(links * things on an axis).
-/// Of no use when `stop` was requested meanwhile.
 [[nodiscard]] BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement,
-                                  const GearTrain& train, const std::stop_token& stop = {});
+                                  const GearTrain& train);
 
 }  // namespace geargraph

@@ -16,9 +16,8 @@ constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
 /// last.
 class BodyPlanner {
  public:
-  BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-              const std::stop_token& stop)
-      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_obstacles(train), m_stop(stop) {
+  BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train)
+      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_obstacles(train) {
     m_plan.axes = axisLayouts(mechanism, placement, train);
     m_plan.shaftsOn.resize(m_plan.axes.size());
     m_gearsOn.resize(m_plan.axes.size());
@@ -92,7 +91,6 @@ class BodyPlanner {
   const JointTree& m_tree;
   const GearTrain& m_train;
   GearObstacles m_obstacles;
-  std::stop_token m_stop;
   std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
   std::vector<bool> m_coaxial;                      ///< axis classes that have a plan of their own
   std::vector<std::vector<std::pair<int, std::size_t>>>

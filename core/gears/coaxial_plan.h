@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -35,10 +34,9 @@ struct CoaxialPlan {
 /// theirs on parallel axes?
 [[nodiscard]] bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train);
 
-/// The plan; nothing where no way is found, and where `stop` was requested meanwhile.
+/// The plan; nothing where no way is found.
 /// Cost: some milliseconds; meridian_router.h.
 [[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
-                                                     const Placement& placement, const GearTrain& train,
-                                                     const std::stop_token& stop = {});
+                                                     const Placement& placement, const GearTrain& train);
 
 }  // namespace geargraph

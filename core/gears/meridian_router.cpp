@@ -202,12 +202,11 @@ bool Round::layNet(int net) {
 }  // namespace
 
 std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
-                                                        const std::vector<MeridianNet>& nets, int tries,
-                                                        const std::stop_token& stop) {
+                                                        const std::vector<MeridianNet>& nets, int tries) {
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
   std::minstd_rand random(1);
-  for (int i = 0; i < tries && !stop.stop_requested(); ++i) {
+  for (int i = 0; i < tries; ++i) {
     Round round(grid, nets, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
     const int failed = round.lay(order);
     if (failed < 0) return round.take();

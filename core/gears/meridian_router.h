@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 namespace geargraph {
@@ -44,15 +43,11 @@ struct MeridianRoute {
   int support = -1;
 };
 
-/// Rounds before a way is given up.
-constexpr int kMostRounds = 40;
-
 /// Ways for all nets that share no cell: nets one after the other by their shortest ways, again with those
 /// first that found none, now and then in another order, until all have. Deterministic. Nothing after `tries`
-/// rounds, and when `stop` was requested meanwhile. Cost: O(nets * cells * log cells) a round.
+/// rounds. Cost: O(nets * cells * log cells) a round.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
-                                                                      int tries = kMostRounds,
-                                                                      const std::stop_token& stop = {});
+                                                                      int tries = 40);
 
 }  // namespace geargraph

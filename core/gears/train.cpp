@@ -9,10 +9,6 @@
 namespace geargraph {
 namespace {
 
-/// Of larger trains the analysis does not say whether bodies find ways past each other: planning them
-/// compares all with all.
-constexpr std::size_t kMostPlannedWheels = 150;
-
 /// The wheels' ids in the document, else "15:tail" by the first mesh of each.
 std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& train) {
   std::vector<std::string> names(train.wheels.size());
@@ -58,30 +54,13 @@ GearTrain toothed(const Mechanism& mechanism, const TrainWheels& wheels) {
   return train;
 }
 
-void append(Diagnostics& all, const Diagnostics& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                        const std::stop_token& stop) {
   Diagnostics found = toothDiagnostics(mechanism, train, stop);
   if (stop.stop_requested()) return found;
-  append(found, neighbourDiagnostics(mechanism, placement, train));
-  append(found, assemblyDiagnostics(mechanism, train, stop));
-  return found;
-}
-
-Diagnostics placeFindings(const Mechanism& mechanism, const TrainWheels& wheels, const GearTrain& train) {
-  Diagnostics found;
-  for (const auto& [a, b] : wheelsInOnePlace(wheels)) {
-    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
-    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
-    found.push_back(finding(Code::interference,
-                            "Gears " + one.name + " and " + other.name +
-                                " stand in one place and do not mesh. Move the pitch point of one along its "
-                                "axis, or leave it open.",
-                            {mechanism.links[static_cast<std::size_t>(one.link)].id,
-                             mechanism.links[static_cast<std::size_t>(other.link)].id}));
+  for (const Diagnostics& more :
+       {neighbourDiagnostics(mechanism, placement, train), assemblyDiagnostics(mechanism, train, stop)}) {
+    found.insert(found.end(), more.begin(), more.end());
   }
   return found;
 }
@@ -95,10 +74,19 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   stackWheels(wheels);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
-  Diagnostics findings = findingsOf(mechanism, placement, train, {});
-  append(findings, train.diagnostics);
-  train.diagnostics = std::move(findings);
-  append(train.diagnostics, placeFindings(mechanism, wheels, train));
+  const Diagnostics findings = findingsOf(mechanism, placement, train, {});
+  train.diagnostics.insert(train.diagnostics.begin(), findings.begin(), findings.end());
+  for (const auto& [a, b] : wheelsInOnePlace(wheels)) {
+    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
+    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
+    train.diagnostics.push_back(
+        finding(Code::interference,
+                "Gears " + one.name + " and " + other.name +
+                    " stand in one place and do not mesh. Move the pitch point of one along its axis, or "
+                    "leave it open.",
+                {mechanism.links[static_cast<std::size_t>(one.link)].id,
+                 mechanism.links[static_cast<std::size_t>(other.link)].id}));
+  }
   return train;
 }
 
@@ -109,14 +97,7 @@ Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placeme
   if (stop.stop_requested()) return {};
   shapeWheels(mechanism, wheels);
   if (stop.stop_requested()) return {};
-  const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
-  if (planned) stackWheels(wheels);
-  const GearTrain train = toothed(mechanism, wheels);
-  Diagnostics found = findingsOf(mechanism, placement, train, stop);
-  if (!planned || stop.stop_requested()) return found;
-  append(found, bodyDiagnostics(mechanism, placement, train, stop));
-  append(found, placeFindings(mechanism, wheels, train));
-  return found;
+  return findingsOf(mechanism, placement, toothed(mechanism, wheels), stop);
 }
 
 }  // namespace geargraph

@@ -73,11 +73,10 @@ struct GearTrain {
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
 
-/// The diagnostics of trainOf() alone, without making bodies, for the analysis; of trains of many wheels
-/// (150) without those about the room of wheels and bodies. Those found so far where `stop` was requested
-/// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel
-/// (tests/bench/bench_gears.cpp); planning bodies takes milliseconds more.
+/// The diagnostics of trainOf() alone, without stacking wheels and making bodies, for the analysis.
+/// Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp).
 /// @pre as trainOf
+/// Those found so far where `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                           const std::stop_token& stop = {});
 

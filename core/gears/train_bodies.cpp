@@ -306,23 +306,11 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
                  std::move(elements));
 }
 
-Diagnostics blockedFindings(const Mechanism& mechanism, const BodyPlan& plan) {
-  Diagnostics found;
-  for (const auto& links : plan.blocked) found.push_back(blockedFinding(mechanism, links));
-  return found;
-}
-
 }  // namespace
-
-Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                            const std::stop_token& stop) {
-  return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
-}
 
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
-  const Diagnostics blocked = blockedFindings(mechanism, plan);
-  train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
+  for (const auto& links : plan.blocked) train.diagnostics.push_back(blockedFinding(mechanism, links));
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
   for (const auto& [gear, diameter] : plan.hubs) {
     GearSpec& spec = train.gears[gear].spec;

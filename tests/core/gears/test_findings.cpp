@@ -296,20 +296,6 @@ class TestFindings : public QObject {
     QVERIFY(findings(pair(20, 40)).empty());
     QVERIFY(findings(test::planetary(20, 19, 3)).empty());
   }
-
-  /// The pitch points of two links on one axis put their wheels into each other, and each into the other's
-  /// partner.
-  void wheelsInOnePlaceAreSaidByTheAnalysisToo() {
-    test::TrainSketch sketch(4);
-    sketch.axis("a", {"0", "0", "0"}).axis("b", {"40", "0", "0"}).axis("c", {"0", "40", "0"});
-    sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "b").joint(0, 4, "c");
-    sketch.mesh(1, 3, 20, 20, MeshKind::external, {"20", "0", "0"});
-    sketch.mesh(2, 4, 20, 20, MeshKind::external, {"0", "20", "0"});
-    const Mechanism mechanism = sketch.build();
-    const Diagnostics found = findings(mechanism);
-    QCOMPARE(count(found, Code::interference, "stand in one place and do not mesh"), 3);
-    QCOMPARE(listed(found), listed(trainOf(mechanism, placementOf(mechanism)).diagnostics));
-  }
 };
 
 QTEST_APPLESS_MAIN(TestFindings)
