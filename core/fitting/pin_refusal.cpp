@@ -1,5 +1,6 @@
 #include "core/fitting/pin_refusal.h"
 
+#include "core/base/wording.h"
 #include "core/mechanism/pins.h"
 
 namespace geargraph {
@@ -34,14 +35,10 @@ Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, in
       pinned.push_back("axis " + axis.id.text());
     }
   }
-  std::string names;
-  for (std::size_t i = 0; i < pinned.size(); ++i) {
-    if (i > 0) names += i + 1 == pinned.size() ? " and " : ", ";
-    names += pinned[i];
-  }
-  refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) + " cannot follow: " + names +
-                    (pinned.size() == 1 ? " is" : " are") + " pinned. What fits: unpin " +
-                    (pinned.size() == 1 ? "it" : "one of them") + ", or another change.";
+  refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) +
+                    " cannot follow: " + listed(pinned, kAllNames) + (pinned.size() == 1 ? " is" : " are") +
+                    " pinned. What fits: unpin " + (pinned.size() == 1 ? "it" : "one of them") +
+                    ", or another change.";
   return refusal;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/wording.h"
 #include "core/matroid/exact_solution.h"
 #include "core/matroid/symbolic_solution.h"
 
@@ -9,16 +10,6 @@ namespace geargraph {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
-  return text;
-}
 
 /// Speaks of elements by their labels and collects them as culprits.
 class Speaker {
@@ -53,7 +44,7 @@ class Speaker {
       collect(position);
       texts.push_back(std::to_string(label(position)));
     }
-    return listed(texts);
+    return listed(texts, kMostNames);
   }
 
   const Mechanism& m_mechanism;

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include "core/base/wording.h"
+
 namespace geargraph {
 namespace {
 
@@ -37,7 +39,7 @@ std::string counted(int count, const char* one, const char* many) {
 }
 
 /// "2 links, 1 turning joint and 3 gear meshes", or nothing.
-std::string listed(const Difference& difference, int Difference::Count::*which) {
+std::string countsOf(const Difference& difference, int Difference::Count::*which) {
   std::vector<std::string> parts;
   const auto add = [&](int count, const char* one, const char* many) {
     if (count > 0) parts.push_back(counted(count, one, many));
@@ -45,12 +47,7 @@ std::string listed(const Difference& difference, int Difference::Count::*which) 
   add(difference.links.*which, "link", "links");
   add(difference.joints.*which, "turning joint", "turning joints");
   add(difference.meshes.*which, "gear mesh", "gear meshes");
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
-    text += parts[i];
-  }
-  return text;
+  return listed(parts, kAllNames);
 }
 
 }  // namespace
@@ -85,10 +82,16 @@ bool isSameButForView(const Mechanism& a, const Mechanism& b) {
   return rest(a) == rest(b);
 }
 
+bool isSameTrain(const Mechanism& a, const Mechanism& b) {
+  return sameOrder(a.links, b.links) && a.axes == b.axes && a.turningJoints == b.turningJoints &&
+         a.gearMeshes == b.gearMeshes && a.wheels == b.wheels && a.gearDefaults == b.gearDefaults &&
+         a.inputs == b.inputs;
+}
+
 std::string differenceText(const Difference& difference) {
   std::vector<std::string> clauses;
   const auto clause = [&](int Difference::Count::*which, const char* verb) {
-    const std::string elements = listed(difference, which);
+    const std::string elements = countsOf(difference, which);
     if (!elements.empty()) clauses.push_back(elements + ' ' + verb);
   };
   clause(&Difference::Count::added, "added");

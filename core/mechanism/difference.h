@@ -33,6 +33,11 @@ struct Difference {
 /// Cost: O(n + t + c).
 [[nodiscard]] bool isSameButForView(const Mechanism& a, const Mechanism& b);
 
+/// Have they the same links, axes, joints and wheels, with the same teeth and inputs, whatever their names,
+/// notes and places on sheets? What a picture of the train shows beside (couplings, what links wear) is for
+/// who paints it. Cost: O(n + t + c).
+[[nodiscard]] bool isSameTrain(const Mechanism& a, const Mechanism& b);
+
 /// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 

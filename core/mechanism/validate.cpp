@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/base/contract.h"
+#include "core/base/wording.h"
 
 namespace geargraph {
 namespace {
@@ -287,18 +288,6 @@ class Forest {
 
 constexpr std::size_t kMostNamesInASentence = 8;
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMostNamesInASentence; ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  if (names.size() > kMostNamesInASentence) {
-    text += " and " + std::to_string(names.size() - kMostNamesInASentence) + " more";
-  }
-  return text;
-}
-
 /// A drawing has few loops, all of which are named; a hostile file may have 50,000 of 50,000 joints each.
 constexpr std::size_t kMostNamedInLoops = 1'000'000;
 
@@ -316,8 +305,8 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
     oneAxis = oneAxis && other.axis == last.axis;
   }
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
-  std::string message =
-      "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") + joined(names) + ". ";
+  std::string message = "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") +
+                        listed(names, kMostNamesInASentence) + ". ";
   message += oneAxis && !path.empty()
                  ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
                        " is a redundant bearing: drop it."
@@ -363,12 +352,13 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   }
   if (!loose.empty()) {
     const bool one = loose.size() == 1;
-    findings.insert(findings.begin(),
-                    finding(Code::disconnected,
-                            (one ? "Link " : "Links ") + joined(labels) + (one ? " is" : " are") +
-                                " not tied to the ground by turning joints: draw a turning joint to " +
-                                (one ? "it." : "them."),
-                            std::move(loose)));
+    findings.insert(
+        findings.begin(),
+        finding(Code::disconnected,
+                (one ? "Link " : "Links ") + listed(labels, kMostNamesInASentence) + (one ? " is" : " are") +
+                    " not tied to the ground by turning joints: draw a turning joint to " +
+                    (one ? "it." : "them."),
+                std::move(loose)));
   }
   return findings;
 }

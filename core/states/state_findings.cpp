@@ -2,20 +2,12 @@
 
 #include <string>
 
+#include "core/base/wording.h"
+
 namespace geargraph {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
-  return text;
-}
 
 Diagnostic finding(const ShiftState& state, Code code) {
   Diagnostic result;
@@ -47,7 +39,8 @@ Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state, cons
   } else if (names.size() == 1) {
     result.message += names.front() + " holds it. Release it, or drive another link.";
   } else {
-    result.message += listed(names) + " hold it together. Release one of them, or drive another link.";
+    result.message +=
+        listed(names, kMostNames) + " hold it together. Release one of them, or drive another link.";
   }
   result.elements.emplace_back(*state.drive);
   return result;
@@ -65,7 +58,7 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
   if (state.drive) result.message += "with the drive, " + linkName(mechanism, *state.drive) + ", held, ";
   const int missing = dof - 1;
   result.message += (names.size() == 1 ? "link " + names.front() + " still turns"
-                                       : "links " + listed(names) + " still turn") +
+                                       : "links " + listed(names, kMostNames) + " still turn") +
                     ". Engage " +
                     (missing == 1 ? "one more coupling" : std::to_string(missing) + " more couplings") +
                     " that " + (missing == 1 ? "holds" : "hold") + " them.";

@@ -8,6 +8,7 @@
 #include <span>
 #include <unordered_set>
 
+#include "core/base/wording.h"
 #include "core/ttgraph/wording.h"
 
 namespace geargraph {
@@ -192,10 +193,10 @@ class Classifier {
       finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }
     for (const int found : levels) names.push_back(m_levels.names[static_cast<std::size_t>(found)]);
-    finding.message = "Turning joints " + listed(labels) + " name one axis (" + id.text() +
+    finding.message = "Turning joints " + listed(labels, kMostNames) + " name one axis (" + id.text() +
                       ") but do not all hang together on it by common links: they coincide only in the drawn "
                       "pose and are treated as different axes (" +
-                      listed(names) + "). Give each axis of the mechanism its own entry in axes.";
+                      listed(names, kMostNames) + "). Give each axis of the mechanism its own entry in axes.";
     m_levels.diagnostics.push_back(std::move(finding));
   }
 
@@ -221,11 +222,11 @@ class Classifier {
       if (dot(m_lines.axes[static_cast<std::size_t>(axis)]->direction, along) < 0)
         opposite.push_back(id.text());
     }
-    finding.message = "Axes " + listed(names) +
+    finding.message = "Axes " + listed(names, kMostNames) +
                       " are one line held by common links: they are treated as one axis (" +
                       m_levels.names[static_cast<std::size_t>(level)] + ").";
     if (!opposite.empty()) {
-      finding.message += " The opposite direction of " + listed(opposite) + " is minded.";
+      finding.message += " The opposite direction of " + listed(opposite, kMostNames) + " is minded.";
     }
     m_levels.diagnostics.push_back(std::move(finding));
   }

@@ -1,5 +1,6 @@
 #include "core/ttgraph/transfer_vertices.h"
 
+#include "core/base/wording.h"
 #include "core/ttgraph/wording.h"
 
 namespace geargraph {
@@ -56,7 +57,7 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
   finding.message = meshName(graph, mesh) + " holds gears on " + countInWords(static_cast<int>(walk.size())) +
                     " axes (" + wordText(levels, walk, ", ") + "): its path reads " + wordText(levels, walk) +
                     ". A carrier must hold both axes: attach gear " + label(walk.front().from) + " to link " +
-                    listed(carriers, "or") + ".";
+                    listed(carriers, kMostNames, "or") + ".";
   return finding;
 }
 

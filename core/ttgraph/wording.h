@@ -1,12 +1,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace geargraph {
 
-/// "8, 9 and 12"; a long list is cut short and says so.
-[[nodiscard]] std::string listed(const std::vector<std::string>& names, const char* last = "and");
+/// As many names as a sentence about axes and transfer vertices bears.
+constexpr std::size_t kMostNames = 8;
+
 /// "three" up to twelve, digits beyond.
 [[nodiscard]] std::string countInWords(int count);
 

@@ -1,27 +1,16 @@
 #include "ui/schematic/schematic_service.h"
 
-#include <algorithm>
+#include "core/mechanism/difference.h"
 
 namespace geargraph {
-namespace {
-
-/// Do both make the same drawing? Names, notes and the places of nodes do not matter.
-bool sameDrawing(const Mechanism& a, const Mechanism& b) {
-  const auto ids = [](const Link& x, const Link& y) { return x.id == y.id; };
-  return std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), ids) &&
-         a.axes == b.axes && a.turningJoints == b.turningJoints && a.gearMeshes == b.gearMeshes &&
-         a.wheels == b.wheels && a.gearDefaults == b.gearDefaults && a.inputs == b.inputs &&
-         a.couplings == b.couplings;
-}
-
-}  // namespace
 
 SchematicService::SchematicService(QObject* parent)
     : QObject(parent),
       m_worker([this](const Request& request, const std::stop_token& stop) { draw(request, stop); }) {}
 
 void SchematicService::request(const MechanismPtr& mechanism) {
-  const bool same = m_mechanism && sameDrawing(*m_mechanism, *mechanism);
+  const bool same =
+      m_mechanism && isSameTrain(*m_mechanism, *mechanism) && m_mechanism->couplings == mechanism->couplings;
   m_mechanism = mechanism;
   if (same) return;
   ++m_wanted;

@@ -1,15 +1,17 @@
 #include "ui/stage/stage_service.h"
 
+#include <algorithm>
+
+#include "core/mechanism/difference.h"
+
 namespace geargraph {
 namespace {
 
-/// Do both make the same stage? Names, notes and the places of nodes do not matter.
+/// Do both make the same stage? What links wear is among the members that the mechanism does not know.
 bool sameStage(const Mechanism& a, const Mechanism& b) {
-  // What links wear is among the members that the mechanism does not know.
-  const auto ids = [](const Link& x, const Link& y) { return x.id == y.id && x.unknown == y.unknown; };
-  return std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), ids) &&
-         a.axes == b.axes && a.turningJoints == b.turningJoints && a.gearMeshes == b.gearMeshes &&
-         a.wheels == b.wheels && a.gearDefaults == b.gearDefaults && a.inputs == b.inputs;
+  const auto wearsTheSame = [](const Link& x, const Link& y) { return x.unknown == y.unknown; };
+  return isSameTrain(a, b) &&
+         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), wearsTheSame);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#include "core/base/wording.h"
+
+#include <algorithm>
+
+namespace geargraph {
+
+std::string listed(const std::vector<std::string>& names, std::size_t most, const char* last) {
+  const std::size_t shown = std::min(names.size(), most);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " " + std::string(last) + " " : ", ";
+    text += names[i];
+  }
+  if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+  return text;
+}
+
+}  // namespace geargraph

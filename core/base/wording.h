@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geargraph {
+
+/// For listed(): however many there are.
+constexpr std::size_t kAllNames = static_cast<std::size_t>(-1);
+
+/// Names in a sentence: "8, 9 and 12"; of more than `most` the first ones, "8, 9 and 4 more".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names, std::size_t most,
+                                 const char* last = "and");
+
+}  // namespace geargraph
