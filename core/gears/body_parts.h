@@ -7,6 +7,8 @@
 
 namespace geargraph {
 
+constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
+
 /// An arm of a link from its own axis to the bearing of another.
 struct ArmPlan {
   int link = 0;
@@ -29,6 +31,12 @@ struct ShaftPlan {
   void include(double from, double to) {
     low = std::min(low, from);
     high = std::max(high, to);
+  }
+
+  /// A solid shaft, or with something of radius @p inside to go about (0: nothing) a tube that clears it.
+  void wrap(double inside, double module) {
+    inner = inside > 0 ? inside + 0.12 * module : 0;
+    outer = inside > 0 ? inside + module : kShaftRadius * module;
   }
 };
 

@@ -292,8 +292,7 @@ void BodyPlanner::nestShafts(int axisClass) {
       const bool over = shafts[k]->low < shaft.high && shaft.low < shafts[k]->high;
       if (over) inside = std::max(inside, shafts[k]->outer);
     }
-    shaft.inner = inside > 0 ? inside + 0.12 * module : 0;
-    shaft.outer = inside > 0 ? inside + 1.0 * module : kShaftRadius * module;
+    shaft.wrap(inside, module);
     scale = std::min(scale, boreRoom(axisClass, shaft.link) / shaft.outer);
   }
   for (ShaftPlan* shaft : shafts) {

@@ -10,8 +10,6 @@
 
 namespace geargraph {
 
-constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
-
 /// How planBodies() goes: linked sets first, then rings' cups, bearings and arms link by link, shafts at
 /// last.
 class BodyPlanner {

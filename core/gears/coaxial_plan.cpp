@@ -154,8 +154,7 @@ void CoaxialMaker::nestSleeves() {
       const bool over = order[k]->first <= order[i]->last && order[i]->first <= order[k]->last;
       if (over && order[k]->net != order[i]->net) inside = std::max(inside, other.outer);
     }
-    shaft.inner = inside > 0 ? inside + 0.12 * module : 0;
-    shaft.outer = inside > 0 ? inside + module : 1.8 * module;
+    shaft.wrap(inside, module);
   }
   double scale = 1;
   for (const ShaftPlan& shaft : m_plan.shafts) scale = std::min(scale, m_sections.innerRadius / shaft.outer);
@@ -387,9 +386,7 @@ bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain
     if (isOf(top)) {  // planets: on parallel axes, and nothing on them
       const auto own = placement.lineOfClass(axisClass).direction;
       const auto other = placement.lineOfClass(static_cast<int>(c)).direction;
-      double along = 0;
-      for (std::size_t i = 0; i < 3; ++i) along += own[i] * other[i];
-      if (std::abs(std::abs(along) - 1) > 1e-9) return false;
+      if (std::abs(std::abs(dot(own, other)) - 1) > 1e-9) return false;
     } else if (top != 0 && isOf(tree.parent[at(top)])) {
       return false;
     }

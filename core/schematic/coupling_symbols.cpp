@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/drawing/emphasis.h"
-#include "core/drawing/obstacle_grid.h"
 #include "core/schematic/section_symbols.h"
 
 namespace geargraph {
@@ -35,12 +34,7 @@ Extent boxOf(SheetPoint from, SheetPoint to, double half, SheetPoint way) {
 class CouplingPlacer {
  public:
   CouplingPlacer(const DrawnPart& part, const SheetLayout& layout, Section& section)
-      : m_part(part), m_layout(layout), m_section(section), m_taken(areaOf(section)) {
-    for (const Mark& mark : section.marks) {
-      if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(stroke->shape);
-      if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(fill->shape);
-    }
-  }
+      : m_part(part), m_layout(layout), m_section(section), m_taken(obstaclesOf(section, 120)) {}
 
   void add(const Coupling& coupling) {
     std::vector<int> links;
@@ -60,27 +54,6 @@ class CouplingPlacer {
   }
 
  private:
-  static Extent areaOf(const Section& section) {
-    Extent all;
-    bool first = true;
-    for (const Mark& mark : section.marks) {
-      all = first ? extentOf(mark) : all.united(extentOf(mark));
-      first = false;
-    }
-    return all.grown(120);
-  }
-
-  void occupy(const Shape& shape) {
-    if (const auto* line = std::get_if<Polyline>(&shape)) {
-      for (std::size_t i = 1; i < line->points.size(); ++i)
-        m_taken.addCurve(Curve::straight(line->points[i - 1], line->points[i]));
-    } else if (const auto* curve = std::get_if<Curve>(&shape)) {
-      m_taken.addCurve(*curve);
-    } else {
-      m_taken.addBox(extentOf(shape));
-    }
-  }
-
   /// Does a half section leave this side of the axis empty?
   [[nodiscard]] bool isLeftOut(SheetPoint p) const {
     return std::any_of(m_layout.axes.begin(), m_layout.axes.end(),

@@ -112,8 +112,8 @@ SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_
   if (stop.stop_requested()) return geometry;
   addCouplings(part, layout, section);
   geometry.frame = sheetFrame(part, layout);
-  SectionLabels labels = sectionLabels(part, layout, section);
   geometry.notes = sectionNotes(part, layout);
+  SectionLabels labels = sectionLabels(part, section, geometry.notes);
   geometry.alike = part.alike;
   geometry.marks = std::move(section.marks);
   geometry.marks.insert(geometry.marks.end(), labels.marks.begin(), labels.marks.end());

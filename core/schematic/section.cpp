@@ -382,11 +382,42 @@ void SectionBuilder::addAxes() {
   }
 }
 
+void occupy(ObstacleGrid& taken, const Shape& shape) {
+  if (const auto* line = std::get_if<Polyline>(&shape)) {
+    for (std::size_t i = 1; i < line->points.size(); ++i) {
+      taken.addCurve(Curve::straight(line->points[i - 1], line->points[i]));
+    }
+    if (line->closed) taken.addCurve(Curve::straight(line->points.back(), line->points.front()));
+  } else if (const auto* curve = std::get_if<Curve>(&shape)) {
+    taken.addCurve(*curve);
+  } else {
+    taken.addBox(extentOf(shape));
+  }
+}
+
 }  // namespace
 
 Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
                   const ShaftPlan& plan) {
   return SectionBuilder(part, placement, layout, plan).build();
+}
+
+Extent extentOf(const Section& section) {
+  Extent all;
+  for (std::size_t i = 0; i < section.marks.size(); ++i) {
+    const Extent mark = extentOf(section.marks[i]);
+    all = i == 0 ? mark : all.united(mark);
+  }
+  return all;
+}
+
+ObstacleGrid obstaclesOf(const Section& section, double beyond) {
+  ObstacleGrid taken(extentOf(section).grown(beyond));
+  for (const Mark& mark : section.marks) {
+    if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(taken, stroke->shape);
+    if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(taken, fill->shape);
+  }
+  return taken;
 }
 
 }  // namespace geargraph

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/drawing/display_list.h"
+#include "core/drawing/obstacle_grid.h"
 #include "core/schematic/arm_router.h"
 #include "core/schematic/shaft_plan.h"
 
@@ -39,5 +40,9 @@ constexpr double kAxisWidth = 1;
 
 [[nodiscard]] Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
                                 const ShaftPlan& plan);
+
+[[nodiscard]] Extent extentOf(const Section& section);
+/// Everything that is drawn as obstacles, for what comes to stand up to `beyond` outside of it.
+[[nodiscard]] ObstacleGrid obstaclesOf(const Section& section, double beyond);
 
 }  // namespace geargraph

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/base/wording.h"
 #include "core/drawing/emphasis.h"
-#include "core/drawing/obstacle_grid.h"
 #include "core/drawing/text_metrics.h"
 #include "core/mechanism/pins.h"
 
@@ -23,15 +23,6 @@ constexpr double kReadWidth = 700;
 constexpr double kReadHeight = 320;
 constexpr double kLargestType = 2.4;
 
-Extent extentOf(const Section& section) {
-  Extent all;
-  for (std::size_t i = 0; i < section.marks.size(); ++i) {
-    const Extent mark = extentOf(section.marks[i]);
-    all = i == 0 ? mark : all.united(mark);
-  }
-  return all;
-}
-
 double typeScale(const Section& section) {
   const Extent all = extentOf(section);
   const double over = std::max(2 * all.halfWidth / kReadWidth, 2 * all.halfHeight / kReadHeight);
@@ -42,12 +33,7 @@ double typeScale(const Section& section) {
 class LabelPlacer {
  public:
   LabelPlacer(const Section& section, double scale)
-      : m_scale(scale), m_taken(extentOf(section).grown(60 * scale)) {
-    for (const Mark& mark : section.marks) {
-      if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(stroke->shape);
-      if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(fill->shape);
-    }
-  }
+      : m_scale(scale), m_taken(obstaclesOf(section, 60 * scale)) {}
 
   struct Place {
     SheetPoint center;
@@ -94,19 +80,6 @@ class LabelPlacer {
       }
     }
     return std::nullopt;
-  }
-
-  void occupy(const Shape& shape) {
-    if (const auto* line = std::get_if<Polyline>(&shape)) {
-      for (std::size_t i = 1; i < line->points.size(); ++i) {
-        m_taken.addCurve(Curve::straight(line->points[i - 1], line->points[i]));
-      }
-      if (line->closed) m_taken.addCurve(Curve::straight(line->points.back(), line->points.front()));
-    } else if (const auto* curve = std::get_if<Curve>(&shape)) {
-      m_taken.addCurve(*curve);
-    } else {
-      m_taken.addBox(extentOf(shape));
-    }
   }
 
   [[nodiscard]] bool leaderHits(SheetPoint from, SheetPoint to) const {
@@ -234,19 +207,10 @@ class Labeller {
   SectionLabels m_labels;
 };
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
-std::string listed(const std::vector<int>& labels) {
+std::string listedLabels(const std::vector<int>& labels) {
   std::vector<std::string> words;
   for (const int label : labels) words.push_back(std::to_string(label));
-  return listed(words);
+  return listed(words, kAllNames);
 }
 
 }  // namespace
@@ -255,9 +219,9 @@ std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& 
   std::vector<std::string> notes;
   for (const DrawnPart::Planets& planets : part.planets) {
     const std::string what = planets.drawn.size() == 1 ? "planets" : "sets of planets";
-    notes.push_back("One of " + std::to_string(planets.count) + " equal " + what +
-                    " is drawn: " + listed(planets.others) +
-                    (planets.others.size() == 1 ? " is like " : " are like ") + listed(planets.drawn) + ".");
+    notes.push_back("One of " + std::to_string(planets.count) + " equal " + what + " is drawn: " +
+                    listedLabels(planets.others) + (planets.others.size() == 1 ? " is like " : " are like ") +
+                    listedLabels(planets.drawn) + ".");
   }
   std::vector<std::string> turned;
   for (const SheetAxis& axis : layout.axes) {
@@ -266,7 +230,7 @@ std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& 
   if (layout.otherRadii) {
     notes.emplace_back("Unfolded: the axes do not lie in one plane. Radii are not to scale.");
   } else if (!turned.empty() && turned.size() <= 8) {
-    notes.push_back("Unfolded: the axes do not lie in one plane. " + listed(turned) +
+    notes.push_back("Unfolded: the axes do not lie in one plane. " + listed(turned, kAllNames) +
                     (turned.size() == 1 ? " is" : " are") + " turned into the sheet.");
   } else if (!turned.empty()) {
     notes.push_back("Unfolded: the axes do not lie in one plane. " + std::to_string(turned.size()) +
@@ -278,21 +242,21 @@ std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& 
     break;
   }
   if (!part.loose.empty()) {
-    notes.push_back((part.loose.size() == 1 ? "Link " : "Links ") + listed(part.loose) +
+    notes.push_back((part.loose.size() == 1 ? "Link " : "Links ") + listedLabels(part.loose) +
                     (part.loose.size() == 1 ? " is" : " are") + " not drawn: no turning joint ties " +
                     (part.loose.size() == 1 ? "it" : "them") + " to the ground.");
   }
   if (!part.closing.empty()) {
-    notes.push_back((part.closing.size() == 1 ? "Joint " : "Joints ") + listed(part.closing) +
+    notes.push_back((part.closing.size() == 1 ? "Joint " : "Joints ") + listedLabels(part.closing) +
                     (part.closing.size() == 1 ? " closes" : " close") + " a loop and " +
                     (part.closing.size() == 1 ? "is" : "are") + " not drawn.");
   }
   return notes;
 }
 
-SectionLabels sectionLabels(const DrawnPart& part, const SheetLayout& layout, const Section& section) {
+SectionLabels sectionLabels(const DrawnPart& part, const Section& section,
+                            const std::vector<std::string>& notes) {
   constexpr double kSmaller = 0.8;
-  const std::vector<std::string> notes = sectionNotes(part, layout);
   for (double scale = typeScale(section);; scale = std::max(1.0, kSmaller * scale)) {
     Labeller labeller(part, section, scale);
     SectionLabels labels = labeller.label(notes);

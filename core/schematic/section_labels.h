@@ -16,8 +16,9 @@ struct SectionLabels {
   std::vector<Outline> outlines;
 };
 
-[[nodiscard]] SectionLabels sectionLabels(const DrawnPart& part, const SheetLayout& layout,
-                                          const Section& section);
+/// `notes`: what stands under the drawing, sectionNotes().
+[[nodiscard]] SectionLabels sectionLabels(const DrawnPart& part, const Section& section,
+                                          const std::vector<std::string>& notes);
 
 /// What the drawing leaves out or shows otherwise than it is, a sentence each.
 [[nodiscard]] std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& layout);
