@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 
@@ -19,14 +18,6 @@
 
 namespace geargraph::cli {
 namespace {
-
-template <class Number>
-std::optional<Number> wholeText(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const std::string& file) {
   auto document = loadOrSay(file);
@@ -60,7 +51,7 @@ int failure(const MeshFileError& why) {
 std::optional<std::pair<int, int>> pictureSize(std::string_view text, int most) {
   const std::size_t cross = text.find('x');
   if (cross == std::string_view::npos) return std::nullopt;
-  const auto width = wholeText<int>(text.substr(0, cross)), height = wholeText<int>(text.substr(cross + 1));
+  const auto width = numberFrom<int>(text.substr(0, cross)), height = numberFrom<int>(text.substr(cross + 1));
   const auto fits = [most](const auto& side) { return side && *side >= kLeastPictureSide && *side <= most; };
   if (!fits(width) || !fits(height)) return std::nullopt;
   return std::pair(*width, *height);

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <cmath>
 #include <iostream>
 
@@ -23,10 +22,8 @@ std::variant<double, UsageError> number(const Arguments& arguments, std::string_
                                         double least, double most) {
   const auto text = arguments.value(option);
   if (!text) return otherwise;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error == std::errc() && end == text->data() + text->size() && value >= least && value <= most)
-    return value;
+  const auto value = numberFrom<double>(*text);
+  if (value && *value >= least && *value <= most) return *value;
   const auto shown = [](double bound) {
     std::string digits = std::to_string(bound);
     digits.erase(digits.find_last_not_of('0') + 1);

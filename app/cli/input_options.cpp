@@ -1,7 +1,6 @@
 #include "app/cli/input_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 
 #include "core/analysis/analysis.h"
@@ -11,11 +10,9 @@ namespace {
 
 /// The position of the joint that a word labels.
 std::variant<int, UsageError> jointOf(const Mechanism& mechanism, std::string_view word) {
-  int label = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
-  const int position = label - mechanism.jointLabel(0);
-  if (error == std::errc{} && end == word.data() + word.size() && position >= 0 && position < mechanism.t()) {
-    return position;
+  if (const auto label = numberFrom<int>(word)) {
+    const int position = *label - mechanism.jointLabel(0);
+    if (position >= 0 && position < mechanism.t()) return position;
   }
   std::string message = "There is no turning joint \"" + std::string(word) + "\"";
   if (mechanism.t() > 0) {

@@ -1,7 +1,6 @@
 // `inputs FILE [--json] [--limit N]`: how many valid sets of inputs there are, and the first of them.
 
 #include <array>
-#include <charconv>
 #include <iostream>
 #include <memory>
 
@@ -80,10 +79,9 @@ int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kInputs, "One file is needed.");
   std::size_t limit = kUsualLimit;
   if (const auto word = arguments.value("--limit")) {
-    const auto [end, error] = std::from_chars(word->data(), word->data() + word->size(), limit);
-    if (error != std::errc{} || end != word->data() + word->size()) {
-      return wrongUsage(kInputs, "--limit is a whole number.");
-    }
+    const auto given = numberFrom<std::size_t>(*word);
+    if (!given) return wrongUsage(kInputs, "--limit is a whole number.");
+    limit = *given;
   }
   const std::string& file = arguments.files.front();
   const auto loaded = load(file);

@@ -1,7 +1,6 @@
 #include "app/cli/view3d_options.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,10 +14,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLongestTime = 1e9;  // s
 
 std::optional<double> numberIn(std::string_view text, double least, double most) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value >= least && value <= most ? std::optional(value) : std::nullopt;
+  const auto value = numberFrom<double>(text);
+  return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
 std::vector<std::string> parts(std::string_view text, char between) {
