@@ -5,26 +5,11 @@
 
 #include "core/render/egl_host.h"
 #include "core/render/gl_renderer.h"
-#include "core/render/primitives.h"
+#include "tests/core/render/small_scenes.h"
 
 using namespace geargraph;
 
 namespace {
-
-constexpr Viewport kView{320, 240};
-constexpr unsigned kBlue = 0x0072B2;
-constexpr unsigned kOrange = 0xD55E00;
-
-std::size_t add(Scene& scene, Solid solid, const Eigen::Vector3d& place, unsigned colour, const char* link) {
-  scene.solids.push_back(std::make_shared<const Solid>(std::move(solid)));
-  Instance instance;
-  instance.solid = scene.solids.size() - 1;
-  instance.pose.translation() = place;
-  instance.colour = Rgb::fromHex(colour);
-  instance.element = LinkId(link);
-  scene.instances.push_back(instance);
-  return scene.instances.size() - 1;
-}
 
 Scene cubeScene() {
   Scene scene;
@@ -41,28 +26,8 @@ Scene groupScene() {
   return scene;
 }
 
-/// Faces and nothing else, on no ground.
-Look bare() {
-  Look look = Look::light();
-  look.transparent = true;
-  look.edges = look.contactShadow = look.triad = false;
-  look.discStrength = 0;
-  look.samples = 1;
-  return look;
-}
-
 Frame frameOf(const Scene& scene, const Look& look) {
-  Frame frame;
-  frame.viewport = kView;
-  frame.look = look;
-  frame.camera = Camera::looking(StandardView::isometric).fitted(cornersOf(scene), kView);
-  return frame;
-}
-
-double coverage(const Image& image) {
-  double covered = 0;
-  for (std::size_t pixel = 3; pixel < image.rgba.size(); pixel += 4) covered += image.rgba[pixel];
-  return covered / (255.0 * image.width * image.height);
+  return frameOf(scene, look, StandardView::isometric);
 }
 
 /// Area of a convex outline's projection, as a part of the picture: the box seen from outside.
@@ -95,11 +60,6 @@ double apart(const std::array<std::uint8_t, 4>& a, const std::array<int, 3>& b) 
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += std::abs(int(a[k]) - b[k]);
   return sum / 3;
-}
-
-std::array<std::uint8_t, 4> seenAt(const Image& image, const Frame& frame, const Eigen::Vector3d& point) {
-  const ScreenPoint place = frame.camera.project(point, frame.viewport);
-  return image.at(static_cast<int>(place.x), static_cast<int>(place.y));
 }
 
 /// The nearest triangle that a ray meets: which instance, and where.

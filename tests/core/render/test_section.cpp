@@ -1,54 +1,22 @@
 #include <QTest>
-#include <cmath>
 
 #include "core/render/egl_host.h"
-#include "core/render/primitives.h"
+#include "tests/core/render/small_scenes.h"
 
 namespace geargraph {
 namespace {
 
-constexpr Viewport kView{320, 240};
-
-std::size_t add(Scene& scene, Solid solid, const Eigen::Vector3d& place, unsigned colour, const char* link) {
-  scene.solids.push_back(std::make_shared<const Solid>(std::move(solid)));
-  Instance instance;
-  instance.solid = scene.solids.size() - 1;
-  instance.pose.translation() = place;
-  instance.colour = Rgb::fromHex(colour);
-  instance.element = LinkId(link);
-  scene.instances.push_back(instance);
-  return scene.instances.size() - 1;
-}
-
 /// A tube with a rod in it, both along z, and a box far behind them in y.
 Scene tubeScene() {
   Scene scene;
-  add(scene, revolvedSolid({{8, -15}, {14, -15}, {14, 15}, {8, 15}}, 48), {0, 0, 0}, 0x0072B2, "1");
-  add(scene, cylinderSolid(4, -15, 15), {0, 0, 0}, 0xD55E00, "2");
-  add(scene, boxSolid({-35, -2, -20}, {35, 2, 20}), {0, 40, 0}, 0x009E73, "3");
+  add(scene, revolvedSolid({{8, -15}, {14, -15}, {14, 15}, {8, 15}}, 48), {0, 0, 0}, kBlue, "1");
+  add(scene, cylinderSolid(4, -15, 15), {0, 0, 0}, kOrange, "2");
+  add(scene, boxSolid({-35, -2, -20}, {35, 2, 20}), {0, 40, 0}, kGreen, "3");
   return scene;
 }
 
-Look bare() {
-  Look look = Look::light();
-  look.transparent = true;
-  look.edges = look.contactShadow = look.triad = false;
-  look.discStrength = 0;
-  look.samples = 1;
-  return look;
-}
-
 Frame frontOf(const Scene& scene) {
-  Frame frame;
-  frame.viewport = kView;
-  frame.look = bare();
-  frame.camera = Camera::looking(StandardView::front).fitted(cornersOf(scene), kView);
-  return frame;
-}
-
-std::array<std::uint8_t, 4> seenAt(const Image& image, const Frame& frame, const Eigen::Vector3d& point) {
-  const ScreenPoint place = frame.camera.project(point, frame.viewport);
-  return image.at(static_cast<int>(place.x), static_cast<int>(place.y));
+  return frameOf(scene, bare(), StandardView::front);
 }
 
 enum class Paint { nothing, blue, orange, green, other };
@@ -59,12 +27,6 @@ Paint paintOf(const std::array<std::uint8_t, 4>& pixel) {
   if (pixel[0] > pixel[2] + 60 && pixel[0] > pixel[1]) return Paint::orange;
   if (pixel[1] > pixel[0] + 40 && pixel[1] > pixel[2]) return Paint::green;
   return Paint::other;
-}
-
-double averageAlpha(const Image& image) {
-  double sum = 0;
-  for (std::size_t pixel = 3; pixel < image.rgba.size(); pixel += 4) sum += image.rgba[pixel];
-  return sum / (255.0 * image.width * image.height);
 }
 
 }  // namespace
@@ -173,13 +135,13 @@ class TestSection : public QObject {
     const Scene scene = tubeScene();
     m_host->setScene(scene);
     Frame frame = frontOf(scene);
-    const double full = averageAlpha(m_host->picture(frame));
+    const double full = coverage(m_host->picture(frame));
     frame.look.faces = Faces::wireframe;
     const auto wires = m_host->picture(frame);
-    QVERIFY(averageAlpha(wires) > 0.002 && averageAlpha(wires) < 0.2 * full);
+    QVERIFY(coverage(wires) > 0.002 && coverage(wires) < 0.2 * full);
     frame.look.faces = Faces::hiddenLine;
     const auto drawing = m_host->picture(frame);
-    QVERIFY(std::abs(averageAlpha(drawing) - full) < 0.02);
+    QVERIFY(std::abs(coverage(drawing) - full) < 0.02);
     const auto paper = seenAt(drawing, frame, {2, -14, 3});
     QVERIFY2(paper[0] > 220 && paper[1] > 220 && paper[2] > 220, qPrintable(QString::number(paper[0])));
   }
