@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "core/base/wording.h"
+
 namespace geargraph {
 namespace {
 
@@ -24,30 +26,6 @@ std::string attribute(std::string_view name, double value) {
 
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + std::string(value) + "\"";
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // Control characters are no XML, whatever a name in a file holds.
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    }
-  }
-  return out;
 }
 
 std::string pair(SheetPoint p) {
@@ -113,7 +91,7 @@ struct MarkTag {
                       attribute("y", text.center.y + kDigitHeight * text.size / 2) +
                       attribute("font-size", text.size) + attribute("fill", hexOf(colorOf(text.tint, theme)));
     if (text.bold) tag += attribute("font-weight", "bold");
-    return tag + ">" + escaped(text.text) + "</text>";
+    return tag + ">" + escapedXml(text.text) + "</text>";
   }
 };
 
@@ -139,7 +117,7 @@ std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_vi
       attribute("height", look.size ? std::to_string(look.size->height) : height) +
       attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
       ">\n";
-  if (!title.empty()) svg += "<title>" + escaped(title) + "</title>\n";
+  if (!title.empty()) svg += "<title>" + escapedXml(title) + "</title>\n";
   if (!look.transparent) {
     svg += "<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
            attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, look.theme))) +
@@ -148,7 +126,7 @@ std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_vi
   svg += "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
   for (const Mark& mark : list.marks) {
     svg += "<g" + attribute("data-list", listName(mark.element.kind)) +
-           attribute("data-id", escaped(mark.element.id.text())) + ">" +
+           attribute("data-id", escapedXml(mark.element.id.text())) + ">" +
            std::visit(MarkTag{look.theme}, mark.what) + "</g>\n";
   }
   return svg + "</g>\n</svg>\n";

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/wording.h"
 #include "core/meshfile/weld.h"
 #include "core/meshfile/zip_archive.h"
 
@@ -26,29 +27,6 @@ constexpr std::string_view kRelationships =
 </Relationships>
 )";
 constexpr int kMaterialsId = 1;  // objects follow
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:  // XML 1.0 has no control characters
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 std::string hexColour(const Float3& colour) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -80,13 +58,13 @@ std::string headOf(const MeshScene& scene) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"";
   text += unitOf(scene.unit).first;
   text += "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n";
-  text += " <metadata name=\"Title\">" + escaped(scene.name) + "</metadata>\n";
+  text += " <metadata name=\"Title\">" + escapedXml(scene.name) + "</metadata>\n";
   text += " <metadata name=\"Application\">GearGraph</metadata>\n <resources>\n";
   if (scene.materials.empty()) return text;
   text += "  <basematerials id=\"" + std::to_string(kMaterialsId) + "\">\n";
   for (const MeshMaterial& material : scene.materials) {
-    text += "   <base name=\"" + escaped(material.name) + "\" displaycolor=\"" + hexColour(material.colour) +
-            "\"/>\n";
+    text += "   <base name=\"" + escapedXml(material.name) + "\" displaycolor=\"" +
+            hexColour(material.colour) + "\"/>\n";
   }
   return text + "  </basematerials>\n";
 }
@@ -94,7 +72,7 @@ std::string headOf(const MeshScene& scene) {
 std::string objectOf(const MeshScene& scene, const MeshNode& node, int id) {
   const WeldedMesh mesh = weldedToManifold(*node.solid);
   std::string text =
-      "  <object id=\"" + std::to_string(id) + "\" type=\"model\" name=\"" + escaped(node.name);
+      "  <object id=\"" + std::to_string(id) + "\" type=\"model\" name=\"" + escapedXml(node.name);
   if (!scene.materials.empty()) {
     text += "\" pid=\"" + std::to_string(kMaterialsId) + "\" pindex=\"" + std::to_string(node.material);
   }
