@@ -179,12 +179,10 @@ void MainWindow::onDrawingChosen() {
   m_status->setHint(drawing().hint());
 }
 
-QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget,
-                                 Qt::DockWidgetArea area) {
+QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(widget);
-  addDockWidget(area, dock);
   m_docks.push_back(dock);
   dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
   addAction(dock->toggleViewAction());
@@ -213,34 +211,45 @@ void MainWindow::makeDocks() {
   m_problems = new ProblemsPanel(m_selection, this);
   m_properties = new PropertiesPanel(m_document, m_selection, this);
   m_results = new ResultsPanel(m_selection, this);
-  addDock("dock.matrices", tr("Matrices"), m_matrices, Qt::BottomDockWidgetArea);
-  QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+  addDock("dock.matrices", tr("Matrices"), m_matrices);
+  QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems);
   m_view3d = new View3D(m_selection, this);
-  addDock("dock.view3d", tr("3D"), m_view3d, Qt::RightDockWidgetArea);
-  addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults(), Qt::RightDockWidgetArea);
+  addDock("dock.view3d", tr("3D"), m_view3d);
+  addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults());
   m_gearbox = new GearboxPanel(m_document, m_selection, this);
-  addDock("dock.gearbox", tr("Gearbox"), m_gearbox, Qt::RightDockWidgetArea);
-  addDock("dock.properties", tr("Properties"), m_properties, Qt::RightDockWidgetArea);
+  addDock("dock.gearbox", tr("Gearbox"), m_gearbox);
+  addDock("dock.properties", tr("Properties"), m_properties);
   m_motion = new MotionPanel(m_selection, m_view3d, this);
-  addDock("dock.speeds", tr("Speeds"), m_motion, Qt::BottomDockWidgetArea);
+  addDock("dock.speeds", tr("Speeds"), m_motion);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
+  placeDocks();
 }
 
-void MainWindow::applyDefaultLayout() {
-  const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QLatin1String(name)); };
-  for (QDockWidget* each : m_docks) {
-    each->setFloating(false);
-    each->show();
-  }
+QDockWidget* MainWindow::dock(const char* name) const {
+  return findChild<QDockWidget*>(QLatin1String(name));
+}
+
+/// Each goes straight into its tab: docks beside each other, if only for a moment, make the window wider than
+/// a projector.
+void MainWindow::placeDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
   tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
   tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
-  dock("dock.matrices")->raise();
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
   tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));
   tabifyDockWidget(dock("dock.gearbox"), dock("dock.properties"));
+}
+
+void MainWindow::applyDefaultLayout() {
+  for (QDockWidget* each : m_docks) {
+    each->setFloating(false);
+    removeDockWidget(each);
+  }
+  placeDocks();
+  for (QDockWidget* each : m_docks) each->show();
+  dock("dock.matrices")->raise();
   dock(m_document->mechanism()->states.empty() ? "dock.inputs" : "dock.gearbox")->raise();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);

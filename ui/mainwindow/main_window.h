@@ -115,7 +115,9 @@ class MainWindow : public QMainWindow {
   void onDrawingChosen();
   void makeDocks();
   QWidget* makeInputsAndResults();
-  QDockWidget* addDock(const char* name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+  QDockWidget* addDock(const char* name, const QString& title, QWidget* widget);
+  [[nodiscard]] QDockWidget* dock(const char* name) const;
+  void placeDocks();
   void applyDefaultLayout();
   void makeMenus();
   void makeToolBar();

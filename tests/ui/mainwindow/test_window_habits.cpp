@@ -69,6 +69,18 @@ class WindowHabitsTest : public QObject {
   }
   void cleanup() { window.reset(); }
 
+  // The least that a lecture hall has. Where the docks need more, the window grows past the screen.
+  void theWindowFitsAProjector() {
+    for (const char* example : {"robot", "eight-speed-gearbox"}) {
+      MainWindow other;
+      other.resize(1280, 720);
+      other.show();
+      QVERIFY(other.openDocument(QStringLiteral(":/examples/%1.geargraph").arg(QLatin1String(example))));
+      QTRY_VERIFY(other.isSettled());
+      QCOMPARE(other.size(), QSize(1280, 720));
+    }
+  }
+
   void aGearIsAttachedFromTheMenu() {
     const std::unique_ptr<QMenu> menu = menuOf(6);
     QAction* attach = entry(menu.get(), "Attach a gear");
