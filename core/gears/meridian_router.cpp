@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
+#include <deque>
+#include <mutex>
 #include <numeric>
 #include <queue>
 #include <random>
@@ -14,6 +15,19 @@ namespace {
 
 constexpr double kFar = 1e300;
 constexpr double kSpread = 15;  // columns' widths
+
+/// A cell that was reached, and what the way to it costs.
+struct Front {
+  double cost = 0;
+  int cell = 0;
+};
+
+/// The cheapest first, then the first.
+struct Dearer {
+  bool operator()(const Front& a, const Front& b) const {
+    return a.cost > b.cost || (a.cost == b.cost && a.cell > b.cell);
+  }
+};
 
 using Sources = std::vector<std::pair<int, double>>;  ///< cells, and what it costs to begin there
 
@@ -50,7 +64,11 @@ class Round {
   bool support(int net);
   /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
   int reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources);
-  void search(int net, const Sources& sources);
+  void begin(const Sources& sources);
+  /// The cheapest cell of the front, whose cost is final then; -1: it was reached more cheaply before.
+  int settle(int net);
+  /// Does the way that ends there keep out of the room that the landing itself needs?
+  [[nodiscard]] bool isClear(int end, const MeridianLanding& landing) const;
   [[nodiscard]] double chance() {
     return m_spread * static_cast<double>(m_random()) / static_cast<double>(std::minstd_rand::max());
   }
@@ -84,70 +102,91 @@ class Round {
   std::minstd_rand m_random;
   double m_spread;
   std::vector<double> m_rowExtra;
-  std::vector<double> m_cost;
-  std::vector<int> m_from;
+  std::vector<double> m_cost;  ///< by cell, as far as the search has come
+  std::vector<int> m_from;     ///< by cell: where the way came from
+  std::vector<Front> m_front;  ///< a heap, the cheapest on top
+  std::vector<int> m_endAt;    ///< by cell: the last way's end that lies there, -1
 };
 
-void Round::search(int net, const Sources& sources) {
+void Round::begin(const Sources& sources) {
   m_rowExtra.clear();
   for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
   m_cost.assign(m_owner.size(), kFar);
   m_from.assign(m_owner.size(), -1);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  m_front.clear();
   for (const auto& [cell, cost] : sources) {
     if (cost >= m_cost[at(cell)]) continue;
     m_cost[at(cell)] = cost;
-    queue.push({cost, cell});
+    m_front.push_back({cost, cell});
   }
-  while (!queue.empty()) {
-    const auto [cost, cell] = queue.top();
-    queue.pop();
-    if (cost > m_cost[at(cell)]) continue;
-    const int column = m_grid.columnOf(cell);
-    const int row = m_grid.rowOf(cell);
-    const auto step = [&](int next, double price) {
-      if (!open(net, next) || cost + price >= m_cost[at(next)]) return;
-      m_cost[at(next)] = cost + price;
-      m_from[at(next)] = cell;
-      queue.push({cost + price, next});
-    };
-    const double along = m_grid.width[at(column)] * (1 + m_grid.rowCost[at(row)] + m_rowExtra[at(row)]);
-    if (column > 0) step(m_grid.cell(column - 1, row), along);
-    if (column + 1 < m_grid.columns) step(m_grid.cell(column + 1, row), along);
-    if (!m_grid.plates[at(column)]) continue;
-    if (row > 0) step(cell - 1, m_grid.rowCost[at(row)]);
-    if (row + 1 < m_grid.rows) step(cell + 1, m_grid.rowCost[at(row)]);
-  }
+  std::make_heap(m_front.begin(), m_front.end(), Dearer());
 }
 
-int Round::reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources) {
-  search(net, sources);
-  struct Way {
-    double cost;
-    int landing, end;
+int Round::settle(int net) {
+  std::pop_heap(m_front.begin(), m_front.end(), Dearer());
+  const auto [cost, cell] = m_front.back();
+  m_front.pop_back();
+  if (cost > m_cost[at(cell)]) return -1;
+  const int column = m_grid.columnOf(cell);
+  const int row = cell - column * m_grid.rows;
+  const auto step = [this, net, cost = cost, cell = cell](int next, double price) {
+    if (cost + price >= m_cost[at(next)] || !open(net, next)) return;
+    m_cost[at(next)] = cost + price;
+    m_from[at(next)] = cell;
+    m_front.push_back({cost + price, next});
+    std::push_heap(m_front.begin(), m_front.end(), Dearer());
   };
-  std::vector<Way> ways;
+  const double along = m_grid.width[at(column)] * (1 + m_grid.rowCost[at(row)] + m_rowExtra[at(row)]);
+  if (column > 0) step(cell - m_grid.rows, along);
+  if (column + 1 < m_grid.columns) step(cell + m_grid.rows, along);
+  if (!m_grid.plates[at(column)]) return cell;
+  if (row > 0) step(cell - 1, m_grid.rowCost[at(row)]);
+  if (row + 1 < m_grid.rows) step(cell + 1, m_grid.rowCost[at(row)]);
+  return cell;
+}
+
+bool Round::isClear(int end, const MeridianLanding& landing) const {
+  const auto& kept = landing.keptFree;
+  for (int c = end; c >= 0; c = m_from[at(c)]) {
+    if (std::find(kept.begin(), kept.end(), c) != kept.end()) return false;
+  }
+  return true;
+}
+
+// Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
+// dearer than a way, no cheaper one will come.
+int Round::reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources) {
+  begin(sources);
+  struct End {
+    int landing, cell, next;
+    double extra;
+  };
+  std::vector<End> ends;
+  m_endAt.assign(m_owner.size(), -1);
   for (std::size_t l = 0; l < landings.size(); ++l) {
     if (!open(net, landings[l])) continue;
     const double extra = landings[l].cost + chance();
     for (const int c : landings[l].cells) {
-      if (m_cost[at(c)] < kFar) ways.push_back({m_cost[at(c)] + extra, static_cast<int>(l), c});
+      const int end = static_cast<int>(ends.size());
+      ends.push_back({static_cast<int>(l), c, std::exchange(m_endAt[at(c)], end), extra});
     }
   }
-  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.cost < b.cost; });
-  for (const Way& way : ways) {
-    const MeridianLanding& landing = landings[at(way.landing)];
-    const auto crosses = [&](int cell) {
-      return std::find(landing.keptFree.begin(), landing.keptFree.end(), cell) != landing.keptFree.end();
-    };
-    bool clear = true;  // of the room that the landing itself needs
-    for (int c = way.end; c >= 0 && clear; c = m_from[at(c)]) clear = !crosses(c);
-    if (!clear) continue;
-    for (int c = way.end; c >= 0; c = m_from[at(c)]) claim(net, c);
+  std::priority_queue<Front, std::vector<Front>, Dearer> ways;  // by their ends
+  while (!m_front.empty() || !ways.empty()) {
+    if (ways.empty() || (!m_front.empty() && m_front.front().cost <= ways.top().cost)) {
+      const int cell = settle(net);
+      for (int e = cell < 0 ? -1 : m_endAt[at(cell)]; e >= 0; e = ends[at(e)].next)
+        ways.push({m_cost[at(cell)] + ends[at(e)].extra, e});
+      continue;
+    }
+    const End end = ends[at(ways.top().cell)];
+    ways.pop();
+    const MeridianLanding& landing = landings[at(end.landing)];
+    if (!isClear(end.cell, landing)) continue;
+    for (int c = end.cell; c >= 0; c = m_from[at(c)]) claim(net, c);
     take(net, landing);
     sources = laid(net);
-    return way.landing;
+    return end.landing;
   }
   return -1;
 }
@@ -199,10 +238,9 @@ bool Round::layNet(int net) {
   return route.landing.front() >= 0 || start();
 }
 
-}  // namespace
+using Routes = std::optional<std::vector<MeridianRoute>>;
 
-std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
-                                                        const std::vector<MeridianNet>& nets, int tries) {
+Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
   std::minstd_rand random(1);
@@ -218,6 +256,46 @@ std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid
     }
   }
   return std::nullopt;
+}
+
+/// What was asked last, with the answers. Thread-safe.
+class RouteMemory {
+ public:
+  Routes find(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
+    {
+      const std::lock_guard lock(m_mutex);
+      const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& k) {
+        return k.tries == tries && k.grid == grid && k.nets == nets;
+      });
+      if (known != m_known.end()) {
+        std::rotate(m_known.begin(), known, known + 1);  // the newest is in front
+        return m_known.front().routes;
+      }
+    }
+    Routes routes = routed(grid, nets, tries);
+    const std::lock_guard lock(m_mutex);
+    if (m_known.size() == kMost) m_known.pop_back();
+    m_known.push_front({grid, nets, tries, routes});
+    return routes;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;  // a drag to and fro
+  struct Known {
+    MeridianGrid grid;
+    std::vector<MeridianNet> nets;
+    int tries;
+    Routes routes;
+  };
+  std::mutex m_mutex;
+  std::deque<Known> m_known;
+};
+
+}  // namespace
+
+Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
+  static RouteMemory memory;
+  return memory.find(grid, nets, tries);
 }
 
 }  // namespace geargraph

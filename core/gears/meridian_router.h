@@ -21,6 +21,7 @@ struct MeridianGrid {
   [[nodiscard]] int cell(int column, int row) const { return column * rows + row; }
   [[nodiscard]] int columnOf(int cell) const { return cell / rows; }
   [[nodiscard]] int rowOf(int cell) const { return cell % rows; }
+  friend bool operator==(const MeridianGrid&, const MeridianGrid&) = default;
 };
 
 /// One way for a net to end somewhere: all of its cells become the net's, those kept free nobody's.
@@ -28,6 +29,7 @@ struct MeridianLanding {
   std::vector<int> cells;
   std::vector<int> keptFree;
   double cost = 0;
+  friend bool operator==(const MeridianLanding&, const MeridianLanding&) = default;
 };
 
 /// What one link has to join on the axis.
@@ -35,6 +37,7 @@ struct MeridianNet {
   std::vector<std::vector<MeridianLanding>> groups;  ///< one landing of each has to be reached
   std::vector<MeridianLanding> supports;             ///< one of them, where it can be
   bool needsSupport = false;                         ///< it must be
+  friend bool operator==(const MeridianNet&, const MeridianNet&) = default;
 };
 
 struct MeridianRoute {
@@ -45,7 +48,9 @@ struct MeridianRoute {
 
 /// Ways for all nets that share no cell: nets one after the other by their shortest ways, again with those
 /// first that found none, now and then in another order, until all have. Deterministic. Nothing after `tries`
-/// rounds. Cost: O(nets * cells * log cells) a round.
+/// rounds. Cost: O(nets * cells * log cells) a round. The last answers are kept: the analysis and the views
+/// of one document ask for the same ways, and every step of a drag that leaves the axis alone asks for them
+/// again.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
                                                                       int tries = 40);

@@ -19,6 +19,18 @@ constexpr double kLeastLane = 4;  ///< lanes that nobody asked for keep this apa
 constexpr double kLeastLaneInLarge = 12;
 constexpr std::size_t kLarge = 300;  ///< lines
 
+struct Front {
+  double cost = 0;
+  int state = 0;
+};
+
+/// The cheapest first, then the first.
+struct Dearer {
+  bool operator()(const Front& a, const Front& b) const {
+    return a.cost > b.cost || (a.cost == b.cost && a.state > b.state);
+  }
+};
+
 double apart(const LinkLine& line, SheetPoint from, SheetPoint to) {
   const Extent box = Extent::spanning(from, to);
   if (box.meetsSegment(line.from, line.to)) return 0;
@@ -145,16 +157,24 @@ void ArmRouter::charge(const LinkLine& line, bool level) {
       const SheetPoint to{m_xs[column + (level ? 1 : 0)], m_ys[row + (level ? 0 : 1)]};
       const double toll = tollOf(line, from, to);
       if (toll <= 0) continue;
-      auto& tolls = (level ? m_level : m_upright)[static_cast<std::size_t>(node(column, row))];
-      tolls.push_back({line.link, toll});
+      add((level ? m_level : m_upright)[static_cast<std::size_t>(node(column, row))], line.link, toll);
     }
   }
 }
 
-double ArmRouter::tollFor(const Tolls& tolls, int link) {
+void ArmRouter::add(Tolls& tolls, int link, double cost) {
+  const int place = static_cast<int>(m_tolls.size());
+  m_tolls.push_back({link, -1, cost});
+  (tolls.last < 0 ? tolls.first : m_tolls[static_cast<std::size_t>(tolls.last)].next) = place;
+  tolls.last = place;
+}
+
+double ArmRouter::tollFor(const Tolls& tolls, int link) const {
   double sum = 0;
-  for (const Toll& toll : tolls) {
+  for (int place = tolls.first; place >= 0;) {
+    const Toll& toll = m_tolls[static_cast<std::size_t>(place)];
     if (toll.link != link) sum += toll.cost;
+    place = toll.next;
   }
   return sum;
 }
@@ -202,50 +222,69 @@ ArmRouter::Course ArmRouter::courseTo(int state, const std::vector<int>& from, i
   return course;
 }
 
-std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets) {
-  const std::size_t count = m_xs.size() * m_ys.size();
-  // State: node and the way it was reached, 0 level, 1 upright.
-  std::vector<double> best(2 * count, std::numeric_limits<double>::infinity());
-  std::vector<int> from(2 * count, -1);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto reach = [&](int state, double cost, int via) {
-    if (cost >= best[static_cast<std::size_t>(state)]) return;
-    best[static_cast<std::size_t>(state)] = cost;
-    from[static_cast<std::size_t>(state)] = via;
-    queue.emplace(cost, state);
+std::vector<double> ArmRouter::pricesOf(const std::vector<Tolls>& edges, int link) const {
+  std::vector<double> prices;
+  prices.reserve(edges.size());
+  for (const Tolls& tolls : edges) prices.push_back(tollFor(tolls, link));
+  return prices;
+}
+
+// A state is a node and the way it was reached: 0 level, 1 upright. Behind the states come the targets.
+std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets,
+                                                  const std::vector<double>& prices) {
+  const std::size_t columns = m_xs.size(), count = columns * m_ys.size(), states = 2 * count;
+  std::vector<double> best(states + targets.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> from(best.size(), -1);
+  const std::vector<double> level = pricesOf(m_level, link), upright = pricesOf(m_upright, link);
+  std::priority_queue<Front, std::vector<Front>, Dearer> queue;
+  const auto reach = [&](std::size_t state, double cost, int via) {
+    if (cost >= best[state]) return;
+    best[state] = cost;
+    from[state] = via;
+    queue.push({cost, static_cast<int>(state)});
   };
   for (const auto& [start, hold] : startsOf(link)) {
-    reach(2 * start, hold, -1);
-    reach(2 * start + 1, hold, -1);
+    reach(2 * static_cast<std::size_t>(start), hold, -1);
+    reach(2 * static_cast<std::size_t>(start) + 1, hold, -1);
   }
-  std::vector<bool> isTarget(count);
-  for (const SheetPoint target : targets) {
-    if (const auto there = nodeAt(target)) isTarget[static_cast<std::size_t>(*there)] = true;
+  std::vector<int> targetAt(count, -1);
+  const auto priceOf = [&](int target) {
+    return prices.empty() ? 0 : prices[static_cast<std::size_t>(target)];
+  };
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const auto there = nodeAt(targets[t]);
+    if (!there) continue;
+    int& target = targetAt[static_cast<std::size_t>(*there)];
+    if (target < 0 || priceOf(static_cast<int>(t)) < priceOf(target)) target = static_cast<int>(t);
   }
-  while (!queue.empty()) {
-    const auto [cost, state] = queue.top();
-    queue.pop();
-    if (cost > best[static_cast<std::size_t>(state)]) continue;
-    const int here = state / 2;
-    const auto at = static_cast<std::size_t>(here);
-    if (isTarget[at]) {
-      Course course = courseTo(state, from, link);
-      for (std::size_t i = 1; i < course.points.size(); ++i) {
-        addLine({course.points[i - 1], course.points[i], link, 0});
-      }
-      return course;
+  const auto end = [&](int state, std::size_t target) {
+    Course course = courseTo(state, from, link);
+    for (std::size_t i = 1; i < course.points.size(); ++i) {
+      addLine({course.points[i - 1], course.points[i], link, 0});
     }
-    const std::size_t column = at % m_xs.size();
-    const std::size_t row = at / m_xs.size();
-    const auto step = [&](int next, int way, const Tolls& tolls) {
+    course.target = target;
+    return course;
+  };
+  while (!queue.empty()) {
+    const auto [cost, number] = queue.top();
+    queue.pop();
+    const auto state = static_cast<std::size_t>(number);
+    if (cost > best[state]) continue;
+    if (state >= states) return end(from[state], state - states);
+    const std::size_t at = state / 2, column = at % columns, row = at / columns;
+    if (const int target = targetAt[at]; target >= 0) {
+      if (priceOf(target) == 0) return end(number, static_cast<std::size_t>(target));
+      reach(states + static_cast<std::size_t>(target), cost + priceOf(target), number);
+    }
+    const auto step = [&, cost = cost, number = number](std::size_t next, std::size_t way, double length,
+                                                        double toll) {
       const double bend = way == state % 2 ? 0 : kBend;
-      reach(2 * next + way, cost + distance(place(here), place(next)) + bend + tollFor(tolls, link), state);
+      reach(2 * next + way, cost + length + bend + toll, number);
     };
-    if (column + 1 < m_xs.size()) step(here + 1, 0, m_level[at]);
-    if (column > 0) step(here - 1, 0, m_level[at - 1]);
-    if (row + 1 < m_ys.size()) step(here + static_cast<int>(m_xs.size()), 1, m_upright[at]);
-    if (row > 0) step(here - static_cast<int>(m_xs.size()), 1, m_upright[at - m_xs.size()]);
+    if (column + 1 < columns) step(at + 1, 0, m_xs[column + 1] - m_xs[column], level[at]);
+    if (column > 0) step(at - 1, 0, m_xs[column] - m_xs[column - 1], level[at - 1]);
+    if (row + 1 < m_ys.size()) step(at + columns, 1, m_ys[row + 1] - m_ys[row], upright[at]);
+    if (row > 0) step(at - columns, 1, m_ys[row] - m_ys[row - 1], upright[at - columns]);
   }
   return std::nullopt;
 }

@@ -26,18 +26,26 @@ class ArmRouter {
   struct Course {
     std::vector<SheetPoint> points;
     double length = 0;
-    int crossings = 0;  ///< lines of other links
+    int crossings = 0;       ///< lines of other links
+    std::size_t target = 0;  ///< which one it reached
   };
-  /// From any of the link's lines to the cheapest of the targets; nothing if it has no lines.
+  /// From any of the link's lines to the cheapest of the targets; nothing if it has no lines. `prices`: what
+  /// it costs beside to end at each of them, px; empty: nothing.
   /// The course counts as the link's from then on. Cost: O(m log m), m the cells of the grid.
-  [[nodiscard]] std::optional<Course> route(int link, const std::vector<SheetPoint>& targets);
+  [[nodiscard]] std::optional<Course> route(int link, const std::vector<SheetPoint>& targets,
+                                            const std::vector<double>& prices = {});
 
  private:
   struct Toll {
     int link = 0;
+    int next = -1;  ///< of the same edge: its place in m_tolls
     double cost = 0;
   };
-  using Tolls = std::vector<Toll>;
+  /// What links ask for an edge, in the order in which their lines came.
+  struct Tolls {
+    int first = -1;
+    int last = -1;
+  };
 
   void addLine(const LinkLine& line);
   void charge(const LinkLine& line, bool level);
@@ -46,12 +54,16 @@ class ArmRouter {
   [[nodiscard]] std::optional<int> nodeAt(SheetPoint p) const;
   /// Nodes on the link's lines, and what it costs to begin there.
   [[nodiscard]] std::vector<std::pair<int, double>> startsOf(int link) const;
+  /// Tolls of all edges for this link.
+  [[nodiscard]] std::vector<double> pricesOf(const std::vector<Tolls>& edges, int link) const;
   [[nodiscard]] Course courseTo(int state, const std::vector<int>& from, int link) const;
-  [[nodiscard]] static double tollFor(const Tolls& tolls, int link);
+  void add(Tolls& tolls, int link, double cost);
+  [[nodiscard]] double tollFor(const Tolls& tolls, int link) const;
 
   std::vector<LinkLine> m_lines;
   std::vector<double> m_xs;
   std::vector<double> m_ys;
+  std::vector<Toll> m_tolls;     ///< of all edges
   std::vector<Tolls> m_level;    ///< by node: the edge to the right
   std::vector<Tolls> m_upright;  ///< by node: the edge down
 };

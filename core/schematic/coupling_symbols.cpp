@@ -183,15 +183,20 @@ class CouplingPlacer {
     std::optional<Found> best;
     double least = 1e300;
     for (const auto& [holder, reacher] : {std::pair(one, other), std::pair(other, one)}) {
-      for (const Plates& plates : placesAt(holder, kBeyondPlate, kMostTried)) {
-        const SheetPoint end = plates.at(kPlateGap + kBeyondPlate);
-        const auto course = ArmRouter(m_section.lines, {end}).route(reacher, {end});
-        if (!course) continue;
-        const double cost = plates.cost + course->length + 300 * course->crossings;
-        if (cost >= least) continue;
-        least = cost;
-        best = Found{holder, reacher, plates, course->points};
+      const std::vector<Plates> places = placesAt(holder, kBeyondPlate, kMostTried);
+      std::vector<SheetPoint> ends;
+      std::vector<double> prices;
+      for (const Plates& plates : places) {
+        ends.push_back(plates.at(kPlateGap + kBeyondPlate));
+        prices.push_back(plates.cost);
       }
+      const auto course = ArmRouter(m_section.lines, ends).route(reacher, ends, prices);
+      if (!course) continue;
+      const Plates& plates = places[course->target];
+      const double cost = plates.cost + course->length + 300 * course->crossings;
+      if (cost >= least) continue;
+      least = cost;
+      best = Found{holder, reacher, plates, course->points};
     }
     if (!best) return;
     std::vector<SheetPoint> arm = std::move(best->course);

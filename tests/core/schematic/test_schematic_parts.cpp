@@ -110,6 +110,17 @@ class TestSchematicParts : public QObject {
     QVERIFY(!router.route(3, {{50, 0}}).has_value());
   }
 
+  void armsEndWhereWayAndPriceTogetherAreLeast() {
+    const std::vector<LinkLine> lines{{{0, 0}, {10, 0}, 3, 0}};
+    const std::vector<SheetPoint> ends{{200, 0}, {100, 0}};
+    const auto ended = [&](const std::vector<double>& prices) {
+      return ArmRouter(lines, ends).route(3, ends, prices)->target;
+    };
+    QCOMPARE(ended({}), std::size_t{1});
+    QCOMPARE(ended({5, 50}), std::size_t{1});
+    QCOMPARE(ended({5, 150}), std::size_t{0});  // 195 against 240
+  }
+
   void axesInOnePlaneLieAsInSpace() {
     const Laid laid(example("robot"));
     QVERIFY(!laid.layout.parallel);
