@@ -26,21 +26,30 @@ int run(const Arguments& arguments) {
     return solid && picture == PictureForm::png ? exportPicture(arguments, false)
                                                 : exportDrawing(arguments, *picture);
   }
-  if (form != "csv")
-    return wrongUsage(kExport, "--to is one of csv, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
+  if (const auto report = reportFormFromName(form)) {
+    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
+    return exportReport(arguments, *report);
+  }
+  if (form != "csv") {
+    return wrongUsage(
+        kExport, "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
+  }
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
   return exportCsv(arguments);
 }
 
 constexpr std::array kOptions = {
     Option{"--to", "FORM",
-           "csv: matrices; svg, pdf, png: a picture; stl, obj, ply, glb, 3mf: gears; assembly: gears for a "
-           "check"},
+           "csv: matrices; html, latex, md: the worked derivation; svg, pdf, png: a picture; stl, obj, ply, "
+           "glb, "
+           "3mf: gears; assembly: gears for a check"},
     Option{"--matrix", "NAME",
            "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
     Option{"--all", "", "every matrix, or every picture of a film, into the folder that -o names"},
     Option{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"},
     Option{"--force", "", "with a folder: overwrite files that are there"},
+    Option{"--inputs", "8,9,11", "of derivations: drive these joints (by label) instead of the document's"},
+    Option{"--speed", "8=1/2", "of derivations: the speed of an input in rad/s; may be said again"},
     Option{"--no-labels", "", "without the header row and the first column"},
     Option{"--separator", "NAME", "comma (the default), semicolon or tab"},
     Option{"--decimal", "NAME", "point (the default) or comma"},
@@ -71,7 +80,9 @@ constexpr std::array kOptions = {
 
 }  // namespace
 
-const Command kExport = {"export", "FILE --to FORM [...] -o OUT",
-                         "Writes matrices as CSV, pictures and films, and gears as 3D files.", kOptions, run};
+const Command kExport = {
+    "export", "FILE --to FORM [...] -o OUT",
+    "Writes matrices as CSV, the worked derivation, pictures and films, and gears as 3D files.", kOptions,
+    run};
 
 }  // namespace geargraph::cli

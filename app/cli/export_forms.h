@@ -3,6 +3,7 @@
 #include "app/cli/arguments.h"
 #include "core/meshfile/mesh_format.h"
 #include "core/picture/picture.h"
+#include "core/report/report.h"
 
 namespace geargraph::cli {
 
@@ -24,6 +25,9 @@ int exportPicture(const Arguments& arguments, bool asSolids);
 
 /// `export FILE --to svg/pdf/png --view NAME [--size WxH] [--dark] [--transparent] -o OUT`.
 int exportDrawing(const Arguments& arguments, PictureForm form);
+
+/// `export FILE --to html/latex/md [--inputs 8,9,11] [--speed 8=1 ...] -o OUT`: the worked derivation.
+int exportReport(const Arguments& arguments, ReportForm form);
 
 // What both kinds of pictures share.
 

@@ -391,6 +391,8 @@ void MainWindow::renewExport() {
                               m_matrices->model().quantityKind()
                                   ? tr("This matrix needs a mechanism without errors.")
                                   : tr("This matrix needs the turning joints to be a spanning tree."));
+  const QString why = whyNoDerivation();
+  WindowActions::setAvailable(m_actions->exportDerivation, why.isEmpty(), why);
 }
 
 bool MainWindow::openDocument(const QString& path) {

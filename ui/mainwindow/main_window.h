@@ -80,6 +80,9 @@ class MainWindow : public QMainWindow {
   /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
   /// for the 3D view. The status bar says what went wrong.
   void exportPicture(const PictureWish& wish, const QString& path);
+  /// Writes the derivation in the form that the path's suffix names (html, tex, md); pictureExported()
+  /// follows, or the status bar says why not.
+  void exportDerivation(const QString& path);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
   bool saveTrace(const QString& path);
   /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
@@ -154,6 +157,8 @@ class MainWindow : public QMainWindow {
 
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
+  [[nodiscard]] QString whyNoDerivation() const;
+  void chooseAndExportDerivation();
   void askForPicture();
   void chooseAndExportPicture(const PictureWish& wish);
   void exportView3D(const PictureWish& wish, const QString& path);

@@ -12,6 +12,7 @@
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view3d.h"
 
@@ -77,8 +78,7 @@ void MainWindow::askForPicture() {
 
 void MainWindow::chooseAndExportPicture(const PictureWish& wish) {
   const QString suffix = suffixOf(wish);
-  QString name = QFileInfo(m_document->filePath()).completeBaseName();
-  if (name.isEmpty()) name = QFileInfo(windowTitle().section(QLatin1String("[*]"), 0, 0)).completeBaseName();
+  const QString name = QFileInfo(m_files->title()).completeBaseName();
   const QString proposed = QStringLiteral("%1-%2").arg(name, wish.view);
   if (suffix.isEmpty()) {
     const QString folder = QFileDialog::getSaveFileName(this, tr("Export pictures into the new folder"),

@@ -88,6 +88,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   exportPicture = make("file.exportPicture", words("Export &picture…"),
                        words("Export a drawing as SVG, PDF or PNG, or the 3D view as PNG"),
                        {QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  exportDerivation = make(
+      "file.exportDerivation", words("Export &derivation…"),
+      words("Both methods worked out step by step for this mechanism, as a web page, LaTeX or Markdown"), {});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
   quit =
       make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});

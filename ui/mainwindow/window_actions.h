@@ -30,6 +30,7 @@ struct WindowActions {
   QAction* exportMatrix;
   QAction* restoreSession;
   QAction* exportPicture;
+  QAction* exportDerivation;
   QAction* close;
   QAction* quit;
 

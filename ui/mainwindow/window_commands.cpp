@@ -55,7 +55,7 @@ void MainWindow::makeMenus() {
                         [this, path] { m_files->openForPerson(path); });
   }
   file->addSeparator();
-  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture});
+  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture, a.exportDerivation});
   file->addSeparator();
   file->addAction(a.restoreSession);
   file->addSeparator();
@@ -103,6 +103,7 @@ void MainWindow::wireActions() {
   QUndoStack& stack = m_document->undoStack();
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
+  connect(a.exportDerivation, &QAction::triggered, this, &MainWindow::chooseAndExportDerivation);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

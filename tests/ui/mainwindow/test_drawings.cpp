@@ -34,6 +34,14 @@ class DrawingsTest : public QObject {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
+  QByteArray derivation(const QString& name) {
+    const QString path = folder.filePath(name);
+    QSignalSpy done(window.get(), &MainWindow::pictureExported);
+    window->exportDerivation(path);
+    if (done.empty()) done.wait(60'000);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
   static PictureWish wish(const QString& view, PictureForm form) {
     return {view, DrawingPicture{.form = form}};
   }
@@ -53,6 +61,23 @@ class DrawingsTest : public QObject {
     QCOMPARE(window->ttGraph().caption().size(), qsizetype{4});
     QCOMPARE(window->digraph().caption().size(), qsizetype{1});
     QVERIFY(!window->showDrawing("nothing"));
+  }
+
+  // A page with the three drawings as they are in the window, and both methods' last equations.
+  void theDerivationIsAFile() {
+    QVERIFY(window->actions().exportDerivation->isEnabled());
+    const QByteArray page = derivation("derivation.html");
+    QCOMPARE(page.count("<svg"), qsizetype{3});
+    QVERIFY(page.contains("id=\"eq25\"") && page.contains("id=\"eq45\""));
+    QVERIFY(derivation("derivation.tex").startsWith("\\documentclass"));
+    QVERIFY(derivation("derivation.md").startsWith("# Geared robotic mechanism"));
+  }
+
+  void anEmptyDocumentHasNoDerivation() {
+    MainWindow empty;
+    QTRY_VERIFY(empty.isSettled());
+    QVERIFY(!empty.actions().exportDerivation->isEnabled());
+    QVERIFY(empty.actions().exportDerivation->toolTip().contains("nothing drawn"));
   }
 
   void toolAndCommandsBelongToTheDrawingInFront() {

@@ -1,0 +1,77 @@
+// File > Export derivation: both methods worked out, as a web page, LaTeX or Markdown.
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "core/drawing/svg_writer.h"
+#include "core/io/file.h"
+#include "core/report/report.h"
+#include "ui/canvas/drawing_view.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
+
+namespace geargraph {
+namespace {
+
+ReportForm formOf(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (suffix == QLatin1String("tex")) return ReportForm::latex;
+  return suffix == QLatin1String("md") ? ReportForm::markdown : ReportForm::html;
+}
+
+/// The drawings of the window, as they are now.
+struct DrawingLists {
+  DisplayList schematic;
+  DisplayList digraph;
+  DisplayList ttGraph;
+};
+
+std::string written(const SnapshotPtr& snapshot, const DrawingLists& lists, ReportForm form) {
+  const Report report = derivationReport(snapshot);
+  if (form == ReportForm::markdown) return reportMarkdown(report);
+  if (form == ReportForm::latex) return reportLatex(report);
+  const SheetLook look;
+  return reportHtml(report,
+                    {svgOf(lists.schematic, look), svgOf(lists.digraph, look), svgOf(lists.ttGraph, look)});
+}
+
+}  // namespace
+
+QString MainWindow::whyNoDerivation() const {
+  if (m_document->mechanism()->n() == 0) return tr("There is nothing drawn to derive anything for.");
+  if (m_document->mechanism()->n() <= kMostReportLinks) return {};
+  return tr("A derivation of more than %1 links is not written: nobody could read it.").arg(kMostReportLinks);
+}
+
+void MainWindow::chooseAndExportDerivation() {
+  const QString name = QFileInfo(m_files->title()).completeBaseName();
+  QString path = QFileDialog::getSaveFileName(this, tr("Export derivation"), name + QStringLiteral(".html"),
+                                              tr("Web page (*.html);;LaTeX (*.tex);;Markdown (*.md)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
+  exportDerivation(path);
+}
+
+void MainWindow::exportDerivation(const QString& path) {
+  const SnapshotPtr snapshot = m_service->snapshot();
+  if (!m_service->isComplete()) {
+    m_status->showRefusal(tr("The solution is still being worked out. Try again in a moment."));
+    return;
+  }
+  DrawingLists lists;
+  for (DrawingView* each : m_allDrawings) {
+    if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
+    if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
+    if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
+  }
+  const auto run = [=](const PictureJobs::Progress&, const std::stop_token&) {
+    const auto error =
+        writeFile(QFile::encodeName(path).toStdString(), written(snapshot, lists, formOf(path)));
+    return error ? QString::fromStdString(error->message) : QString();
+  };
+  m_pictures->add({path, false, run});
+}
+
+}  // namespace geargraph
