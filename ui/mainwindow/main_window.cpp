@@ -393,6 +393,7 @@ void MainWindow::renewExport() {
                                   : tr("This matrix needs the turning joints to be a spanning tree."));
   const QString why = whyNoDerivation();
   WindowActions::setAvailable(m_actions->exportDerivation, why.isEmpty(), why);
+  WindowActions::setAvailable(m_actions->showDerivation, why.isEmpty(), why);
 }
 
 bool MainWindow::openDocument(const QString& path) {

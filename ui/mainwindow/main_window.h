@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <memory>
 
 #include "core/derivation/quantity_table.h"
@@ -159,6 +160,8 @@ class MainWindow : public QMainWindow {
   void chooseAndExportQuantity(const QuantityTablePtr& table);
   [[nodiscard]] QString whyNoDerivation() const;
   void chooseAndExportDerivation();
+  void showDerivation();
+  void onPageWritten(const QString& path);
   void askForPicture();
   void chooseAndExportPicture(const PictureWish& wish);
   void exportView3D(const PictureWish& wish, const QString& path);
@@ -197,7 +200,9 @@ class MainWindow : public QMainWindow {
   std::vector<QDockWidget*> m_docks;
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
-  bool m_hasPicture = false;  ///< the 3D view shows something of this document
+  std::unique_ptr<QTemporaryDir> m_pages;  ///< what a browser shows, as long as the window is there
+  QString m_wantedPage;                    ///< the one that is being written for it
+  bool m_hasPicture = false;               ///< the 3D view shows something of this document
   PictureJobs* m_pictures = nullptr;
 };
 

@@ -1,7 +1,10 @@
-// File > Export derivation: both methods worked out, as a web page, LaTeX or Markdown.
+// File > Export derivation and Learn > Show derivation: both methods worked out, as a web page, LaTeX or
+// Markdown.
 
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QUrl>
 
 #include "core/drawing/svg_writer.h"
 #include "core/io/file.h"
@@ -52,6 +55,22 @@ void MainWindow::chooseAndExportDerivation() {
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
   exportDerivation(path);
+}
+
+void MainWindow::showDerivation() {
+  if (!m_pages) m_pages = std::make_unique<QTemporaryDir>();
+  m_wantedPage = m_pages->filePath(QFileInfo(m_files->title()).completeBaseName() + QStringLiteral(".html"));
+  exportDerivation(m_wantedPage);
+}
+
+void MainWindow::onPageWritten(const QString& path) {
+  if (path != m_wantedPage) return;
+  m_wantedPage.clear();
+  if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) {
+    m_status->showNote(tr("The derivation is shown in the browser."));
+  } else {
+    m_status->showRefusal(tr("No program here opens web pages. File > Export derivation writes the page."));
+  }
 }
 
 void MainWindow::exportDerivation(const QString& path) {

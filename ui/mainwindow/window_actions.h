@@ -31,6 +31,7 @@ struct WindowActions {
   QAction* restoreSession;
   QAction* exportPicture;
   QAction* exportDerivation;
+  QAction* showDerivation;
   QAction* close;
   QAction* quit;
 

@@ -94,7 +94,7 @@ void MainWindow::makeMenus() {
   motion->addSeparator();
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-  menu(tr("&Learn"))->addActions({a.lookUp});
+  menu(tr("&Learn"))->addActions({a.showDerivation, a.lookUp});
   menu(tr("&Help"))->addActions({a.search, a.shortcuts, a.about});
 }
 
@@ -104,6 +104,8 @@ void MainWindow::wireActions() {
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.exportDerivation, &QAction::triggered, this, &MainWindow::chooseAndExportDerivation);
+  connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
+  connect(this, &MainWindow::pictureExported, this, &MainWindow::onPageWritten);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

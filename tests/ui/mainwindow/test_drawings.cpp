@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -25,6 +26,7 @@ class DrawingsTest : public QObject {
 
   std::unique_ptr<MainWindow> window;
   const QTemporaryDir folder;
+  QUrl opened;  ///< by a browser
 
   QByteArray exported(const PictureWish& wish, const QString& name) {
     const QString path = folder.filePath(name);
@@ -45,6 +47,9 @@ class DrawingsTest : public QObject {
   static PictureWish wish(const QString& view, PictureForm form) {
     return {view, DrawingPicture{.form = form}};
   }
+
+ public slots:
+  void open(const QUrl& url) { opened = url; }
 
  private slots:
   void initTestCase() { test::setUpProgram(); }
@@ -71,6 +76,17 @@ class DrawingsTest : public QObject {
     QVERIFY(page.contains("id=\"eq25\"") && page.contains("id=\"eq45\""));
     QVERIFY(derivation("derivation.tex").startsWith("\\documentclass"));
     QVERIFY(derivation("derivation.md").startsWith("# Geared robotic mechanism"));
+  }
+
+  // One key, and the browser has the page.
+  void theDerivationIsShownInTheBrowser() {
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open");
+    QTest::keyClick(&window->digraph(), Qt::Key_F6);
+    QTRY_VERIFY(!opened.isEmpty());
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    QFile page(opened.toLocalFile());
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    QVERIFY(page.readAll().startsWith("<!DOCTYPE html>"));
   }
 
   void anEmptyDocumentHasNoDerivation() {
