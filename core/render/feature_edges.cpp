@@ -1,45 +1,63 @@
 #include "core/render/feature_edges.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 
 namespace geargraph {
 namespace {
 
-struct Bits {
-  std::array<std::uint32_t, 3> words;
-  friend bool operator==(const Bits&, const Bits&) = default;
-};
+constexpr std::uint32_t kNone = 0xffffffff;
 
-struct BitsHash {
-  std::size_t operator()(const Bits& bits) const {
-    std::uint64_t hash = bits.words[0];
-    hash = hash * 0x9e3779b97f4a7c15u + bits.words[1];
-    hash = hash * 0x9e3779b97f4a7c15u + bits.words[2];
-    return hash ^ (hash >> 29);
+/// Finds positions in a list by their contents, which the list's owner compares: open addressing, no memory a
+/// find.
+class Finder {
+ public:
+  explicit Finder(std::size_t most)
+      : m_places(std::bit_ceil(2 * most + 1), kNone), m_shift(64 - std::countr_zero(m_places.size())) {}
+
+  /// The position of the equal one, else `position`, which is noted.
+  template <class IsEqual>
+  std::uint32_t find(std::uint64_t contents, std::uint32_t position, IsEqual isEqual) {
+    std::size_t place = (contents * 0x9e3779b97f4a7c15U) >> m_shift;
+    while (m_places[place] != kNone) {
+      if (isEqual(m_places[place])) return m_places[place];
+      place = (place + 1) & (m_places.size() - 1);
+    }
+    m_places[place] = position;
+    return position;
   }
+
+ private:
+  std::vector<std::uint32_t> m_places;
+  int m_shift;
 };
 
 /// For every vertex the first one with the same position.
 std::vector<std::uint32_t> welded(const Solid& solid) {
-  std::unordered_map<Bits, std::uint32_t, BitsHash> first;
-  first.reserve(solid.positions.size());
-  std::vector<std::uint32_t> result(solid.positions.size());
-  for (std::uint32_t vertex = 0; vertex < result.size(); ++vertex) {
-    Bits bits;
-    std::memcpy(bits.words.data(), solid.positions[vertex].data(), sizeof bits.words);
-    result[vertex] = first.try_emplace(bits, vertex).first->second;
+  Finder finder(solid.positions.size());
+  std::vector<std::uint32_t> first(solid.positions.size());
+  for (std::uint32_t vertex = 0; vertex < first.size(); ++vertex) {
+    const Float3& here = solid.positions[vertex];
+    std::array<std::uint32_t, 3> bits{};
+    std::memcpy(bits.data(), here.data(), sizeof bits);
+    std::uint64_t contents = bits[0];
+    contents = contents * 0x9e3779b97f4a7c15U + bits[1];
+    contents = contents * 0x9e3779b97f4a7c15U + bits[2];
+    first[vertex] = finder.find(contents, vertex, [&](std::uint32_t other) {
+      return std::memcmp(here.data(), solid.positions[other].data(), sizeof bits) == 0;
+    });
   }
-  return result;
+  return first;
 }
 
-/// One side of an edge: the vertices as its triangle has them, in the order of the welded points.
-struct Side {
+/// An edge: the vertices as its first triangle has them, in the order of the welded points.
+struct Edge {
+  std::uint64_t points = 0;
   std::uint32_t low = 0;
   std::uint32_t high = 0;
-  int faces = 0;
+  bool single = true;
   bool crease = false;
 };
 
@@ -52,31 +70,44 @@ float cosine(const Float3& a, const Float3& b) {
 std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease) {
   const auto flattest = static_cast<float>(std::cos(crease));
   const std::vector<std::uint32_t> point = welded(solid);
-  std::unordered_map<std::uint64_t, Side> edges;
-  edges.reserve(2 * solid.triangles.size());
-  std::vector<std::uint64_t> order;  // of first meeting: the result must not depend on the hash
+  Finder finder(3 * solid.triangles.size());
+  std::vector<Edge> edges;  // in the order of first meeting
+  edges.reserve(3 * solid.triangles.size() / 2 + 1);
   for (const Triangle& triangle : solid.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       std::uint32_t low = triangle[corner], high = triangle[(corner + 1) % 3];
       if (point[low] > point[high]) std::swap(low, high);
-      const std::uint64_t key = (std::uint64_t{point[low]} << 32) | point[high];
-      Side& side = edges[key];
-      if (side.faces++ == 0) {
-        side.low = low;
-        side.high = high;
-        order.push_back(key);
-      } else {
-        side.crease = side.crease || cosine(solid.normals[low], solid.normals[side.low]) < flattest ||
-                      cosine(solid.normals[high], solid.normals[side.high]) < flattest;
+      const std::uint64_t points = (std::uint64_t{point[low]} << 32) | point[high];
+      const auto next = static_cast<std::uint32_t>(edges.size());
+      const std::uint32_t found =
+          finder.find(points, next, [&](std::uint32_t other) { return edges[other].points == points; });
+      if (found == next) {
+        edges.push_back({points, low, high});
+        continue;
       }
+      Edge& edge = edges[found];
+      edge.single = false;
+      edge.crease = edge.crease || cosine(solid.normals[low], solid.normals[edge.low]) < flattest ||
+                    cosine(solid.normals[high], solid.normals[edge.high]) < flattest;
     }
   }
   std::vector<std::uint32_t> lines;
-  for (const std::uint64_t key : order) {
-    const Side& side = edges.at(key);
-    if (side.faces == 1 || side.crease) lines.insert(lines.end(), {side.low, side.high});
+  for (const Edge& edge : edges) {
+    if (edge.single || edge.crease) lines.insert(lines.end(), {edge.low, edge.high});
   }
   return lines;
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> FeatureEdges::find(
+    const std::shared_ptr<const Solid>& solid) {
+  Known& known = m_known[solid.get()];
+  if (known.solid.lock() != solid)
+    known = {solid, std::make_shared<const std::vector<std::uint32_t>>(featureEdges(*solid))};
+  return known.edges;
+}
+
+void FeatureEdges::forgetOthers() {
+  std::erase_if(m_known, [](const auto& entry) { return entry.second.solid.expired(); });
 }
 
 }  // namespace geargraph

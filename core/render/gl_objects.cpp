@@ -3,8 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include "core/render/feature_edges.h"
-
 namespace geargraph {
 namespace {
 
@@ -47,13 +45,14 @@ GLuint GlProgram::compiled(GLenum stage, const char* source) {
   return shader;
 }
 
-GlSolid::GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances) : m_gl(gl) {
-  const std::vector<std::uint32_t> edges = featureEdges(solid);
+GlSolid::GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint32_t> edges,
+                 const GlInstances& instances)
+    : m_gl(gl) {
   m_triangleIndices = static_cast<GLsizei>(3 * solid.triangles.size());
   m_edgeIndices = static_cast<GLsizei>(edges.size());
   const auto vertexBytes = static_cast<GLsizeiptr>(solid.positions.size() * sizeof(Float3));
   const auto triangleBytes = static_cast<GLsizeiptr>(solid.triangles.size() * sizeof(Triangle));
-  const auto edgeBytes = static_cast<GLsizeiptr>(edges.size() * sizeof edges[0]);
+  const auto edgeBytes = static_cast<GLsizeiptr>(edges.size_bytes());
   gl.GenVertexArrays(1, &m_vertexArray);
   gl.GenBuffers(2, m_buffers);
   gl.BindVertexArray(m_vertexArray);

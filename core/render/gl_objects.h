@@ -65,7 +65,8 @@ class GlSolid {
  public:
   enum class Part { triangles, edges };
 
-  GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances);
+  GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint32_t> edges,
+          const GlInstances& instances);
   ~GlSolid();
   GlSolid(const GlSolid&) = delete;
   GlSolid& operator=(const GlSolid&) = delete;

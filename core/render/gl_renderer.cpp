@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/render/feature_edges.h"
 #include "core/render/frustum.h"
 #include "core/render/gl_objects.h"
 #include "core/render/gl_passes.h"
@@ -151,7 +152,12 @@ const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const
     solid = &levels.chosen(*solid, pixels);
   }
   std::unique_ptr<GlSolid>& place = m_solids[solid->get()];
-  if (place == nullptr) place = std::make_unique<GlSolid>(*m_gl, **solid, m_passes.instances());
+  if (place != nullptr) return *place;
+  const auto known = m_scene.edges.find(solid->get());
+  const auto edges = known != m_scene.edges.end()
+                         ? known->second
+                         : std::make_shared<const std::vector<std::uint32_t>>(featureEdges(**solid));
+  place = std::make_unique<GlSolid>(*m_gl, **solid, *edges, m_passes.instances());
   return *place;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/base/id.h"
@@ -58,6 +59,8 @@ struct Scene {
   std::vector<std::shared_ptr<const Solid>> solids;
   std::vector<Instance> instances;
   std::vector<DetailLevels> levels = {};  ///< by solid, as far as there are any
+  /// Feature edges that were found ahead, on another thread; the renderer finds the others.
+  std::unordered_map<const Solid*, std::shared_ptr<const std::vector<std::uint32_t>>> edges = {};
 };
 
 struct Bounds {

@@ -242,15 +242,27 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
   return joints;
 }
 
+/// Of what a window shows of a train as a whole: wheels from afar, and all else.
+void addEdges(Scene& scene, FeatureEdges& edges) {
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+    const bool isWheel = i < scene.levels.size() && scene.levels[i].far;
+    const auto& shown = isWheel ? scene.levels[i].far : scene.solids[i];
+    scene.edges[shown.get()] = edges.find(shown);
+  }
+  edges.forgetOthers();
+}
+
 }  // namespace
 
-StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes) {
+StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
+                    FeatureEdges* edges) {
   const Mechanism& mechanism = *snapshot.mechanism;
   if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
   const Placement& placement = snapshot.kinematics->placement;
   const SpanningTree& tree = *snapshot.tree;
   StageBuilder builder(mechanism, placement, cache, shapes);
   const std::shared_ptr<Stage> stage = builder.build();
+  if (edges != nullptr) addEdges(stage->scene, *edges);
   const auto motion = jointMotion(snapshot);
   if (!motion) return stage;
   std::vector<Pose> reference;

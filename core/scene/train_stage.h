@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/gears/gear_solid.h"
+#include "core/render/feature_edges.h"
 #include "core/render/stage.h"
 #include "core/scene/shape_cache.h"
 
@@ -21,9 +22,12 @@ constexpr int kMostStageLinks = 2'000;
 /// Placement and motion are those of the snapshot's live part; nothing is solved again.
 /// Cost: O(n + t + c), and what new solids cost.
 ///
+/// `edges`: keeps feature edges from one edit to the next; with it the scene brings those of what a window
+/// paints, so that the thread of the window need not look for them.
+///
 /// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
 /// them is said in Stage::notes.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,
-                                  const ShapeSource* shapes = nullptr);
+                                  const ShapeSource* shapes = nullptr, FeatureEdges* edges = nullptr);
 
 }  // namespace geargraph

@@ -117,6 +117,19 @@ class TestTrainStage : public QObject {
     QCOMPARE(cache.size(), std::size_t{24});
   }
 
+  void featureEdgesComeWithTheSceneAndStayFromOneEditToTheNext() {
+    GearCache cache;
+    FeatureEdges known;
+    const auto snapshot = analyzeLive(std::make_shared<const Mechanism>(paperRobot()));
+    const StagePtr first = trainStage(*snapshot, cache, nullptr, &known);
+    const StagePtr second = trainStage(*snapshot, cache, nullptr, &known);
+    const auto& far = first->scene.levels.front().far;
+    QCOMPARE(*first->scene.edges.at(far.get()), featureEdges(*far));
+    QCOMPARE(second->scene.edges.at(far.get()), first->scene.edges.at(far.get()));  // the same list
+    QCOMPARE(first->scene.edges.size(), first->scene.solids.size());
+    QVERIFY(stageOf(paperRobot(), cache)->scene.edges.empty());  // a single picture finds its own
+  }
+
   void meshingWheelsHaveOneVelocityWhereTheyTouch() {
     GearCache cache;
     for (const Mechanism& mechanism : trains()) {
