@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/fitting/axis_drag.h"
+#include "core/fitting/mesh_snap.h"
 #include "core/mechanism/edits.h"
 #include "core/placement/placement.h"
 
@@ -193,8 +194,9 @@ Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame
   }
   const MeshId id = next->gearMeshes.back().id;
   next = withTeeth(std::move(next).value(), id, teeth.tail, teeth.head);
-  if (!next || ring == RingOf::neither) return next;
-  return withMeshKind(std::move(next).value(), id, MeshKind::internal);
+  if (next && ring != RingOf::neither) next = withMeshKind(std::move(next).value(), id, MeshKind::internal);
+  if (!next || !tail || !head) return next;
+  return withMeshSnapped(std::move(next).value(), id);
 }
 
 Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame, const DraggedAxis& drag) {

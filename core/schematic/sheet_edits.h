@@ -33,7 +33,8 @@ struct DrawnMesh {
 
 /// A gear mesh with teeth that fit the axes as they lie, at the document's module: the wheel that a link has
 /// already keeps its teeth, two new wheels are equal. A drag that ends beyond the other's axis, seen from its
-/// own, makes a ring about it; so does one that begins beyond. Axes that meet get a bevel pair.
+/// own, makes a ring about it; so does one that begins beyond. Axes that meet get a bevel pair. Two wheels
+/// that are there already come together (withMeshSnapped).
 /// Refuses self-joint and unknown-id.
 [[nodiscard]] Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
                                                   const DrawnMesh& mesh);

@@ -5,6 +5,7 @@
 
 #include "core/drawing/digraph_drawing.h"
 #include "core/drawing/hit_test.h"
+#include "core/fitting/mesh_snap.h"
 #include "core/mechanism/drawn_mesh.h"
 #include "core/mechanism/edits.h"
 #include "ui/canvas/element_commands.h"
@@ -20,8 +21,11 @@ QString translated(std::string_view text) {
 
 /// Would the arrow make a joint if it were released here?
 Expected<Mechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draft) {
-  if (draft.kind == ElementKind::gearMesh) return withDrawnMesh(mechanism, draft.tail, draft.head);
-  return withTurningJoint(mechanism, draft.tail, draft.head);
+  if (draft.kind != ElementKind::gearMesh) return withTurningJoint(mechanism, draft.tail, draft.head);
+  Expected<Mechanism> drawn = withDrawnMesh(mechanism, draft.tail, draft.head);
+  if (!drawn) return drawn;
+  const MeshId mesh = drawn->gearMeshes.back().id;
+  return withMeshSnapped(std::move(drawn).value(), mesh);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
+#include "core/fitting/mesh_snap.h"
 #include "core/fitting/wheel_map.h"
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
@@ -91,12 +92,78 @@ bool blames(const Diagnostic& diagnostic, const ElementId& element) {
          diagnostic.elements.end();
 }
 
+/// Two pairs of gears at module 2, every place stated: 20 with 30, 40 with 25; the second pair stands off.
+Mechanism twoPairs() {
+  TrainBuilder train("two pairs");
+  const int a = train.axis({0, 0, 0}, {0, 0, 1});
+  const int b = train.axis({50, 0, 0}, {0, 0, 1});
+  const int c = train.axis({170, 0, 0}, {0, 0, 1});
+  const int d = train.axis({170, 65, 0}, {0, 0, 1});
+  const int first = train.link(0, a), second = train.link(0, b), third = train.link(0, c),
+            fourth = train.link(0, d);
+  train.external(first, a, 20, second, b, 30);
+  train.external(third, c, 40, fourth, d, 25);
+  return train.mechanism();
+}
+
+/// Links 2 and 3 of those are set into mesh.
+Expected<Mechanism> snapped(const Mechanism& pairs) {
+  const Mechanism drawn = withGearMesh(pairs, pairs.links[2].id, pairs.links[3].id, 30, 40).value();
+  return withMeshSnapped(drawn, drawn.gearMeshes.back().id);
+}
+
+ExactVector3 placeOf(const Mechanism& mechanism, std::size_t axis) {
+  const NumberTriple& point = *mechanism.axes[axis].point;
+  return {point[0].exact(), point[1].exact(), point[2].exact()};
+}
+
 }  // namespace
 
 class TestFitting : public QObject {
   Q_OBJECT
 
  private slots:
+  void gearsSetIntoMeshComeTogetherWithAllThatHangsOnThem() {
+    const Mechanism pairs = twoPairs();
+    const auto together = snapped(pairs);
+    QVERIFY(together);
+    QCOMPARE(placeOf(*together, 1), (ExactVector3{50, 0, 0}));
+    QCOMPARE(placeOf(*together, 2), (ExactVector3{120, 0, 0}));  // 2 * (30 + 40) / 2 from the second
+    QCOMPARE(placeOf(*together, 3), (ExactVector3{120, 65, 0}));
+    QVERIFY(misfit(*together) < 1e-9);
+    for (int m = 0; m < together->c(); ++m) {
+      const MeshGeometry geometry = *placementOf(*together).meshes[static_cast<std::size_t>(m)];
+      QVERIFY(std::abs(2 * std::abs(geometry.tailRadius) / mesh(*together, m).tailTeeth - 2) < 1e-9);
+    }
+  }
+
+  void whatIsPinnedStaysWhenGearsAreSetIntoMesh() {
+    Mechanism pairs = twoPairs();
+    pairs = withPinMark(pairs, pairs.axes[2].id, true).value();
+    const auto together = snapped(pairs);
+    QVERIFY(together);
+    QCOMPARE(placeOf(*together, 2), (ExactVector3{170, 0, 0}));
+    QCOMPARE(placeOf(*together, 1), (ExactVector3{100, 0, 0}));
+    QCOMPARE(placeOf(*together, 0), (ExactVector3{50, 0, 0}));
+    const AxisId second = pairs.axes[1].id;
+    const auto refused = snapped(withPinMark(pairs, second, true).value());
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().front().code, Code::teethGeometry);
+    const auto& culprits = refused.error().front().elements;
+    QVERIFY(std::find(culprits.begin(), culprits.end(), ElementId(second)) != culprits.end());
+  }
+
+  void gearsWithoutAModuleOrWithTwoStayWhereTheyAre() {
+    Mechanism pairs = twoPairs();
+    const Mechanism free = withGearMesh(pairs, pairs.links[2].id, pairs.links[3].id, 17, 19).value();
+    QCOMPARE(withMeshSnapped(free, free.gearMeshes.back().id).value(), free);  // two new wheels
+    pairs.axes[3].point = NumberTriple{Number(170), Number(130), Number(0)};   // the second pair at module 4
+    pairs.gearMeshes[1].pitchPoint.reset();
+    const auto both = snapped(pairs);
+    QVERIFY(both);
+    QCOMPARE(placeOf(*both, 2), (ExactVector3{170, 0, 0}));
+  }
+
   void theRingFollowsTheSun() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism after = *withTeethFitted(before, mesh(before, 0).id, 30, 18);
