@@ -69,7 +69,9 @@ constexpr std::array kOptions = {
     Option{"--section", "AXIS:PART", "of 3d: cut open square to x, y or z, so far along (y:0.5)"},
     Option{"--explode", "PART", "of 3d: pulled apart along the axes, 0 to 1"},
     Option{"--faces", "NAME", "of 3d: shaded, lines (hidden ones left out) or edges (all of them)"},
-    Option{"--show", "NAMES", "of 3d: pitch-circles,pitch-points,axes,instant-axes,velocities"},
+    Option{"--show", "NAMES",
+           "of 3d: "
+           "labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities"},
     Option{"--hide", "LABELS", "of 3d: links that are left out: 2,5"},
     Option{"--ride", "LABEL", "of 3d: the link that is seen standing still"},
     Option{"--turntable", "", "of 3d: a film once round the train, as an animated PNG (or --all)"},

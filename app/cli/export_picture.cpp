@@ -13,6 +13,7 @@
 #include "core/analysis/analysis.h"
 #include "core/io/file.h"
 #include "core/meshfile/mesh_writer.h"
+#include "core/picture/picture.h"
 #include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 
@@ -91,6 +92,15 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   } else {
     ShotRun run;
     run.mayOverwrite = arguments.has("--force");
+    const OverlayChoice overlay = overlayOf(arguments);
+    if (overlay.any()) {
+      const Theme theme = arguments.has("--dark") ? Theme::dark : Theme::light;
+      run.finish = [labels = StageLabels(overlay), theme](Image& image, const StagePainter& painter) mutable {
+        const bool painted = paintOver(image.rgba, image.width, image.height, labels.over(painter),
+                                       painter.pixelRatio(), theme);
+        if (!painted) image.rgba.clear();
+      };
+    }
     const auto why =
         arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
     if (why) return failure(*why);

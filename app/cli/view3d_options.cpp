@@ -54,6 +54,11 @@ constexpr std::array kMarks = {
     MarkName{"axes", &MarkChoice::axes}, MarkName{"instant-axes", &MarkChoice::instantAxes},
     MarkName{"velocities", &MarkChoice::velocities}};
 
+using OverlayName = std::pair<std::string_view, bool OverlayChoice::*>;
+constexpr std::array kOverlays = {
+    OverlayName{"labels", &OverlayChoice::links}, OverlayName{"joint-labels", &OverlayChoice::joints},
+    OverlayName{"axis-labels", &OverlayChoice::axes}, OverlayName{"scale", &OverlayChoice::scaleBar}};
+
 /// Reads options one by one into a shot; the first that is wrong stays said.
 class ShotReader {
  public:
@@ -138,8 +143,10 @@ class ShotReader {
       const auto* mark = named(kMarks, name);
       if (mark != nullptr) {
         m_shot.view.marks.*(*mark) = true;
-      } else if (m_arguments.has("--show")) {
-        wrong("--show names pitch-circles, pitch-points, axes, instant-axes, velocities, with commas.");
+      } else if (m_arguments.has("--show") && named(kOverlays, name) == nullptr) {
+        wrong(
+            "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
+            "instant-axes, velocities, with commas.");
       }
     }
   }
@@ -183,6 +190,14 @@ std::optional<ElementId> linkLabelled(const Mechanism& mechanism, const std::str
 }
 
 }  // namespace
+
+OverlayChoice overlayOf(const Arguments& arguments) {
+  OverlayChoice choice;
+  for (const std::string& name : parts(arguments.value("--show").value_or(""), ',')) {
+    if (const auto* shown = named(kOverlays, name)) choice.*(*shown) = true;
+  }
+  return choice;
+}
 
 std::optional<UsageError> wrongShot(const Arguments& arguments) {
   const auto read = ShotReader(arguments).read();

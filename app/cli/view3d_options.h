@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "core/analysis/analysis.h"
+#include "core/scene/stage_labels.h"
 #include "core/scene/stage_picture.h"
 
 namespace geargraph::cli {
@@ -14,6 +15,9 @@ namespace geargraph::cli {
 /// over, and the film. Labels are those of the snapshot's mechanism.
 [[nodiscard]] std::variant<StageShot, UsageError> shotOf(const Arguments& arguments, const StagePtr& stage,
                                                          const AnalysisSnapshot& snapshot);
+
+/// What --show lays over the picture. @pre wrongShot() found nothing
+[[nodiscard]] OverlayChoice overlayOf(const Arguments& arguments);
 
 /// What is wrong with the options already before there is a mechanism; nothing where all is well.
 [[nodiscard]] std::optional<UsageError> wrongShot(const Arguments& arguments);

@@ -3,7 +3,9 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <numbers>
 
 namespace geargraph {
@@ -143,6 +145,32 @@ void CairoSurface::play(const DisplayList& list, const Extent& sheet, double sca
   cairo_scale(context, scale, scale);
   cairo_translate(context, -sheet.left(), -sheet.top());
   for (const Mark& mark : list.marks) std::visit(MarkPainter{context, look.theme}, mark.what);
+}
+
+// Cairo's pixels are words of alpha, red, green and blue, colours multiplied with alpha.
+bool CairoSurface::layOver(std::span<std::uint8_t> rgba) {
+  cairo_surface_flush(m_surface.get());
+  if (cairo_status(m_context.get()) != CAIRO_STATUS_SUCCESS) return false;
+  const int width = cairo_image_surface_get_width(m_surface.get());
+  const int height = cairo_image_surface_get_height(m_surface.get());
+  const unsigned char* row = cairo_image_surface_get_data(m_surface.get());
+  std::uint8_t* under = rgba.data();
+  for (int y = 0; y < height; ++y, row += cairo_image_surface_get_stride(m_surface.get())) {
+    for (int x = 0; x < width; ++x, under += 4) {
+      std::uint32_t over = 0;
+      std::memcpy(&over, row + 4 * x, sizeof over);
+      const std::uint32_t alpha = over >> 24;
+      if (alpha == 0) continue;
+      const std::uint32_t rest = (under[3] * (255 - alpha) + 127) / 255, whole = alpha + rest;
+      for (int channel = 0; channel < 3; ++channel) {
+        const std::uint32_t colour = (over >> (16 - 8 * channel)) & 255;
+        under[channel] = static_cast<std::uint8_t>(
+            std::min<std::uint32_t>(255, (colour * 255 + under[channel] * rest + whole / 2) / whole));
+      }
+      under[3] = static_cast<std::uint8_t>(whole);
+    }
+  }
+  return true;
 }
 
 std::optional<std::string> CairoSurface::png() {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/drawing/svg_writer.h"
@@ -19,6 +21,10 @@ class CairoSurface {
 
   /// Paints the part `sheet` of a drawing over all of the surface, `scale` to a unit of the sheet.
   void play(const DisplayList& list, const Extent& sheet, double scale, const SheetLook& look);
+
+  /// Lays the image over one of as many pixels, four bytes each: red, green, blue, not multiplied with alpha.
+  /// False where memory did not suffice.
+  [[nodiscard]] bool layOver(std::span<std::uint8_t> rgba);
 
   /// The image as a PNG; the whole PDF. Nothing where memory did not suffice.
   [[nodiscard]] std::optional<std::string> png();

@@ -75,4 +75,14 @@ Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& p
   GEARGRAPH_REQUIRE(false);
 }
 
+bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const DisplayList& list, double scale,
+               Theme theme) {
+  CairoSurface surface = CairoSurface::image(width, height);
+  SheetLook look;
+  look.theme = theme;
+  look.transparent = true;
+  surface.play(list, Extent::spanning({0, 0}, {width / scale, height / scale}), scale, look);
+  return surface.layOver(rgba);
+}
+
 }  // namespace geargraph

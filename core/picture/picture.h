@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +21,11 @@ enum class PictureForm { svg, pdf, png };
 
 /// Longest side of a PNG; an SVG or PDF may be as large as its drawing.
 constexpr int kMostDrawingPixels = 16'384;
+
+/// Paints a drawing over a picture of straight red, green, blue and alpha, `scale` pixels to a unit, from its
+/// upper left corner. False where memory did not suffice.
+[[nodiscard]] bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const DisplayList& list,
+                             double scale, Theme theme);
 
 struct DrawingPicture {
   PictureForm form = PictureForm::svg;

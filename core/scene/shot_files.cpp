@@ -29,6 +29,8 @@ Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
     Image image = painter.paint(picture);
     if (image.rgba.empty()) return ShotFailure{ShotFailure::Kind::graphics, "The driver painted nothing."};
     if (run.finish) run.finish(image, painter);
+    if (image.rgba.empty())
+      return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the labels."};
     if (Failure failure = take(image, picture)) return failure;
     if (run.progress) run.progress(picture + 1, painter.pictures());
   }

@@ -74,7 +74,8 @@ struct ShotFailure {
 struct ShotRun {
   std::function<void(int done, int all)> progress;          ///< after each picture, on the caller's thread
   std::stop_token stop;                                     ///< looked at before each picture
-  std::function<void(Image&, const StagePainter&)> finish;  ///< paints over each picture, labels for one
+  std::function<void(Image&, const StagePainter&)> finish;  ///< paints over each picture, labels for one;
+                                                            ///< clears it where it cannot
   bool mayOverwrite = false;                                ///< files in a folder that is there already
 };
 

@@ -66,6 +66,10 @@ class TestExportPicture : public QObject {
                                     {"--explode", "1"},
                                     {"--faces", "lines"},
                                     {"--show", "pitch-circles,velocities"},
+                                    {"--show", "labels"},
+                                    {"--show", "joint-labels"},
+                                    {"--show", "axis-labels"},
+                                    {"--show", "scale"},
                                     {"--hide", "1,3"},
                                     {"--ride", "1", "--time", "2.5"}}) {
       const Run other = run(words + more);
@@ -90,6 +94,7 @@ class TestExportPicture : public QObject {
                                     {"--explode", "far"},
                                     {"--faces", "round"},
                                     {"--show", "everything"},
+                                    {"--show", "labels,"},
                                     {"--frames", "10"},
                                     {"--fps", "10"},
                                     {"--all"},

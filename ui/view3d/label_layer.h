@@ -4,11 +4,11 @@
 #include <QImage>
 #include <QPointF>
 #include <QString>
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "core/render/camera.h"
+#include "core/render/label_places.h"
 #include "core/render/renderer.h"
 #include "core/render/stage.h"
 
@@ -29,9 +29,9 @@ struct PlacedLabel {
 /// not make it flicker.
 class LabelLayer {
  public:
-  void setShown(LabelKind kind, bool shown) { m_shown[static_cast<std::size_t>(kind)] = shown; }
-  [[nodiscard]] bool isShown(LabelKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
-  void reset() { m_sides.clear(); }
+  void setShown(LabelKind kind, bool shown) { m_places.setShown(kind, shown); }
+  [[nodiscard]] bool isShown(LabelKind kind) const { return m_places.isShown(kind); }
+  void reset() { m_places.reset(); }
 
   /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
   [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,
@@ -44,9 +44,8 @@ class LabelLayer {
                                                    const QPointF& place);
 
  private:
-  std::array<bool, 3> m_shown{true, false, false};  ///< by kind
-  QHash<QString, QImage> m_images;                  ///< by text, colours, font and pixel ratio
-  std::vector<int> m_sides;                         ///< by label: -1 left, +1 right, 0 not placed yet
+  LabelPlaces m_places;
+  QHash<QString, QImage> m_images;  ///< by text, colours, font and pixel ratio
 };
 
 }  // namespace geargraph

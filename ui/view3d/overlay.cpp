@@ -27,15 +27,6 @@ void paintScaleBar(QPainter& painter, const OverlayGround& ground, bool dark) {
 
 }  // namespace
 
-double niceLength(double millimetresPerPixel, double most) {
-  const double longest = millimetresPerPixel * most;
-  const double decade = std::pow(10, std::floor(std::log10(longest)));
-  for (const double step : {5.0, 2.0}) {
-    if (step * decade <= longest) return step * decade;
-  }
-  return decade;
-}
-
 void paintOverlay(QPainter& painter, const OverlayGround& ground, LabelLayer& labels, bool scaleBar,
                   bool dark) {
   const auto placed = labels.place(ground.stage, ground.poses, ground.camera, ground.viewport,

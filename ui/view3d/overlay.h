@@ -8,10 +8,6 @@ class QPainter;
 
 namespace geargraph {
 
-/// A length that reads well (1, 2 or 5 times a power of ten) and takes at most `most` pixels of the picture.
-/// @pre both positive
-[[nodiscard]] double niceLength(double millimetresPerPixel, double most);
-
 /// What an overlay lies over. It refers to what it was made of.
 struct OverlayGround {
   const Stage& stage;

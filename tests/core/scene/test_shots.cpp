@@ -6,6 +6,8 @@
 
 #include "core/meshfile/mesh_reader.h"
 #include "core/meshfile/mesh_writer.h"
+#include "core/picture/picture.h"
+#include "core/scene/stage_labels.h"
 #include "core/scene/stage_picture.h"
 #include "tests/ui/view3d/toy_stage.h"
 
@@ -223,6 +225,47 @@ class TestShots : public QObject {
     StageShot huge = toyShot();
     huge.size = {1'000'000, 10};
     QVERIFY(writePicture(huge, path("huge.png"))->kind == ShotFailure::Kind::graphics);
+  }
+
+  void labelsAndTheScaleBarLieOverThePicture() {
+    StageShot shot = toyShot();
+    shot.size = {320, 240};
+    shot.view.hidden = {LinkId("2")};
+    auto painter = StagePainter::create(shot);
+    QVERIFY(painter);
+    Image image = (*painter)->paint(0);
+    const QImage before = shown(image);
+    StageLabels labels({true, false, false, true});
+    const DisplayList list = labels.over(**painter);
+    QStringList texts;
+    std::optional<SheetPoint> plate;
+    for (const Mark& mark : list.marks) {
+      if (const auto* text = std::get_if<Text>(&mark.what)) texts.append(QString::fromStdString(text->text));
+      const auto* fill = std::get_if<Fill>(&mark.what);
+      if (fill != nullptr && std::holds_alternative<Circle>(fill->shape))
+        plate = std::get<Circle>(fill->shape).center;
+    }
+    QCOMPARE(texts.size(),
+             static_cast<qsizetype>(shot.stage->labels.size()));  // one is hidden, one is the bar's
+    QVERIFY(!texts.contains("2") && texts.last().endsWith(" mm"));
+    QVERIFY(paintOver(image.rgba, image.width, image.height, list, 1, Theme::light));
+    const QImage after = shown(image);
+    QVERIFY(plate.has_value());
+    const QPoint beside(qRound(plate->x) - 8, qRound(plate->y));  // within the ring, beside the number
+    QCOMPARE(after.pixelColor(beside), QColor(Qt::white));
+    QCOMPARE(after.pixelColor(2, 2), before.pixelColor(2, 2));  // nothing, as before
+    QCOMPARE(after.pixelColor(2, 2).alpha(), 0);
+  }
+
+  void halfOfAColourOverAnotherIsTheirMiddle() {
+    std::vector<std::uint8_t> pixels{200, 100, 0, 255, 0, 0, 0, 0};
+    DisplayList list;
+    const Box half{Extent::spanning({0, 0}, {2, 0.5}), 0};
+    list.marks.push_back({ElementId(), MarkRole::node, 0, Fill{half, ColorRole::sheet}});
+    QVERIFY(paintOver(pixels, 2, 1, list, 1, Theme::light));
+    const auto near = [](int a, int b) { return std::abs(a - b) <= 2; };
+    QVERIFY(near(pixels[0], 228) && near(pixels[1], 178) && near(pixels[2], 128) && pixels[3] == 255);
+    QVERIFY(pixels[4] > 252 && near(pixels[7], 128));  // white, half seen through
   }
 
   void theSolidsAreWrittenAsTheyAreSeen() {
