@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/pins.h"
 #include "tests/core/support/mechanisms.h"
@@ -270,6 +271,31 @@ class EditingPanelsTest : public QObject {
     }
     document->undoStack().undo();
     QCOMPARE(document->mechanism(), before);
+  }
+
+  void aTrainOfTooManyMeshesSaysThatNothingFollows() {
+    Mechanism many = test::planetary(24, 18, 3);
+    while (many.c() < kMostFittedMeshes) {
+      many.gearMeshes.push_back(many.gearMeshes.front());
+      many.gearMeshes.back().id = MeshId("m" + std::to_string(many.c()));
+    }
+    const ElementId first(many.gearMeshes[0].id);
+    const auto isSaid = [&](const Mechanism& shown) {
+      document->replace(shown, {});
+      selection.select({first});
+      const auto texts = properties->findChildren<QLabel*>();
+      return std::any_of(texts.begin(), texts.end(), [](const QLabel* text) {
+        return text->isVisible() && text->text().contains("500 meshes") &&
+               text->text().contains("do not follow");
+      });
+    };
+    QVERIFY(!isSaid(many));
+    many.gearMeshes.push_back(many.gearMeshes.front());
+    many.gearMeshes.back().id = MeshId("one more");
+    QVERIFY(isSaid(many));
+    type(property("tailTeeth"), QStringLiteral("30"));  // and so it is
+    QCOMPARE(document->mechanism()->gearMeshes[0].tailTeeth, 30);
+    QCOMPARE(document->mechanism()->gearMeshes[2].tailTeeth, 24);
   }
 
   void whatIsPinnedStaysAndIsBlamed() {
