@@ -82,7 +82,7 @@ void writeTransferVertex(JsonWriter& json, const AnalysisSnapshot& snapshot, int
   json.endArray();
   json.key("axes");
   json.beginArray();
-  for (const int level : path.word) json.string(graph.levels().names[static_cast<std::size_t>(level)]);
+  for (const int level : path.word) json.string(graph.levels().name(level));
   json.endArray();
   json.key("sign");
   if (terminal) {

@@ -30,12 +30,10 @@ std::string carriers(const TtGraph& graph) {
     const auto& vertex = graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
     if (!vertex) continue;
     const DigraphEdge& edge = digraph.meshEdge(mesh);
-    const auto& names = graph.levels().names;
     text += padded(std::to_string(digraph.edgeLabel(digraph.t() + mesh)), 5) + "  (" +
             std::to_string(edge.tail) + ',' + std::to_string(edge.head) + ")(" +
-            std::to_string(vertex->carrier) + ")  axes " +
-            names[static_cast<std::size_t>(vertex->tailLevel)] + ", " +
-            names[static_cast<std::size_t>(vertex->headLevel)] + '\n';
+            std::to_string(vertex->carrier) + ")  axes " + graph.levels().name(vertex->tailLevel) + ", " +
+            graph.levels().name(vertex->headLevel) + '\n';
   }
   return text;
 }

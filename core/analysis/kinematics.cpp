@@ -71,7 +71,7 @@ LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& g
   auto live = std::make_shared<LiveKinematics>();
   live->placement = placementOf(mechanism, JointTree(graph, tree));
   if (stop.stop_requested()) return nullptr;
-  live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, referenceLines(live->placement));
+  live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, ReferenceLines(live->placement));
   if (stop.stop_requested()) return nullptr;
   live->model = KinematicModel::of(mechanism, graph, tree, live->placement);
   if (live->model) {

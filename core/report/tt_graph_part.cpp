@@ -47,8 +47,7 @@ class TtGraphPart {
     }
     ReportTable table{{"Level", "Turning joints"}, {}};
     for (const auto& [level, labels] : joints) {
-      table.rows.push_back(
-          {plainWords(levels.names[static_cast<std::size_t>(level)]), plainWords(listed(labels, kAllNames))});
+      table.rows.push_back({plainWords(levels.name(level)), plainWords(listed(labels, kAllNames))});
     }
     m_report.blocks.emplace_back(std::move(table));
     m_report.blocks.emplace_back(ReportFigure{ReportDrawing::ttGraph, "T-T graph"});

@@ -1,12 +1,14 @@
 #include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
 #include <span>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/wording.h"
 #include "core/ttgraph/wording.h"
@@ -23,16 +25,11 @@ class Classifier {
   Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
       : m_mechanism(mechanism), m_graph(graph), m_lines(lines), m_parent(joints()), m_axisOf(graph.axisOf()) {
     std::iota(m_parent.begin(), m_parent.end(), 0);
-    for (const auto& line : lines.axes) {
-      if (line) m_size = std::max(m_size, 1 + length(line->point));
-    }
   }
 
   AxisLevels run() {
     uniteAtLinks();
     number();
-    m_levels.sense.reserve(joints());
-    for (std::size_t j = 0; j < joints(); ++j) m_levels.sense.push_back(senseOf(j));
     giveNames();
     reportSplits();
     reportMerges();
@@ -46,8 +43,8 @@ class Classifier {
   };
 
   [[nodiscard]] std::size_t joints() const { return m_mechanism.turningJoints.size(); }
-  [[nodiscard]] const std::optional<ReferenceLine>& lineOf(int joint) const {
-    return m_lines.axes[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
+  [[nodiscard]] const AxisLine* lineOf(int joint) const {
+    return m_lines.axis(m_axisOf[static_cast<std::size_t>(joint)]);
   }
 
   int rootOf(int joint) {
@@ -69,6 +66,7 @@ class Classifier {
     std::vector<Candidate> different;
     for (int link = 0; link < m_graph.nodeCount(); ++link) {
       const std::span<const int> here = m_graph.turningEdgesAt(link);
+      if (here.size() < 2) continue;
       different.clear();
       for (const int joint : here) {
         int& first = seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
@@ -77,7 +75,8 @@ class Classifier {
           continue;
         }
         first = joint;
-        if (lineOf(joint) && !lineOf(joint)->automatic) different.push_back({0, joint});
+        const AxisLine* line = lineOf(joint);
+        if (line != nullptr && !line->automatic) different.push_back({0, joint});
       }
       if (different.size() > 1) uniteCollinear(different);
       for (const int joint : here) {
@@ -87,17 +86,23 @@ class Classifier {
   }
 
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
-  /// view of its foot below the origin, relative to the mechanism, and of the products of its direction.
-  [[nodiscard]] double keyOf(const ReferenceLine& line) const {
+  /// view of its foot below the origin, relative to `size`, and of the products of its direction.
+  static double keyOf(const AxisLine& line, double size) {
     const Vector3& u = line.direction;
     const Vector3 foot = line.point - dot(line.point, u) * u;
-    return dot(foot, Vector3{0.51, 0.67, 0.54}) / m_size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
+    return dot(foot, Vector3{0.51, 0.67, 0.54}) / size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
            0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2];
   }
 
   void uniteCollinear(std::vector<Candidate>& different) {
     constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
-    for (Candidate& candidate : different) candidate.key = keyOf(*lineOf(candidate.joint));
+    double farthest = 0;              // from the origin, squared
+    for (const Candidate& candidate : different) {
+      const Vector3& point = lineOf(candidate.joint)->point;
+      farthest = std::max(farthest, dot(point, point));
+    }
+    const double size = 1 + std::sqrt(farthest);
+    for (Candidate& candidate : different) candidate.key = keyOf(*lineOf(candidate.joint), size);
     std::sort(different.begin(), different.end(),
               [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
     for (std::size_t a = 0; a < different.size(); ++a) {
@@ -111,46 +116,43 @@ class Classifier {
   }
 
   void number() {
-    m_levels.ofJoint.resize(joints());
+    m_levels.ofJoint.reserve(joints());
+    m_levels.sense.reserve(joints());
     m_levels.firstJoint.reserve(joints());
     m_levels.axis.reserve(joints());
     for (int j = 0; j < static_cast<int>(joints()); ++j) {
-      const int root = rootOf(j);
-      if (root == j) {
-        m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.count();
+      const int first = rootOf(j);
+      const int axis = m_axisOf[static_cast<std::size_t>(j)];
+      m_levels.sense.push_back(1);
+      if (first == j) {
+        m_levels.ofJoint.push_back(m_levels.count());
         m_levels.firstJoint.push_back(j);
-        m_levels.axis.push_back(m_axisOf[static_cast<std::size_t>(j)]);
-      } else {
-        m_levels.ofJoint[static_cast<std::size_t>(j)] = m_levels.ofJoint[static_cast<std::size_t>(root)];
+        m_levels.axis.push_back(axis);
+        continue;
       }
+      const int level = m_levels.ofJoint[static_cast<std::size_t>(first)];
+      m_levels.ofJoint.push_back(level);
+      if (axis == m_levels.axis[static_cast<std::size_t>(level)]) continue;
+      if (dot(lineOf(first)->direction, lineOf(j)->direction) < 0) m_levels.sense.back() = -1;
+      m_joined.emplace(axis, level);
     }
-  }
-
-  [[nodiscard]] int firstOfLevel(std::size_t joint) const {
-    return m_levels.firstJoint[static_cast<std::size_t>(m_levels.ofJoint[joint])];
-  }
-
-  [[nodiscard]] int senseOf(std::size_t joint) const {
-    const int first = firstOfLevel(joint);
-    if (m_axisOf[joint] == m_axisOf[static_cast<std::size_t>(first)]) return 1;
-    return dot(lineOf(first)->direction, lineOf(static_cast<int>(joint))->direction) < 0 ? -1 : 1;
   }
 
   void giveNames() {
     std::unordered_set<std::string> taken;  // needed where an axis splits only
     std::vector<char> used(m_mechanism.axes.size(), 0);
-    m_levels.names.reserve(m_levels.axis.size());
-    for (const int axis : m_levels.axis) {
-      std::string name = m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
-      if (used[static_cast<std::size_t>(axis)] != 0) {
-        if (taken.empty()) {
-          for (const Axis& other : m_mechanism.axes) taken.insert(other.id.text());
-        }
-        m_split.insert(axis);
-        while (!taken.insert(name).second) name += "'";
+    m_levels.axisIds.reserve(m_levels.axis.size());
+    for (int level = 0; level < m_levels.count(); ++level) {
+      const int axis = m_levels.axis[static_cast<std::size_t>(level)];
+      m_levels.axisIds.push_back(m_mechanism.axes[static_cast<std::size_t>(axis)].id);
+      if (std::exchange(used[static_cast<std::size_t>(axis)], 1) == 0) continue;
+      if (taken.empty()) {
+        for (const Axis& other : m_mechanism.axes) taken.insert(other.id.text());
       }
-      used[static_cast<std::size_t>(axis)] = 1;
-      m_levels.names.push_back(std::move(name));
+      m_split.insert(axis);
+      std::string name = m_levels.axisIds.back().text();
+      while (!taken.insert(name).second) name += "'";
+      m_levels.primedNames.emplace(level, std::move(name));
     }
   }
 
@@ -160,10 +162,6 @@ class Classifier {
 
   void reportSplits() {
     // An axis splits where it gives two levels their lines, or one and joins another's.
-    for (std::size_t j = 0; j < joints(); ++j) {
-      const int line = m_levels.axis[static_cast<std::size_t>(m_levels.ofJoint[j])];
-      if (line != m_axisOf[j]) m_joined.emplace(m_axisOf[j], m_levels.ofJoint[j]);
-    }
     if (m_joined.empty() && m_split.empty()) return;
     const std::unordered_set<int> own(m_levels.axis.begin(), m_levels.axis.end());
     for (auto joined = m_joined.begin(); joined != m_joined.end(); ++joined) {
@@ -192,7 +190,7 @@ class Classifier {
       labels.push_back(labelOfJoint(j));
       finding.elements.emplace_back(m_mechanism.turningJoints[j].id);
     }
-    for (const int found : levels) names.push_back(m_levels.names[static_cast<std::size_t>(found)]);
+    for (const int found : levels) names.push_back(m_levels.name(found));
     finding.message = "Turning joints " + listed(labels, kMostNames) + " name one axis (" + id.text() +
                       ") but do not all hang together on it by common links: they coincide only in the drawn "
                       "pose and are treated as different axes (" +
@@ -214,17 +212,16 @@ class Classifier {
     finding.code = Code::mergedAxes;
     std::vector<std::string> names;
     std::vector<std::string> opposite;
-    const Vector3& along = m_lines.axes[static_cast<std::size_t>(axes.front())]->direction;
+    const Vector3& along = m_lines.axis(axes.front())->direction;
     for (const int axis : axes) {
       const AxisId id = m_mechanism.axes[static_cast<std::size_t>(axis)].id;
       names.push_back(id.text());
       finding.elements.emplace_back(id);
-      if (dot(m_lines.axes[static_cast<std::size_t>(axis)]->direction, along) < 0)
-        opposite.push_back(id.text());
+      if (dot(m_lines.axis(axis)->direction, along) < 0) opposite.push_back(id.text());
     }
     finding.message = "Axes " + listed(names, kMostNames) +
                       " are one line held by common links: they are treated as one axis (" +
-                      m_levels.names[static_cast<std::size_t>(level)] + ").";
+                      m_levels.name(level) + ").";
     if (!opposite.empty()) {
       finding.message += " The opposite direction of " + listed(opposite, kMostNames) + " is minded.";
     }
@@ -236,7 +233,6 @@ class Classifier {
   const ReferenceLines& m_lines;
   std::vector<int> m_parent;      ///< union-find over joints
   std::span<const int> m_axisOf;  ///< by joint: its axis, by position
-  double m_size = 1;              ///< how far from the origin the mechanism reaches
   AxisLevels m_levels;
   std::set<int> m_split;                   ///< axes that fall into several levels
   std::set<std::pair<int, int>> m_joined;  ///< (axis, level of another axis that it lies on)

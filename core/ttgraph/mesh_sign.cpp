@@ -7,17 +7,16 @@ namespace geargraph {
 namespace {
 
 /// From the line's foot to the point.
-Vector3 armTo(const ReferenceLine& line, const Vector3& point) {
+Vector3 armTo(const AxisLine& line, const Vector3& point) {
   const Vector3 from = point - line.point;
   return from - dot(from, line.direction) * line.direction;
 }
 
-std::optional<int> signOfParallel(const MeshPose& pose, const ReferenceLine& tail,
-                                  const ReferenceLine& head) {
+std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
   const int sense = dot(tail.direction, head.direction) > 0 ? 1 : -1;
   if (pose.kind == MeshKind::external) return -sense;
   if (pose.kind == MeshKind::internal) return sense;
-  if (!pose.pitchPoint) return std::nullopt;
+  if (pose.pitchPoint == nullptr) return std::nullopt;
   const double between = dot(armTo(tail, *pose.pitchPoint), armTo(head, *pose.pitchPoint));
   if (between == 0) return std::nullopt;
   return between < 0 ? -sense : sense;
@@ -25,9 +24,9 @@ std::optional<int> signOfParallel(const MeshPose& pose, const ReferenceLine& tai
 
 /// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
 /// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
-std::optional<int> signOfMeeting(const MeshPose& pose, const ReferenceLine& tail, const ReferenceLine& head) {
+std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
   constexpr double kMeets = 1e-6;
-  if (!pose.pitchPoint) return std::nullopt;
+  if (pose.pitchPoint == nullptr) return std::nullopt;
   const double cosine = dot(tail.direction, head.direction);
   const double sineSquared = 1 - cosine * cosine;
   const Vector3 apart = head.point - tail.point;
@@ -49,7 +48,7 @@ std::optional<int> signOfMeeting(const MeshPose& pose, const ReferenceLine& tail
 }  // namespace
 
 std::optional<int> meshSign(const MeshPose& pose) {
-  if (pose.tailAxis && pose.headAxis) {
+  if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
     return areParallel(*pose.tailAxis, *pose.headAxis) ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
                                                        : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
   }

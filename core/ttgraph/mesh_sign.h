@@ -7,11 +7,11 @@
 namespace geargraph {
 
 /// What the drawn pose says about one mesh: the axes of its two gears in their carrier, pointing as their
-/// levels do, and where the pitch surfaces touch. Each may be missing.
+/// levels do, and where the pitch surfaces touch. Each may be missing. Refers to what it names.
 struct MeshPose {
-  std::optional<ReferenceLine> tailAxis;
-  std::optional<ReferenceLine> headAxis;
-  std::optional<Vector3> pitchPoint;
+  const AxisLine* tailAxis = nullptr;
+  const AxisLine* headAxis = nullptr;
+  const Vector3* pitchPoint = nullptr;
   std::optional<MeshKind> kind;
 };
 

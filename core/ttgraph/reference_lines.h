@@ -1,33 +1,36 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/placement/placement.h"
 
 namespace geargraph {
 
-/// The line of an axis in the reference pose.
-struct ReferenceLine {
-  Vector3 point{};
-  Vector3 direction{0, 0, 1};  ///< of length 1
-  bool automatic = false;      ///< placed by the program
-};
-
 /// Where the T-T graph method looks when it needs the drawn pose: to tell which joints are coaxial and which
-/// way two meshing gears turn. A place is none where nothing says it.
-struct ReferenceLines {
-  std::vector<std::optional<ReferenceLine>> axes;   ///< by position in Mechanism::axes
-  std::vector<std::optional<Vector3>> pitchPoints;  ///< by position in Mechanism::gearMeshes
-};
+/// way two meshing gears turn. Of a placement it takes where things are, and no more: it finds levels,
+/// carriers and signs by itself.
+class ReferenceLines {
+ public:
+  ReferenceLines() = default;  ///< nothing is placed
+  /// The completed geometry of the document. Refers to it.
+  explicit ReferenceLines(const Placement& placement) : m_placement(&placement) {}
 
-/// The completed geometry of the document. Of a placement this method takes where things are, and no more: it
-/// finds levels, carriers and signs by itself.
-[[nodiscard]] ReferenceLines referenceLines(const Placement& placement);
+  /// By position in Mechanism::axes; null where nothing says it.
+  [[nodiscard]] const AxisLine* axis(int position) const {
+    return m_placement == nullptr ? nullptr : &m_placement->axes[static_cast<std::size_t>(position)];
+  }
+  /// By position in Mechanism::gearMeshes, likewise.
+  [[nodiscard]] const Vector3* pitchPoint(int position) const {
+    if (m_placement == nullptr) return nullptr;
+    const auto& mesh = m_placement->meshes[static_cast<std::size_t>(position)];
+    return mesh ? &mesh->pitchPoint : nullptr;
+  }
+
+ private:
+  const Placement* m_placement = nullptr;
+};
 
 /// The same direction or the opposite one, as far as decimals tell.
-[[nodiscard]] bool areParallel(const ReferenceLine& a, const ReferenceLine& b);
+[[nodiscard]] bool areParallel(const AxisLine& a, const AxisLine& b);
 /// The same line in space, whichever way it points, as far as decimals tell.
-[[nodiscard]] bool areCollinear(const ReferenceLine& a, const ReferenceLine& b);
+[[nodiscard]] bool areCollinear(const AxisLine& a, const AxisLine& b);
 
 }  // namespace geargraph

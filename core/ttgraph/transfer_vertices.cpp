@@ -11,7 +11,7 @@ std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& w
   std::string text;
   for (const WalkStretch& stretch : walk) {
     if (!text.empty()) text += between;
-    text += levels.names[static_cast<std::size_t>(stretch.level)];
+    text += levels.name(stretch.level);
   }
   return text;
 }
@@ -64,24 +64,18 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
 }  // namespace
 
 LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels)
-    : m_graph(graph), m_tree(tree), m_levels(levels), m_top(static_cast<std::size_t>(graph.nodeCount()), -1) {
+    : m_graph(graph), m_places(static_cast<std::size_t>(graph.nodeCount())) {
   constexpr std::size_t kUsual = 4;
   m_up.reserve(kUsual);
   m_down.reserve(kUsual);
   for (const int node : tree.preorder()) {
     if (node == 0) continue;
+    const int level = levels.ofJoint[static_cast<std::size_t>(tree.jointToParent(node))];
     const int parent = tree.parent(node);
-    m_top[static_cast<std::size_t>(node)] =
-        levelAbove(parent) == levelAbove(node) ? m_top[static_cast<std::size_t>(parent)] : parent;
+    const Place& above = at(parent);
+    m_places[static_cast<std::size_t>(node)] =
+        above.level == level ? above : Place{level, parent, tree.depth(parent)};
   }
-}
-
-int LevelWalks::levelAbove(int node) const {
-  return node == 0 ? -1 : m_levels.ofJoint[static_cast<std::size_t>(m_tree.jointToParent(node))];
-}
-
-int LevelWalks::topDepth(int node) const {
-  return node == 0 ? -1 : m_tree.depth(m_top[static_cast<std::size_t>(node)]);
 }
 
 // Climb from both gears, stretch by stretch, the one first whose stretch ends lower: so neither passes the
@@ -92,19 +86,19 @@ const std::vector<WalkStretch>& LevelWalks::walk(int mesh) {
   m_up.clear();
   m_down.clear();
   while (tail != head) {
-    if (levelAbove(tail) == levelAbove(head)) {
-      m_up.push_back({levelAbove(tail), tail, head});
+    const Place& ofTail = at(tail);
+    const Place& ofHead = at(head);
+    if (ofTail.level == ofHead.level) {
+      m_up.push_back({ofTail.level, tail, head});
       break;
     }
-    const bool climbTail = topDepth(tail) >= topDepth(head);
-    int& node = climbTail ? tail : head;
-    const int top = m_top[static_cast<std::size_t>(node)];
-    if (climbTail) {
-      m_up.push_back({levelAbove(node), node, top});
+    if (ofTail.topDepth >= ofHead.topDepth) {
+      m_up.push_back({ofTail.level, tail, ofTail.top});
+      tail = ofTail.top;
     } else {
-      m_down.push_back({levelAbove(node), top, node});
+      m_down.push_back({ofHead.level, ofHead.top, head});
+      head = ofHead.top;
     }
-    node = top;
   }
   m_up.insert(m_up.end(), m_down.rbegin(), m_down.rend());
   return m_up;
@@ -112,13 +106,13 @@ const std::vector<WalkStretch>& LevelWalks::walk(int mesh) {
 
 TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels) {
   TransferVertices result;
-  result.ofMesh.resize(static_cast<std::size_t>(graph.c()));
+  result.ofMesh.reserve(static_cast<std::size_t>(graph.c()));
   LevelWalks walks(graph, tree, levels);
   for (int mesh = 0; mesh < graph.c(); ++mesh) {
     const std::vector<WalkStretch>& walk = walks.walk(mesh);
+    auto& vertex = result.ofMesh.emplace_back();
     if (walk.size() == 2) {
-      result.ofMesh[static_cast<std::size_t>(mesh)] =
-          TransferVertex{walk[0].to, walk[0].level, walk[1].level};
+      vertex = TransferVertex{walk[0].to, walk[0].level, walk[1].level};
     } else if (walk.size() == 1) {
       result.diagnostics.push_back(coaxial(graph, levels, mesh, walk));
     } else {

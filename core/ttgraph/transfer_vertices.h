@@ -22,20 +22,23 @@ struct WalkStretch {
 ///     5 --b-- 0 --b-- 1 --c-- 2      stretches b from 5 to 1, c from 1 to 2; word b|c, transfer vertex 1
 class LevelWalks {
  public:
-  /// Cost: O(n). Refers to its arguments.
+  /// Cost: O(n). Refers to the graph.
   LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels);
 
   /// Valid until the next one is asked for. Cost: O(stretches), however long they are.
   [[nodiscard]] const std::vector<WalkStretch>& walk(int mesh);
 
  private:
-  [[nodiscard]] int levelAbove(int node) const;  ///< of the branch towards the ground; -1 for the ground
-  [[nodiscard]] int topDepth(int node) const;
+  /// A node's level is that of its branch towards the ground; the ground has none.
+  struct Place {
+    int level = -1;
+    int top = -1;  ///< the ancestor that the level's branches lead to
+    int topDepth = -1;
+  };
+  [[nodiscard]] const Place& at(int node) const { return m_places[static_cast<std::size_t>(node)]; }
 
   const Digraph& m_graph;
-  const SpanningTree& m_tree;
-  const AxisLevels& m_levels;
-  std::vector<int> m_top;  ///< by node: the ancestor that its level's branches lead to; -1 for the ground
+  std::vector<Place> m_places;  ///< by node
   std::vector<WalkStretch> m_up;
   std::vector<WalkStretch> m_down;
 };

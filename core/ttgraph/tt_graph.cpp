@@ -12,14 +12,7 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
     : m_graph(std::move(graph)),
       m_tree(std::move(tree)),
       m_levels(axisLevels(mechanism, *m_graph, lines)),
-      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)),
-      m_topDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount()) {
-  for (const int node : m_tree->preorder()) {
-    if (node == 0) continue;
-    const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
-    int& top = m_topDepth[static_cast<std::size_t>(level)];
-    top = std::min(top, m_tree->depth(node) - 1);
-  }
+      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
   addTerminals(mechanism, lines);
   m_complete = std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
 }
@@ -31,6 +24,14 @@ Diagnostics TtGraph::diagnostics() const {
 }
 
 long long TtGraph::longestCircuitTerms() const {
+  // By level: the depth of its link nearest the ground.
+  std::vector<int> topDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount());
+  for (const int node : m_tree->preorder()) {
+    if (node == 0) continue;
+    const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
+    int& top = topDepth[static_cast<std::size_t>(level)];
+    top = std::min(top, m_tree->depth(node) - 1);
+  }
   long long terms = 0;
   for (const std::optional<TerminalPair>& pair : m_terminals) {
     if (!pair) continue;
@@ -38,7 +39,7 @@ long long TtGraph::longestCircuitTerms() const {
     const TransferVertex& vertex = *m_vertices.ofMesh[static_cast<std::size_t>(pair->mesh)];
     for (const auto& [gear, level] :
          {std::pair(pair->tail, vertex.tailLevel), std::pair(pair->head, vertex.headLevel)}) {
-      const int top = m_topDepth[static_cast<std::size_t>(level)];
+      const int top = topDepth[static_cast<std::size_t>(level)];
       terms += (m_tree->depth(gear) - top) + (m_tree->depth(pair->carrier) - top);
     }
   }
@@ -46,24 +47,23 @@ long long TtGraph::longestCircuitTerms() const {
 }
 
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
-  const auto lineOf = [&](int level) {
-    return lines.axes[static_cast<std::size_t>(m_levels.axis[static_cast<std::size_t>(level)])];
-  };
-  m_terminals.resize(static_cast<std::size_t>(m_graph->c()));
+  const auto lineOf = [&](int level) { return lines.axis(m_levels.axis[static_cast<std::size_t>(level)]); };
+  m_terminals.reserve(static_cast<std::size_t>(m_graph->c()));
   for (int mesh = 0; mesh < m_graph->c(); ++mesh) {
     const auto at = static_cast<std::size_t>(mesh);
+    auto& terminal = m_terminals.emplace_back();
     const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
     if (!vertex) continue;
     const GearMesh& pair = mechanism.gearMeshes[at];
     const std::optional<int> sign =
-        meshSign({lineOf(vertex->tailLevel), lineOf(vertex->headLevel), lines.pitchPoints[at], pair.kind});
+        meshSign({lineOf(vertex->tailLevel), lineOf(vertex->headLevel), lines.pitchPoint(mesh), pair.kind});
     if (!sign) {
       m_unsigned.push_back(mesh);
       continue;
     }
     const DigraphEdge& edge = m_graph->meshEdge(mesh);
-    m_terminals[at] = TerminalPair{mesh,     edge.tail, edge.head,      vertex->carrier,
-                                   mesh + 1, *sign,     pair.tailTeeth, pair.headTeeth};
+    terminal = TerminalPair{mesh,     edge.tail, edge.head,      vertex->carrier,
+                            mesh + 1, *sign,     pair.tailTeeth, pair.headTeeth};
   }
 }
 

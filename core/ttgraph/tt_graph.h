@@ -39,7 +39,7 @@ struct CircuitTerm {
 class TtGraph {
  public:
   /// Cost: O(n log n + c) for walks over few levels; the circuits are written down when first asked for.
-  /// @pre graph and tree are the mechanism's, `lines` has a place for each axis and mesh
+  /// @pre graph and tree are the mechanism's, `lines` its own or nothing
   TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree, const ReferenceLines& lines);
 
   [[nodiscard]] const Digraph& graph() const { return *m_graph; }
@@ -51,7 +51,7 @@ class TtGraph {
   [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
     return m_terminals[static_cast<std::size_t>(mesh)];
   }
-  /// No more circuit terms than this: the depths of gears and carriers, without walking. Cost: O(c).
+  /// No more circuit terms than this: the depths of gears and carriers, without walking. Cost: O(n + c).
   [[nodiscard]] long long longestCircuitTerms() const;
   /// Meshes that have a carrier but no sign: their axes are skew, or a bevel pair's place is not known.
   [[nodiscard]] const std::vector<int>& unsignedMeshes() const { return m_unsigned; }
@@ -87,7 +87,6 @@ class TtGraph {
   SpanningTreePtr m_tree;
   AxisLevels m_levels;
   TransferVertices m_vertices;
-  std::vector<int> m_topDepth;  ///< by level: the depth of its link nearest the ground
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
   bool m_complete = false;

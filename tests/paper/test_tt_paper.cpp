@@ -27,7 +27,7 @@ class TtPaperTest : public QObject {
   Mechanism robot = test::robot();
   DigraphPtr digraph = std::make_shared<const Digraph>(robot);
   SpanningTreePtr tree = std::make_shared<const SpanningTree>(SpanningTree::of(*digraph).value());
-  TtGraph graph{robot, digraph, tree, referenceLines(placementOf(robot))};
+  TtGraph graph{robot, digraph, tree, ReferenceLines(placementOf(robot))};
   // Inputs 8, 9, 11; unknowns 10, 12, 13, 14.
   SubstitutionPlan plan = substitutionPlan(graph, std::vector<int>{0, 1, 3});
   RatioRingPtr teethRing = ttRatioRing(graph, RatioNaming::ttGraph);
@@ -226,7 +226,7 @@ class TtPaperTest : public QObject {
     const Mechanism against = test::robotAgainstItsArrows();
     const auto edges = std::make_shared<const Digraph>(against);
     const auto branches = std::make_shared<const SpanningTree>(SpanningTree::of(*edges).value());
-    const TtGraph found(against, edges, branches, referenceLines(placementOf(against)));
+    const TtGraph found(against, edges, branches, ReferenceLines(placementOf(against)));
     const auto rates = ttSolution(found, substitutionPlan(found, std::vector<int>{0, 1, 3})).value();
     std::vector<Rational> entries;
     for (const auto& row : rates.entries) entries.insert(entries.end(), row.begin(), row.end());

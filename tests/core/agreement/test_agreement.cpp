@@ -17,7 +17,7 @@ namespace {
 struct Both {
   explicit Both(const Mechanism& mechanism)
       : worked(mechanism),
-        graph(worked.mechanism, worked.graph, worked.tree, referenceLines(worked.placement)) {}
+        graph(worked.mechanism, worked.graph, worked.tree, ReferenceLines(worked.placement)) {}
 
   [[nodiscard]] const std::vector<int>& inputs() const { return worked.analysis.choice.joints; }
   [[nodiscard]] const std::vector<Rational>& speeds() const { return worked.analysis.speeds; }

@@ -15,7 +15,7 @@ struct TtCase {
         placement(placementOf(mechanism)),
         digraph(std::make_shared<const Digraph>(mechanism)),
         tree(std::make_shared<const SpanningTree>(SpanningTree::of(*digraph).value())),
-        graph(mechanism, digraph, tree, referenceLines(placement)) {}
+        graph(mechanism, digraph, tree, ReferenceLines(placement)) {}
 
   /// The document's inputs, by ordinal.
   [[nodiscard]] std::vector<int> inputs() const {

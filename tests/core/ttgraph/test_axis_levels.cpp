@@ -11,7 +11,7 @@ namespace {
 using test::TrainBuilder;
 
 AxisLevels levelsOf(const Mechanism& mechanism) {
-  return axisLevels(mechanism, Digraph(mechanism), referenceLines(placementOf(mechanism)));
+  return axisLevels(mechanism, Digraph(mechanism), ReferenceLines(placementOf(mechanism)));
 }
 
 std::string levelWord(const AxisLevels& levels) {

@@ -12,7 +12,7 @@ namespace {
 TtGraph ttGraphOf(const Mechanism& mechanism) {
   auto graph = std::make_shared<const Digraph>(mechanism);
   auto tree = std::make_shared<const SpanningTree>(SpanningTree::of(*graph).value());
-  return {mechanism, graph, tree, referenceLines(placementOf(mechanism))};
+  return {mechanism, graph, tree, ReferenceLines(placementOf(mechanism))};
 }
 
 std::string circuitText(const TtGraph& graph, std::span<const CircuitTerm> circuit) {
@@ -29,8 +29,8 @@ std::vector<int> signsOf(const TtGraph& graph) {
   return signs;
 }
 
-ReferenceLine line(const Vector3& point, const Vector3& direction) {
-  ReferenceLine line;
+AxisLine line(const Vector3& point, const Vector3& direction) {
+  AxisLine line;
   line.point = point;
   line.direction = direction;
   return line;
@@ -48,23 +48,26 @@ class TtGraphTest : public QObject {
   }
 
   void kindDecidesForParallelAxesAndThePitchPointWhereThereIsNone() {
-    const ReferenceLine here = line({0, 0, 0}, {0, 0, 1});
-    const ReferenceLine there = line({10, 0, 7}, {0, 0, 1});
-    const ReferenceLine turned = line({10, 0, 7}, {0, 0, -1});
-    QCOMPARE(meshSign({here, there, {}, MeshKind::external}), std::optional(-1));
-    QCOMPARE(meshSign({here, there, {}, MeshKind::internal}), std::optional(1));
-    QCOMPARE(meshSign({here, turned, {}, MeshKind::external}), std::optional(1));
-    QCOMPARE(meshSign({here, there, Vector3{4, 0, 3}, {}}), std::optional(-1));
-    QCOMPARE(meshSign({here, there, Vector3{-4, 0, 3}, {}}), std::optional(1));
-    QCOMPARE(meshSign({here, there, Vector3{14, 0, 3}, {}}), std::optional(1));
-    QCOMPARE(meshSign({here, turned, Vector3{14, 0, 3}, {}}), std::optional(-1));
-    QCOMPARE(meshSign({here, there, {}, {}}), std::optional<int>());
+    const AxisLine here = line({0, 0, 0}, {0, 0, 1});
+    const AxisLine there = line({10, 0, 7}, {0, 0, 1});
+    const AxisLine turned = line({10, 0, 7}, {0, 0, -1});
+    QCOMPARE(meshSign({&here, &there, {}, MeshKind::external}), std::optional(-1));
+    QCOMPARE(meshSign({&here, &there, {}, MeshKind::internal}), std::optional(1));
+    QCOMPARE(meshSign({&here, &turned, {}, MeshKind::external}), std::optional(1));
+    const Vector3 between{4, 0, 3};
+    const Vector3 before{-4, 0, 3};
+    const Vector3 behind{14, 0, 3};
+    QCOMPARE(meshSign({&here, &there, &between, {}}), std::optional(-1));
+    QCOMPARE(meshSign({&here, &there, &before, {}}), std::optional(1));
+    QCOMPARE(meshSign({&here, &there, &behind, {}}), std::optional(1));
+    QCOMPARE(meshSign({&here, &turned, &behind, {}}), std::optional(-1));
+    QCOMPARE(meshSign({&here, &there, {}, {}}), std::optional<int>());
   }
 
   void bevelGearsTurnAgainstEachOtherIfTheyTouchBetweenTheirAxes() {
-    const ReferenceLine tail = line({0, 0, 3}, {0, 0, 1});
-    const ReferenceLine head = line({0, 5, 0}, {0, 0.6, 0.8});
-    const auto sign = [&](const Vector3& point) { return meshSign({tail, head, point, MeshKind::bevel}); };
+    const AxisLine tail = line({0, 0, 3}, {0, 0, 1});
+    const AxisLine head = line({0, 5, 0}, {0, 0.6, 0.8});
+    const auto sign = [&](const Vector3& point) { return meshSign({&tail, &head, &point, MeshKind::bevel}); };
     const Vector3 apex{0, 0, 5.0 - 5.0 - 5.0 * 0.8 / 0.6};
     const auto at = [&](double tailShare, double headShare) {
       return Vector3{0, apex[1] + 0.6 * headShare, apex[2] + tailShare + 0.8 * headShare};
@@ -73,23 +76,22 @@ class TtGraphTest : public QObject {
     QCOMPARE(sign(at(-2, -3)), std::optional(-1));
     QCOMPARE(sign(at(2, -3)), std::optional(1));
     QCOMPARE(sign(at(-2, 3)), std::optional(1));
-    QCOMPARE(meshSign({tail, head, {}, MeshKind::bevel}), std::optional<int>());
+    QCOMPARE(meshSign({&tail, &head, {}, MeshKind::bevel}), std::optional<int>());
   }
 
   void skewAxesHaveNoSign() {
-    QCOMPARE(meshSign({line({0, 0, 0}, {0, 0, 1}), line({1, 0, 0}, {0, 1, 0}), Vector3{0.5, 0, 0}, {}}),
-             std::optional<int>());
+    const AxisLine tail = line({0, 0, 0}, {0, 0, 1});
+    const AxisLine head = line({1, 0, 0}, {0, 1, 0});
+    const Vector3 point{0.5, 0, 0};
+    QCOMPARE(meshSign({&tail, &head, &point, {}}), std::optional<int>());
   }
 
   void withoutPlacesTheKindDecides() {
     Mechanism robot = test::robotTopology();
     robot.gearMeshes[0].kind = MeshKind::external;
-    ReferenceLines nothing;
-    nothing.axes.resize(robot.axes.size());
-    nothing.pitchPoints.resize(robot.gearMeshes.size());
     const auto digraph = std::make_shared<const Digraph>(robot);
     const auto tree = std::make_shared<const SpanningTree>(SpanningTree::of(*digraph).value());
-    const TtGraph graph(robot, digraph, tree, nothing);
+    const TtGraph graph(robot, digraph, tree, ReferenceLines());
     QCOMPARE(graph.terminal(0).value().sign, -1);
     QCOMPARE(graph.unsignedMeshes(), (std::vector<int>{1, 2, 3}));
     QVERIFY(!graph.isComplete());
