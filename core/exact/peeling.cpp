@@ -1,6 +1,7 @@
 #include "core/exact/peeling.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geargraph {
 namespace {
@@ -14,17 +15,23 @@ class Peeler {
         m_unknowns(unknowns),
         m_result(result),
         m_rows(static_cast<std::size_t>(pattern.rows())),
-        m_columns(static_cast<std::size_t>(unknowns)) {
+        m_columns(static_cast<std::size_t>(unknowns)),
+        m_entries(pattern.columns.size()) {
     m_result.solved.assign(m_columns.size(), 0);
     m_result.first.reserve(std::min(m_rows.size(), m_columns.size()));
-    for (int row = 0; row < pattern.rows(); ++row) {
-      for (const int column : pattern.row(row)) {
-        if (column >= unknowns) continue;
-        m_rows[row].take(column);
-        m_columns[column].take(row);
+    for (int row = pattern.rows(); row-- > 0;) {  // so that a column has its rows in order
+      Row& taking = m_rows[row];
+      for (int entry = pattern.begin(row); entry < pattern.end(row); ++entry) {
+        const int number = pattern.columns[entry];
+        if (number >= unknowns) continue;
+        Column& column = m_columns[number];
+        ++taking.count;
+        taking.key ^= number;
+        ++column.count;
+        column.key ^= row;
+        m_entries[entry] = {row, std::exchange(column.first, entry)};
       }
     }
-    fillColumns();
   }
 
   void run() {
@@ -41,35 +48,16 @@ class Peeler {
     int count = 0;
     int key = 0;
     bool gone = false;
-    void take(int column) {
-      ++count;
-      key ^= column;
-    }
   };
   struct Column {
     int count = 0;
     int key = 0;
-    int begin = 0;  ///< of its rows in m_columnRows
-    int end = 0;
-    void take(int row) {
-      ++count;
-      key ^= row;
-    }
+    int first = -1;  ///< of its entries
   };
-
-  void fillColumns() {
-    int end = 0;
-    for (Column& column : m_columns) {
-      column.begin = column.end = end;
-      end += column.count;
-    }
-    m_columnRows.resize(static_cast<std::size_t>(end));
-    for (int row = 0; row < m_pattern.rows(); ++row) {
-      for (const int column : m_pattern.row(row)) {
-        if (column < m_unknowns) m_columnRows[m_columns[column].end++] = row;
-      }
-    }
-  }
+  struct Entry {
+    int row = 0;
+    int next = -1;  ///< in its column
+  };
 
   void peelRows() {
     m_queue.reserve(m_rows.size());
@@ -83,10 +71,10 @@ class Peeler {
       m_result.first.push_back({row, column});
       m_result.solved[column] = 1;
       m_rows[row].gone = true;
-      for (int i = m_columns[column].begin; i < m_columns[column].end; ++i) {
-        Row& other = m_rows[m_columnRows[i]];
+      for (int i = m_columns[column].first; i >= 0; i = m_entries[i].next) {
+        Row& other = m_rows[m_entries[i].row];
         other.key ^= column;
-        if (--other.count == 1) m_queue.push_back(m_columnRows[i]);
+        if (--other.count == 1) m_queue.push_back(m_entries[i].row);
       }
     }
   }
@@ -117,7 +105,7 @@ class Peeler {
   Peeling& m_result;
   std::vector<Row> m_rows;
   std::vector<Column> m_columns;
-  std::vector<int> m_columnRows;
+  std::vector<Entry> m_entries;  ///< of the pattern: each column's in a chain
   std::vector<int> m_queue;
 };
 

@@ -24,18 +24,17 @@ std::optional<KinematicModel> KinematicModel::of(const Mechanism& mechanism, Dig
   model.m_rows.reserve(placement.meshes.size());
   for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
     const MeshGeometry& mesh = *placement.meshes[m];
-    MeshRow row;
+    MeshRow& row = model.m_rows.emplace_back();
     row.tailTeeth = mechanism.gearMeshes[m].tailTeeth;
     row.headTeeth = mechanism.gearMeshes[m].headTeeth;
     const auto add = [&](int link, int axisClass, bool tail, int factor) {
       if (link == classes.classes[axisClass].top) return;
-      row.terms[static_cast<std::size_t>(row.size++)] = {link, tail, factor};
+      row.terms[static_cast<std::size_t>(row.size++)] = {link, tail, static_cast<std::int8_t>(factor)};
     };
     add(mesh.tail, mesh.tailClass, true, 1);
     add(mesh.carrier, mesh.tailClass, true, -1);
     add(mesh.head, mesh.headClass, false, -mesh.sign);
     add(mesh.carrier, mesh.headClass, false, mesh.sign);
-    model.m_rows.push_back(row);
   }
   model.m_graph = std::move(graph);
   model.m_tree = std::move(tree);

@@ -24,8 +24,8 @@ class KinematicModel {
   /// One link of a mesh row: which wheel's tooth count it bears, +1 or -1.
   struct RowTerm {
     int link = 0;
-    bool tail = false;  ///< N_tail, else N_head
-    int factor = 1;     ///< the sign; the s of the mesh is in it
+    bool tail = false;       ///< N_tail, else N_head
+    std::int8_t factor = 1;  ///< the sign; the s of the mesh is in it
   };
   struct MeshRow {
     std::array<RowTerm, 4> terms;

@@ -1,6 +1,7 @@
 #include "core/placement/axis_classes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -68,7 +69,10 @@ class Merger {
         m_firstAt(mechanism.axes.size(), -1) {}
 
   JointSets run(Diagnostics& diagnostics) {
-    for (int link = 0; link < m_tree.graph->nodeCount(); ++link) joinAt(m_tree.graph->turningEdgesAt(link));
+    for (int link = 0; link < m_tree.graph->nodeCount(); ++link) {
+      const std::span<const int> joints = m_tree.graph->turningEdgesAt(link);
+      if (joints.size() > 1) joinAt(joints);
+    }
     report(diagnostics);
     return std::move(m_sets);
   }
@@ -93,19 +97,20 @@ class Merger {
   /// direction's sense, and its weights are arbitrary numbers that tell drawn lines apart.
   void compareLines() {
     m_keyed.clear();
-    double size = 1;
+    double farthest = 0;  // from the origin, squared
     for (const int joint : m_firstOfAxis) {
       const AxisLine& line = m_lines[m_tree.axisOf[joint]];
       if (line.automatic) continue;
       const Vector3& u = line.direction;
       const Vector3 foot = line.point - dot(line.point, u) * u;
-      size = std::max(size, 1 + length(line.point));
+      farthest = std::max(farthest, dot(line.point, line.point));
       m_keyed.push_back({dot(foot, Vector3{0.7310, 0.5179, 0.4451}) + 0.6133 * u[0] * u[0] +
                              0.2719 * u[1] * u[1] + 0.3557 * u[0] * u[1] + 0.1931 * u[1] * u[2] +
                              0.4373 * u[2] * u[0],
                          joint});
     }
     std::sort(m_keyed.begin(), m_keyed.end());
+    const double size = 1 + std::sqrt(farthest);
     for (std::size_t i = 0; i < m_keyed.size(); ++i) {
       for (std::size_t k = i + 1;
            k < m_keyed.size() && m_keyed[k].first - m_keyed[i].first < 8 * kSameLine * size; ++k) {

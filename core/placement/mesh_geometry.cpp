@@ -124,7 +124,7 @@ Vector3 oriented(const Vector3& direction) {
 
 LinePosition positionOf(const GearPair<double>& pair) {
   const Vector3 normal = cross(pair.tailDirection, pair.headDirection);
-  if (length(normal) < kSameLine) return LinePosition::parallel;
+  if (dot(normal, normal) < kSameLine * kSameLine) return LinePosition::parallel;
   const Vector3 between = pair.headPoint - pair.tailPoint;
   const double size = length(between) + length(pair.tailPoint) + length(pair.headPoint);
   return axisDistance(pair) <= kGeometryFits * size ? LinePosition::meeting : LinePosition::skew;
@@ -165,7 +165,9 @@ std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh
                     (tailLength <= headLength ? "tail" : "head") +
                     " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane."));
   }
-  if (length(cross(tail, head)) > kGeometryFits * tailLength * headLength) {
+  const Vector3 off = cross(tail, head);
+  const double slack = kGeometryFits * tailLength * headLength;
+  if (dot(off, off) > slack * slack) {
     return refuse(offPlane(mechanism, mesh, pair, geometry.pitchPoint));
   }
 

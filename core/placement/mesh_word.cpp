@@ -18,6 +18,28 @@ std::string name(const Mechanism& mechanism, int mesh) {
   return "Mesh " + std::to_string(mechanism.meshLabel(mesh));
 }
 
+/// The class that two links share, -1 where there is none. @pre the links differ
+int sharedClass(const AxisClasses& classes, const JointTree& tree, int a, int b) {
+  const int ofA = classes.classOfLink(tree, a);
+  const int ofB = classes.classOfLink(tree, b);
+  if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].top == b)) return ofA;
+  return ofB >= 0 && classes.classes[ofB].top == a ? ofB : -1;
+}
+
+/// The two classes of a proper word share one link only, the carrier, which is the top of one of them: of the
+/// tail's or of the head's.
+std::optional<MeshWord> properWord(const AxisClasses& classes, const JointTree& tree, int tail, int head) {
+  for (const int link : {tail, head}) {
+    if (link == 0) continue;
+    const int carrier = classes.classes[classes.classOfLink(tree, link)].top;
+    if (carrier == tail || carrier == head) continue;
+    const int a = sharedClass(classes, tree, tail, carrier);
+    const int b = sharedClass(classes, tree, head, carrier);
+    if (a >= 0 && b >= 0 && a != b) return MeshWord{a, b, carrier};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void ClassPath::climb(const AxisClasses& classes, const JointTree& tree, int& link, std::vector<int>& word,
@@ -59,8 +81,8 @@ void ClassPath::walk(const AxisClasses& classes, const JointTree& tree, int tail
 std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
                                  const JointTree& tree, int mesh, ClassPath& path, Diagnostics& diagnostics) {
   const auto [tail, head] = tree.meshes[mesh];
+  if (const auto proper = properWord(classes, tree, tail, head)) return proper;
   path.walk(classes, tree, tail, head);
-  if (path.classes().size() == 2) return MeshWord{path.classes()[0], path.classes()[1], path.change(0)};
   Diagnostic finding;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   finding.elements = {element.id, element.tail, element.head};

@@ -66,8 +66,8 @@ Vector3 valuesOf(const NumberTriple& triple) {
   return {triple[0].value(), triple[1].value(), triple[2].value()};
 }
 
-void locate(const Mechanism& mechanism, Placement& placement, int mesh, const MeshWord& word,
-            SideChooser& sides) {
+std::optional<MeshGeometry> located(const Mechanism& mechanism, Placement& placement, int mesh,
+                                    const MeshWord& word, SideChooser& sides) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   const auto pair = pairOf(mechanism, placement, mesh, word.tailClass, word.headClass);
   MeshGeometry geometry;
@@ -83,7 +83,7 @@ void locate(const Mechanism& mechanism, Placement& placement, int mesh, const Me
     switch (positionOf(pair)) {
       case LinePosition::skew:
         placement.diagnostics.push_back(skewAxes(mechanism, mesh, pair));
-        return;
+        return std::nullopt;
       case LinePosition::meeting:
         geometry.sides = sides.choose(mesh, word, pair);
         geometry.pitchPoint = bevelPitchPoint(pair, geometry.sides, placement.module.toDouble());
@@ -91,14 +91,14 @@ void locate(const Mechanism& mechanism, Placement& placement, int mesh, const Me
       case LinePosition::parallel:
         if (element.kind == MeshKind::internal && element.tailTeeth == element.headTeeth) {
           placement.diagnostics.push_back(equalInternalTeeth(mechanism, mesh));
-          return;
+          return std::nullopt;
         }
         geometry.pitchPoint = parallelPitchPoint(
             pair, element.kind == MeshKind::internal,
             tailIsInner(placement, word.tailClass, word.headClass) ? pair.tailPoint : pair.headPoint);
     }
   }
-  placement.meshes[mesh] = checkedGeometry(mechanism, mesh, pair, geometry, placement.diagnostics);
+  return checkedGeometry(mechanism, mesh, pair, geometry, placement.diagnostics);
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ Placement placementOf(const Mechanism& mechanism) {
 Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree) {
   Placement placement;
   std::vector<AxisLine> given = givenLines(mechanism);
-  placement.meshes.resize(mechanism.gearMeshes.size());
   if (!tree) {
+    placement.meshes.resize(mechanism.gearMeshes.size());
     placement.axes = placedAxes(mechanism, std::move(given), AxisClasses(), {}, placement.module);
     return placement;
   }
@@ -126,8 +126,10 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   }
   placement.axes = placedAxes(mechanism, std::move(given), *placement.classes, words, placement.module);
   SideChooser sides(mechanism, placement);
+  placement.meshes.reserve(words.size());
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-    if (words[mesh]) locate(mechanism, placement, mesh, *words[mesh], sides);
+    placement.meshes.push_back(words[mesh] ? located(mechanism, placement, mesh, *words[mesh], sides)
+                                           : std::nullopt);
   }
   return placement;
 }
