@@ -120,6 +120,33 @@ class TtPaperTest : public QObject {
     QVERIFY(!rates[6].isZero());
   }
 
+  // "If both of the gears rotate in the same direction the sign is (+), otherwise the sign is (-)": on
+  // parallel axes outer gears turn against each other and a ring turns with its pinion, also where nobody has
+  // placed their axes, as in the paper's graphs.
+  void eq26_signOfGearsOnParallelAxes() {
+    for (const auto& [kind, sign] : {std::pair(MeshKind::external, -1), std::pair(MeshKind::internal, 1)}) {
+      test::TrainBuilder train("two gears");
+      const int first = train.axis({0, 0, 0}, {0, 0, 1});
+      const int second = train.axis({50, 0, 0}, {0, 0, 1});
+      train.link(0, first);
+      train.link(0, second);
+      kind == MeshKind::external ? train.external(1, first, 20, 2, second, 30)
+                                 : train.internal(1, first, 20, 2, second, 70);
+      const Mechanism& gears = train.mechanism();
+      const auto edges = std::make_shared<const Digraph>(gears);
+      const auto branches = std::make_shared<const SpanningTree>(SpanningTree::of(*edges).value());
+      const Placement placement = placementOf(gears);
+      for (const ReferenceLines& lines : {ReferenceLines(placement), ReferenceLines()}) {
+        const TtGraph pair(gears, edges, branches, lines);
+        QCOMPARE(pair.terminal(0).value().sign, sign);
+        // w10 = n21 w20 with its sign, n21 = N2 / N1
+        const auto rates = ttSolution(pair, substitutionPlan(pair, std::vector<int>{1})).value();
+        const Rational ratio(gears.gearMeshes[0].headTeeth, gears.gearMeshes[0].tailTeeth);
+        QCOMPARE(rates.entries[0][0], Rational(sign) * ratio);
+      }
+    }
+  }
+
   void eq27_terminalEquationOf41() {
     QCOMPARE(terminalEquation(27), std::string("(4,1)(0): w40' = -n14 w10'"));
   }
