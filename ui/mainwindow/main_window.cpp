@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <unordered_set>
 
@@ -56,12 +57,19 @@ std::unordered_set<ElementId> elementsOf(const Mechanism& mechanism) {
   return all;
 }
 
+constexpr int kTitleBar = 40;             // px: at most that of a window manager
 constexpr std::size_t kMostChecked = 64;  // what a click selects; more come from the document itself
 
 /// Where the document's own files are; empty while it has no file.
 std::filesystem::path folderOf(const Document& document) {
   if (document.filePath().isEmpty()) return {};
   return QFile::encodeName(QFileInfo(document.filePath()).absolutePath()).toStdString();
+}
+
+/// What somebody who opens a document has to know before anything else. A harmless remark is not.
+bool isUrgent(const Diagnostic& diagnostic) {
+  return diagnostic.severity() == Severity::error || diagnostic.code == Code::locked ||
+         diagnostic.code == Code::assembly;
 }
 
 QString whyNoGears(const AnalysisSnapshot& snapshot) {
@@ -249,12 +257,34 @@ void MainWindow::applyDefaultLayout() {
   }
   placeDocks();
   for (QDockWidget* each : m_docks) each->show();
-  dock("dock.matrices")->raise();
-  dock(m_document->mechanism()->states.empty() ? "dock.inputs" : "dock.gearbox")->raise();
   resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
   resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
-  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() * 53 / 100, height() * 47 / 100},
-              Qt::Vertical);
+  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() / 2, height() / 2}, Qt::Vertical);
+  dock("dock.matrices")->raise();
+  raiseResults();
+}
+
+/// Of the panels of results the one that this document is about.
+void MainWindow::raiseResults() {
+  const bool shifts = !m_document->mechanism()->states.empty();
+  dock(shifts ? "dock.gearbox" : "dock.inputs")->raise();
+}
+
+/// Another document has been opened: what it needs first comes to the front, once it is known.
+void MainWindow::onOpened() {
+  const bool isGearbox = !m_document->mechanism()->states.empty();
+  if (isGearbox || !m_gearbox->visibleRegion().isEmpty()) raiseResults();
+  m_isOpened = true;
+}
+
+void MainWindow::raiseProblems(const AnalysisSnapshot& snapshot) {
+  if (!m_isOpened) return;
+  if (std::any_of(snapshot.diagnostics.begin(), snapshot.diagnostics.end(), isUrgent)) {
+    dock("dock.problems")->raise();
+  } else if (snapshot.isComplete && !m_problems->visibleRegion().isEmpty()) {
+    dock("dock.matrices")->raise();
+  }
+  m_isOpened = !snapshot.isComplete;
 }
 
 void MainWindow::wireViews() {
@@ -383,6 +413,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_status->setSnapshot(snapshot);
   m_view3d->setEmptyText(whyNoGears(*snapshot));
   renewExport();
+  raiseProblems(*snapshot);
   tellWhenSettled();
 }
 
@@ -434,7 +465,12 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::restoreLayout(const QByteArray& geometry, const QByteArray& state) {
-  if (!geometry.isEmpty()) restoreGeometry(geometry);
+  if (!geometry.isEmpty()) {
+    restoreGeometry(geometry);
+  } else if (const QSize room = screen()->availableSize();
+             room.height() < height() + kTitleBar && room.width() >= minimumSizeHint().width()) {
+    setWindowState(Qt::WindowMaximized);  // else the status bar would lie below the screen
+  }
   m_layout = state;
 }
 

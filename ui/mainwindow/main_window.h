@@ -123,6 +123,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QDockWidget* dock(const char* name) const;
   void placeDocks();
   void applyDefaultLayout();
+  void raiseResults();
+  void onOpened();
+  void raiseProblems(const AnalysisSnapshot& snapshot);
   void makeMenus();
   void makeToolBar();
   void wireActions();
@@ -203,6 +206,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<QTemporaryDir> m_pages;  ///< what a browser shows, as long as the window is there
   QString m_wantedPage;                    ///< the one that is being written for it
   bool m_hasPicture = false;               ///< the 3D view shows something of this document
+  bool m_isOpened = false;                 ///< since the last complete snapshot
   PictureJobs* m_pictures = nullptr;
 };
 

@@ -168,10 +168,7 @@ void MainWindow::wireFiles() {
   connect(m_start, &StartPage::newWanted, files, &WindowFiles::newForPerson);
   connect(m_start, &StartPage::openWanted, files, &WindowFiles::chooseAndOpen);
   connect(m_start, &StartPage::chosen, files, &WindowFiles::openForPerson);
-  connect(m_document, &Document::replaced, this, [this] {
-    if (!m_document->mechanism()->states.empty())
-      findChild<QDockWidget*>(QStringLiteral("dock.gearbox"))->raise();
-  });
+  connect(m_document, &Document::replaced, this, &MainWindow::onOpened);
   // Whoever begins to draw, or opens something, is done with the start page.
   for (const auto signal : {&Document::changed, &Document::replaced}) {
     connect(m_document, signal, m_start, [this] { m_start->dismiss(&drawing()); });

@@ -147,6 +147,48 @@ class MainWindowTest : public QObject {
     next.close();
   }
 
+  void theWindowFitsASmallScreen() {
+    QCOMPARE(window->size(), QSize(1366, 768));  // docks side by side have made it wider at the first show
+    window->actions().resetLayout->trigger();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(window->size(), QSize(1366, 768));
+    QVERIFY(window->minimumSizeHint().width() <= 1366 && window->minimumSizeHint().height() <= 700);
+  }
+
+  void whatADocumentNeedsFirstComesToTheFront() {
+    const auto isInFront = [this](const char* dock) {
+      return !window->findChild<QDockWidget*>(QLatin1String(dock))->widget()->visibleRegion().isEmpty();
+    };
+    const auto open = [this](const QString& name) {
+      for (const QString& path : examplePaths()) {
+        if (!path.contains(name)) continue;
+        QVERIFY(window->openDocument(path));
+        QTRY_VERIFY(window->isSettled());
+      }
+    };
+    QVERIFY(isInFront("dock.inputs") && isInFront("dock.matrices"));
+    open(QStringLiteral("simpson"));
+    QTRY_VERIFY(isInFront("dock.gearbox"));
+    open(QStringLiteral("robot-to-mend"));
+    QTRY_VERIFY(isInFront("dock.inputs") && isInFront("dock.problems"));  // no empty panel of gears
+    open(QStringLiteral("redundant-planetary"));                          // remarks that harm nothing
+    QTRY_VERIFY(isInFront("dock.matrices"));
+    open(QStringLiteral("locked-train"));
+    QTRY_VERIFY(isInFront("dock.problems"));
+    open(QStringLiteral("reverted-train"));
+    QTRY_VERIFY(isInFront("dock.matrices"));
+    QVERIFY(isInFront("dock.inputs"));
+  }
+
+  void aGearboxOpensWithItsStates() {
+    for (const QString& path : examplePaths()) {
+      if (path.contains(QStringLiteral("ravigneaux"))) window = test::openedWindow(path);
+    }
+    auto* states = window->findChild<QDockWidget*>(QStringLiteral("dock.gearbox"));
+    QVERIFY(!states->widget()->visibleRegion().isEmpty());
+  }
+
   void everyDockHasANameToBeRememberedBy() {
     const auto docks = window->findChildren<QDockWidget*>();
     QVERIFY(docks.size() >= 5);
