@@ -4,12 +4,17 @@
 #include <QBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTextBrowser>
+#include <algorithm>
+#include <array>
 
 #include "ui/search/search_entries.h"
 
 namespace geargraph {
 namespace {
+
+constexpr std::size_t kColumns = 3;  // all of it without scrolling on a small screen
 
 struct Row {
   QString what;
@@ -31,7 +36,9 @@ void addRows(const QMenu& menu, std::vector<Row>& rows) {
     for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
     const QString named = action->text().section(QLatin1Char('\t'), 1);
     if (keys.isEmpty() && !named.isEmpty()) keys << named;
-    if (!keys.isEmpty()) rows.push_back({plainText(action->text()), keys.join(QStringLiteral(", "))});
+    QString what = plainText(action->text());
+    what.remove(QRegularExpression(QStringLiteral(" \\d+$")));  // how many problems there are now
+    if (!keys.isEmpty()) rows.push_back({what, keys.join(QStringLiteral(", "))});
   }
 }
 
@@ -82,17 +89,16 @@ QString ShortcutSheet::textFor(const QMenuBar& menus) {
   const std::vector<Group> groups = groupsOf(menus);
   std::size_t all = 0;
   for (const Group& group : groups) all += group.rows.size() + 2;
-  QString left;
-  QString right;
+  std::array<QString, kColumns> columns;
   std::size_t placed = 0;
   for (const Group& group : groups) {
-    (2 * placed < all ? left : right) += htmlOf(group);
-    placed += group.rows.size() + 2;
+    const std::size_t size = group.rows.size() + 2;
+    columns[std::min(kColumns - 1, kColumns * (placed + size) / all)] += htmlOf(group);
+    placed += size;
   }
-  return QStringLiteral(
-             "<table width='100%' cellpadding='10'><tr><td width='50%'>%1</td><td "
-             "width='50%'>%2</td></tr></table>")
-      .arg(left, right);
+  QString cells;
+  for (const QString& column : columns) cells += QStringLiteral("<td width='33%'>%1</td>").arg(column);
+  return QStringLiteral("<table width='100%' cellpadding='8'><tr>%1</tr></table>").arg(cells);
 }
 
 ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(parent) {
@@ -105,7 +111,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(text);
-  resize(820, 640);
+  resize(1160, 640);
 }
 
 }  // namespace geargraph

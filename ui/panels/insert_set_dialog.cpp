@@ -96,7 +96,7 @@ InsertSetDialog::InsertSetDialog(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(middle, 1);
   layout->addLayout(foot);
-  resize(860, 480);
+  resize(940, 500);
 
   connect(m_kinds, &QListWidget::currentRowChanged, this, [this](int row) {
     m_forms->setCurrentIndex(row);

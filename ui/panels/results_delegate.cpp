@@ -87,6 +87,11 @@ int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const 
     return kMargin + kDotRoom + kGap +
            qCeil(paintRate(nullptr, font, {}, label) + metrics.horizontalAdvance(QLatin1Char(' ') + text));
   }
+  if (index.column() == index.model()->columnCount() - 1) {
+    QFont bold = font;
+    bold.setBold(true);
+    return kGap + kMargin + qCeil(QFontMetricsF(bold).horizontalAdvance(text));
+  }
   if (index.data(ResultsModel::SymbolRole).toBool()) {
     return kGap + qCeil(paintRatios(nullptr, font, {}, text));
   }

@@ -286,13 +286,20 @@ void ResultsPanel::fitColumns() {
   if (columns == 0) return;
   const auto* delegate = static_cast<const ResultsDelegate*>(m_table->itemDelegate());
   const int rows = std::min(m_model->rowCount(), kRowsMeasured);
+  int all = 0;
   for (int column = 0; column < columns; ++column) {
     int width = 64;
     for (int row = 0; row < rows; ++row) {
       width = std::max(width, delegate->widthOf(m_model->index(row, column), m_table->font()));
     }
-    m_table->horizontalHeader()->resizeSection(column, std::min(width, 420));
+    all += width = std::min(width, 420);
+    m_table->horizontalHeader()->resizeSection(column, width);
   }
+  // Long formulas push what is looked for out of sight: then it stands before them.
+  QHeaderView* header = m_table->horizontalHeader();
+  const int now = columns - 1;
+  const int wanted = all > m_table->viewport()->width() ? std::min(1, now) : now;
+  if (header->visualIndex(now) != wanted) header->moveSection(header->visualIndex(now), wanted);
   m_table->horizontalHeader()->setStretchLastSection(true);
 }
 
@@ -304,7 +311,7 @@ void ResultsPanel::paintVerdict() {
   const auto& solved = m_snapshot ? m_snapshot->solved : SolvedKinematicsPtr();
   ColorRole role = ColorRole::secondary;
   QString text;
-  if (solved && solved->agreement) {
+  if (solved && solved->agreement && m_model->rowCount() > 0) {
     const Agreement& agreement = *solved->agreement;
     role = agreement.equal ? ColorRole::fine : ColorRole::error;
     const auto count = m_model->rowCount();
@@ -340,6 +347,7 @@ QString ResultsPanel::whyNone() const {
 
 bool ResultsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Leave) m_selection->unhover();
+  if (event->type() == QEvent::Resize && watched == m_table->viewport()) fitColumns();
   return QWidget::eventFilter(watched, event);
 }
 

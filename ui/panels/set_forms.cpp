@@ -85,7 +85,15 @@ ChoiceForm::ChoiceForm(const QStringList& teethHeads, const Rational& ratio, QWi
   m_table->verticalHeader()->hide();
   m_table->verticalHeader()->setDefaultSectionSize(24);
   m_table->horizontalHeader()->setHighlightSections(false);
-  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  // As wide as the words, the rest for the fractions: an elided ratio is no ratio.
+  QHeaderView* header = m_table->horizontalHeader();
+  const int teeth = static_cast<int>(teethHeads.size());
+  header->setMinimumSectionSize(40);
+  header->setSectionResizeMode(QHeaderView::Stretch);
+  for (int column = 0; column < teeth; ++column) {
+    header->setSectionResizeMode(column, QHeaderView::Fixed);
+    header->resizeSection(column, header->sectionSizeHint(column));
+  }
   m_table->setShowGrid(false);
   m_table->setFrameShape(QFrame::NoFrame);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);

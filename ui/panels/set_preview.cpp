@@ -10,8 +10,13 @@
 namespace geargraph {
 namespace {
 
-constexpr int kNameRows = 8;
+constexpr int kMostNames = 16;  // beyond, the wheels would have no room
 constexpr int kNameHeight = 18;
+
+/// One row for two names; the last says how many are left out.
+int nameRows(int links) {
+  return (std::min(links, kMostNames) + 1) / 2 + (links > kMostNames ? 1 : 0);
+}
 
 /// The point on the other side of the axis.
 Vector3 mirrored(const Vector3& point, const AxisLine& line) {
@@ -85,14 +90,19 @@ void SetPreview::paintWheel(QPainter& painter, const MeshGeometry& mesh, bool ta
 
 void SetPreview::paintNames(QPainter& painter) const {
   painter.setPen(qColor(ColorRole::ink, themeOf(palette())));
-  const int count = std::min(m_mechanism.n(), kNameRows);
+  const int count = std::min(m_mechanism.n(), kMostNames);
+  const int rows = nameRows(m_mechanism.n());
   for (int link = 1; link <= count; ++link) {
     const int column = (link - 1) % 2;
-    const double y = height() - 12 - ((count + 1) / 2 - 1 - (link - 1) / 2) * kNameHeight;
+    const double y = height() - 12 - (rows - 1 - (link - 1) / 2) * kNameHeight;
     const double x = 14 + column * width() / 2.0;
     paintLinkDot(painter, {x, y}, link);
     const QString name = QString::fromStdString(m_mechanism.links[static_cast<std::size_t>(link)].name);
     painter.drawText(QPointF(x + 12, y + 4), QStringLiteral("%1 %2").arg(link).arg(name));
+  }
+  if (m_mechanism.n() > count) {
+    painter.setPen(qColor(ColorRole::secondary, themeOf(palette())));
+    painter.drawText(QPointF(14, height() - 8), tr("and %1 more").arg(m_mechanism.n() - count));
   }
 }
 
@@ -102,7 +112,7 @@ void SetPreview::paintEvent(QPaintEvent* /*event*/) {
   const QRectF all = extent();
   if (all.isEmpty()) return;
   paintNames(painter);
-  const int names = (std::min(m_mechanism.n(), kNameRows) + 1) / 2 * kNameHeight;
+  const int names = nameRows(m_mechanism.n()) * kNameHeight;
   const QRectF room = QRectF(rect()).adjusted(12, 12, -12, -20 - names);
   const double scale = std::min(room.width() / all.width(), room.height() / all.height());
   painter.translate(room.center());

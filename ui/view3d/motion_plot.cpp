@@ -10,7 +10,7 @@
 namespace geargraph {
 namespace {
 
-constexpr double kLeft = 50, kTop = 24, kBelow = 34, kLegend = 136, kRight = 8;  // logical pixels
+constexpr double kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // logical pixels
 constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall of lines
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
@@ -84,7 +84,7 @@ void MotionPlot::fitValues() {
 }
 
 QRectF MotionPlot::area() const {
-  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 320 ? kLegend : kRight), -kBelow);
+  return QRectF(rect()).adjusted(kLeft, kTop, -(width() > 360 ? kLegend : kRight), -kBelow);
 }
 
 QPointF MotionPlot::placeOf(double time, double value) const {

@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QHeaderView>
 #include <QMenu>
 #include <QTableView>
 #include <QTest>
@@ -142,6 +143,27 @@ class InputsAndResultsTest : public QObject {
     QCOMPARE(inputLabels(), (QStringList{"8", "9", "11"}));
     settle();
     QVERIFY(choose->isHidden());
+  }
+
+  void theSpeedsOfNowAreInSightBesideLongFormulas() {
+    auto* table = results->findChild<QTableView*>(QStringLiteral("resultsTable"));
+    results->show();
+    for (const int width : {1200, 300}) {
+      results->resize(width, 300);
+      QCoreApplication::sendPostedEvents();
+      const int now = results->model().columnCount() - 1;
+      const QHeaderView* header = table->horizontalHeader();
+      QVERIFY(header->sectionViewportPosition(now) >= 0);
+      QVERIFY(header->sectionViewportPosition(now) + header->sectionSize(now) <= table->viewport()->width());
+      QCOMPARE(header->visualIndex(now), width > 1000 ? now : 1);
+    }
+  }
+
+  void nothingSolvedIsNotCalledEqual() {
+    Mechanism pair = emptyMechanism();
+    document->replace(pair, {});
+    settle();
+    QCOMPARE(results->verdict(), QString());
   }
 };
 

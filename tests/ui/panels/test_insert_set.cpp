@@ -87,6 +87,19 @@ class InsertSetTest : public QObject {
       QCOMPARE(inserted->n(), links[kind]);
     }
   }
+
+  void noRatioIsElided() {
+    choose(1);
+    auto* table = visible<QTableWidget>("choices");
+    QVERIFY(table != nullptr && table->rowCount() > 3);
+    for (int row = 0; row < table->rowCount(); ++row) {
+      for (int column = 0; column < table->columnCount(); ++column) {
+        const QString text = table->item(row, column)->text();
+        QVERIFY2(table->fontMetrics().horizontalAdvance(text) + 8 <= table->columnWidth(column),
+                 qPrintable(text));
+      }
+    }
+  }
 };
 
 }  // namespace geargraph
