@@ -76,6 +76,20 @@ Expected<Mechanism> withViewPlaces(Mechanism mechanism, std::string_view member,
   return mechanism;
 }
 
+Mechanism withoutLostPlaces(Mechanism mechanism, std::string_view member) {
+  for (auto& [name, text] : mechanism.view.unknown) {
+    if (name != member) continue;
+    const Expected<JsonDocument> document = JsonDocument::parse(text);
+    if (!document || !document->root().is(JsonKind::object)) continue;
+    bool anyLost = false;
+    document->root().forEachMember([&](JsonValue key, JsonValue) {
+      anyLost = anyLost || mechanism.find(LinkId(key.string())) == nullptr;
+    });
+    if (anyLost) text = textOf(viewPlaces(mechanism, member));
+  }
+  return mechanism;
+}
+
 Mechanism withoutViewPlaces(Mechanism mechanism, std::string_view member) {
   std::erase_if(mechanism.view.unknown, [&](const auto& entry) { return entry.first == member; });
   return mechanism;

@@ -26,6 +26,8 @@ using ViewPlaces = std::map<LinkId, SheetPoint>;
 /// The document with these links at these places too. Refuses unknown-id.
 [[nodiscard]] Expected<Mechanism> withViewPlaces(Mechanism mechanism, std::string_view member,
                                                  const std::vector<std::pair<LinkId, SheetPoint>>& places);
+/// The document without places of links that it has no more: a new link of an old id would stand there.
+[[nodiscard]] Mechanism withoutLostPlaces(Mechanism mechanism, std::string_view member);
 /// The document without the member.
 [[nodiscard]] Mechanism withoutViewPlaces(Mechanism mechanism, std::string_view member);
 

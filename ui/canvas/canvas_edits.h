@@ -3,6 +3,7 @@
 #include <QString>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "core/base/expected.h"
 #include "core/mechanism/mechanism.h"
@@ -18,6 +19,10 @@ struct Carrying {
 [[nodiscard]] Carrying carryingJoint(const Mechanism& mechanism, LinkId link);
 
 [[nodiscard]] bool isInput(const Mechanism& mechanism, JointId joint);
+
+/// Without these elements, and without the places that drawings keep for links that go.
+[[nodiscard]] Expected<Mechanism> withoutDrawn(const Mechanism& mechanism,
+                                               const std::vector<ElementId>& elements);
 
 /// The joint becomes an input with a speed of 1 rad/s, or is none any more.
 [[nodiscard]] Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint);

@@ -8,6 +8,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/fragment.h"
+#include "ui/canvas/canvas_edits.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/models/term_tips.h"
@@ -44,8 +45,7 @@ void MainWindow::cutSelected() {
   if (!copySelected()) return;
   std::vector<ElementId> going(m_selection->selected().begin(), m_selection->selected().end());
   std::erase(going, ElementId(m_document->mechanism()->links.front().id));
-  m_document->apply(
-      {tr("Cut"), [going](const Mechanism& before) { return withoutElements(before, going); }, 0});
+  m_document->apply({tr("Cut"), [going](const Mechanism& before) { return withoutDrawn(before, going); }, 0});
 }
 
 void MainWindow::paste() {

@@ -132,6 +132,18 @@ class TestTtGraphView : public QObject {
     QVERIFY(!d.view.notice().isEmpty());
   }
 
+  void aDeletedLinkLeavesNoPlaceBehind() {
+    TtDriver d(robot());
+    d.drag(d.center(3), d.center(3) + SheetPoint{150, 60});
+    d.drag(d.center(4), d.center(4) + SheetPoint{-80, 0});
+    d.selection.select({LinkId("3")});
+    d.view.deleteSelected();
+    for (const auto& [name, text] : d.mechanism().view.unknown) {
+      if (name == kTtNodes) QVERIFY2(text.find("\"3\"") == std::string::npos, text.c_str());
+    }
+    QCOMPARE(viewPlaces(d.mechanism(), kTtNodes).size(), std::size_t{1});
+  }
+
   void whatIsMissingIsSaid() {
     TtDriver d(robot());
     QVERIFY(d.view.notice().isEmpty());
