@@ -85,16 +85,18 @@ double touched(const Curve& line, const ObstacleGrid& taken) {
 
 /// Between both nodes, bent aside as far as it runs along nothing else and its plates stand free.
 CouplingPlace placedClutch(const CouplingPlace& place, const DigraphEdge& between, const Centers& centers,
-                           const ObstacleGrid& nodes, const ObstacleGrid& taken) {
+                           const ObstacleGrid& nodes, const ObstacleGrid& badges, const ObstacleGrid& taken) {
   constexpr double kCrowded = 2;  ///< costs as much as a line that touches all the way, twice
+  constexpr double kBadge = 20;   ///< a line may cross lines, but not through a word
   CouplingPlace best = place;
   double least = 1e300;
-  for (const double offset : {0.0, 22.0, -22.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0}) {
+  for (const double offset : {0.0, 22.0, -22.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0, 120.0, -120.0}) {
     const Courses courses = routedEdges(std::span(&between, 1), {offset}, centers, nodes);
     if (!courses.front()) continue;
     CouplingPlace tried = place;
     tried.line = courses.front()->curve;
-    const double cost = touched(tried.line, taken) + 0.004 * std::abs(offset);
+    const double cost =
+        touched(tried.line, taken) + kBadge * touched(tried.line, badges) + 0.004 * std::abs(offset);
     for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
       tried.plates = tried.line.at(share);
       tried.way = tried.line.direction(share);
@@ -110,10 +112,16 @@ CouplingPlace placedClutch(const CouplingPlace& place, const DigraphEdge& betwee
 }  // namespace
 
 std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Digraph& graph,
-                                           const Centers& centers, ObstacleGrid& taken) {
+                                           const Centers& centers, const std::vector<NodePlace>& nodes,
+                                           ObstacleGrid& taken) {
   std::vector<CouplingPlace> places;
   if (mechanism.couplings.empty()) return places;
-  const ObstacleGrid nodes = gridWithNodes(centers);
+  const ObstacleGrid discs = gridWithNodes(centers);
+  ObstacleGrid badges(areaOf(centers));
+  for (const NodePlace& node : nodes) {
+    if (node.input) badges.addBox(badgeExtent(node.badgeCenter));
+    if (node.groundSide) badges.addBox(hatchingExtent(node));
+  }
   for (const Coupling& coupling : mechanism.couplings) {
     std::vector<int> ends;
     for (const LinkId link : coupling.links) ends.push_back(graph.nodeOf(link));
@@ -127,7 +135,7 @@ std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Dig
     if (coupling.kind == CouplingKind::brake) {
       place = placedBrake(place, *centers[static_cast<std::size_t>(ends[0])], ends[0], taken);
     } else {
-      place = placedClutch(place, {ends[0], ends[1]}, centers, nodes, taken);
+      place = placedClutch(place, {ends[0], ends[1]}, centers, discs, badges, taken);
       taken.addBox(platesExtent(place));
       taken.addCurve(place.line);
       const Extent size = labelExtentOf(place);

@@ -8,10 +8,12 @@
 
 namespace geargraph {
 
-/// Places for the couplings whose links have one. `taken` holds nodes, arrows and badges, and gets what is
-/// placed. Cost: O(couplings).
+/// Places for the couplings whose links have one. `nodes` are placed; `taken` holds them with their badges,
+/// and arrows, and gets what is placed. Cost: O(couplings).
 [[nodiscard]] std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Digraph& graph,
-                                                         const Centers& centers, ObstacleGrid& taken);
+                                                         const Centers& centers,
+                                                         const std::vector<NodePlace>& nodes,
+                                                         ObstacleGrid& taken);
 
 /// Plates and name.
 [[nodiscard]] Extent couplingExtent(const CouplingPlace& place);

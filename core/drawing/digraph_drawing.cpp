@@ -28,10 +28,11 @@ void drawHatching(Pen& pen, const NodePlace& ground) {
   const SheetPoint out = *ground.groundSide;
   const SheetPoint along = turned(out);
   const SheetPoint middle = ground.center + kGroundDistance * out;
-  const Stroke base{Polyline{{middle - kGroundHalfWidth * along, middle + kGroundHalfWidth * along}, false},
-                    ColorRole::secondary, kHatchWidth, Dash::solid};
+  const double half = ground.groundHalfWidth;
+  const Stroke base{Polyline{{middle - half * along, middle + half * along}, false}, ColorRole::secondary,
+                    kHatchWidth, Dash::solid};
   pen.put(MarkRole::hatching, kLineDepth, base);
-  for (double place = -kGroundHalfWidth + kHatchStep; place <= kGroundHalfWidth; place += kHatchStep) {
+  for (double place = -half + kHatchStep; place <= half; place += kHatchStep) {
     const SheetPoint start = middle + place * along;
     const SheetPoint end = start + kHatchDepth * out - (kHatchDepth - 1) * along;
     pen.put(MarkRole::hatching, kLineDepth,

@@ -21,8 +21,8 @@ Extent labelExtent(const EdgePlace& edge) {
 
 /// Names apart, which are placed last and keep out of everything's way.
 bool standsAlike(const NodePlace& a, const NodePlace& b) {
-  return a.center == b.center && a.groundSide == b.groundSide && a.input.has_value() == b.input.has_value() &&
-         (!a.input || a.badgeCenter == b.badgeCenter);
+  return a.center == b.center && a.groundSide == b.groundSide && a.groundHalfWidth == b.groundHalfWidth &&
+         a.input.has_value() == b.input.has_value() && (!a.input || a.badgeCenter == b.badgeCenter);
 }
 
 /// What a drawing has, by element.
@@ -238,7 +238,7 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
     place.height = course->height;
     geometry.edges.push_back(place);
   }
-  geometry.couplings = placedCouplings(mechanism, graph, centers, taken);
+  geometry.couplings = placedCouplings(mechanism, graph, centers, geometry.nodes, taken);
   if (!former.edges.empty() && known.isInOrderOf(geometry)) {
     placeLabelsAgain(geometry, taken, known, Changes(areaOf(centers), known, geometry));
   } else {

@@ -25,17 +25,23 @@ constexpr double kArrowHalfWidth = 4.4;
 constexpr double kLabelSize = 12;  ///< px of an arrow's label
 constexpr double kNameSize = 10;
 
+/// From the node's centre to the line that the hatching hangs on, and half that line's length.
+constexpr double kGroundDistance = 29;
+constexpr double kGroundHalfWidth = 22;
+constexpr double kHatchDepth = 7;
+
 /// A link's disc and what stands by it.
 struct NodePlace {
   LinkId link;
   int label = 0;
   SheetPoint center;
-  std::string name;                      ///< as shown, elided; empty where there is none or no room
-  SheetPoint nameCenter;                 //
-  std::optional<SheetPoint> groundSide;  ///< ground only: where the hatching is, a unit vector
-  std::optional<JointId> input;          ///< the driven joint that moves this link
-  SheetPoint badgeCenter;                ///< of the "motor" badge, if there is an input
-  bool badgeCrowded = false;             ///< no place was free for it
+  std::string name;                           ///< as shown, elided; empty where there is none or no room
+  SheetPoint nameCenter;                      //
+  std::optional<SheetPoint> groundSide;       ///< ground only: where the hatching is, a unit vector
+  double groundHalfWidth = kGroundHalfWidth;  ///< of that hatching; less where arrows leave little room
+  std::optional<JointId> input;               ///< the driven joint that moves this link
+  SheetPoint badgeCenter;                     ///< of the "motor" badge, if there is an input
+  bool badgeCrowded = false;                  ///< no place was free for it
   friend bool operator==(const NodePlace&, const NodePlace&) = default;
 };
 
@@ -95,9 +101,5 @@ struct DigraphGeometry {
 constexpr double kBadgeHalfWidth = 20;
 constexpr double kBadgeHalfHeight = 9;
 constexpr double kBadgeTextSize = 10;
-/// From the node's centre to the line that the hatching hangs on, and half that line's length.
-constexpr double kGroundDistance = 29;
-constexpr double kGroundHalfWidth = 22;
-constexpr double kHatchDepth = 7;
 
 }  // namespace geargraph

@@ -74,7 +74,7 @@ bool isStillBeside(const Curve& curve, double halfWidth, double halfHeight, cons
 }
 
 LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken) {
-  constexpr std::array<SheetPoint, 24> kOffsets{{{-34, -22},
+  constexpr std::array<SheetPoint, 34> kOffsets{{{-34, -22},
                                                  {34, -22},
                                                  {-34, 22},
                                                  {34, 22},
@@ -99,7 +99,18 @@ LabelPlace placeAtCorner(SheetPoint center, int node, const ObstacleGrid& taken)
                                                  {-50, -14},
                                                  {50, -14},
                                                  {-50, 14},
-                                                 {50, 14}}};
+                                                 {50, 14},
+                                                 // Beyond the heads of many arrows, as a last resort.
+                                                 {-30, -46},
+                                                 {30, -46},
+                                                 {-30, 46},
+                                                 {30, 46},
+                                                 {-56, -30},
+                                                 {56, -30},
+                                                 {-56, 30},
+                                                 {56, 30},
+                                                 {0, -46},
+                                                 {0, 46}}};
   for (const SheetPoint offset : kOffsets) {
     if (!taken.touches(badgeExtent(center + offset), kLabelGap, node)) return {center + offset, false};
   }

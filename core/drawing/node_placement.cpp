@@ -1,7 +1,9 @@
 #include "core/drawing/node_placement.h"
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/drawing/label_placement.h"
 #include "core/drawing/text_metrics.h"
@@ -49,17 +51,37 @@ std::map<int, JointId> drivenLinks(const Mechanism& mechanism, const Digraph& gr
   return driven;
 }
 
-/// The side of the ground where no arrow leaves: below if possible.
-SheetPoint freeSide(SheetPoint ground, const ObstacleGrid& arrows) {
+/// Does an arrow run through the hatching, looked at in small pieces, because a tilted one fills no box?
+bool isCrossed(const NodePlace& ground, const ObstacleGrid& arrows) {
+  constexpr double kPiece = 4;
+  const SheetPoint out = *ground.groundSide;
+  for (double across = -ground.groundHalfWidth; across <= ground.groundHalfWidth; across += kPiece) {
+    const SheetPoint at = ground.center + (kGroundDistance + kHatchDepth / 2) * out + across * turned(out);
+    if (arrows.touches({at, kPiece, kPiece}, 1, ground.label)) return true;
+  }
+  return false;
+}
+
+/// Hangs the hatching where no arrow leaves: below if possible, or on another side; where arrows leave on all
+/// of them, a shorter one between two arrows.
+void placeHatching(NodePlace& ground, const ObstacleGrid& arrows) {
   constexpr std::array<SheetPoint, 4> kSides{{{0, 1}, {-1, 0}, {1, 0}, {0, -1}}};
   for (const SheetPoint side : kSides) {
-    const bool upright = side.x == 0;
-    const double across = upright ? kGroundHalfWidth : kHatchDepth;
-    const double along = upright ? kHatchDepth : kGroundHalfWidth;
-    const Extent box{ground + (kGroundDistance + kHatchDepth / 2) * side, across, along};
-    if (!arrows.touches(box, 2, 0)) return side;
+    ground.groundSide = side;
+    if (!arrows.touches(hatchingExtent(ground), 2, ground.label)) return;
   }
-  return kSides.front();
+  constexpr int kTurns = 24;
+  for (const double half : {kGroundHalfWidth, 0.7 * kGroundHalfWidth, 0.45 * kGroundHalfWidth}) {
+    for (int k = 0; k < kTurns; ++k) {
+      const int aside = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // from below to both sides
+      const double angle = std::numbers::pi / 2 + 2 * std::numbers::pi * aside / kTurns;
+      ground.groundHalfWidth = half;
+      ground.groundSide = SheetPoint{std::cos(angle), std::sin(angle)};
+      if (!isCrossed(ground, arrows)) return;
+    }
+  }
+  ground.groundHalfWidth = kGroundHalfWidth;
+  ground.groundSide = kSides.front();
 }
 
 }  // namespace
@@ -92,10 +114,13 @@ ObstacleGrid gridWithNodes(const Centers& centers) {
 }
 
 Extent hatchingExtent(const NodePlace& ground) {
-  const SheetPoint side = *ground.groundSide;
-  const bool upright = side.x == 0;
-  const SheetPoint middle = ground.center + (kGroundDistance + kHatchDepth / 2) * side;
-  return {middle, upright ? kGroundHalfWidth : kHatchDepth, upright ? kHatchDepth : kGroundHalfWidth};
+  const SheetPoint out = *ground.groundSide;
+  const SheetPoint middle = ground.center + (kGroundDistance + kHatchDepth / 2) * out;
+  const double across = ground.groundHalfWidth;
+  const auto half = [&](double outward, double aside) {
+    return std::abs(outward) * kHatchDepth + std::abs(aside) * across;
+  };
+  return {middle, half(out.x, out.y), half(out.y, out.x)};
 }
 
 void placeNames(std::vector<NodePlace>& nodes, const Mechanism& mechanism, ObstacleGrid& taken) {
@@ -125,7 +150,7 @@ std::vector<NodePlace> placedNodes(const Mechanism& mechanism, const Digraph& gr
     node.label = graph.nodeLabel(v);
     node.center = *center;
     if (v == 0) {
-      node.groundSide = freeSide(*center, taken);
+      placeHatching(node, taken);
       taken.addBox(hatchingExtent(node));
     }
     nodes.push_back(std::move(node));

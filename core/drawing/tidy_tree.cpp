@@ -8,20 +8,20 @@
 namespace geargraph {
 namespace {
 
-/// The first and last row that a subtree takes in each of its columns.
+/// From where to where a subtree reaches in each of its columns.
 class Contour {
  public:
   /// The subtree is moved by as many rows.
   void shift(double rows) { m_shift += rows; }
 
-  /// Adds the column of a root, at row 0.
-  void addRoot() { m_bands.push_back({-m_shift, -m_shift}); }
+  /// Adds the column of a root of this size, at row 0.
+  void addRoot(double size) { m_bands.push_back({-size / 2 - m_shift, size / 2 - m_shift}); }
 
-  /// How far `below` has to be moved to lie a row below this one in every column that both have.
+  /// How far `below` has to be moved to lie below this one in every column that both have.
   [[nodiscard]] double roomFor(const Contour& below) const {
     double room = std::numeric_limits<double>::lowest();
     for (std::size_t i = 1; i <= std::min(m_bands.size(), below.m_bands.size()); ++i) {
-      room = std::max(room, last(i) + 1 - below.first(i));
+      room = std::max(room, last(i) - below.first(i));
     }
     return room;
   }
@@ -102,7 +102,8 @@ Contour stacked(std::span<const int> nodes, std::vector<Contour>& contours, std:
 // 1. From the leaves to the roots: stack the children's subtrees and put their parent in the middle; rows are
 //    relative to the parent's.
 // 2. From the roots to the leaves: add up.
-std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order) {
+std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order,
+                                  std::span<const double> sizes) {
   const Children children(parent, order);
   std::vector<TidyPlace> places(parent.size());
   std::vector<Contour> contours(parent.size());
@@ -114,7 +115,7 @@ std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const i
       for (const int child : below) places[static_cast<std::size_t>(child)].row -= middle;
       contour.shift(-middle);
     }
-    contour.addRoot();
+    contour.addRoot(sizes.empty() ? 1 : sizes[static_cast<std::size_t>(*node)]);
     contours[static_cast<std::size_t>(*node)] = std::move(contour);
   }
   std::vector<int> roots;

@@ -18,7 +18,9 @@ struct TidyPlace {
 ///
 /// `parent`, by node: -1 for a root. `order`: every node once, behind its parent, siblings in the order in
 /// which they are drawn.
+/// `sizes`, by node: how much of its column it takes, half of it on either side; empty: a row each.
 /// Cost: linear in the nodes.
-[[nodiscard]] std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order);
+[[nodiscard]] std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order,
+                                                std::span<const double> sizes = {});
 
 }  // namespace geargraph

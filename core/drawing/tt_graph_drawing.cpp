@@ -1,6 +1,7 @@
 #include "core/drawing/tt_graph_drawing.h"
 
 #include "core/drawing/arrow_marks.h"
+#include "core/drawing/coupling_marks.h"
 #include "core/drawing/digraph_drawing.h"
 
 namespace geargraph {
@@ -77,6 +78,8 @@ DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emph
     const NodePlace& node = geometry.nodes[i];
     list.append(drawingOf(node, geometry.isTransfer[i], emphasisOf(emphases, node.link)));
   }
+  for (const CouplingPlace& coupling : geometry.couplings)
+    list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
   list.sortByDepth();
   return list;
 }

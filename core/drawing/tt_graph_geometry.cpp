@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/drawing/coupling_marks.h"
 #include "core/drawing/edge_routing.h"
 #include "core/drawing/label_placement.h"
 #include "core/drawing/node_placement.h"
@@ -70,6 +71,7 @@ TtGraphGeometry ttGraphGeometry(const Mechanism& mechanism, const TtGraph* graph
 
   TtGraphGeometry geometry;
   geometry.nodes = placedNodes(mechanism, digraph, centers, taken);
+  geometry.couplings = placedCouplings(mechanism, digraph, centers, geometry.nodes, taken);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!courses[i]) continue;
     const TtGraphLine& line = lines[i];

@@ -22,9 +22,10 @@ struct TtLinePlace {
 
 /// Where everything in a drawing of the T-T graph is.
 struct TtGraphGeometry {
-  std::vector<NodePlace> nodes;    ///< in the document's order
-  std::vector<bool> isTransfer;    ///< by node: the carrier arm of some mesh
-  std::vector<TtLinePlace> lines;  ///< branches first
+  std::vector<NodePlace> nodes;          ///< in the document's order
+  std::vector<bool> isTransfer;          ///< by node: the carrier arm of some mesh
+  std::vector<TtLinePlace> lines;        ///< branches first
+  std::vector<CouplingPlace> couplings;  ///< no lines of the graph: rows on top of the train
 };
 
 /// Places lines and labels for given nodes: branches straight, chords beside them, both bent around nodes

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/drawing/tidy_tree.h"
 #include "core/drawing/tt_graph_geometry.h"
 
 namespace geargraph {
@@ -180,46 +181,34 @@ void dropRanks(const Forest& forest, std::vector<SheetPoint>& places) {
   for (std::size_t node = 0; node < places.size(); ++node) places[node].y = drop[rank[node]];
 }
 
-/// Places by node: subtrees side by side, a parent over the middle of its children.
+/// Every node behind its parent, siblings in the order in which they stand.
+std::vector<int> drawnOrder(const Forest& forest) {
+  std::vector<int> order = forest.roots;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::vector<int>& children = forest.children[static_cast<std::size_t>(order[i])];
+    order.insert(order.end(), children.begin(), children.end());
+  }
+  return order;
+}
+
+/// Slots as wide as all that hangs below them, so that no subtree reaches under its neighbour.
+std::vector<double> withSubtrees(const Forest& forest, std::vector<double> slots) {
+  for (auto node = forest.order.rbegin(); node != forest.order.rend(); ++node) {
+    double below = 0;
+    for (const int child : forest.children[static_cast<std::size_t>(*node)])
+      below += slots[static_cast<std::size_t>(child)];
+    double& own = slots[static_cast<std::size_t>(*node)];
+    own = std::max(own, below);
+  }
+  return slots;
+}
+
+/// Places by node: subtrees side by side as close as their slots allow, a parent over the middle of its
+/// children.
 std::vector<SheetPoint> hung(const Forest& forest, const std::vector<double>& slots) {
-  const std::size_t count = forest.parent.size();
-  std::vector<double> width = slots;
-  const auto widthOf = [&](int node) -> double& { return width[static_cast<std::size_t>(node)]; };
-  for (auto node = forest.order.rbegin(); node != forest.order.rend(); ++node) {
-    double sum = 0;
-    for (const int child : forest.children[static_cast<std::size_t>(*node)]) sum += widthOf(child);
-    widthOf(*node) = std::max(widthOf(*node), sum);
-  }
-  std::vector<double> left(count, 0);
-  std::vector<SheetPoint> places(count);
-  double free = 0;
-  for (const int root : forest.roots) {
-    left[static_cast<std::size_t>(root)] = free;
-    free += widthOf(root);
-  }
-  for (const int node : forest.order) {
-    const auto at = static_cast<std::size_t>(node);
-    double next = left[at];
-    double sum = 0;
-    for (const int child : forest.children[at]) sum += widthOf(child);
-    next += (widthOf(node) - sum) / 2;
-    for (const int child : forest.children[at]) {
-      left[static_cast<std::size_t>(child)] = next;
-      next += widthOf(child);
-    }
-  }
-  // From the leaves up: a parent stands over the middle between its outermost children.
-  for (auto node = forest.order.rbegin(); node != forest.order.rend(); ++node) {
-    const auto at = static_cast<std::size_t>(*node);
-    const std::vector<int>& children = forest.children[at];
-    if (children.empty()) {
-      places[at].x = left[at] + width[at] / 2;
-    } else {
-      places[at].x = (places[static_cast<std::size_t>(children.front())].x +
-                      places[static_cast<std::size_t>(children.back())].x) /
-                     2;
-    }
-  }
+  std::vector<SheetPoint> places;
+  for (const TidyPlace& place : tidyForest(forest.parent, drawnOrder(forest), slots))
+    places.push_back({place.row, 0});
   dropRanks(forest, places);
   const SheetPoint ground = places.front();
   for (SheetPoint& place : places) place = onGrid(place - ground);
@@ -232,6 +221,16 @@ bool isCrowded(const TtGraphGeometry& geometry) {
                      [](const TtLinePlace& line) { return line.labelCrowded; }) ||
          std::any_of(geometry.nodes.begin(), geometry.nodes.end(),
                      [](const NodePlace& node) { return node.badgeCrowded; });
+}
+
+/// Does every label stand by its own line rather than by another one?
+bool isClear(const TtGraphGeometry& geometry) {
+  return std::none_of(geometry.lines.begin(), geometry.lines.end(), [&](const TtLinePlace& line) {
+    const double own = distanceToCurve(line.labelCenter, line.curve);
+    return std::any_of(geometry.lines.begin(), geometry.lines.end(), [&](const TtLinePlace& other) {
+      return distanceToCurve(line.labelCenter, other.curve) < own - 1;
+    });
+  });
 }
 
 /// The place itself, or the nearest on a spiral around it that is away from all of `others`.
@@ -255,14 +254,23 @@ NodePositions ttLayout(const Mechanism& mechanism, const TtGraph* graph) {
   const std::vector<TtGraphLine> lines = ttGraphLines(mechanism, digraph, graph);
   Forest forest = forestOf(digraph);
   orderChildren(forest, lines);
-  const std::vector<SheetPoint> places = hung(forest, slots(forest, lines));
+  const std::vector<double> own = slots(forest, lines);
+  const std::vector<SheetPoint> close = hung(forest, own);
+  const std::vector<SheetPoint> roomy = hung(forest, withSubtrees(forest, own));
   NodePositions positions;
-  for (const double stretch : {1.0, 1.2, 1.45, 1.75, 2.1, 2.5, 3.0, 3.6, 4.3}) {
+  const auto put = [&](const std::vector<SheetPoint>& places, double stretch, bool wantsClear) {
     for (int v = 0; v < digraph.nodeCount(); ++v) {
       positions[digraph.nodeId(v)] = onGrid(stretch * places[static_cast<std::size_t>(v)]);
     }
-    if (lines.size() > kMostLinesChecked) break;
-    if (!isCrowded(ttGraphGeometry(mechanism, graph, positions))) break;
+    if (lines.size() > kMostLinesChecked) return true;
+    const TtGraphGeometry geometry = ttGraphGeometry(mechanism, graph, positions);
+    return !isCrowded(geometry) && (!wantsClear || isClear(geometry));
+  };
+  for (const double stretch : {1.0, 1.2}) {
+    if (put(close, stretch, true)) return positions;
+  }
+  for (const double stretch : {1.0, 1.2, 1.45, 1.75, 2.1, 2.5, 3.0, 3.6, 4.3}) {
+    if (put(roomy, stretch, false)) return positions;
   }
   return positions;
 }

@@ -89,9 +89,21 @@ inline QString collisionsIn(const DisplayList& list) {
       }
     }
     for (const auto& [element, line] : lines) {
-      if (distanceToCurve(discs[i].second.center, line) < discs[i].second.radius) {
+      if (distanceToCurve(discs[i].second.center, line) < discs[i].second.radius - 0.01) {
         found << "line " + nameOf(element) + " over node " + nameOf(discs[i].first);
       }
+    }
+  }
+  for (const Mark& mark : list.marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark.what);
+    if (stroke == nullptr || mark.role != MarkRole::hatching) continue;
+    const auto* bar = std::get_if<Polyline>(&stroke->shape);
+    for (const auto& [element, line] : lines) {
+      if (bar == nullptr || element == mark.element) continue;
+      forEachChord(line, [&, name = nameOf(element)](SheetPoint from, SheetPoint to) {
+        if (Extent{0.5 * (bar->points.front() + bar->points.back()), 1, 1}.meetsSegment(from, to))
+          found << "line " + name + " through the hatching of " + nameOf(mark.element);
+      });
     }
   }
   return found.join(", ");
