@@ -245,6 +245,7 @@ void DrawingView::fitTo(const QRectF& area) {
   const double scale = std::min({m_largest, room.width() / shown.width(), room.height() / shown.height()});
   setTransform(QTransform::fromScale(scale, scale));
   centerOn(shown.center() - QPointF(0, (viewport()->height() - room.height()) / (2 * scale)));
+  viewport()->update();  // a scrolled viewport keeps pieces of what has just been removed
 }
 
 void DrawingView::fit() {
