@@ -66,6 +66,9 @@ QToolButton[look="flat"] { border: none; background: transparent; color: @second
                            border-radius: 4px; }
 QToolButton[look="flat"]:hover { background: @panel@; color: @ink@; }
 QToolButton[look="flat"]:checked { color: @accent@; }
+QWidget#view3dButtons, QWidget#view3dStrip, QLabel#view3dPainter { background: @veil@; border-radius: 5px; }
+QLabel#view3dPainter { padding: 2px 6px; }
+QToolButton#view3dMore::menu-indicator { image: none; width: 0px; }
 QToolButton[look="flat"]::menu-indicator { image: none; width: 0px; }
 
 QLineEdit { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px;
@@ -79,6 +82,7 @@ QPushButton:pressed, QPushButton:default { background: @chosen@; }
 QPushButton:disabled { background: @panel@; color: @secondary@; }
 QPushButton[look="fix"] { padding: 1px 11px; border-radius: 11px; }
 QPushButton[look="fix"]:focus { border-color: @accent@; color: @accent@; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent@; }
 QComboBox:disabled { background: @panel@; color: @secondary@; }
@@ -101,6 +105,7 @@ QScrollBar::handle:vertical { min-height: 24px; }
 QScrollBar::handle:horizontal { min-width: 24px; }
 QScrollBar::handle:hover { background: @secondary@; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0px; height: 0px; }
+QAbstractScrollArea::corner { background: transparent; border: none; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 )";
 
@@ -128,6 +133,11 @@ QString styleSheetOf(Theme theme) {
   const QColor halo = qColor(ColorRole::halo, theme);
   const QColor chosen((sheetColor.red() + halo.red()) / 2, (sheetColor.green() + halo.green()) / 2,
                       (sheetColor.blue() + halo.blue()) / 2);
+  // Over the 3D picture: type stays readable whatever turns behind it.
+  sheet.replace(QLatin1String("@veil@"), QStringLiteral("rgba(%1, %2, %3, 72%)")
+                                             .arg(sheetColor.red())
+                                             .arg(sheetColor.green())
+                                             .arg(sheetColor.blue()));
   return sheet.replace(QLatin1String("@chosen@"), chosen.name());
 }
 

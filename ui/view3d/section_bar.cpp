@@ -45,10 +45,12 @@ QHBoxLayout* rowOf(QWidget* widget, const QString& title) {
 }  // namespace
 
 SectionBar::SectionBar(Viewer* viewer, QWidget* parent) : QWidget(parent), m_viewer(viewer) {
+  setObjectName(QStringLiteral("view3dStrip"));
+  setAttribute(Qt::WA_StyledBackground);
   m_section = makeSectionRow();
   m_exploded = makeExplodedRow();
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setContentsMargins(6, 0, 6, 0);
   rows->setSpacing(0);
   rows->addWidget(m_section);
   rows->addWidget(m_exploded);

@@ -128,6 +128,8 @@ QToolButton* View3D::Private::addButton(const QString& text, const QString& tip,
 
 void View3D::Private::makeButtons() {
   buttons = new QWidget(q);
+  buttons->setObjectName("view3dButtons");
+  buttons->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
