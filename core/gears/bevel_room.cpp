@@ -1,7 +1,10 @@
 #include "core/gears/bevel_room.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "core/gears/bodies.h"
 #include "core/gears/gear_body.h"
 
 namespace geargraph {
@@ -54,7 +57,49 @@ Eigen::Vector2d within(const Outline& outline) {
   return (outline.front() + outline.back() + outline[outline.size() - 2]) / 3;
 }
 
+constexpr double kPace = 0.7;     // modules between the points that are looked at
+constexpr double kUnseen = 0.15;  // modules by which wheels may lie in each other
+
+/// Does a point lie within the outline, farther than so much from its edges?
+bool holdsDeep(const Outline& outline, const Eigen::Vector2d& p, double depth) {
+  return holds(outline, p) && !anyEdge(outline, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+           const Eigen::Vector2d way = b - a;
+           if (a.x() == 0 && b.x() == 0) return false;  // the axis is no surface
+           const double share = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+           return (p - a - share * way).norm() <= depth;
+         });
+}
+
+/// Does a point of one wheel's surface lie in the other?
+bool reachesInto(const TrainWheel& wheel, const TrainWheel& other) {
+  const Outline own = outlineOf(wheel, wheel), its = outlineOf(other, other);
+  const Eigen::Isometry3d frame = frameAlong(wheel.origin, wheel.axis);
+  const double pace = kPace * wheel.spec.module;
+  const auto isIn = [&](const Eigen::Vector2d& p) {
+    const int turns = std::max(8, static_cast<int>(std::ceil(2 * std::numbers::pi * std::abs(p.x()) / pace)));
+    for (int i = 0; i < turns; ++i) {
+      const double angle = 2 * std::numbers::pi * i / turns;
+      const Eigen::Vector3d at =
+          frame * Eigen::Vector3d(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()) - other.origin;
+      const double along = at.dot(other.axis);
+      if (holdsDeep(its, {(at - along * other.axis).norm(), along}, kUnseen * other.spec.module)) return true;
+    }
+    return false;
+  };
+  return anyEdge(own, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / pace)));
+    for (int i = 0; i < pieces; ++i) {
+      if (isIn(a + (b - a) * i / pieces)) return true;
+    }
+    return false;
+  });
+}
+
 }  // namespace
+
+bool bevelsCross(const TrainWheel& a, const TrainWheel& b) {
+  return reachesInto(a, b) || reachesInto(b, a);
+}
 
 bool bevelsCollide(const TrainWheel& a, const TrainWheel& b) {
   const Eigen::Vector3d apart = b.origin - a.origin;

@@ -8,4 +8,8 @@ namespace geargraph {
 /// line say? Bores count as filled. False for wheels on other lines.
 [[nodiscard]] bool bevelsCollide(const TrainWheel& a, const TrainWheel& b);
 
+/// The same of bevel wheels anywhere, from points of the outlines at some paces round the axes: what overlaps
+/// by less than a module may go unseen. Cost: some 0.1 ms.
+[[nodiscard]] bool bevelsCross(const TrainWheel& a, const TrainWheel& b);
+
 }  // namespace geargraph

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gears/body_clashes.h"
 #include "core/gears/body_planner.h"
 #include "core/gears/coaxial_plan.h"
 #include "core/gears/coaxial_sections.h"
@@ -44,6 +45,22 @@ void BodyPlanner::planCoaxial(int axisClass) {
   m_plan.hubs.insert(m_plan.hubs.end(), plan->hubs.begin(), plan->hubs.end());
 }
 
+/// Does a plate of the ring's cup at this place cut through planets that have wheels on both of its sides?
+bool BodyPlanner::cutsPlanets(const TrainGear& ring, double plate) const {
+  const AxisLayout& own = axis(ring.axisClass);
+  const double half = own.width() / 2 + own.gap() / 2;
+  return std::any_of(m_train.gears.begin(), m_train.gears.end(), [&](const TrainGear& gear) {
+    const int c = gear.axisClass;
+    if (c == ring.axisClass || !parallel(ring.axisClass, c)) return false;
+    const Vector3d apart = axis(c).point - own.point;
+    if ((apart - apart.dot(own.direction) * own.direction).norm() > rimDiameter(ring.spec) / 2) return false;
+    const auto span = axis(c).wheelsOf(gear.link);
+    const auto [low, high] =
+        std::minmax({carried(c, span->low, ring.axisClass), carried(c, span->high, ring.axisClass)});
+    return low < plate + half && plate - half < high;
+  });
+}
+
 /// Rings get the face on the bearing side, so that carriers find the other one free.
 void BodyPlanner::placeCups() {
   for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
@@ -53,7 +70,11 @@ void BodyPlanner::placeCups() {
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
     int side = layout.bearingSide;
-    if (!layout.slotIsFree(middle + side * reach)) side = -side;
+    const auto isOpen = [&](int towards) {
+      const double plate = middle + towards * reach;
+      return layout.slotIsFree(plate) && !cutsPlanets(gear, plate);
+    };
+    if (!isOpen(side) && (isOpen(-side) || !layout.slotIsFree(middle + side * reach))) side = -side;
     m_plan.cups.push_back({static_cast<int>(g), side, middle + side * reach});
     layout.take(middle + side * reach, gear.link);
   }
@@ -302,7 +323,18 @@ void BodyPlanner::nestShafts(int axisClass) {
 }
 
 BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
-  return BodyPlanner(mechanism, placement, train).plan();
+  BodyPlan plan = BodyPlanner(mechanism, placement, train).plan();
+  const auto isSaid = [&](const std::vector<int>& pair) {
+    return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
+      return std::all_of(pair.begin(), pair.end(), [&](int link) {
+        return std::find(links.begin(), links.end(), link) != links.end();
+      });
+    });
+  };
+  for (std::vector<int>& pair : clashingLinks(plan, train)) {
+    if (!isSaid(pair)) plan.blocked.push_back(std::move(pair));
+  }
+  return plan;
 }
 
 }  // namespace geargraph

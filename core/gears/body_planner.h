@@ -56,6 +56,7 @@ class BodyPlanner {
   void planCoaxial(int axisClass);
   [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
   void placeCups();
+  [[nodiscard]] bool cutsPlanets(const TrainGear& ring, double plate) const;
   void placeLink(int link);
   void placeParallel(int link, int home, const std::vector<Bearing*>& round);
   void placeCrossing(int link, int home, Bearing& bearing);

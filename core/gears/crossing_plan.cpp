@@ -18,13 +18,21 @@ int BodyPlanner::armHits(const ArmPlan& arm) const {
          shaftHits(arm);
 }
 
-/// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing.
+/// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing,
+/// or in what stands on the axis that the post runs along.
 int BodyPlanner::shaftHits(const ArmPlan& arm) const {
   const AxisLayout& from = axis(arm.from);
   const AxisLayout& to = axis(arm.to);
   const Vector3d start = from.at(arm.level);
   const Vector3d end = to.at(arm.at);
   const Vector3d foot = end - (end - start).dot(from.direction) * from.direction;
+  constexpr double kNear = 5.5;  // modules: a post beside an eye about two shafts
+  int count = 0;
+  if ((foot - start).norm() < kNear * from.module) {
+    const auto [near, far] = std::minmax({arm.level, from.coordinate(end)});
+    for (const Stretch& s : from.taken)
+      count += s.link >= 0 && s.link != arm.link && s.low < far && near < s.high;
+  }
   double low = arm.at - to.width() / 2;
   double high = arm.at + to.width() / 2;
   if (const auto wheels = to.wheelsOf(arm.child)) {
@@ -39,7 +47,6 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
     return along > low && along < high && (p - to.at(along)).norm() < reach;
   };
   constexpr int kPlaces = 24;
-  int count = 0;
   for (int i = 1; i <= kPlaces; ++i) {
     const double part = static_cast<double>(i) / kPlaces;
     const Vector3d onPost = end + part * (foot - end);

@@ -54,13 +54,31 @@ GearTrain toothed(const Mechanism& mechanism, const TrainWheels& wheels) {
   return train;
 }
 
+void append(Diagnostics& all, const Diagnostics& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                        const std::stop_token& stop) {
   Diagnostics found = toothDiagnostics(mechanism, train, stop);
   if (stop.stop_requested()) return found;
-  for (const Diagnostics& more :
-       {neighbourDiagnostics(mechanism, placement, train), assemblyDiagnostics(mechanism, train, stop)}) {
-    found.insert(found.end(), more.begin(), more.end());
+  append(found, neighbourDiagnostics(mechanism, placement, train));
+  append(found, assemblyDiagnostics(mechanism, train, stop));
+  return found;
+}
+
+Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement, const TrainWheels& wheels,
+                          const GearTrain& train) {
+  Diagnostics found;
+  for (const auto& [a, b] : wheelsInOnePlace(wheels, placement)) {
+    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
+    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
+    found.push_back(finding(Code::interference,
+                            "Gears " + one.name + " and " + other.name +
+                                " stand in one place and do not mesh. Move the pitch point of one along its "
+                                "axis, or leave it open.",
+                            {mechanism.links[static_cast<std::size_t>(one.link)].id,
+                             mechanism.links[static_cast<std::size_t>(other.link)].id}));
   }
   return found;
 }
@@ -71,22 +89,13 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   if (!placement.tree || !placement.classes) return {};
   TrainWheels wheels = wheelsOf(mechanism, placement);
   shapeWheels(mechanism, wheels);
-  stackWheels(wheels);
+  stackWheels(wheels, placement);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
-  const Diagnostics findings = findingsOf(mechanism, placement, train, {});
-  train.diagnostics.insert(train.diagnostics.begin(), findings.begin(), findings.end());
-  for (const auto& [a, b] : wheelsInOnePlace(wheels)) {
-    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
-    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
-    train.diagnostics.push_back(
-        finding(Code::interference,
-                "Gears " + one.name + " and " + other.name +
-                    " stand in one place and do not mesh. Move the pitch point of one along its axis, or "
-                    "leave it open.",
-                {mechanism.links[static_cast<std::size_t>(one.link)].id,
-                 mechanism.links[static_cast<std::size_t>(other.link)].id}));
-  }
+  Diagnostics findings = findingsOf(mechanism, placement, train, {});
+  append(findings, train.diagnostics);
+  train.diagnostics = std::move(findings);
+  append(train.diagnostics, placeFindings(mechanism, placement, wheels, train));
   return train;
 }
 

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/gears/bodies.h"
+#include "core/gears/body_clashes.h"
 #include "core/gears/body_plan.h"
+#include "core/gears/body_shapes.h"
 #include "core/gears/gear_body.h"
 #include "core/gears/train_findings.h"
 
@@ -51,15 +53,7 @@ class BodyBuilder {
   [[nodiscard]] Eigen::Isometry3d frame(int c, double coordinate, const Vector3d& towards) const {
     return frameAlong(axis(c).at(coordinate), axis(c).direction, towards);
   }
-  [[nodiscard]] static double clearance(const AxisLayout& layout) { return 0.08 * layout.module; }
-  [[nodiscard]] static double wall(const AxisLayout& layout) { return 1.0 * layout.module; }
   [[nodiscard]] static double tolerance(const AxisLayout& layout) { return kBodyTolerance * layout.module; }
-
-  /// Hole of the parent's eye about the child's shaft.
-  [[nodiscard]] double holeFor(int c, double at, int parent) const {
-    const double shaft = m_plan.shaftAt(c, at, parent);
-    return shaft > 0 ? shaft + clearance(axis(c)) : 0;
-  }
 
   void addShaft(const ShaftPlan& shaft) {
     const AxisLayout& layout = axis(shaft.axisClass);
@@ -94,9 +88,9 @@ class BodyBuilder {
 
   void addBearing(int c, const Bearing& bearing) {
     const AxisLayout& layout = axis(c);
-    const double hole = holeFor(c, bearing.at, bearing.parent);
+    const double hole = holeFor(m_plan, c, bearing.at, bearing.parent);
     const double half = layout.width() / 2;
-    const double outer = hole + bearing.wall * wall(layout);
+    const double outer = hole + bearing.wall * eyeWall(layout);
     append(of(bearing.parent), tube(outer, hole, bearing.at - half, bearing.at + half, tolerance(layout)),
            frameAlong(layout.point, layout.direction));
     if (bearing.parent == 0) addFlange(c, bearing, hole, outer);
@@ -104,8 +98,6 @@ class BodyBuilder {
 
   void addFlange(int c, const Bearing& bearing, double hole, double outer);
   [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
-  [[nodiscard]] Eye footOf(const ArmPlan& plan) const;
-  [[nodiscard]] Eye endOf(const ArmPlan& plan) const;
   void addArms();
   void addSpider(std::span<const ArmPlan* const> arms);
   void addPost(const ArmPlan& plan);
@@ -163,30 +155,6 @@ bool BodyBuilder::hasRoom(int c, double coordinate, double radius) const {
   });
 }
 
-/// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
-/// both hold together and no face of one lies on one of the other.
-Eye BodyBuilder::footOf(const ArmPlan& plan) const {
-  const ShaftPlan* own = m_plan.shaftOf(plan.from, plan.link, plan.level);
-  Eye eye;
-  eye.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan.from, plan.level, plan.link);
-  eye.radius = (own != nullptr ? own->outer : eye.hole) + wall(axis(plan.from));
-  return eye;
-}
-
-/// The other end, in the frame that has its x axis along the base frame's nearest direction across the arm's
-/// axis.
-Eye BodyBuilder::endOf(const ArmPlan& plan) const {
-  const AxisLayout& from = axis(plan.from);
-  const AxisLayout& to = axis(plan.to);
-  const bool parallel = from.direction.cross(to.direction).norm() < 1e-6;
-  const Vector3d local = frame(plan.from, plan.level, Vector3d::UnitX()).inverse() * to.at(plan.at);
-  Eye eye;
-  eye.hole = parallel ? holeFor(plan.to, plan.at, plan.link) : 0;
-  eye.radius = parallel ? eye.hole + wall(to) : 1.5 * from.module;
-  eye.centre = local.head<2>();
-  return eye;
-}
-
 /// Arms of a link that start at one place are one part.
 void BodyBuilder::addArms() {
   std::map<std::tuple<int, int, long long>, std::vector<const ArmPlan*>> together;
@@ -201,10 +169,10 @@ void BodyBuilder::addArms() {
 void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
   const ArmPlan& first = *arms.front();
   const AxisLayout& from = axis(first.from);
-  const Eye hub = footOf(first);
+  const Eye hub = footOf(m_plan, first);
   std::vector<Eye> ends;
   for (const ArmPlan* plan : arms) {
-    const Eye end = endOf(*plan);
+    const Eye end = endOf(m_plan, *plan);
     if (end.centre.norm() > std::abs(hub.radius - end.radius) + 1e-6 * from.module) ends.push_back(end);
   }
   const double half = 0.5 * from.width();
@@ -212,25 +180,12 @@ void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
          frame(first.from, first.level, Vector3d::UnitX()));
 }
 
-/// A post from an arm to the bearing on a crossing axis, as far as the bearing's wall.
 void BodyBuilder::addPost(const ArmPlan& plan) {
   const AxisLayout& from = axis(plan.from);
-  const AxisLayout& to = axis(plan.to);
-  if (from.direction.cross(to.direction).norm() < 1e-6) return;
-  const Vector3d end = to.at(plan.at);
-  const double rise = (end - from.at(plan.level)).dot(from.direction);
-  const Vector3d foot = end - rise * from.direction;  // in the plane of the arm
-  const double half = 0.5 * from.width();
-  const double radius = endOf(plan).radius;
-  const double sine = from.direction.cross(to.direction).norm();
-  const double cosine =
-      std::abs(from.direction.dot(to.direction));  // an oblique post's edge comes near first
-  const double hole = holeFor(plan.to, plan.at, plan.link);
-  const double reach = std::abs(rise) - (hole + 0.5 * wall(to) + radius * cosine) / sine;
-  if (reach <= half) return;
-  const double sense = rise < 0 ? -1 : 1;
-  append(of(plan.link), tube(radius, 0, -half * 0.9, reach, tolerance(from)),
-         frameAlong(foot, sense * from.direction));
+  const std::optional<Post> post = postOf(m_plan, plan);
+  if (!post) return;
+  append(of(plan.link), tube(post->radius, 0, -0.45 * from.width(), post->reach, tolerance(from)),
+         frameAlong(post->foot, post->way));
 }
 
 /// The plate beside the ring's face and the wall that joins them.
@@ -306,11 +261,18 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
                  std::move(elements));
 }
 
+Diagnostics blockedFindings(const Mechanism& mechanism, const BodyPlan& plan) {
+  Diagnostics found;
+  for (const auto& links : plan.blocked) found.push_back(blockedFinding(mechanism, links));
+  return found;
+}
+
 }  // namespace
 
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
-  for (const auto& links : plan.blocked) train.diagnostics.push_back(blockedFinding(mechanism, links));
+  const Diagnostics blocked = blockedFindings(mechanism, plan);
+  train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
   for (const auto& [gear, diameter] : plan.hubs) {
     GearSpec& spec = train.gears[gear].spec;

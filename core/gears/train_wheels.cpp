@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/gears/wheel_sharing.h"
+
 namespace geargraph {
 namespace {
 
@@ -27,7 +29,10 @@ struct Side {
 class WheelFinder {
  public:
   WheelFinder(const Mechanism& mechanism, const Placement& placement)
-      : m_mechanism(mechanism), m_placement(placement), m_ofLink(mechanism.links.size()) {}
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_sharing(mechanism, placement),
+        m_ofLink(mechanism.links.size()) {}
 
   TrainWheels find() {
     for (int m = 0; m < m_mechanism.c(); ++m) {
@@ -42,11 +47,13 @@ class WheelFinder {
   [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const;
   void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
                    TrainWheel& b) const;
-  int shared(TrainWheel wheel, int mesh);
+  [[nodiscard]] std::vector<int> like(const TrainWheel& wheel) const;
+  int add(TrainWheel wheel, std::optional<int> known, int mesh);
   [[nodiscard]] static bool isSame(const TrainWheel& a, const TrainWheel& b);
 
   const Mechanism& m_mechanism;
   const Placement& m_placement;
+  WheelSharing m_sharing;
   TrainWheels m_train;
   std::vector<std::vector<int>> m_ofLink;  ///< wheels by link
 };
@@ -74,8 +81,15 @@ void WheelFinder::addPair(int mesh, const MeshGeometry& geometry) {
   }
   a.id = tail.named;
   b.id = head.named;
-  pair.tail = shared(std::move(a), mesh);
-  pair.head = shared(std::move(b), mesh);
+  const std::vector<int> tails = like(a), heads = like(b);
+  const auto first = [](const std::vector<int>& known) {
+    return known.empty() ? std::nullopt : std::optional(known.front());
+  };
+  WheelSharing::Choice known{first(tails), first(heads)};
+  if (pair.movable && !a.id && !b.id) known = m_sharing.choose(a, tails, b, heads);
+  pair.tail = add(a, known.tail, mesh);
+  pair.head = add(b, known.head, mesh);
+  if (pair.movable) m_sharing.join(pair.tail, a, pair.head, b);
   m_train.pairs.push_back(pair);
 }
 
@@ -137,18 +151,25 @@ bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
          same(a.spec.coneAngle, b.spec.coneAngle, 1);
 }
 
-int WheelFinder::shared(TrainWheel wheel, int mesh) {
-  std::vector<int>& candidates = m_ofLink[static_cast<std::size_t>(wheel.link)];
-  for (const int w : candidates) {
-    TrainWheel& known = m_train.wheels[static_cast<std::size_t>(w)];
-    if (!isSame(known, wheel)) continue;
-    known.meshes.push_back(mesh);
-    return w;
+/// The link's wheels that the wheel may be.
+std::vector<int> WheelFinder::like(const TrainWheel& wheel) const {
+  std::vector<int> found;
+  for (const int w : m_ofLink[static_cast<std::size_t>(wheel.link)]) {
+    if (isSame(m_train.wheels[static_cast<std::size_t>(w)], wheel)) found.push_back(w);
   }
+  return found;
+}
+
+int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
+  if (known) {
+    m_train.wheels[static_cast<std::size_t>(*known)].meshes.push_back(mesh);
+    return *known;
+  }
+  const int position = static_cast<int>(m_train.wheels.size());
+  m_ofLink[static_cast<std::size_t>(wheel.link)].push_back(position);
   wheel.meshes.push_back(mesh);
   m_train.wheels.push_back(std::move(wheel));
-  candidates.push_back(static_cast<int>(m_train.wheels.size() - 1));
-  return candidates.back();
+  return position;
 }
 
 }  // namespace

@@ -46,11 +46,12 @@ struct TrainWheels {
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
 
 /// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.
-void stackWheels(TrainWheels& train);
+void stackWheels(TrainWheels& train, const Placement& placement);
 
 /// Wheels of different links that still stand in one place and do not mesh, nor have a wheel in common that
-/// both mesh with (neighbours, whose own finding says more).
-[[nodiscard]] std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train);
+/// both mesh with beside each other (neighbours, whose own finding says more).
+[[nodiscard]] std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train,
+                                                                const Placement& placement);
 
 [[nodiscard]] inline Eigen::Vector3d wide(const Vector3& v) {
   return {v[0], v[1], v[2]};

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
+#include "core/placement/bevel_arranger.h"
 #include "core/placement/mesh_geometry.h"
 
 namespace geargraph {
@@ -32,27 +34,31 @@ ExactVector3 acrossOf(const ExactVector3& direction) {
 
 class AxisPlacer {
  public:
-  AxisPlacer(const Mechanism& mechanism, const AxisClasses& classes,
+  AxisPlacer(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
              const std::vector<std::optional<MeshWord>>& words)
       : m_mechanism(mechanism),
         m_classes(classes),
         m_words(words),
         m_lines(mechanism.axes.size()),
-        m_meshesAt(mechanism.axes.size()) {}
+        m_meshesAt(mechanism.axes.size()),
+        m_bevels(mechanism, tree, classes, words) {}
 
-  std::vector<AxisLine> run(Rational& module) {
+  PlacedAxes run() {
     takeGivenLines();
     collectMeshes();
-    module = m_module = moduleOfGiven();
+    m_module = moduleOfGiven();
+    standGivenBevels();
     placeOutward();
-    std::vector<AxisLine> lines;
-    lines.reserve(m_lines.size());
+    PlacedAxes axes;
+    axes.lines.reserve(m_lines.size());
     for (auto& placed : m_lines) {
       AxisLine line{placed->point, placed->direction, placed->automatic, nullptr};
       if (placed->automatic) line.chosen = std::make_shared<const ExactLine>(std::move(placed->exact));
-      lines.push_back(std::move(line));
+      axes.lines.push_back(std::move(line));
     }
-    return lines;
+    axes.module = m_module;
+    axes.bevelSizes = m_bevels.sizes();
+    return axes;
   }
 
  private:
@@ -72,7 +78,27 @@ class AxisPlacer {
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       const Axis& axis = m_mechanism.axes[i];
       if (axis.point && axis.direction) {
-        m_lines[i] = lineOf(exactOf(*axis.point), exactOf(*axis.direction), false);
+        setLine(static_cast<int>(i), lineOf(exactOf(*axis.point), exactOf(*axis.direction), false));
+      }
+    }
+  }
+
+  void setLine(int axis, PlacedLine line) {
+    m_bevels.setLine(axis, line.point, line.direction);
+    m_lines[axis] = std::move(line);
+  }
+
+  void standGivenBevels() {
+    std::set<std::pair<int, int>> seen;
+    for (std::size_t axis = 0; axis < m_lines.size(); ++axis) {
+      for (const Partner& partner : m_meshesAt[axis]) {
+        const auto [a, b] = std::minmax({static_cast<int>(axis), partner.axis});
+        if (!m_lines[a] || !m_lines[b] || !seen.insert({a, b}).second) continue;
+        const PlacedLine& one = *m_lines[a];
+        const PlacedLine& other = *m_lines[b];
+        if (positionOf({one.point, one.direction, other.point, other.direction, 1, 1}) ==
+            LinePosition::meeting)
+          m_bevels.stand(a, b, m_module.toDouble());
       }
     }
   }
@@ -148,8 +174,8 @@ class AxisPlacer {
       point[1] = Rational::fromDouble(std::ceil(farthest)) + Rational(50) * m_module;
     }
     if (element.point) point = exactOf(*element.point);
-    m_lines[axis] =
-        lineOf(point, element.direction ? exactOf(*element.direction) : ExactVector3{0, 0, 1}, true);
+    setLine(axis,
+            lineOf(point, element.direction ? exactOf(*element.direction) : ExactVector3{0, 0, 1}, true));
   }
 
   void placeNeighbours(int axis, std::vector<int>& queue) {
@@ -160,20 +186,18 @@ class AxisPlacer {
       const auto same = [&](const Partner& p) { return p.axis == partner.axis; };
       if (std::none_of(list.begin(), list.end(), same)) list.push_back(partner);
     }
-    int apexes = 0;
     for (const auto& [carrier, list] : open) {
-      bool bevel = false;
+      int apex = 0;
       for (std::size_t i = 0; i < list.size(); ++i) {
-        place(axis, list[i], static_cast<int>(i), static_cast<int>(list.size()), apexes);
-        bevel = bevel || mesh(list[i].mesh).kind == MeshKind::bevel;
+        place(axis, list[i], static_cast<int>(i), static_cast<int>(list.size()), apex);
         queue.push_back(list[i].axis);
       }
-      if (bevel) ++apexes;
     }
   }
 
-  /// Axis `partner` beside the placed one, as number `index` of `count` round it.
-  void place(int axis, const Partner& partner, int index, int count, int apexes) {
+  /// Axis `partner` beside the placed one, as number `index` of `count` round it. `apex`: where along the
+  /// placed one the last bevel axis of its carrier meets it, in the arranger's steps.
+  void place(int axis, const Partner& partner, int index, int count, int& apex) {
     const PlacedLine& from = *m_lines[axis];
     const Axis& element = m_mechanism.axes[partner.axis];
     const ExactVector3 outward = spoke(from.exact.direction, index, count);
@@ -182,10 +206,12 @@ class AxisPlacer {
     ExactVector3 point;
     ExactVector3 direction;
     if (bevel) {
-      const GearMesh& of = mesh(partner.mesh);
-      const Rational step = Rational(apexes) * m_module * Rational(2 * (of.tailTeeth + of.headTeeth));
-      point = from.exact.point + scaledTo(from.exact.direction, step);
-      direction = outward;
+      direction = element.direction ? exactOf(*element.direction) : outward;
+      if (!element.point) {
+        apex = m_bevels.place(axis, partner.axis, unit(toDoubles(direction)), m_module.toDouble(), apex);
+        point = from.exact.point +
+                scaledTo(from.exact.direction, Rational(BevelArranger::kStep * apex) * m_module);
+      }
     } else {
       const Rational distance = m_module * Rational(distanceTeeth(partner.mesh), 2);
       point = from.exact.point + scaledTo(outward, distance);
@@ -194,7 +220,7 @@ class AxisPlacer {
     }
     if (element.point) point = exactOf(*element.point);
     if (element.direction) direction = exactOf(*element.direction);
-    m_lines[partner.axis] = lineOf(point, direction, true);
+    setLine(partner.axis, lineOf(point, direction, true));
   }
 
   static bool isParallel(const ExactVector3& a, const ExactVector3& b) {
@@ -259,6 +285,7 @@ class AxisPlacer {
   std::vector<std::optional<PlacedLine>> m_lines;
   std::vector<std::vector<Partner>> m_meshesAt;  ///< by axis
   Rational m_module = kDefaultModule;
+  BevelArranger m_bevels;
 };
 
 }  // namespace
@@ -282,13 +309,13 @@ std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
   return lines;
 }
 
-std::vector<AxisLine> placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given,
-                                 const AxisClasses& classes,
-                                 const std::vector<std::optional<MeshWord>>& words, Rational& module) {
+PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given, const JointTree* tree,
+                      const AxisClasses& classes, const std::vector<std::optional<MeshWord>>& words) {
   // All given is the usual case, and needs no fractions.
   const bool open =
       std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });
-  return open ? AxisPlacer(mechanism, classes, words).run(module) : std::move(given);
+  if (open) return AxisPlacer(mechanism, tree, classes, words).run();
+  return {std::move(given), kDefaultModule, std::vector<int>(words.size(), kUsualBevelSize)};
 }
 
 }  // namespace geargraph

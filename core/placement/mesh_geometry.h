@@ -30,6 +30,7 @@ struct MeshGeometry {
   double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
   BevelSides sides;       ///< of a derived bevel pair
+  int bevelSize = 2;      ///< of a derived bevel pair: its module in halves of the placement's
 };
 
 /// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if

@@ -1,8 +1,7 @@
 #include "core/placement/placement.h"
 
-#include <map>
-
 #include "core/placement/axis_placer.h"
+#include "core/placement/bevel_arranger.h"
 #include "core/placement/tolerance.h"
 
 namespace geargraph {
@@ -33,33 +32,32 @@ class SideChooser {
     const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
     const Vector3 apex = apexOf(pair);
     BevelSides sides;
-    sides.tail = side(tail, word.tailClass, word.headClass, apex, inner);
-    sides.head = side(head, word.headClass, word.tailClass, apex, !inner);
+    sides.tail = side(tail, word.tailClass, word.carrier, head, apex, inner);
+    sides.head = side(head, word.headClass, word.carrier, tail, apex, !inner);
     return sides;
   }
 
  private:
-  int side(int link, int axisClass, int partnerClass, const Vector3& apex, bool inner) {
+  int side(int link, int axisClass, int carrier, int partner, const Vector3& apex, bool inner) {
     const AxisLine& line = m_placement.lineOfClass(axisClass);
     if (link != 0 && m_placement.classes->classOfLink(*m_placement.tree, link) == axisClass) {
       const int joint = m_placement.tree->joint[link];
       const AxisLine& own = m_placement.axes[m_placement.tree->axisOf[joint]];
+      const double offset = m_mechanism.turningJoints[joint].offset.value();
+      const bool silent = own.automatic && offset == 0;
       const double along =
-          dot(own.point - apex, line.direction) +
-          m_placement.classes->sense[joint] * m_mechanism.turningJoints[joint].offset.value();
+          silent ? 0 : dot(own.point - apex, line.direction) + m_placement.classes->sense[joint] * offset;
       const double nothing = kSameLine * (1 + length(own.point) + length(apex));
       if (along > nothing) return 1;
       if (along < -nothing) return -1;
     }
     if (!inner) return 1;
-    std::map<int, int>& numbers = m_numbers[{axisClass, partnerClass}];
-    const int number = numbers.try_emplace(link, static_cast<int>(numbers.size())).first->second;
-    return number % 2 == 0 ? -1 : 1;
+    return m_numbers.side(axisClass, carrier, link, partner);
   }
 
   const Mechanism& m_mechanism;
   const Placement& m_placement;
-  std::map<std::pair<int, int>, std::map<int, int>> m_numbers;  ///< links met, by inner and outer class
+  SideNumbers m_numbers;
 };
 
 Vector3 valuesOf(const NumberTriple& triple) {
@@ -67,7 +65,7 @@ Vector3 valuesOf(const NumberTriple& triple) {
 }
 
 std::optional<MeshGeometry> located(const Mechanism& mechanism, Placement& placement, int mesh,
-                                    const MeshWord& word, SideChooser& sides) {
+                                    const MeshWord& word, int bevelSize, SideChooser& sides) {
   const GearMesh& element = mechanism.gearMeshes[mesh];
   const auto pair = pairOf(mechanism, placement, mesh, word.tailClass, word.headClass);
   MeshGeometry geometry;
@@ -86,7 +84,9 @@ std::optional<MeshGeometry> located(const Mechanism& mechanism, Placement& place
         return std::nullopt;
       case LinePosition::meeting:
         geometry.sides = sides.choose(mesh, word, pair);
-        geometry.pitchPoint = bevelPitchPoint(pair, geometry.sides, placement.module.toDouble());
+        geometry.bevelSize = bevelSize;
+        geometry.pitchPoint =
+            bevelPitchPoint(pair, geometry.sides, placement.module.toDouble() * bevelSize / kUsualBevelSize);
         break;
       case LinePosition::parallel:
         if (element.kind == MeshKind::internal && element.tailTeeth == element.headTeeth) {
@@ -112,7 +112,9 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   std::vector<AxisLine> given = givenLines(mechanism);
   if (!tree) {
     placement.meshes.resize(mechanism.gearMeshes.size());
-    placement.axes = placedAxes(mechanism, std::move(given), AxisClasses(), {}, placement.module);
+    PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisClasses(), {});
+    placement.axes = std::move(placed.lines);
+    placement.module = std::move(placed.module);
     return placement;
   }
   placement.tree = std::move(tree);
@@ -124,12 +126,15 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
     words.push_back(
         meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
   }
-  placement.axes = placedAxes(mechanism, std::move(given), *placement.classes, words, placement.module);
+  PlacedAxes placed = placedAxes(mechanism, std::move(given), &*placement.tree, *placement.classes, words);
+  placement.axes = std::move(placed.lines);
+  placement.module = std::move(placed.module);
   SideChooser sides(mechanism, placement);
   placement.meshes.reserve(words.size());
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-    placement.meshes.push_back(words[mesh] ? located(mechanism, placement, mesh, *words[mesh], sides)
-                                           : std::nullopt);
+    placement.meshes.push_back(
+        words[mesh] ? located(mechanism, placement, mesh, *words[mesh], placed.bevelSizes[mesh], sides)
+                    : std::nullopt);
   }
   return placement;
 }
@@ -150,7 +155,9 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
   const GearMesh& element = mechanism.gearMeshes[mesh];
   const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
                                 head.direction, element.tailTeeth, element.headTeeth};
-  if (geometry.kind == MeshKind::bevel) return bevelPitchPoint(pair, geometry.sides, placement.module);
+  if (geometry.kind == MeshKind::bevel)
+    return bevelPitchPoint(pair, geometry.sides,
+                           Rational(geometry.bevelSize, kUsualBevelSize) * placement.module);
   const bool inner = tailIsInner(placement, geometry.tailClass, geometry.headClass);
   return parallelPitchPoint(pair, geometry.kind == MeshKind::internal,
                             inner ? pair.tailPoint : pair.headPoint);

@@ -33,8 +33,8 @@ struct Placement {
 /// Pitch points that the file leaves open: between parallel axes from the teeth (`kind` internal where it
 /// says so, else external), in the plane of the axis point nearer the ground; between meeting axes at the
 /// document's module, on the half axes where the bearings' offsets lie, and where they say nothing on the
-/// positive half of the outer axis and, of the inner one, on alternating halves for the wheels that mesh
-/// there (a differential's two sides).
+/// positive half of the outer axis and the negative one of the inner, on both for the wheels of two links
+/// that mesh with the same one (a differential's two sides). Pairs about one apex lie one within the other.
 ///
 /// Cost: O(n + t + c) and the axis classes on each mesh's path.
 /// @pre the mechanism is well formed

@@ -48,7 +48,7 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement) {
   collectAxes(part, placement, layout);
   TrainWheels train = wheelsOf(part.mechanism, placement);
   shapeWheels(part.mechanism, train);
-  stackWheels(train);
+  stackWheels(train, placement);
   for (const SheetAxis& axis : layout.axes) {
     layout.parallel = layout.parallel && isParallel(axis.direction, layout.axes.front().direction);
   }

@@ -91,6 +91,42 @@ class TestAxisPlacer : public QObject {
     QCOMPARE(distance(placement, 0, 1), 54.0);
   }
 
+  void theBevelsOfABareRobotHaveApexesOfTheirOwn() {
+    Mechanism open = robot();
+    for (Axis& axis : open.axes) axis.point = axis.direction = std::nullopt;
+    for (TurningJoint& joint : open.turningJoints) joint.offset = Number(0);
+    for (GearMesh& mesh : open.gearMeshes) mesh.pitchPoint.reset();
+    const Placement placement = placementOf(open);
+    const auto lies = [&](int axis) { return placement.axes[static_cast<std::size_t>(axis)].point; };
+    QVERIFY(length(lies(3) - lies(2)) > 30);  // d meets c beside b, clear of the pair of b and c
+    QVERIFY(lies(4)[2] - lies(3)[2] > 30);    // e meets d above that
+  }
+
+  void theTwoPinionsOfADifferentialShareTheirApex() {
+    TrainSketch train(5);
+    train.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a").joint(1, 4, "b").joint(1, 5, "c");
+    for (const int pinion : {4, 5}) {
+      train.mesh(2, pinion, 24, 16, MeshKind::bevel).mesh(3, pinion, 24, 16, MeshKind::bevel);
+    }
+    const Placement placement = placementOf(train.build());
+    QVERIFY(placement.diagnostics.empty());
+    QVERIFY(placement.axes[1].point == placement.axes[0].point);
+    QVERIFY(placement.axes[2].point == placement.axes[0].point);
+  }
+
+  /// Two shafts to two wheels about one apex, as in a wrist: both come from one side, one pair within the
+  /// other.
+  void pairsOfAWristLieOneWithinTheOther() {
+    TrainSketch train(5);
+    train.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "a").joint(1, 4, "b").joint(1, 5, "b");
+    train.mesh(2, 4, 20, 24, MeshKind::bevel).mesh(3, 5, 20, 24, MeshKind::bevel);
+    const Placement placement = placementOf(train.build());
+    const Vector3 inner = placement.meshes[0]->pitchPoint, outer = placement.meshes[1]->pitchPoint;
+    QVERIFY(inner[2] < 0);
+    QVERIFY(outer[2] < 0);
+    QVERIFY(length(outer) > 1.4 * length(inner));
+  }
+
   void trainsThatNothingTiesTogetherStandBesideEachOther() {
     const Placement placement = placementOf(TrainSketch(4)
                                                 .joint(0, 1, "a")

@@ -1,0 +1,129 @@
+#include "core/gears/wheel_rooms.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/gears/bevel_room.h"
+#include "core/gears/gear_body.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3 narrow(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Flatter than a crown the body of a bevel is hollow, and no hull says where it is.
+constexpr double kFlattest = 1.7;  // rad
+
+DiscHull hullOf(const TrainWheel& wheel, double low, double high, double outer) {
+  const GearSpec& spec = wheel.spec;
+  DiscHull hull;
+  const auto add = [&](double radius, double height) {
+    hull.push_back({narrow(wheel.origin + height * wheel.axis), narrow(wheel.axis), radius});
+  };
+  if (spec.kind == GearKind::external) {
+    add(outer, low);
+    add(outer, high);
+  } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
+    for (const Circle& c : bevelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
+  }
+  return hull;
+}
+
+Vector3d acrossPart(const Vector3d& v, const Vector3d& axis) {
+  return v - v.dot(axis) * axis;
+}
+
+bool areParallel(const Vector3d& a, const Vector3d& b) {
+  return a.cross(b).norm() < 1e-6;
+}
+
+}  // namespace
+
+WheelOrbit orbitOf(int axisClass, const Placement& placement) {
+  const AxisClasses& classes = *placement.classes;
+  const AxisLine& line = placement.lineOfClass(axisClass);
+  WheelOrbit orbit;
+  orbit.at = wide(line.point);
+  orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].top;
+  const int about = classes.classOfLink(*placement.tree, orbit.carrier);
+  if (about < 0) return orbit;
+  const AxisLine& centre = placement.lineOfClass(about);
+  if (!areParallel(wide(line.direction), wide(centre.direction))) return orbit;
+  orbit.about = about;
+  orbit.radius = acrossPart(orbit.at - wide(centre.point), wide(centre.direction)).norm();
+  return orbit;
+}
+
+double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Vector3d& direction) {
+  if (a.carrier != b.carrier && a.about >= 0 && a.about == b.about) return std::abs(a.radius - b.radius);
+  return acrossPart(b.at - a.at, direction).norm();
+}
+
+WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m_train(train) {
+  const std::size_t classes = placement.classes->classes.size();
+  std::vector<WheelOrbit> orbits;
+  for (std::size_t c = 0; c < classes; ++c) orbits.push_back(orbitOf(static_cast<int>(c), placement));
+  m_freeSide.assign(classes, Vector3d::Zero());
+  for (const TrainWheel& wheel : train.wheels) {
+    const AxialSpan span = axialSpan(wheel.spec);
+    Room room;
+    room.origin = wheel.origin;
+    room.axis = wheel.axis;
+    room.axisClass = wheel.axisClass;
+    room.low = span.low;
+    room.high = span.high;
+    room.bevel = wheel.spec.kind == GearKind::bevel;
+    const bool ring = wheel.spec.kind == GearKind::internal;
+    if (ring) room.inner = nominalTipRadius(wheel.spec);
+    room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+    const auto c = static_cast<std::size_t>(wheel.axisClass);
+    room.orbit = orbits[c];
+    room.hull = hullOf(wheel, room.low, room.high, room.outer);
+    if (room.bevel) m_freeSide[c] += wheel.axis;
+    m_rooms.push_back(std::move(room));
+  }
+}
+
+void WheelRooms::move(int wheel, const Vector3d& by) {
+  Room& moved = m_rooms[static_cast<std::size_t>(wheel)];
+  moved.origin += by;
+  for (Disc& disc : moved.hull) disc.centre = disc.centre + narrow(by);
+}
+
+bool WheelRooms::discsCollide(const Room& a, const Room& b) {
+  const double along = (b.origin - a.origin).dot(a.axis);
+  const double sense = a.axis.dot(b.axis);
+  const double low = sense < 0 ? -b.high : b.low;
+  const double high = sense < 0 ? -b.low : b.high;
+  if (a.high <= low + along || high + along <= a.low) return false;
+  if (a.axisClass == b.axisClass) return !(b.outer <= a.inner || a.outer <= b.inner);
+  const double distance = nearestAxes(a.orbit, b.orbit, a.axis);
+  const double now = acrossPart(b.origin - a.origin, a.axis).norm();
+  const bool inside =
+      std::max(distance, now) + b.outer <= a.inner || std::max(distance, now) + a.outer <= b.inner;
+  return !inside && distance < a.outer + b.outer;
+}
+
+bool WheelRooms::hullsCollide(const Room& a, const Room& b) {
+  return !a.hull.empty() && !b.hull.empty() && areNear(a.hull, b.hull);
+}
+
+bool WheelRooms::collide(int one, int other) const {
+  const Room& a = room(one);
+  const Room& b = room(other);
+  if (a.bevel && b.bevel && a.axisClass == b.axisClass)
+    return bevelsCollide(m_train.wheels[static_cast<std::size_t>(one)],
+                         m_train.wheels[static_cast<std::size_t>(other)]);
+  const bool discs = !a.bevel && !b.bevel && areParallel(a.axis, b.axis);
+  if (discs) return discsCollide(a, b);
+  if (!hullsCollide(a, b)) return false;
+  return !a.bevel || !b.bevel ||
+         bevelsCross(m_train.wheels[static_cast<std::size_t>(one)],
+                     m_train.wheels[static_cast<std::size_t>(other)]);
+}
+
+}  // namespace geargraph

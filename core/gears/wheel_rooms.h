@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/gears/train_wheels.h"
+#include "core/placement/disc_hull.h"
+
+namespace geargraph {
+
+/// A wheel's axis as its carrier sees it go round: two wheels on parallel axes whose carriers turn about one
+/// third axis come as close as the difference of their orbits.
+struct WheelOrbit {
+  int carrier = 0;     ///< the link that holds the wheel's axis
+  int about = -1;      ///< the axis class that this one turns about; -1: the ground
+  double radius = 0;   ///< of the orbit
+  Eigen::Vector3d at;  ///< a point of the wheel's axis
+};
+
+[[nodiscard]] WheelOrbit orbitOf(int axisClass, const Placement& placement);
+
+/// How near two parallel axes come to each other: where both are held by one carrier, or one carries the
+/// other, that is their distance.
+[[nodiscard]] double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Eigen::Vector3d& direction);
+
+/// The room that the wheels of a train take up: discs and rings, bevels by the hull of their tips and body.
+class WheelRooms {
+ public:
+  WheelRooms(const TrainWheels& train, const Placement& placement);
+
+  /// @p by is along the wheel's axis.
+  void move(int wheel, const Eigen::Vector3d& by);
+  /// Do two wheels take up the same room in the reference pose, or wheels on parallel axes ever?
+  [[nodiscard]] bool collide(int a, int b) const;
+  /// The way that a wheel rather moves along its axis: where the bevels on it come from; 0: none are there.
+  [[nodiscard]] const Eigen::Vector3d& freeSide(int wheel) const {
+    return m_freeSide[static_cast<std::size_t>(room(wheel).axisClass)];
+  }
+
+ private:
+  struct Room {
+    Eigen::Vector3d origin, axis;
+    int axisClass = 0;
+    double low = 0, high = 0;  ///< along the axis from the origin
+    double inner = 0, outer = 0;
+    bool bevel = false;
+    WheelOrbit orbit;
+    DiscHull hull;  ///< none of rings, which are hollow
+  };
+  [[nodiscard]] const Room& room(int w) const { return m_rooms[static_cast<std::size_t>(w)]; }
+  [[nodiscard]] static bool discsCollide(const Room& a, const Room& b);
+  [[nodiscard]] static bool hullsCollide(const Room& a, const Room& b);
+
+  const TrainWheels& m_train;
+  std::vector<Room> m_rooms;
+  std::vector<Eigen::Vector3d> m_freeSide;  ///< by axis class
+};
+
+}  // namespace geargraph
