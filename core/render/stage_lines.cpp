@@ -42,6 +42,10 @@ class LineMaker {
     const Pose& reference = m_stage.scene.instances[*contact.carrier].pose;
     return m_moment.poses[*contact.carrier] * reference.inverse() * contact.point;
   }
+  [[nodiscard]] bool isCut(const Eigen::Vector3d& point) const {
+    return m_moment.cut && m_moment.cut->normal.dot(point) > m_moment.cut->offset;
+  }
+  void addUncut(MarkLine line);
   void addInstantAxis(const Twist3& twist, const Eigen::Vector3d& middle, double half, const Rgb& colour);
   void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& along);
 
@@ -59,13 +63,29 @@ void LineMaker::addMarks(MarkKind kind) {
     MarkLine line{{}, m_moment.ink, 1.3F, mark.dashed};
     for (const Eigen::Vector3d& point : mark.points)
       line.points.push_back(m_moment.poses[mark.instance] * point);
-    m_lines.push_back(std::move(line));
+    kind == MarkKind::axis ? m_lines.push_back(std::move(line)) : addUncut(std::move(line));
   }
+}
+
+// An axis stays whole: it is where the half that was taken away turned, too.
+void LineMaker::addUncut(MarkLine line) {
+  MarkLine piece = line;
+  piece.points.clear();
+  for (const Eigen::Vector3d& point : line.points) {
+    if (!isCut(point)) {
+      piece.points.push_back(point);
+      continue;
+    }
+    if (piece.points.size() > 1) m_lines.push_back(piece);
+    piece.points.clear();
+  }
+  if (piece.points.size() > 1) m_lines.push_back(std::move(piece));
 }
 
 void LineMaker::addPitchPoints() {
   for (const StageContact& contact : m_stage.contacts) {
     const Eigen::Vector3d at = seen(contact);
+    if (isCut(at)) continue;
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d arm = kCross * m_size * Eigen::Vector3d::Unit(axis);
       m_lines.push_back({{at - arm, at + arm}, m_moment.motion, 2.4F, false});
@@ -133,7 +153,7 @@ void LineMaker::addVelocities() {
   double fastest = 0;
   for (const Arrow& arrow : arrows) fastest = std::max(fastest, arrow.velocity.norm());
   for (const Arrow& arrow : arrows) {
-    if (arrow.velocity.norm() <= 1e-6 * fastest) continue;
+    if (arrow.velocity.norm() <= 1e-6 * fastest || isCut(arrow.from)) continue;
     addArrow(arrow.from, kLongestArrow * m_size / fastest * arrow.velocity);
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/render/mark_line.h"
+#include "core/render/renderer.h"
 #include "core/render/stage.h"
 
 namespace geargraph {
@@ -25,9 +26,10 @@ struct Moment {
   std::span<const double> angles;  ///< of the inputs
   Pose ground = Pose::Identity();  ///< where the base frame is seen
   std::optional<std::size_t>
-      watcher;  ///< an instance of the link that motion is relative to; none: the ground
-  Rgb ink;      ///< of geometry
-  Rgb motion;   ///< of arrows
+      watcher;                       ///< an instance of the link that motion is relative to; none: the ground
+  Rgb ink;                           ///< of geometry
+  Rgb motion;                        ///< of arrows
+  std::optional<CutPlane> cut = {};  ///< what lies beyond it is taken away, and so are its circles and arrows
 };
 
 /// The lines of the choice. The longest arrow is a third of the scene's radius, the others in proportion.

@@ -82,11 +82,12 @@ std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3
   return boundsOf(apart).box.min().z();
 }
 
-std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const SeenPoses& seen) {
+std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const SeenPoses& seen,
+                                const std::optional<CutPlane>& cut) {
   const std::vector<double> angles = inputAngles(stage, view);
   const auto watcher = instanceOf(stage, view.ridden);
   const Rgb ink = motionInk(view.look);
-  const Moment moment{seen.poses, angles, seen.ground, watcher, view.look.letters, ink};
+  const Moment moment{seen.poses, angles, seen.ground, watcher, view.look.letters, ink, cut};
   std::vector<MarkLine> lines = stageLines(stage, view.marks, moment);
   for (const ShownTrace& trace : view.traces) {
     if (trace.point.watcher == watcher && !trace.path.points.empty())
@@ -103,7 +104,7 @@ void SeenStage::show(const StageView& view) {
     m_floor = floorOf(m_stage->scene, m_separations, view.pulledApart);
   m_view = view;
   m_seen = seenPoses(*m_stage, view, m_separations);
-  m_lines = seenLines(*m_stage, view, m_seen);
+  m_lines = seenLines(*m_stage, view, m_seen, cut());
   m_showing.clear();
   for (const Instance& instance : m_stage->scene.instances)
     m_showing.push_back(view.hidden.contains(instance.element) ? Showing::hidden : Showing::solid);
@@ -128,7 +129,7 @@ Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {
   frame.look = m_view.look;
   frame.poses = m_seen.poses;
   frame.showing = m_showing;
-  frame.section = cutPlane(m_bounds, m_seen.poses, m_view.section);
+  frame.section = cut();
   frame.floor = m_floor;
   frame.marks = m_lines;
   return frame;

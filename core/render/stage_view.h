@@ -67,9 +67,10 @@ struct SeenPoses {
 [[nodiscard]] std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations,
                                             double part);
 
-/// The lines of the view: its marks, and the traces that were drawn from where it is seen.
+/// The lines of the view: its marks, and the traces that were drawn from where it is seen. Marks beyond the
+/// cut are left out.
 [[nodiscard]] std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view,
-                                              const SeenPoses& seen);
+                                              const SeenPoses& seen, const std::optional<CutPlane>& cut);
 
 /// A view made ready for a renderer. It refers to the stage.
 class SeenStage {
@@ -79,6 +80,9 @@ class SeenStage {
   [[nodiscard]] const Stage& stage() const { return *m_stage; }
   [[nodiscard]] const std::vector<Pose>& poses() const { return m_seen.poses; }
   [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+  [[nodiscard]] std::optional<CutPlane> cut() const {
+    return cutPlane(m_bounds, m_seen.poses, m_view.section);
+  }
   /// Corners of what is seen, for Camera::fitted.
   [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
   void show(const StageView& view);

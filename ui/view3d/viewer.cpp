@@ -137,11 +137,12 @@ void Viewer::place() {
 
 void Viewer::renewMarks() {
   m_marks.clear();
-  if (m_stage != nullptr && !m_seen.poses.empty()) m_marks = seenLines(*m_stage, m_view, m_seen);
+  if (m_stage != nullptr && !m_seen.poses.empty()) m_marks = seenLines(*m_stage, m_view, m_seen, cut());
 }
 
 void Viewer::setOptions(const ViewOptions& options) {
   if (options == m_options) return;
+  const bool otherSize = (options.pulledApart > 0) != (m_options.pulledApart > 0);
   m_options = options;
   m_view.look.faces = options.faces;
   m_view.section = options.section;
@@ -149,6 +150,7 @@ void Viewer::setOptions(const ViewOptions& options) {
   m_view.marks = options.marks;
   renewShowing();
   place();
+  if (otherSize) fitNow();
   emit optionsChanged();
 }
 
@@ -263,6 +265,10 @@ void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
   if (!m_fitted) fitNow();
 }
 
+std::optional<CutPlane> Viewer::cut() const {
+  return cutPlane(m_bounds, m_seen.poses, m_view.section);
+}
+
 Frame Viewer::frame(bool quick) const {
   Frame frame;
   frame.viewport = m_viewport;
@@ -272,7 +278,7 @@ Frame Viewer::frame(bool quick) const {
   frame.poses = m_seen.poses;
   frame.emphasis = m_emphasis;
   frame.showing = m_showing;
-  frame.section = cutPlane(m_bounds, m_seen.poses, m_view.section);
+  frame.section = cut();
   frame.floor = m_floor;
   frame.marks = m_marks;
   return frame;

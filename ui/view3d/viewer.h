@@ -52,6 +52,7 @@ class Viewer : public QObject {
   void setTurnedByHand(std::vector<double> angles);
   [[nodiscard]] std::span<const Pose> poses() const { return m_seen.poses; }
   [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+  [[nodiscard]] std::optional<CutPlane> cut() const;
 
   [[nodiscard]] const ViewOptions& options() const { return m_options; }
   void setOptions(const ViewOptions& options);

@@ -11,6 +11,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/render/egl_host.h"
+#include "core/render/stage_lines.h"
 #include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 #include "tests/core/support/mechanisms.h"
@@ -128,6 +129,29 @@ class TestTrainStage : public QObject {
     QCOMPARE(second->scene.edges.at(far.get()), first->scene.edges.at(far.get()));  // the same list
     QCOMPARE(first->scene.edges.size(), first->scene.solids.size());
     QVERIFY(stageOf(paperRobot(), cache)->scene.edges.empty());  // a single picture finds its own
+  }
+
+  void marksOfWhatTheSectionTakesAwayAreGone() {
+    GearCache cache;
+    const StagePtr stage = stageOf(paperRobot(), cache);
+    const std::vector<double> angles(stage->inputSpeeds.size(), 0.3);
+    const std::vector<Pose> poses = posesAt(*stage, angles);
+    const CutPlane cut{{0, 1, 0}, boundsOf(stage->scene).centre().y()};
+    for (const bool velocities : {false, true}) {
+      MarkChoice choice;
+      (velocities ? choice.velocities : choice.pitchCircles) = true;
+      Moment moment{poses, angles, Pose::Identity(), std::nullopt, {}, {}, std::nullopt};
+      const auto all = stageLines(*stage, choice, moment);
+      moment.cut = cut;
+      const auto left = stageLines(*stage, choice, moment);
+      QVERIFY(!left.empty());
+      QVERIFY(!velocities || left.size() < all.size());
+      for (const MarkLine& line : left) {
+        // An arrow's shaft begins at its point; the strokes of its head have three.
+        const auto checked = velocities ? (line.points.size() == 2 ? 1 : 0) : line.points.size();
+        for (std::size_t i = 0; i < checked; ++i) QVERIFY(line.points[i].y() <= cut.offset);
+      }
+    }
   }
 
   void meshingWheelsHaveOneVelocityWhereTheyTouch() {
