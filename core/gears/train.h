@@ -57,26 +57,25 @@ struct GearTrain {
 
 /// Makes gears and bodies of a mechanism.
 ///
-/// 1. Wheels: those that meshes name, else meshes on the same link, axis, tooth count and plane (bevel: apex
-/// and
-///    cone) share one. Gears that would stand in one place are stacked along their axis, where the document
-///    leaves their pitch point open.
+/// 1. Wheels: those that meshes name, else meshes on the same link, axis, tooth count and plane share one
+///    (bevel: apex and cone), where the document leaves the plane open only if all in it pass each other
+///    (wheel_sharing.h). Gears that would stand in one place are stacked along their axis, where the
+///    document leaves their pitch point open.
 /// 2. Shape: the module of meshing wheels is the smallest that one of their meshes asks for; the others get
-/// their
-///    centre distance by profile shifts, as equal as the document's own shifts allow. Tips are shortened for
-///    clearance, tips of rings kept off the pinion's fillets.
+///    their centre distance by profile shifts, as equal as the document's own shifts allow. Tips are
+///    shortened for clearance, tips of rings kept off the pinion's fillets.
 /// 3. Phase: phase.h; loops that cannot close give `assembly` with the nearest that can.
 /// 4. Bodies: sized from the gears.
 ///
-/// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels
-/// pairwise.
+/// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels in
+///       pairs.
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
 
 /// The diagnostics of trainOf() alone, without stacking wheels and making bodies, for the analysis.
+/// Those found so far where `stop` was requested meanwhile.
 /// Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp).
 /// @pre as trainOf
-/// Those found so far where `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                           const std::stop_token& stop = {});
 

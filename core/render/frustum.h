@@ -1,9 +1,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 namespace geargraph {
+
+/// About a solid, in its own frame; of no size about nothing.
+struct Ball {
+  Eigen::Vector3d centre{0, 0, 0};
+  double radius = 0;
+
+  [[nodiscard]] static Ball about(const Eigen::AlignedBox3d& box) {
+    return box.isEmpty() ? Ball{} : Ball{box.center(), 0.5 * box.diagonal().norm()};
+  }
+};
 
 /// The six planes of a picture in the world, from the matrix that takes the world to OpenGL's clip space.
 class Frustum {

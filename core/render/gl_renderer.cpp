@@ -93,10 +93,6 @@ class GlRenderer final : public Renderer {
 
   Scene m_scene;
   Bounds m_bounds;
-  struct Ball {  ///< about a solid, in its own frame
-    Eigen::Vector3d centre{0, 0, 0};
-    double radius = 0;
-  };
   std::vector<Ball> m_balls;  ///< by solid
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
   struct Batch {
@@ -130,14 +126,7 @@ void GlRenderer::setScene(const Scene& scene) {
   m_scene = scene;  // keeps the solids alive, so that their addresses stay theirs
   m_bounds = boundsOf(m_scene);
   m_balls.clear();
-  for (const auto& solid : m_scene.solids) {
-    const Eigen::AlignedBox3d box = boundsOf(*solid);
-    if (box.isEmpty()) {
-      m_balls.push_back({});
-    } else {
-      m_balls.push_back({box.center(), 0.5 * box.diagonal().norm()});
-    }
-  }
+  for (const auto& solid : m_scene.solids) m_balls.push_back(Ball::about(boundsOf(*solid)));
 }
 
 const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,

@@ -65,6 +65,14 @@ Mechanism bevelWrist(const WristTeeth& teeth) {
   const auto at = [](int across, int along) {
     return NumberTriple{Number(0), Number(across), Number(along)};
   };
+  // Bearings beyond the wheels. The fork's is the nearest on the ground, with both shafts through it: its
+  // posts pass no other.
+  set.bearing(housing, -teeth.idler - 30);
+  set.bearing(bendShaft, -teeth.idler - 70);
+  set.bearing(bend, -teeth.bendShaft - 25);
+  set.bearing(rollShaft, -teeth.idler - 50);
+  set.bearing(idler, teeth.rollShaft + 25);
+  set.bearing(tool, teeth.idlerPinion + 36);
   // All cones share one apex: a pair ends where the next smaller one begins.
   const std::array distances = {std::hypot(teeth.bendShaft, teeth.bend),
                                 std::hypot(teeth.rollShaft, teeth.idler),

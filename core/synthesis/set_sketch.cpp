@@ -26,6 +26,10 @@ int SetSketch::link(int parent, const std::string& axis, std::string name) {
   return number;
 }
 
+void SetSketch::bearing(int link, std::int64_t offset) {
+  m_mechanism.turningJoints[static_cast<std::size_t>(link - 1)].offset = Number(offset);
+}
+
 void SetSketch::axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction) {
   m_mechanism.axes.push_back({AxisId(id), point, direction, {}});
 }

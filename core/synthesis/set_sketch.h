@@ -16,6 +16,8 @@ class SetSketch {
   /// A new link that turns about the axis on `parent`; an axis that is not known yet is left open. Returns
   /// its number.
   int link(int parent, const std::string& axis, std::string name);
+  /// Where along its axis a link's bearing on its parent stands; at the axis's point where nothing is said.
+  void bearing(int link, std::int64_t offset);
   /// An axis with a place.
   void axis(const std::string& id, const NumberTriple& point, const NumberTriple& direction);
   GearMesh& mesh(int tail, int head, int tailTeeth, int headTeeth, MeshKind kind);

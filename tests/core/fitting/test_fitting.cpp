@@ -3,167 +3,21 @@
 
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
-#include "core/fitting/mesh_snap.h"
 #include "core/fitting/wheel_map.h"
 #include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/pins.h"
 #include "core/mechanism/validate.h"
-#include "core/placement/placement.h"
 #include "core/synthesis/bevel_sets.h"
-#include "tests/core/support/train_sketch.h"
-#include "tests/core/support/trains.h"
+#include "tests/core/fitting/fitted_trains.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
-
-namespace {
-
-/// Sun 24 (1), ring 60 (2), carrier (3), planets 18 (4..), module 2, every place and pitch point stated.
-Mechanism statedPlanetary(int planets) {
-  const std::vector<ExactTriple> directions{
-      {1, 0, 0}, {Rational(-3, 5), Rational(4, 5), 0}, {Rational(-3, 5), Rational(-4, 5), 0}};
-  TrainBuilder train("planetary");
-  const int a = train.axis({0, 0, 0}, {0, 0, 1});
-  const int sun = train.link(0, a);
-  const int ring = train.link(0, a);
-  const int carrier = train.link(0, a);
-  for (int i = 0; i < planets; ++i) {
-    const int b = train.axis(scaled(directions[static_cast<std::size_t>(i)], 42), {0, 0, 1});
-    const int planet = train.link(carrier, b);
-    train.external(sun, a, 24, planet, b, 18);
-    train.internal(planet, b, 18, ring, a, 60);
-  }
-  return train.mechanism();
-}
-
-const GearMesh& mesh(const Mechanism& mechanism, int position) {
-  return mechanism.gearMeshes[static_cast<std::size_t>(position)];
-}
-
-/// How far pitch radii, tooth ratios and axes contradict each other, in modules.
-double misfit(const Mechanism& mechanism) {
-  const Placement placement = placementOf(mechanism);
-  double worst = 0;
-  for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
-    if (!placement.meshes[m]) return 1e9;
-    const MeshGeometry& geometry = *placement.meshes[m];
-    const GearMesh& element = mechanism.gearMeshes[m];
-    const Vector3& point = geometry.pitchPoint;
-    const auto radius = [&](int axisClass) {
-      const AxisLine& line = placement.lineOfClass(axisClass);
-      return length(cross(line.direction, point - line.point));
-    };
-    const double tail = radius(geometry.tailClass), head = radius(geometry.headClass);
-    const double module = 2 * tail / element.tailTeeth;
-    worst = std::max(
-        worst, std::abs(tail * element.headTeeth - head * element.tailTeeth) / (module * element.tailTeeth));
-    // The point lies in the plane of both axes: both radii point the same way or opposite ways.
-    const Vector3 a = cross(placement.lineOfClass(geometry.tailClass).direction,
-                            point - placement.lineOfClass(geometry.tailClass).point);
-    const Vector3 b = cross(placement.lineOfClass(geometry.headClass).direction,
-                            point - placement.lineOfClass(geometry.headClass).point);
-    worst = std::max(worst, length(cross(a, b)) / (tail * head) * tail / module);
-  }
-  return worst;
-}
-
-double moduleOf(const Mechanism& mechanism, int position) {
-  const Placement placement = placementOf(mechanism);
-  return 2 * std::abs(placement.meshes[static_cast<std::size_t>(position)]->tailRadius) /
-         mesh(mechanism, position).tailTeeth;
-}
-
-double distanceOfAxis(const Mechanism& mechanism, int axis) {
-  const NumberTriple& point = *mechanism.axes[static_cast<std::size_t>(axis)].point;
-  return std::hypot(point[0].value(), point[1].value());
-}
-
-NumberTriple at(double x, double y, double z) {
-  return {Number::fromDouble(x), Number::fromDouble(y), Number::fromDouble(z)};
-}
-
-Mechanism pin(const Mechanism& mechanism, const ElementId& element) {
-  return withPinned(mechanism, element, true).value();
-}
-
-bool blames(const Diagnostic& diagnostic, const ElementId& element) {
-  return std::find(diagnostic.elements.begin(), diagnostic.elements.end(), element) !=
-         diagnostic.elements.end();
-}
-
-/// Two pairs of gears at module 2, every place stated: 20 with 30, 40 with 25; the second pair stands off.
-Mechanism twoPairs() {
-  TrainBuilder train("two pairs");
-  const int a = train.axis({0, 0, 0}, {0, 0, 1});
-  const int b = train.axis({50, 0, 0}, {0, 0, 1});
-  const int c = train.axis({170, 0, 0}, {0, 0, 1});
-  const int d = train.axis({170, 65, 0}, {0, 0, 1});
-  const int first = train.link(0, a), second = train.link(0, b), third = train.link(0, c),
-            fourth = train.link(0, d);
-  train.external(first, a, 20, second, b, 30);
-  train.external(third, c, 40, fourth, d, 25);
-  return train.mechanism();
-}
-
-/// Links 2 and 3 of those are set into mesh.
-Expected<Mechanism> snapped(const Mechanism& pairs) {
-  const Mechanism drawn = withGearMesh(pairs, pairs.links[2].id, pairs.links[3].id, 30, 40).value();
-  return withMeshSnapped(drawn, drawn.gearMeshes.back().id);
-}
-
-ExactVector3 placeOf(const Mechanism& mechanism, std::size_t axis) {
-  const NumberTriple& point = *mechanism.axes[axis].point;
-  return {point[0].exact(), point[1].exact(), point[2].exact()};
-}
-
-}  // namespace
 
 class TestFitting : public QObject {
   Q_OBJECT
 
  private slots:
-  void gearsSetIntoMeshComeTogetherWithAllThatHangsOnThem() {
-    const Mechanism pairs = twoPairs();
-    const auto together = snapped(pairs);
-    QVERIFY(together);
-    QCOMPARE(placeOf(*together, 1), (ExactVector3{50, 0, 0}));
-    QCOMPARE(placeOf(*together, 2), (ExactVector3{120, 0, 0}));  // 2 * (30 + 40) / 2 from the second
-    QCOMPARE(placeOf(*together, 3), (ExactVector3{120, 65, 0}));
-    QVERIFY(misfit(*together) < 1e-9);
-    for (int m = 0; m < together->c(); ++m) {
-      const MeshGeometry geometry = *placementOf(*together).meshes[static_cast<std::size_t>(m)];
-      QVERIFY(std::abs(2 * std::abs(geometry.tailRadius) / mesh(*together, m).tailTeeth - 2) < 1e-9);
-    }
-  }
-
-  void whatIsPinnedStaysWhenGearsAreSetIntoMesh() {
-    Mechanism pairs = twoPairs();
-    pairs = withPinMark(pairs, pairs.axes[2].id, true).value();
-    const auto together = snapped(pairs);
-    QVERIFY(together);
-    QCOMPARE(placeOf(*together, 2), (ExactVector3{170, 0, 0}));
-    QCOMPARE(placeOf(*together, 1), (ExactVector3{100, 0, 0}));
-    QCOMPARE(placeOf(*together, 0), (ExactVector3{50, 0, 0}));
-    const AxisId second = pairs.axes[1].id;
-    const auto refused = snapped(withPinMark(pairs, second, true).value());
-    QVERIFY(!refused);
-    QCOMPARE(refused.error().front().code, Code::teethGeometry);
-    const auto& culprits = refused.error().front().elements;
-    QVERIFY(std::find(culprits.begin(), culprits.end(), ElementId(second)) != culprits.end());
-  }
-
-  void gearsWithoutAModuleOrWithTwoStayWhereTheyAre() {
-    Mechanism pairs = twoPairs();
-    const Mechanism free = withGearMesh(pairs, pairs.links[2].id, pairs.links[3].id, 17, 19).value();
-    QCOMPARE(withMeshSnapped(free, free.gearMeshes.back().id).value(), free);  // two new wheels
-    pairs.axes[3].point = NumberTriple{Number(170), Number(130), Number(0)};   // the second pair at module 4
-    pairs.gearMeshes[1].pitchPoint.reset();
-    const auto both = snapped(pairs);
-    QVERIFY(both);
-    QCOMPARE(placeOf(*both, 2), (ExactVector3{170, 0, 0}));
-  }
-
   void theRingFollowsTheSun() {
     const Mechanism before = statedPlanetary(3);
     const Mechanism after = *withTeethFitted(before, mesh(before, 0).id, 30, 18);
@@ -342,88 +196,6 @@ class TestFitting : public QObject {
     const Mechanism after = *withAxisReach(before, before.axes[1].id, Rational(5, 4));
     QCOMPARE(axisReach(after, before.axes[2].id)->module, 2.5);
     QVERIFY(misfit(after) < 1e-9);
-  }
-
-  // --- pins ---
-
-  void aPinStandsInTheFileAndIsKept() {
-    const Mechanism before = statedPlanetary(1);
-    const Mechanism pinned = pin(pin(before, before.axes[1].id), before.links[1].id);
-    QVERIFY(isPinned(pinned.axes[1]) && isPinned(pinned.links[1]));
-    QVERIFY(!isPinned(pinned.axes[0]) && !isPinned(pinned.links[2]));
-    const std::string text = writeMechanism(pinned);
-    QVERIFY(text.find("\"pinned\": true") != std::string::npos);
-    QCOMPARE(*readMechanism(text), pinned);
-    QCOMPARE(*withPinned(*withPinned(pinned, before.axes[1].id, false), before.links[1].id, false), before);
-    QCOMPARE(withPinned(before, MeshId("6"), true).error()[0].code, Code::unknownId);
-  }
-
-  void anAxisThatTheProgramPlacedIsStatedWhenItIsPinned() {
-    const Mechanism before = planetary(24, 18, 1);
-    const Mechanism pinned = pin(before, before.axes[1].id);
-    QVERIFY(pinned.axes[1].point && pinned.axes[1].direction);
-    QCOMPARE(distanceOfAxis(pinned, 1), 42.0);
-  }
-
-  void aPinnedGearKeepsItsTeethAndTheOthersFollow() {
-    const Mechanism before = statedPlanetary(3);
-    const Mechanism ring = pin(before, before.links[2].id);
-    // 24 + 18 + 18 = 60; with 30 teeth on the sun the planets have to have 15.
-    const Mechanism after = *withTeethFitted(ring, mesh(before, 0).id, 30, 18);
-    for (int planet = 0; planet < 3; ++planet) {
-      QCOMPARE(mesh(after, 2 * planet).headTeeth, 15);
-      QCOMPARE(mesh(after, 2 * planet + 1).headTeeth, 60);
-      QCOMPARE(distanceOfAxis(after, 1 + planet), 45.0);
-    }
-    QVERIFY(misfit(after) < 1e-9);
-    const auto odd = withTeethFitted(ring, mesh(before, 0).id, 25, 18);  // 17.5 teeth nobody cuts
-    QVERIFY(!odd);
-    QVERIFY(blames(odd.error()[0], before.links[2].id));
-    const auto own = withTeethFitted(ring, mesh(before, 1).id, 18, 66);
-    QVERIFY(!own && blames(own.error()[0], before.links[2].id));
-  }
-
-  void aPinnedTwinHoldsItsTwins() {
-    const Mechanism before = statedPlanetary(3);
-    const Mechanism pinned = pin(before, before.links[6].id);  // the third planet
-    const auto refused = withTeethFitted(pinned, mesh(before, 0).id, 24, 20);
-    QVERIFY(!refused && blames(refused.error()[0], before.links[6].id));
-    QVERIFY(withTeethFitted(pinned, mesh(before, 0).id, 30, 18).has_value());
-  }
-
-  void aPinnedAxisStaysAndTheOtherGoes() {
-    TrainBuilder train("pair");
-    const int a = train.axis({0, 0, 0}, {0, 0, 1});
-    const int b = train.axis({40, 0, 0}, {0, 0, 1});
-    const int one = train.link(0, a);
-    train.external(one, a, 20, train.link(0, b), b, 20);
-    const Mechanism before = train.mechanism();
-    const Mechanism after = *withTeethFitted(pin(before, before.axes[1].id), mesh(before, 0).id, 20, 30);
-    QCOMPARE(after.axes[1].point, before.axes[1].point);
-    QCOMPARE((*after.axes[0].point)[0].exact(), Rational(-10));
-    QVERIFY(misfit(after) < 1e-9);
-    const auto refused = withAxisMoved(pin(before, before.axes[1].id), before.axes[1].id, at(50, 0, 0));
-    QVERIFY(!refused && blames(refused.error()[0], before.axes[1].id));
-  }
-
-  void betweenTwoPinnedAxesThePartnerFollows() {
-    const Mechanism before = statedPlanetary(1);
-    const Mechanism held = pin(pin(before, before.axes[0].id), before.axes[1].id);
-    const Mechanism after = *withTeethFitted(held, mesh(before, 0).id, 22, 18);
-    QCOMPARE(after.axes[1].point, before.axes[1].point);
-    QCOMPARE(mesh(after, 0).headTeeth, 20);
-    QCOMPARE(mesh(after, 1).headTeeth, 62);
-    QVERIFY(misfit(after) < 1e-9);
-    const auto refused = withTeethFitted(pin(held, before.links[4].id), mesh(before, 0).id, 22, 18);
-    QVERIFY(!refused);
-    for (const ElementId& culprit :
-         {ElementId(before.axes[0].id), ElementId(before.axes[1].id), ElementId(before.links[4].id)})
-      QVERIFY(blames(refused.error()[0], culprit));
-    // A third axis cannot be dragged away from two that are pinned.
-    const Mechanism three = statedPlanetary(2);
-    const auto drag =
-        withAxisMoved(pin(pin(three, three.axes[0].id), three.axes[2].id), three.axes[1].id, at(63, 0, 0));
-    QVERIFY(!drag && blames(drag.error()[0], three.axes[2].id));
   }
 
   // --- bevels ---

@@ -19,20 +19,36 @@ GearSpec gear(int kind, int teeth, double cone, double bore) {
   return spec;
 }
 
-/// Area of the section of an external gear from the closed forms of involute, tip and root arcs; of the
-/// fillet, which has none, from a very fine polygon. Lengths in modules.
+/// Area of the section of a spur gear or a ring from the closed forms of involute and tip arc; of fillet and
+/// root, which have none, from a very fine polygon. Lengths in modules.
 double sectionArea(const GearSpec& spec) {
-  const HalfTooth tooth = externalTooth(spec, 1e-8);
+  const bool ring = spec.kind == GearKind::internal;
+  const HalfTooth tooth = ring ? ringTooth(spec, 1e-8) : externalTooth(spec, 1e-8);
   const double rb = spec.teeth / 2.0 * std::cos(spec.pressureAngle);
   const auto roll = [&](double rad) { return std::sqrt(rad * rad / (rb * rb) - 1); };
-  double half = rb * rb * (std::pow(roll(tooth.tipRad), 3) - std::pow(roll(tooth.formRad), 3)) / 6;
+  double half = rb * rb * std::abs(std::pow(roll(tooth.tipRad), 3) - std::pow(roll(tooth.formRad), 3)) / 6;
   half += tooth.tipRad * tooth.tipRad * tooth.tipHalfAngle / 2;
-  for (std::size_t i = 0; i + 1 < tooth.points.size() && tooth.points[i].rad < tooth.formRad; ++i) {
+  const auto isBelowFlank = [&](double rad) { return ring ? rad > tooth.formRad : rad < tooth.formRad; };
+  for (std::size_t i = 0; i + 1 < tooth.points.size() && isBelowFlank(tooth.points[i].rad); ++i) {
     const ProfilePoint& a = tooth.points[i];
     const ProfilePoint& b = tooth.points[i + 1];
     half += 0.5 * a.rad * b.rad * std::sin(a.gam - b.gam);
   }
-  return 2 * spec.teeth * half - kPi * spec.bore * spec.bore / 4 / (spec.module * spec.module);
+  const double round = kPi * std::pow((ring ? spec.rim : spec.bore) / spec.module, 2) / 4;
+  return ring ? round - 2 * spec.teeth * half : 2 * spec.teeth * half - round;
+}
+
+/// Volume of all teeth of a bevel between two colatitudes on the flank, from the closed form of the spherical
+/// involute: walls are cones through the apex, ends are back cone and front cone.
+double toothVolume(const GearSpec& spec, double from, double to) {
+  constexpr int kSteps = 20'000;
+  const double far = coneDistance(spec), near = far - spec.faceWidth;
+  double sum = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double c = from + (k + 0.5) * (to - from) / kSteps;
+    sum += sphericalInvoluteHalfAngle(spec, c) * std::sin(c) / std::pow(std::cos(c - spec.coneAngle), 3);
+  }
+  return 2 * spec.teeth * sum * (to - from) / kSteps * (std::pow(far, 3) - std::pow(near, 3)) / 3;
 }
 
 }  // namespace
@@ -131,24 +147,42 @@ class TestGearSolid : public QObject {
   }
 
   void volumeIsTheSectionTimesTheFaceWidth_data() {
+    QTest::addColumn<int>("kind");
     QTest::addColumn<int>("teeth");
     QTest::addColumn<double>("shift");
-    QTest::addColumn<double>("bore");
-    QTest::newRow("40") << 40 << 0.0 << 20.0;
-    QTest::newRow("8, undercut") << 8 << 0.0 << 3.0;
-    QTest::newRow("12, shifted") << 12 << 0.4 << 6.0;
+    QTest::addColumn<double>("round");
+    QTest::newRow("40") << 0 << 40 << 0.0 << 20.0;
+    QTest::newRow("8, undercut") << 0 << 8 << 0.0 << 3.0;
+    QTest::newRow("12, shifted") << 0 << 12 << 0.4 << 6.0;
+    QTest::newRow("ring 60") << 1 << 60 << 0.0 << 140.0;
+    QTest::newRow("ring 30, shifted") << 1 << 30 << 0.3 << 78.0;
   }
   void volumeIsTheSectionTimesTheFaceWidth() {
+    QFETCH(int, kind);
     QFETCH(int, teeth);
     QFETCH(double, shift);
-    QFETCH(double, bore);
-    GearSpec spec = gear(0, teeth, 0, bore);
+    QFETCH(double, round);
+    GearSpec spec = gear(kind, teeth, 0, kind == 0 ? round : 0);
+    if (kind == 1) spec.rim = round;
     spec.profileShift = shift;
     const double exact = sectionArea(spec) * spec.module * spec.module * spec.faceWidth;
     const Expected<Solid> solid = gearSolid(spec, 0.002);
     QVERIFY(std::abs(signedVolume(*solid) / exact - 1) < 0.0012);
     const Expected<Solid> fine = gearSolid(spec, 1e-4);
     QVERIFY(std::abs(signedVolume(*fine) / exact - 1) < 1e-4);
+  }
+
+  /// Of two bevels that differ in the height of their teeth only, what the one has more.
+  void volumeOfBevelTeethIsThatOfTheSphericalInvolute() {
+    for (const double cone : {26.565, 45.0, 63.435, 100.0}) {
+      const GearSpec tall = gear(2, 32, cone, 8);
+      GearSpec low = tall;
+      low.addendum = 0.4;
+      const double exact = toothVolume(tall, bevelTooth(low, 1e-6).tipRad, bevelTooth(tall, 1e-6).tipRad);
+      const double found = signedVolume(*gearSolid(tall, 2e-5)) - signedVolume(*gearSolid(low, 2e-5));
+      QVERIFY2(std::abs(found / exact - 1) < 2e-3,
+               qPrintable(QString("%1: %2").arg(cone).arg(found / exact)));
+    }
   }
 
   /// Walls of bevels are cones through the apex: both ends of an edge of a tooth lie on one ray, at the
