@@ -10,6 +10,7 @@ std::vector<std::uint8_t> pngBytes(const Image& image) {
   header.width = static_cast<png_uint_32>(image.width);
   header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGBA;
+  header.flags = PNG_IMAGE_FLAG_FAST;  // a third of the time, and with flat faces the same size
   if (image.rgba.empty()) return {};
   // Asking for the size would compress everything once more.
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
