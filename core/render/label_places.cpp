@@ -11,8 +11,15 @@ constexpr double kGap = 5;               // between a part and its plate
 constexpr double kCrossed = 0.25;        // of the part's radius beyond the middle: the plate changes sides
 constexpr int kRounds = 12;
 
-/// Moves touching plates apart, a little in each round, and all of them into the picture.
-void pushApart(std::vector<LabelPlace>& labels, double width, double height) {
+/// Where plates may lie.
+struct Room {
+  double width = 0;
+  double top = 0;
+  double bottom = 0;
+};
+
+/// Moves touching plates apart, a little in each round, and all of them into the room.
+void pushApart(std::vector<LabelPlace>& labels, const Room& room) {
   constexpr double kWanted = 2 * kLabelRadius + 2, kEdge = kLabelRadius + 2;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t a = 0; a < labels.size(); ++a) {
@@ -31,8 +38,9 @@ void pushApart(std::vector<LabelPlace>& labels, double width, double height) {
       }
     }
     for (LabelPlace& label : labels) {
-      label.x = std::clamp(label.x, kEdge, std::max(kEdge, width - kEdge));
-      label.y = std::clamp(label.y, kEdge, std::max(kEdge, height - kEdge));
+      label.x = std::clamp(label.x, kEdge, std::max(kEdge, room.width - kEdge));
+      const double highest = room.top + kEdge;
+      label.y = std::clamp(label.y, highest, std::max(highest, room.bottom - kEdge));
     }
   }
 }
@@ -70,7 +78,8 @@ std::vector<LabelPlace> LabelPlaces::find(const LabelGround& ground) {
     const double away = reach / ground.pixelRatio + kLabelRadius + kGap;
     placed.push_back({i, x + 0.93 * m_sides[i] * away, y - 0.37 * away});
   }
-  pushApart(placed, ground.viewport.width / ground.pixelRatio, ground.viewport.height / ground.pixelRatio);
+  pushApart(placed, {ground.viewport.width / ground.pixelRatio, m_above,
+                     ground.viewport.height / ground.pixelRatio - m_below});
   return placed;
 }
 

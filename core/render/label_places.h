@@ -38,13 +38,20 @@ class LabelPlaces {
   void setShown(LabelKind kind, bool shown) { m_shown[static_cast<std::size_t>(kind)] = shown; }
   [[nodiscard]] bool isShown(LabelKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
   void reset() { m_sides.clear(); }
+  /// What lies over the picture's upper and lower edge, which labels keep clear of; logical pixels.
+  void setBorders(double above, double below) {
+    m_above = above;
+    m_below = below;
+  }
 
   /// Labels of hidden instances are left out; so are all of more than 60. Cost: O(labels²), for the pushing.
   [[nodiscard]] std::vector<LabelPlace> find(const LabelGround& ground);
 
  private:
   std::array<bool, 3> m_shown{true, false, false};  ///< by kind
-  std::vector<int> m_sides;                         ///< by label: -1 left, +1 right, 0 not placed yet
+  double m_above = 0;
+  double m_below = 0;
+  std::vector<int> m_sides;  ///< by label: -1 left, +1 right, 0 not placed yet
 };
 
 /// A length that reads well (1, 2 or 5 times a power of ten) and takes at most `most` pixels of the picture.

@@ -32,6 +32,7 @@ class LabelLayer {
   void setShown(LabelKind kind, bool shown) { m_places.setShown(kind, shown); }
   [[nodiscard]] bool isShown(LabelKind kind) const { return m_places.isShown(kind); }
   void reset() { m_places.reset(); }
+  void setBorders(double above, double below) { m_places.setBorders(above, below); }
 
   /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
   [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,

@@ -433,6 +433,7 @@ void View3D::resizeEvent(QResizeEvent* event) {
   d->placeStrip();
   const int height = d->bar->sizeHint().height();
   d->bar->setGeometry(96, this->height() - height, width() - 96, height);
+  d->labels.setBorders(d->buttons->geometry().bottom() + 1, height);
   d->emptyText->setGeometry(rect().adjusted(30, 30, -30, -30));
   placeNote();
   QWidget::resizeEvent(event);

@@ -71,13 +71,14 @@ class TestPlayback : public QObject {
     std::vector<Pose> poses;
     for (const Instance& instance : stage->scene.instances) poses.push_back(instance.pose);
     LabelLayer layer;
+    layer.setBorders(30, 20);  // buttons above, the playback bar below
     const Viewport viewport{300, 200};
     for (double yaw = -3; yaw < 3; yaw += 0.25) {
       const Camera camera = Camera::from(yaw, 0.3).fitted(cornersOf(stage->scene), viewport);
       const auto labels = layer.place(*stage, poses, camera, viewport, 1);
       QCOMPARE(labels.size(), stage->labels.size());
       for (const PlacedLabel& a : labels) {
-        QVERIFY(QRectF(0, 0, 300, 200)
+        QVERIFY(QRectF(0, 30, 300, 150)
                     .contains(
                         QRectF(a.centre - QPointF(a.radius, a.radius), QSizeF(2 * a.radius, 2 * a.radius))));
         for (const PlacedLabel& b : labels) {
