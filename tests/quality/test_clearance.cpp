@@ -233,21 +233,24 @@ bool saysSo(const Mechanism& mechanism) {
   });
 }
 
+/// A row for each example that has solids.
+void exampleRows() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"robot", "spur-pair", "three-planets", "planetary-ring-held",
+                           "redundant-planetary", "bevel-differential", "bevel-wrist", "humpage-reduction",
+                           "locked-train", "three-roll-wrist", "eight-speed-gearbox", "cannot-be-assembled",
+                           "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
+    QTest::newRow(name) << QString(name);
+  }
+}
+
 }  // namespace
 
 class TestClearance : public QObject {
   Q_OBJECT
  private slots:
   /// Nothing of one link cuts into another, carriers moving.
-  void linksPassEachOther_data() {
-    QTest::addColumn<QString>("name");
-    for (const char* name : {"robot", "spur-pair", "three-planets", "planetary-ring-held",
-                             "redundant-planetary", "bevel-differential", "bevel-wrist", "humpage-reduction",
-                             "locked-train", "three-roll-wrist", "eight-speed-gearbox", "cannot-be-assembled",
-                             "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
-      QTest::newRow(name) << QString(name);
-    }
-  }
+  void linksPassEachOther_data() { exampleRows(); }
   void linksPassEachOther() {
     QFETCH(QString, name);
     const QStringList found = cutsOf(example(name), 4);
@@ -270,15 +273,7 @@ class TestClearance : public QObject {
   }
 
   /// The examples drawn as bare graphs: the program places them so that no two wheels stand in one place.
-  void bareGraphsHaveARoomForEveryWheel_data() {
-    QTest::addColumn<QString>("name");
-    for (const char* name : {"robot", "spur-pair", "three-planets", "planetary-ring-held",
-                             "redundant-planetary", "bevel-differential", "bevel-wrist", "humpage-reduction",
-                             "locked-train", "three-roll-wrist", "eight-speed-gearbox", "cannot-be-assembled",
-                             "ravigneaux", "simpson", "ferguson-paradox", "reverted-train"}) {
-      QTest::newRow(name) << QString(name);
-    }
-  }
+  void bareGraphsHaveARoomForEveryWheel_data() { exampleRows(); }
   void bareGraphsHaveARoomForEveryWheel() {
     QFETCH(QString, name);
     const Mechanism mechanism = bare(example(name));
