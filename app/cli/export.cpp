@@ -1,6 +1,7 @@
 // `export FILE --to FORM ...`: each form has a file of its own (export_forms.h).
 
 #include <array>
+#include <functional>
 
 #include "app/cli/command.h"
 #include "app/cli/export_forms.h"
@@ -8,41 +9,41 @@
 namespace geargraph::cli {
 namespace {
 
+/// What writes this form; none where there is no such form.
+std::function<int()> exporterOf(const Arguments& arguments, const std::string& form) {
+  const bool solid = arguments.value("--view") == "3d";
+  if (const auto format = meshFormatFromName(form)) {
+    if (solid && format == MeshFormat::glb) return [&arguments] { return exportPicture(arguments, true); };
+    return [&arguments, format] { return exportSolids(arguments, *format); };
+  }
+  if (const auto picture = pictureFormFromName(form)) {
+    if (solid && picture == PictureForm::png) return [&arguments] { return exportPicture(arguments, false); };
+    return [&arguments, picture] { return exportDrawing(arguments, *picture); };
+  }
+  if (const auto report = reportFormFromName(form)) {
+    return [&arguments, report] { return exportReport(arguments, *report); };
+  }
+  if (form == "assembly") return [&arguments] { return exportAssembly(arguments); };
+  if (form == "csv") return [&arguments] { return exportCsv(arguments); };
+  return nullptr;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, "One file is needed.");
   const std::string form = arguments.value("--to").value_or("");
-  const bool solid = arguments.value("--view") == "3d";
-  if (const auto format = meshFormatFromName(form)) {
-    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    if (solid && format == MeshFormat::glb) return exportPicture(arguments, true);
-    return exportSolids(arguments, *format);
-  }
-  if (form == "assembly") {
-    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    return exportAssembly(arguments);
-  }
-  if (const auto picture = pictureFormFromName(form)) {
-    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    return solid && picture == PictureForm::png ? exportPicture(arguments, false)
-                                                : exportDrawing(arguments, *picture);
-  }
-  if (const auto report = reportFormFromName(form)) {
-    if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-    return exportReport(arguments, *report);
-  }
-  if (form != "csv") {
+  const auto exporter = exporterOf(arguments, form);
+  if (!exporter) {
     return wrongUsage(
         kExport, "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
   }
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-  return exportCsv(arguments);
+  return exporter();
 }
 
 constexpr std::array kOptions = {
     Option{"--to", "FORM",
            "csv: matrices; html, latex, md: the worked derivation; svg, pdf, png: a picture; stl, obj, ply, "
-           "glb, "
-           "3mf: gears; assembly: gears for a check"},
+           "glb, 3mf: gears; assembly: gears for a check"},
     Option{"--matrix", "NAME",
            "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
     Option{"--all", "", "every matrix, or every picture of a film, into the folder that -o names"},

@@ -15,17 +15,7 @@ namespace geargraph::cli {
 namespace {
 
 std::string svgNamed(const char* name, const AnalysisSnapshot& snapshot) {
-  SheetLook look;
-  look.transparent = false;
-  return svgOf(drawingNamed(name)->draw(snapshot), look);
-}
-
-std::string written(const SnapshotPtr& snapshot, ReportForm form) {
-  const Report report = derivationReport(snapshot);
-  if (form == ReportForm::markdown) return reportMarkdown(report);
-  if (form == ReportForm::latex) return reportLatex(report);
-  return reportHtml(report, {svgNamed("schematic", *snapshot), svgNamed("digraph", *snapshot),
-                             svgNamed("ttgraph", *snapshot)});
+  return svgOf(drawingNamed(name)->draw(snapshot), SheetLook{});
 }
 
 }  // namespace
@@ -44,7 +34,11 @@ int exportReport(const Arguments& arguments, ReportForm form) {
   const SnapshotPtr snapshot =
       analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
-  const int status = writePicture(written(snapshot, form), *arguments.value("-o"));
+  const std::string text = reportText(derivationReport(snapshot), form, [&] {
+    return ReportDrawings{svgNamed("schematic", *snapshot), svgNamed("digraph", *snapshot),
+                          svgNamed("ttgraph", *snapshot)};
+  });
+  const int status = writePicture(text, *arguments.value("-o"));
   if (status != kFine) return status;
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
 }

@@ -11,10 +11,10 @@ std::string counted(int count, const char* one, const char* many) {
   return "$" + std::to_string(count) + "$ " + (count == 1 ? one : many);
 }
 
-class DigraphPart {
+class DigraphPart : private ReportPart {
  public:
   DigraphPart(Report& report, const AnalysisSnapshot& snapshot)
-      : m_report(report), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism) {
+      : ReportPart(report), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism) {
     for (int i = 0; i <= m_mechanism.n(); ++i) {
       m_labels[m_mechanism.links[static_cast<std::size_t>(i)].id] = std::to_string(m_mechanism.linkLabel(i));
     }
@@ -22,8 +22,7 @@ class DigraphPart {
 
   void addMechanism() {
     heading(1, "The mechanism");
-    if (!m_mechanism.notes.empty())
-      m_report.blocks.emplace_back(ReportParagraph{plainWords(m_mechanism.notes)});
+    if (!m_mechanism.notes.empty()) put(ReportParagraph{plainWords(m_mechanism.notes)});
     const int n = m_mechanism.n(), t = m_mechanism.t(), c = m_mechanism.c();
     paragraph("It has " + counted(n, "moving link", "moving links") + " ($n = " + std::to_string(n) + "$), " +
               counted(t, "turning joint", "turning joints") + " ($t = " + std::to_string(t) + "$) and " +
@@ -34,7 +33,7 @@ class DigraphPart {
     addLinks();
     addJoints();
     addMeshes();
-    m_report.blocks.emplace_back(ReportFigure{ReportDrawing::schematic, "Functional schematic"});
+    put(ReportFigure{ReportDrawing::schematic, "Functional schematic"});
   }
 
   void addMatrices() {
@@ -43,7 +42,7 @@ class DigraphPart {
         "Each link becomes a node, each turning joint a solid arrow from its tail to its head, each gear "
         "mesh a "
         "dashed one.");
-    m_report.blocks.emplace_back(ReportFigure{ReportDrawing::digraph, "Digraph"});
+    put(ReportFigure{ReportDrawing::digraph, "Digraph"});
     matrix(MatrixKind::incidence, "\\Gamma^0",
            "In the incidence matrix an edge's column holds $-1$ in the row of the link that it leaves and "
            "$1$ in "
@@ -71,9 +70,6 @@ class DigraphPart {
   }
 
  private:
-  void heading(int level, const char* text) { m_report.blocks.emplace_back(ReportHeading{level, text}); }
-  void paragraph(std::string_view text) { m_report.blocks.emplace_back(ReportParagraph{reportWords(text)}); }
-
   void addLinks() {
     ReportTable table{{"Link", "Name"}, {}};
     for (int i = 0; i <= m_mechanism.n(); ++i) {
@@ -81,7 +77,7 @@ class DigraphPart {
       table.rows.push_back({plainWords(std::to_string(m_mechanism.linkLabel(i))),
                             plainWords(link.name.empty() ? link.id.text() : link.name)});
     }
-    m_report.blocks.emplace_back(std::move(table));
+    put(std::move(table));
   }
 
   void addJoints() {
@@ -92,7 +88,7 @@ class DigraphPart {
                             plainWords(m_labels[joint.tail]), plainWords(m_labels[joint.head]),
                             plainWords(joint.axis.text())});
     }
-    if (!table.rows.empty()) m_report.blocks.emplace_back(std::move(table));
+    if (!table.rows.empty()) put(std::move(table));
   }
 
   void addMeshes() {
@@ -105,7 +101,7 @@ class DigraphPart {
            plainWords(std::to_string(mesh.tailTeeth) + " : " + std::to_string(mesh.headTeeth)),
            plainWords(mesh.kind ? std::string(meshKindName(*mesh.kind)) : std::string())});
     }
-    if (!table.rows.empty()) m_report.blocks.emplace_back(std::move(table));
+    if (!table.rows.empty()) put(std::move(table));
   }
 
   void matrix(MatrixKind kind, const std::string& symbol, const std::string& text) {
@@ -118,12 +114,9 @@ class DigraphPart {
                        std::string(matrixCommandName(kind)) + "\" writes them.");
     }
     paragraph(text);
-    std::string array = matrixLatex(*matrix);
-    array.pop_back();  // an empty line ends a formula
-    m_report.blocks.emplace_back(ReportEquation{symbol + " =\n" + array, matrixEquation(kind)});
+    equation(symbol + " =\n" + matrixLatex(*matrix), matrixEquation(kind));
   }
 
-  Report& m_report;
   const AnalysisSnapshot& m_snapshot;
   const Mechanism& m_mechanism;
   std::unordered_map<LinkId, std::string> m_labels;

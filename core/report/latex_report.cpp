@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/report/report.h"
+#include "core/report/report_words.h"
 
 namespace geargraph {
 namespace {
@@ -60,9 +60,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string words(const ReportWords& spans) {
-  std::string text;
-  for (const ReportSpan& span : spans) text += span.isFormula ? "$" + span.text + "$" : escaped(span.text);
-  return text;
+  return dollarWords(spans, escaped);
 }
 
 struct LatexWriter {

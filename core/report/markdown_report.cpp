@@ -1,4 +1,4 @@
-#include "core/report/report.h"
+#include "core/report/report_words.h"
 
 namespace geargraph {
 namespace {
@@ -14,9 +14,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string words(const ReportWords& spans) {
-  std::string text;
-  for (const ReportSpan& span : spans) text += span.isFormula ? "$" + span.text + "$" : escaped(span.text);
-  return text;
+  return dollarWords(spans, escaped);
 }
 
 /// A cell of a table stands on one line.

@@ -9,10 +9,10 @@ namespace {
 /// Longest list of equations, one a mesh.
 constexpr int kMostListed = 100;
 
-class MatroidPart {
+class MatroidPart : private ReportPart {
  public:
   MatroidPart(Report& report, const SnapshotPtr& snapshot)
-      : m_report(report),
+      : ReportPart(report),
         m_pointer(snapshot),
         m_snapshot(*snapshot),
         m_graph(*snapshot->graph),
@@ -27,12 +27,6 @@ class MatroidPart {
   }
 
  private:
-  void heading(int level, const char* text) { m_report.blocks.emplace_back(ReportHeading{level, text}); }
-  void paragraph(std::string_view text) { m_report.blocks.emplace_back(ReportParagraph{reportWords(text)}); }
-  void equation(std::string tex, std::optional<int> number = std::nullopt) {
-    while (!tex.empty() && tex.back() == '\n') tex.pop_back();
-    m_report.blocks.emplace_back(ReportEquation{std::move(tex), number});
-  }
   [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
 
   /// The best form that is there: fractions, else decimals.
@@ -207,7 +201,6 @@ class MatroidPart {
     equation(texLines(lines(exact.outputs)));
   }
 
-  Report& m_report;
   SnapshotPtr m_pointer;
   const AnalysisSnapshot& m_snapshot;
   const Digraph& m_graph;

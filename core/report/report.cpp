@@ -45,6 +45,13 @@ Report derivationReport(const SnapshotPtr& snapshot) {
   return report;
 }
 
+std::string reportText(const Report& report, ReportForm form,
+                       const std::function<ReportDrawings()>& drawings) {
+  if (form == ReportForm::markdown) return reportMarkdown(report);
+  if (form == ReportForm::latex) return reportLatex(report);
+  return reportHtml(report, drawings());
+}
+
 std::optional<ReportForm> reportFormFromName(std::string_view name) {
   if (name == "md") return ReportForm::markdown;
   if (name == "latex") return ReportForm::latex;

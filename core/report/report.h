@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,6 +71,10 @@ struct ReportDrawings {
 };
 
 enum class ReportForm { markdown, latex, html };
+/// In this form. `drawings` are asked for where the form holds some: they may be dear.
+[[nodiscard]] std::string reportText(const Report& report, ReportForm form,
+                                     const std::function<ReportDrawings()>& drawings);
+
 /// "md", "latex", "html"
 [[nodiscard]] std::optional<ReportForm> reportFormFromName(std::string_view name);
 

@@ -13,4 +13,23 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot);
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).
 void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot);
 
+/// Adds to a report, for its parts.
+class ReportPart {
+ protected:
+  explicit ReportPart(Report& report) : m_report(report) {}
+
+  void heading(int level, const char* text) { put(ReportHeading{level, text}); }
+  /// With formulas between dollar signs (reportWords()).
+  void paragraph(std::string_view text);
+  /// Without the line ends behind it: an empty line would end the formula in LaTeX.
+  void equation(std::string tex, std::optional<int> number = std::nullopt);
+  template <class Block>
+  void put(Block block) {
+    m_report.blocks.emplace_back(std::move(block));
+  }
+
+ private:
+  Report& m_report;
+};
+
 }  // namespace geargraph

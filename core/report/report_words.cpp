@@ -2,8 +2,18 @@
 
 #include "core/base/contract.h"
 #include "core/base/wording.h"
+#include "core/report/report_parts.h"
 
 namespace geargraph {
+
+void ReportPart::paragraph(std::string_view text) {
+  put(ReportParagraph{reportWords(text)});
+}
+
+void ReportPart::equation(std::string tex, std::optional<int> number) {
+  while (!tex.empty() && tex.back() == '\n') tex.pop_back();
+  put(ReportEquation{std::move(tex), number});
+}
 
 ReportWords reportWords(std::string_view sentence) {
   ReportWords words;
@@ -20,6 +30,12 @@ ReportWords reportWords(std::string_view sentence) {
   return words;
 }
 
+std::string dollarWords(const ReportWords& words, std::string (*escaped)(std::string_view)) {
+  std::string text;
+  for (const ReportSpan& span : words) text += span.isFormula ? "$" + span.text + "$" : escaped(span.text);
+  return text;
+}
+
 ReportWords plainWords(std::string text) {
   return {{std::move(text), false}};
 }
@@ -28,12 +44,16 @@ std::string rateName(const Digraph& graph, int joint) {
   return "\\dot{\\theta}_{" + std::to_string(graph.edgeLabel(joint)) + "}";
 }
 
-std::string rateColumn(const Digraph& graph, std::span<const int> joints) {
+std::string texColumn(const std::vector<std::string>& names) {
   std::string text = "\\begin{pmatrix}";
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    text += (i > 0 ? " \\\\ " : " ") + rateName(graph, joints[i]);
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? " \\\\ " : " ") + names[i];
   return text + " \\end{pmatrix}";
+}
+
+std::string rateColumn(const Digraph& graph, std::span<const int> joints) {
+  std::vector<std::string> names;
+  for (const int joint : joints) names.push_back(rateName(graph, joint));
+  return texColumn(names);
 }
 
 std::string texMatrix(const std::vector<std::vector<std::string>>& rows, std::optional<int> partition) {

@@ -15,10 +15,15 @@ namespace geargraph {
 /// A user's own text.
 [[nodiscard]] ReportWords plainWords(std::string text);
 
+/// As TeX and Markdown write them: formulas between dollar signs, words as `escaped` writes them.
+[[nodiscard]] std::string dollarWords(const ReportWords& words, std::string (*escaped)(std::string_view));
+
 /// Columns and rows of the largest matrix that is printed; of others the report says where they are found.
 constexpr int kMostReportColumns = 40;
 constexpr int kMostReportRows = 80;
 
+/// Names one below the other, between parentheses.
+[[nodiscard]] std::string texColumn(const std::vector<std::string>& names);
 /// "(\dot{\theta}_8, ...)" as a column.
 [[nodiscard]] std::string rateColumn(const Digraph& graph, std::span<const int> joints);
 /// "\dot{\theta}_{8}"

@@ -9,16 +9,16 @@
 namespace geargraph {
 namespace {
 
-class TtGraphPart {
+class TtGraphPart : private ReportPart {
  public:
   TtGraphPart(Report& report, const AnalysisSnapshot& snapshot)
-      : m_report(report),
+      : ReportPart(report),
         m_snapshot(snapshot),
         m_graph(*snapshot.kinematics->ttGraph),
         m_digraph(m_graph.graph()) {}
 
   void add() {
-    m_report.blocks.emplace_back(ReportHeading{1, "T-T graph method"});
+    heading(1, "T-T graph method");
     addLevels();
     addCarriers();
     if (!m_graph.isComplete() || m_digraph.c() == 0) return;
@@ -27,15 +27,10 @@ class TtGraphPart {
   }
 
  private:
-  void heading(const char* text) { m_report.blocks.emplace_back(ReportHeading{2, text}); }
-  void paragraph(std::string_view text) { m_report.blocks.emplace_back(ReportParagraph{reportWords(text)}); }
-  void equation(std::string tex, std::optional<int> number = std::nullopt) {
-    m_report.blocks.emplace_back(ReportEquation{std::move(tex), number});
-  }
   [[nodiscard]] const SolvedKinematics& solved() const { return *m_snapshot.solved; }
 
   void addLevels() {
-    heading("Levels");
+    heading(2, "Levels");
     paragraph(
         "The turning joints are the branches of the graph's tree. Each carries the letter of its axis, its "
         "level.");
@@ -49,13 +44,13 @@ class TtGraphPart {
     for (const auto& [level, labels] : joints) {
       table.rows.push_back({plainWords(levels.name(level)), plainWords(listed(labels, kAllNames))});
     }
-    m_report.blocks.emplace_back(std::move(table));
-    m_report.blocks.emplace_back(ReportFigure{ReportDrawing::ttGraph, "T-T graph"});
+    put(std::move(table));
+    put(ReportFigure{ReportDrawing::ttGraph, "T-T graph"});
   }
 
   void addCarriers() {
     if (m_digraph.c() == 0) return;
-    heading("Carriers");
+    heading(2, "Carriers");
     paragraph(
         "From one gear of a mesh through the branches to the other, the level changes at one link: the "
         "transfer "
@@ -69,22 +64,22 @@ class TtGraphPart {
         table.rows.push_back({plainWords(label), plainWords("no transfer vertex"), {}});
       }
     }
-    m_report.blocks.emplace_back(std::move(table));
+    put(std::move(table));
   }
 
   void addEquations() {
-    static const SubstitutionPlan kNone;
-    const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : kNone, RatioNaming::ttGraph,
+    const SubstitutionPlan none;
+    const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : none, RatioNaming::ttGraph,
                                 FormulaStyle::latex);
     const EquationNumbers numbers(m_graph, unknowns());
-    heading("Terminal equations");
+    heading(2, "Terminal equations");
     paragraph(
         "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
         "teeth, with "
         "a plus sign where both turn the same way, each seen along its own axis:");
     for (int mesh = 0; mesh < m_digraph.c(); ++mesh)
       equation(equations.terminal(mesh), numbers.terminal(mesh));
-    heading("Fundamental circuits");
+    heading(2, "Fundamental circuits");
     paragraph(
         "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
         "branches:");
@@ -101,7 +96,7 @@ class TtGraphPart {
   }
 
   void addSteps() {
-    heading("Solution by substitution");
+    heading(2, "Solution by substitution");
     const TtEquations equations(m_graph, solved().ttPlan, RatioNaming::ttGraph, FormulaStyle::latex);
     std::vector<std::string> given;
     for (const int joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
@@ -170,12 +165,11 @@ class TtGraphPart {
 
   [[nodiscard]] std::string branch(int joint) const { return branchName(m_digraph, joint).toLatex(); }
   [[nodiscard]] std::string branches(const std::vector<int>& joints) const {
-    std::string text = "\\begin{pmatrix}";
-    for (std::size_t i = 0; i < joints.size(); ++i) text += (i > 0 ? " \\\\ " : " ") + branch(joints[i]);
-    return text + " \\end{pmatrix}";
+    std::vector<std::string> names;
+    for (const int joint : joints) names.push_back(branch(joint));
+    return texColumn(names);
   }
 
-  Report& m_report;
   const AnalysisSnapshot& m_snapshot;
   const TtGraph& m_graph;
   const Digraph& m_digraph;

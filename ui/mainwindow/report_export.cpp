@@ -31,15 +31,6 @@ struct DrawingLists {
   DisplayList ttGraph;
 };
 
-std::string written(const SnapshotPtr& snapshot, const DrawingLists& lists, ReportForm form) {
-  const Report report = derivationReport(snapshot);
-  if (form == ReportForm::markdown) return reportMarkdown(report);
-  if (form == ReportForm::latex) return reportLatex(report);
-  const SheetLook look;
-  return reportHtml(report,
-                    {svgOf(lists.schematic, look), svgOf(lists.digraph, look), svgOf(lists.ttGraph, look)});
-}
-
 }  // namespace
 
 QString MainWindow::whyNoDerivation() const {
@@ -86,8 +77,12 @@ void MainWindow::exportDerivation(const QString& path) {
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
   }
   const auto run = [=](const PictureJobs::Progress&, const std::stop_token&) {
-    const auto error =
-        writeFile(QFile::encodeName(path).toStdString(), written(snapshot, lists, formOf(path)));
+    const std::string text = reportText(derivationReport(snapshot), formOf(path), [&] {
+      const SheetLook look;
+      return ReportDrawings{svgOf(lists.schematic, look), svgOf(lists.digraph, look),
+                            svgOf(lists.ttGraph, look)};
+    });
+    const auto error = writeFile(QFile::encodeName(path).toStdString(), text);
     return error ? QString::fromStdString(error->message) : QString();
   };
   m_pictures->add({path, false, run});
