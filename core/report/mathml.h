@@ -5,10 +5,8 @@
 
 namespace geargraph {
 
-/// A formula in the TeX that core writes as MathML Core, what goes between <math> and </math>. Understood are
-/// letters, numbers, signs, sub- and superscripts, primes; \frac \dot \hat, Greek letters and signs by name,
-/// \left[ \right] and ( ); array (with bars and \hline), pmatrix, aligned. Rules of arrays are classes:
-/// "bar" left of a cell, "rule" above it.
+/// A formula in the TeX that core writes (tex_reader.h says which) as MathML Core, what goes between <math> and
+/// </math>. Rules of arrays are classes: "bar" left of a cell, "rule" above it.
 /// @pre the formula uses no others: it is the program's own
 /// Cost: linear in its length.
 [[nodiscard]] std::string mathMl(std::string_view tex);

@@ -11,7 +11,7 @@
 
 namespace geargraph {
 
-/// A stretch of a sentence: words, or a formula in TeX (mathml.h says which TeX).
+/// A stretch of a sentence: words, or a formula in TeX (tex_reader.h says which TeX).
 struct ReportSpan {
   std::string text;
   bool isFormula = false;

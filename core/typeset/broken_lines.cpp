@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include "core/typeset/formula_setter.h"
+#include "core/typeset/typeset.h"
+
+namespace geargraph {
+namespace {
+
+constexpr SetStyle kOwnLine{0};
+constexpr double kIndent = 2;  ///< em, of what goes on
+
+const FormulaNode* alignedIn(const FormulaNode& formula) {
+  if (formula.parts.size() != 1) return nullptr;
+  const FormulaNode& only = formula.parts.front();
+  return only.kind == FormulaKind::table && only.table == FormulaTableKind::aligned ? &only : nullptr;
+}
+
+bool mayBreakBefore(const SetAtom& atom) {
+  return atom.kind == AtomClass::relation || atom.kind == AtomClass::binary || atom.kind == AtomClass::inner;
+}
+
+/// Where a row breaks, so that no line is wider than `width` and what goes on is indented.
+class BreakableRow {
+ public:
+  explicit BreakableRow(const FormulaNode& row) : m_atoms(setAtoms(row.parts, kOwnLine)) {}
+
+  /// Lines from `start` on, of which the first begins behind a relation's room when `afterCell`.
+  [[nodiscard]] std::vector<FormulaBox> lines(double start, double indent, double width,
+                                              bool afterCell) const {
+    std::vector<FormulaBox> lines(1);
+    lines.back().width = start;
+    bool lineHasSome = false;
+    for (std::size_t i = 0; i < m_atoms.size();) {
+      std::size_t end = i + 1;
+      while (end < m_atoms.size() && !mayBreakBefore(m_atoms[end])) ++end;
+      const FormulaBox piece = together(i, end);
+      double room = i > 0       ? roomBetween(m_atoms[i - 1], m_atoms[i], kOwnLine)
+                    : afterCell ? roomBetween({}, m_atoms[i], kOwnLine)
+                                : 0;
+      if (lineHasSome && lines.back().width + room + piece.width > width) {
+        lines.emplace_back();
+        lines.back().width = indent;
+        room = 0;
+      }
+      lines.back().width += room;
+      lines.back().append(piece);
+      lineHasSome = true;
+      i = end;
+    }
+    return lines;
+  }
+
+ private:
+  [[nodiscard]] FormulaBox together(std::size_t begin, std::size_t end) const {
+    FormulaBox box;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin) box.width += roomBetween(m_atoms[i - 1], m_atoms[i], kOwnLine);
+      box.append(m_atoms[i].box);
+    }
+    return box;
+  }
+
+  std::vector<SetAtom> m_atoms;
+};
+
+/// The first column to one right edge.
+std::vector<FormulaBox> alignedLines(const FormulaNode& table, double width) {
+  std::vector<FormulaBox> firsts;
+  double column = 0;
+  for (const auto& row : table.cells) {
+    firsts.push_back(setRow(row.front(), kOwnLine));
+    column = std::max(column, firsts.back().width);
+  }
+  std::vector<FormulaBox> lines;
+  for (std::size_t row = 0; row < table.cells.size(); ++row) {
+    FormulaBox begin;
+    begin.width = column - firsts[row].width;
+    begin.append(firsts[row]);
+    if (table.cells[row].size() < 2) {
+      lines.push_back(begin);
+      continue;
+    }
+    auto rest = BreakableRow(table.cells[row][1]).lines(column, column + kIndent, width, true);
+    rest.front().put(begin, 0, 0);
+    lines.insert(lines.end(), rest.begin(), rest.end());
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<FormulaBox> typesetLines(const FormulaNode& formula, double width) {
+  if (const FormulaNode* table = alignedIn(formula)) return alignedLines(*table, width);
+  FormulaBox whole = typesetFormula(formula, FormulaPlace::ownLine);
+  if (whole.width <= width) return {std::move(whole)};
+  return BreakableRow(formula).lines(0, kIndent, width, false);
+}
+
+double widthOf(const std::vector<FormulaBox>& lines) {
+  double width = 0;
+  for (const FormulaBox& line : lines) width = std::max(width, line.width);
+  return width;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "core/typeset/formula.h"
+#include "core/typeset/formula_box.h"
+
+namespace geargraph {
+
+/// Within a sentence fractions are small, on a line of its own they are not.
+enum class FormulaPlace { inLine, ownLine };
+
+/// Sets a formula with the spaces, shifts and sizes of TeX. A table whose first row and column are parted
+/// from the rest is set as a matrix between brackets with its labels outside of them, and its other bars are
+/// dashed. Cost: linear in the formula, times its depth.
+[[nodiscard]] FormulaBox typesetFormula(const FormulaNode& formula, FormulaPlace place);
+
+/// A formula on lines of its own: those of `aligned`, and more where one is wider than `width` (em): they
+/// break before a relation, a plus or minus sign or a bracket that grows, and go on indented. All lines stand
+/// as they are to one left edge. Where nothing breaks a line stays wider.
+[[nodiscard]] std::vector<FormulaBox> typesetLines(const FormulaNode& formula, double width);
+
+/// The widest line.
+[[nodiscard]] double widthOf(const std::vector<FormulaBox>& lines);
+
+}  // namespace geargraph
