@@ -290,9 +290,9 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   for (int c = first; c <= last; ++c) {
     MeridianLanding out;
     out.cells = landing.cells;
-    for (int r = m_made.innerRows; r < m_made.grid.rows; ++r) {
-      if (m_made.rowLow(r) > rim + play) out.keptFree.push_back(m_made.grid.cell(c, r));
-    }
+    int r = m_made.innerRows;
+    while (r < m_made.grid.rows && m_made.rowLow(r) <= rim + play) ++r;
+    out.keptFree = m_made.grid.above(c, r);
     held.supports.push_back(out);
   }
 }
@@ -301,13 +301,15 @@ void SectionMaker::addWheel(const Wheel& wheel) {
 std::vector<MeridianLanding> SectionMaker::pinLandings(const CoaxialPlanets& p) const {
   const MeridianGrid& grid = m_made.grid;
   const double eye = kPinEye * m_made.module;
-  const auto band = [&](int c) {
-    std::vector<int> cells;
-    for (int r = m_made.innerRows; r < grid.rows; ++r) {
-      if (m_made.rowLow(r) < p.distance + eye && m_made.rowLow(r) + m_made.cell > p.distance - eye)
-        cells.push_back(grid.cell(c, r));
-    }
-    return cells;
+  int low = m_made.innerRows;
+  while (low < grid.rows && m_made.rowLow(low) + m_made.cell <= p.distance - eye) ++low;
+  int high = low;
+  while (high < grid.rows && m_made.rowLow(high) < p.distance + eye) ++high;
+  const auto bandOf = [&](int c) { return MeridianRun{grid.cell(c, low), grid.cell(c, high)}; };
+  const auto landAt = [&](int c) {
+    MeridianLanding landing;
+    for (int cell = bandOf(c).first; cell < bandOf(c).end; ++cell) landing.cells.push_back(cell);
+    return landing;
   };
   std::vector<MeridianLanding> landings;
   for (const Stretch& s : p.wheels) {
@@ -317,8 +319,11 @@ std::vector<MeridianLanding> SectionMaker::pinLandings(const CoaxialPlanets& p) 
       const int farther = beside + side;
       const auto inside = [&](int c) { return c >= 0 && c < grid.columns; };
       if (!inside(beside)) continue;
-      if (grid.plates[at(beside)]) landings.push_back({band(beside), {}, 0});
-      if (inside(farther) && grid.plates[at(farther)]) landings.push_back({band(farther), band(beside), 6});
+      if (grid.plates[at(beside)]) landings.push_back(landAt(beside));
+      if (!inside(farther) || !grid.plates[at(farther)]) continue;
+      landings.push_back(landAt(farther));
+      landings.back().keptFree = bandOf(beside);
+      landings.back().cost = 6;
     }
   }
   return landings;
@@ -371,7 +376,7 @@ void SectionMaker::addSupports(int net, bool onGround) {
       landing.cells = {grid.cell(c, r)};
       if (column.end != 0 && onGround) {
         landing.cost = 2.0 * std::abs(column.rank - (m_made.innerRows - 1 - r));
-        for (int above = r + 1; above < grid.rows; ++above) landing.keptFree.push_back(grid.cell(c, above));
+        landing.keptFree = grid.above(c, r + 1);
         held.supports.push_back(landing);
       } else if (m_runOn && held.needsSupport && column.end == 0) {
         landing.cost = kRunsOn;

@@ -1,35 +1,23 @@
 #include "core/gears/meridian_router.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <queue>
 #include <random>
 #include <utility>
 
+#include "core/gears/meridian_search.h"
+
 namespace geargraph {
 namespace {
 
-constexpr double kFar = 1e300;
 constexpr double kSpread = 15;  // columns' widths
 
-/// A cell that was reached, and what the way to it costs.
-struct Front {
-  double cost = 0;
-  int cell = 0;
-};
-
-/// The cheapest first, then the first.
-struct Dearer {
-  bool operator()(const Front& a, const Front& b) const {
-    return a.cost > b.cost || (a.cost == b.cost && a.cell > b.cell);
-  }
-};
-
-using Sources = std::vector<std::pair<int, double>>;  ///< cells, and what it costs to begin there
+using Places = MeridianSearch::Places;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -39,13 +27,16 @@ std::size_t at(int i) {
 class Round {
  public:
   /// Landings and rows are dearer by chance, by up to `spread`: other rounds choose others.
-  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, unsigned seed, double spread)
+  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, MeridianSearch& search, unsigned seed,
+        double spread)
       : m_grid(grid),
         m_nets(nets),
         m_owner(grid.owner),
         m_routes(nets.size()),
+        m_search(search),
         m_random(seed),
-        m_spread(spread) {}
+        m_spread(spread),
+        m_endAt(grid.owner.size(), -1) {}
 
   /// The net that found no way; -1: all did.
   int lay(const std::vector<int>& order) {
@@ -63,17 +54,15 @@ class Round {
   bool layNet(int net);
   bool support(int net);
   /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
-  int reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources);
-  void begin(const Sources& sources);
-  /// The cheapest cell of the front, whose cost is final then; -1: it was reached more cheaply before.
-  int settle(int net);
+  int reach(int net, const std::vector<MeridianLanding>& landings, Places& sources);
+  void findEnds(int net, const std::vector<MeridianLanding>& landings);
   /// Does the way that ends there keep out of the room that the landing itself needs?
   [[nodiscard]] bool isClear(int end, const MeridianLanding& landing) const;
   [[nodiscard]] double chance() {
     return m_spread * static_cast<double>(m_random()) / static_cast<double>(std::minstd_rand::max());
   }
-  [[nodiscard]] Sources laid(int net) const {
-    Sources sources;
+  [[nodiscard]] Places laid(int net) const {
+    Places sources;
     for (const int c : m_routes[at(net)].cells) sources.emplace_back(c, 0);
     return sources;
   }
@@ -84,115 +73,90 @@ class Round {
   }
   void take(int net, const MeridianLanding& landing) {
     for (const int c : landing.cells) claim(net, c);
-    for (const int c : landing.keptFree) m_owner[at(c)] = MeridianGrid::kBlocked;
+    const auto [first, end] = landing.keptFree;
+    std::fill(m_owner.begin() + first, m_owner.begin() + end, MeridianGrid::kBlocked);
   }
   [[nodiscard]] bool open(int net, int cell) const {
     return m_owner[at(cell)] == MeridianGrid::kFree || m_owner[at(cell)] == net;
   }
   [[nodiscard]] bool open(int net, const MeridianLanding& landing) const {
-    const auto isFree = [&](int c) { return m_owner[at(c)] == MeridianGrid::kFree; };
+    const auto isFree = [](int owner) { return owner == MeridianGrid::kFree; };
+    const auto [first, end] = landing.keptFree;
     return std::all_of(landing.cells.begin(), landing.cells.end(), [&](int c) { return open(net, c); }) &&
-           std::all_of(landing.keptFree.begin(), landing.keptFree.end(), isFree);
+           std::all_of(m_owner.begin() + first, m_owner.begin() + end, isFree);
   }
 
   const MeridianGrid& m_grid;
   const std::vector<MeridianNet>& m_nets;
   std::vector<int> m_owner;
   std::vector<MeridianRoute> m_routes;
+  MeridianSearch& m_search;
   std::minstd_rand m_random;
   double m_spread;
   std::vector<double> m_rowExtra;
-  std::vector<double> m_cost;  ///< by cell, as far as the search has come
-  std::vector<int> m_from;     ///< by cell: where the way came from
-  std::vector<Front> m_front;  ///< a heap, the cheapest on top
-  std::vector<int> m_endAt;    ///< by cell: the last way's end that lies there, -1
+  struct End {
+    int landing, next;
+  };
+  std::vector<End> m_ends;   ///< of the search at hand
+  Places m_places;           ///< of these ends
+  std::vector<int> m_endAt;  ///< by cell: the last end that lies there, -1
 };
 
-void Round::begin(const Sources& sources) {
-  m_rowExtra.clear();
-  for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
-  m_cost.assign(m_owner.size(), kFar);
-  m_from.assign(m_owner.size(), -1);
-  m_front.clear();
-  for (const auto& [cell, cost] : sources) {
-    if (cost >= m_cost[at(cell)]) continue;
-    m_cost[at(cell)] = cost;
-    m_front.push_back({cost, cell});
-  }
-  std::make_heap(m_front.begin(), m_front.end(), Dearer());
-}
-
-int Round::settle(int net) {
-  std::pop_heap(m_front.begin(), m_front.end(), Dearer());
-  const auto [cost, cell] = m_front.back();
-  m_front.pop_back();
-  if (cost > m_cost[at(cell)]) return -1;
-  const int column = m_grid.columnOf(cell);
-  const int row = cell - column * m_grid.rows;
-  const auto step = [this, net, cost = cost, cell = cell](int next, double price) {
-    if (cost + price >= m_cost[at(next)] || !open(net, next)) return;
-    m_cost[at(next)] = cost + price;
-    m_from[at(next)] = cell;
-    m_front.push_back({cost + price, next});
-    std::push_heap(m_front.begin(), m_front.end(), Dearer());
-  };
-  const double along = m_grid.width[at(column)] * (1 + m_grid.rowCost[at(row)] + m_rowExtra[at(row)]);
-  if (column > 0) step(cell - m_grid.rows, along);
-  if (column + 1 < m_grid.columns) step(cell + m_grid.rows, along);
-  if (!m_grid.plates[at(column)]) return cell;
-  if (row > 0) step(cell - 1, m_grid.rowCost[at(row)]);
-  if (row + 1 < m_grid.rows) step(cell + 1, m_grid.rowCost[at(row)]);
-  return cell;
-}
-
 bool Round::isClear(int end, const MeridianLanding& landing) const {
-  const auto& kept = landing.keptFree;
-  for (int c = end; c >= 0; c = m_from[at(c)]) {
-    if (std::find(kept.begin(), kept.end(), c) != kept.end()) return false;
+  for (int c = end; c >= 0; c = m_search.from(c)) {
+    if (landing.keptFree.contains(c)) return false;
   }
   return true;
 }
 
-// Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
-// dearer than a way, no cheaper one will come.
-int Round::reach(int net, const std::vector<MeridianLanding>& landings, Sources& sources) {
-  begin(sources);
-  struct End {
-    int landing, cell, next;
-    double extra;
-  };
-  std::vector<End> ends;
-  m_endAt.assign(m_owner.size(), -1);
+void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
+  for (const auto& [cell, extra] : m_places) m_endAt[at(cell)] = -1;
+  m_ends.clear();
+  m_places.clear();
   for (std::size_t l = 0; l < landings.size(); ++l) {
     if (!open(net, landings[l])) continue;
     const double extra = landings[l].cost + chance();
     for (const int c : landings[l].cells) {
-      const int end = static_cast<int>(ends.size());
-      ends.push_back({static_cast<int>(l), c, std::exchange(m_endAt[at(c)], end), extra});
+      const int end = static_cast<int>(m_ends.size());
+      m_ends.push_back({static_cast<int>(l), std::exchange(m_endAt[at(c)], end)});
+      m_places.emplace_back(c, extra);
     }
   }
-  std::priority_queue<Front, std::vector<Front>, Dearer> ways;  // by their ends
-  while (!m_front.empty() || !ways.empty()) {
-    if (ways.empty() || (!m_front.empty() && m_front.front().cost <= ways.top().cost)) {
-      const int cell = settle(net);
-      for (int e = cell < 0 ? -1 : m_endAt[at(cell)]; e >= 0; e = ends[at(e)].next)
-        ways.push({m_cost[at(cell)] + ends[at(e)].extra, e});
+}
+
+// Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
+// dearer than a way, no cheaper one will come.
+int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& sources) {
+  m_rowExtra.clear();
+  for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
+  findEnds(net, landings);
+  if (m_ends.empty()) return -1;
+  m_search.begin(net, m_owner, m_rowExtra, sources, m_places);
+  using Way = std::pair<double, int>;  // what it costs, its end
+  std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
+  while (!m_search.isDone() || !ways.empty()) {
+    if (ways.empty() || (!m_search.isDone() && !m_search.isBeyond(ways.top().first))) {
+      for (const int cell : m_search.settleLot()) {
+        for (int e = m_endAt[at(cell)]; e >= 0; e = m_ends[at(e)].next)
+          ways.push({m_search.cost(cell) + m_places[at(e)].second, e});
+      }
       continue;
     }
-    const End end = ends[at(ways.top().cell)];
+    const int way = ways.top().second;
     ways.pop();
-    const MeridianLanding& landing = landings[at(end.landing)];
-    if (!isClear(end.cell, landing)) continue;
-    for (int c = end.cell; c >= 0; c = m_from[at(c)]) claim(net, c);
+    const int end = m_places[at(way)].first, l = m_ends[at(way)].landing;
+    const MeridianLanding& landing = landings[at(l)];
+    if (!isClear(end, landing)) continue;
+    for (int c = end; c >= 0; c = m_search.from(c)) claim(net, c);
     take(net, landing);
     sources = laid(net);
-    return end.landing;
+    return l;
   }
   return -1;
 }
 
 bool Round::support(int net) {
-  Sources sources = laid(net);
+  Places sources = laid(net);
   m_routes[at(net)].support = reach(net, m_nets[at(net)].supports, sources);
   return m_routes[at(net)].support >= 0;
 }
@@ -203,7 +167,7 @@ bool Round::layNet(int net) {
   route.landing.assign(wanted.groups.size(), -1);
   if (wanted.groups.empty()) return true;
   // The first landing is whichever the way to the next leads from.
-  Sources sources;
+  Places sources;
   for (const MeridianLanding& landing : wanted.groups.front()) {
     if (!open(net, landing)) continue;
     const double extra = landing.cost + chance();
@@ -244,8 +208,9 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
   std::minstd_rand random(1);
+  MeridianSearch search(grid);
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
+    Round round(grid, nets, search, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
     const int failed = round.lay(order);
     if (failed < 0) return round.take();
     if (i % 4 == 3) {  // out of the circles that moving one forward runs in

@@ -5,6 +5,15 @@
 
 namespace geargraph {
 
+/// Cells of one column, next to each other.
+struct MeridianRun {
+  int first = 0;
+  int end = 0;  ///< behind the last
+
+  [[nodiscard]] bool contains(int cell) const { return first <= cell && cell < end; }
+  friend bool operator==(const MeridianRun&, const MeridianRun&) = default;
+};
+
 /// Half a plane through an axis, cut into cells: columns along the axis, rows away from it. What turns about
 /// the axis covers the same cells for ever, so links that share no cell never meet.
 struct MeridianGrid {
@@ -19,6 +28,10 @@ struct MeridianGrid {
   std::vector<double> rowCost;  ///< by row: what a step away from the axis costs
 
   [[nodiscard]] int cell(int column, int row) const { return column * rows + row; }
+  /// The column from a row outwards.
+  [[nodiscard]] MeridianRun above(int column, int row) const {
+    return {cell(column, row), cell(column, rows)};
+  }
   [[nodiscard]] int columnOf(int cell) const { return cell / rows; }
   [[nodiscard]] int rowOf(int cell) const { return cell % rows; }
   friend bool operator==(const MeridianGrid&, const MeridianGrid&) = default;
@@ -27,7 +40,7 @@ struct MeridianGrid {
 /// One way for a net to end somewhere: all of its cells become the net's, those kept free nobody's.
 struct MeridianLanding {
   std::vector<int> cells;
-  std::vector<int> keptFree;
+  MeridianRun keptFree;
   double cost = 0;
   friend bool operator==(const MeridianLanding&, const MeridianLanding&) = default;
 };

@@ -1,7 +1,9 @@
 #include <QtTest>
+#include <random>
 
 #include "core/gears/meridian_outline.h"
 #include "core/gears/meridian_router.h"
+#include "core/gears/meridian_search.h"
 
 using namespace geargraph;
 
@@ -23,6 +25,55 @@ MeridianNet joining(std::vector<int> cells) {
   MeridianNet net;
   for (const int c : cells) net.groups.push_back({MeridianLanding{{c}, {}, 0}});
   return net;
+}
+
+/// Some cells blocked, columns of three widths, some too narrow for a disc, sleeves' rows cheap.
+MeridianGrid randomGrid(std::mt19937& random) {
+  MeridianGrid grid = freeGrid(12, 9);
+  for (int& owner : grid.owner) {
+    if (random() % 4 == 0) owner = MeridianGrid::kBlocked;
+  }
+  for (std::size_t c = 0; c < 12; ++c) {
+    grid.width[c] = std::array{0.5, 1.0, 3.0}.at(random() % 3);
+    grid.plates[c] = random() % 5 > 0;
+  }
+  for (std::size_t r = 0; r < 3; ++r) grid.rowCost[r] = 0.2;
+  return grid;
+}
+
+constexpr double kUnreached = 1e300;
+
+/// What a step costs; nothing: it cannot be made.
+std::optional<double> stepPrice(const MeridianGrid& grid, const std::vector<double>& rowExtra, int from,
+                                int to) {
+  const int c = grid.columnOf(from), r = grid.rowOf(from);
+  const int along = std::abs(c - grid.columnOf(to)), across = std::abs(r - grid.rowOf(to));
+  const auto row = static_cast<std::size_t>(r), column = static_cast<std::size_t>(c);
+  if (grid.owner[static_cast<std::size_t>(to)] != MeridianGrid::kFree || along + across != 1) return {};
+  if (along == 1) return grid.width[column] * (1 + grid.rowCost[row] + rowExtra[row]);
+  return grid.plates[column] ? std::optional(grid.rowCost[row]) : std::nullopt;
+}
+
+/// All costs by steps until nothing gets cheaper.
+std::vector<double> costsOf(const MeridianGrid& grid, const std::vector<double>& rowExtra,
+                            const MeridianSearch::Places& sources) {
+  std::vector<double> costs(grid.owner.size(), kUnreached);
+  for (const auto& [cell, cost] : sources) {
+    double& known = costs[static_cast<std::size_t>(cell)];
+    known = std::min(known, cost);
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t a = 0; a < costs.size(); ++a) {
+      for (std::size_t b = 0; b < costs.size() && costs[a] < kUnreached; ++b) {
+        const auto price = stepPrice(grid, rowExtra, static_cast<int>(a), static_cast<int>(b));
+        if (!price || costs[a] + *price >= costs[b]) continue;
+        costs[b] = costs[a] + *price;
+        changed = true;
+      }
+    }
+  }
+  return costs;
 }
 
 bool apart(const std::vector<MeridianRoute>& routes) {
@@ -57,6 +108,48 @@ class TestMeridian : public QObject {
     QCOMPARE(found->at(0).cells.size(), std::size_t{7});  // over the second, by the outmost row
   }
 
+  /// Beside steps until nothing gets cheaper: the same costs to the last bit, and of equal ways the one over
+  /// the cheaper cell, then the first.
+  void theSearchFindsTheCheapestWays() {
+    std::mt19937 random(4);
+    int found = 0;
+    for (int round = 0; round < 60; ++round) {
+      const MeridianGrid grid = randomGrid(random);
+      std::vector<double> rowExtra(9, 0);
+      for (double& extra : rowExtra) extra = round % 2 == 0 ? 0 : static_cast<double>(random() % 1000) / 1000;
+      const auto place = [&] { return static_cast<int>(random() % 108); };
+      MeridianSearch::Places sources, ends;
+      while (sources.size() < 2) {
+        const int cell = place();
+        if (grid.owner[static_cast<std::size_t>(cell)] == MeridianGrid::kFree)
+          sources.emplace_back(cell, static_cast<double>(sources.size()) / 2);
+      }
+      for (int e = 0; e < 4; ++e) ends.emplace_back(place(), static_cast<double>(random() % 40) / 4);
+      const std::vector<double> costs = costsOf(grid, rowExtra, sources);
+      const auto total = [&](const auto& end) {
+        return costs[static_cast<std::size_t>(end.first)] + end.second;
+      };
+      const auto nearest = *std::min_element(
+          ends.begin(), ends.end(), [&](const auto& a, const auto& b) { return total(a) < total(b); });
+      MeridianSearch search(grid);
+      search.begin(0, grid.owner, rowExtra, sources, ends);
+      while (!search.isDone() && !search.isBeyond(total(nearest))) (void)search.settleLot();
+      if (costs[static_cast<std::size_t>(nearest.first)] == kUnreached) continue;
+      ++found;
+      for (int c = nearest.first; c >= 0; c = search.from(c)) {
+        QCOMPARE(search.cost(c), costs[static_cast<std::size_t>(c)]);
+        std::pair<double, int> best{kUnreached, -1};
+        for (int b = 0; b < 108 && search.from(c) >= 0; ++b) {
+          const auto price = stepPrice(grid, rowExtra, b, c);
+          const double cost = costs[static_cast<std::size_t>(b)];
+          if (price && cost + *price == search.cost(c)) best = std::min(best, {cost, b});
+        }
+        QCOMPARE(search.from(c), best.second);
+      }
+    }
+    QVERIFY(found > 30);
+  }
+
   void whatIsBlockedIsNotEntered() {
     MeridianGrid grid = freeGrid(3, 3);
     for (int r = 0; r < 2; ++r)
@@ -80,7 +173,8 @@ class TestMeridian : public QObject {
     const MeridianGrid grid = freeGrid(3, 3);
     MeridianNet net = joining({grid.cell(0, 2)});
     net.needsSupport = true;
-    net.supports = {{{grid.cell(0, 0)}, {grid.cell(0, 1)}, 0}, {{grid.cell(2, 0)}, {grid.cell(2, 1)}, 0}};
+    net.supports = {{{grid.cell(0, 0)}, {grid.cell(0, 1), grid.cell(0, 2)}, 0},
+                    {{grid.cell(2, 0)}, {grid.cell(2, 1), grid.cell(2, 2)}, 0}};
     const auto routes = routeMeridian(grid, {net});
     QVERIFY(routes.has_value());
     const auto& cells = routes->front().cells;
