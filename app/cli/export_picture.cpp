@@ -95,7 +95,7 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
     const OverlayChoice overlay = overlayOf(arguments);
     if (overlay.any()) {
       const Theme theme = arguments.has("--dark") ? Theme::dark : Theme::light;
-      run.finish = [labels = StageLabels(overlay), theme](Image& image, const StagePainter& painter) mutable {
+      run.finish = [labels = StageLabels(overlay), theme](Image& image, StagePainter& painter) mutable {
         const bool painted = paintOver(image.rgba, image.width, image.height, labels.over(painter),
                                        painter.pixelRatio(), theme);
         if (!painted) image.rgba.clear();

@@ -144,4 +144,9 @@ std::optional<Hit> EglHost::pick(const Frame& frame, double x, double y) {
   return m_renderer->pick(frame, x, y);
 }
 
+SeenMap EglHost::seen(const Frame& frame, int columns, int rows) {
+  const Current current(m_context->display, m_context->context);
+  return m_renderer->seen(frame, columns, rows);
+}
+
 }  // namespace geargraph

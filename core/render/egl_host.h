@@ -23,6 +23,7 @@ class EglHost {
   void setScene(const Scene& scene);
   [[nodiscard]] Image picture(const Frame& frame);
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
+  [[nodiscard]] SeenMap seen(const Frame& frame, int columns, int rows);
   [[nodiscard]] int maximumSide() const;
 
  private:

@@ -206,4 +206,39 @@ void turnUpright(Image& image) {
   }
 }
 
+std::optional<NumberedPixels::Place> NumberedPixels::nearestToMiddle() const {
+  std::optional<Place> best;
+  for (int i = 0; i < width * height; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Place place{numbers[at], depths[at], i % width - width / 2, i / width - height / 2};
+    const auto away = [](const Place& p) { return p.right * p.right + p.up * p.up; };
+    if (place.number != 0 && (!best || away(place) < away(*best))) best = place;
+  }
+  return best;
+}
+
+void NumberedPixels::turnUpright() {
+  for (int row = 0; row < height / 2; ++row) {
+    const auto swapRows = [&](auto& values) {
+      const auto low = values.begin() + static_cast<std::ptrdiff_t>(row) * width;
+      std::swap_ranges(low, low + width, values.end() - static_cast<std::ptrdiff_t>(row + 1) * width);
+    };
+    swapRows(numbers);
+    swapRows(depths);
+  }
+}
+
+NumberedPixels readNumbers(const GlApi& gl, int width, int height) {
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  NumberedPixels pixels{width, height, std::vector<std::uint32_t>(count), std::vector<float>(count)};
+  std::vector<std::uint8_t> bytes(4 * count);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.depths.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    pixels.numbers[i] = bytes[4 * i] | (bytes[4 * i + 1] << 8U) | (bytes[4 * i + 2] << 16U);
+  }
+  return pixels;
+}
+
 }  // namespace geargraph

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/render/camera.h"
 #include "core/render/gl_objects.h"
@@ -96,11 +97,12 @@ class GlPasses {
 /// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not.
 void turnUpright(Image& image);
 
-/// The numbers of instances (plus 1; 0 is the ground) in a small square of pixels.
-template <int Side>
+/// The numbers of instances (plus 1; 0 is the ground) and the depths in some pixels, row by row.
 struct NumberedPixels {
-  std::array<std::uint32_t, Side * Side> numbers{};
-  std::array<float, Side * Side> depths{};
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> numbers;
+  std::vector<float> depths;
 
   struct Place {
     std::uint32_t number = 0;
@@ -108,30 +110,11 @@ struct NumberedPixels {
     int right = 0;  ///< pixels from the middle
     int up = 0;
   };
-  [[nodiscard]] std::optional<Place> nearestToMiddle() const {
-    std::optional<Place> best;
-    for (int i = 0; i < Side * Side; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const Place place{numbers[at], depths[at], i % Side - Side / 2, i / Side - Side / 2};
-      const auto away = [](const Place& p) { return p.right * p.right + p.up * p.up; };
-      if (place.number != 0 && (!best || away(place) < away(*best))) best = place;
-    }
-    return best;
-  }
+  [[nodiscard]] std::optional<Place> nearestToMiddle() const;
+  void turnUpright();
 };
 
-/// Reads the square from the bound framebuffer's lower left corner.
-template <int Side>
-[[nodiscard]] NumberedPixels<Side> readNumbers(const GlApi& gl) {
-  NumberedPixels<Side> pixels;
-  std::array<std::uint8_t, 4 * Side * Side> bytes{};
-  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl.ReadPixels(0, 0, Side, Side, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-  gl.ReadPixels(0, 0, Side, Side, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.depths.data());
-  for (std::size_t i = 0; i < pixels.numbers.size(); ++i) {
-    pixels.numbers[i] = bytes[4 * i] | (bytes[4 * i + 1] << 8U) | (bytes[4 * i + 2] << 16U);
-  }
-  return pixels;
-}
+/// Reads the pixels from the bound framebuffer's lower left corner; the lowest row is the first.
+[[nodiscard]] NumberedPixels readNumbers(const GlApi& gl, int width, int height);
 
 }  // namespace geargraph

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "core/render/feature_edges.h"
 #include "core/render/frustum.h"
 #include "core/render/gl_objects.h"
 #include "core/render/gl_passes.h"
+#include "core/render/gl_solid_store.h"
 #include "core/render/mark_lines.h"
 #include "core/render/triad.h"
 
@@ -45,6 +45,7 @@ class GlRenderer final : public Renderer {
   void draw(const Frame& frame, unsigned framebuffer) override;
   [[nodiscard]] Image picture(const Frame& frame) override;
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y) override;
+  [[nodiscard]] SeenMap seen(const Frame& frame, int columns, int rows) override;
 
  private:
   [[nodiscard]] const Pose& pose(const Frame& frame, std::size_t instance) const {
@@ -52,6 +53,10 @@ class GlRenderer final : public Renderer {
   }
   [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
     return frame.camera.projection(frame.viewport, m_bounds.centre(), 2.5 * m_bounds.radius());
+  }
+  /// From the cube of -1..1 that the picture shows.
+  [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
+    return (projection(frame) * frame.camera.view().matrix()).inverse();
   }
   [[nodiscard]] Disc disc(const Frame& frame) const;
   [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
@@ -83,6 +88,8 @@ class GlRenderer final : public Renderer {
   void drawEdges(const Frame& frame, Showing wanted, float part);
   void drawTriad(const Frame& frame);
   void drawHalo(const Frame& frame, unsigned framebuffer);
+  /// What readNumbers() reads, into the bound framebuffer; `cut`: which part of the picture.
+  void drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut);
 
   std::unique_ptr<GlApi> m_gl;
   GlPasses m_passes;
@@ -91,10 +98,10 @@ class GlRenderer final : public Renderer {
   int m_maximumSide = 0;
   GLint m_maximumSamples = 1;
 
-  Scene m_scene;
+  GlSolidStore m_solids{*m_gl, m_passes.instances()};
+  const Scene& m_scene = m_solids.scene();
   Bounds m_bounds;
   std::vector<Ball> m_balls;  ///< by solid
-  std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
   struct Batch {
     const GlSolid* solid = nullptr;
     bool isOpen = false;
@@ -105,49 +112,24 @@ class GlRenderer final : public Renderer {
 
   GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
   GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
-  GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};
+  GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};  ///< of a pick
+  GlTarget m_cells{*m_gl, GlTarget::Colours::rgba, true};    ///< of a map
   GlTarget m_mask{*m_gl, GlTarget::Colours::coverage, false};
 };
 
 void GlRenderer::setScene(const Scene& scene) {
-  std::map<const Solid*, std::unique_ptr<GlSolid>> solids;
-  for (const auto& solid : scene.solids) {
-    std::unique_ptr<GlSolid>& place = solids[solid.get()];
-    const auto known = m_solids.find(solid.get());
-    if (place == nullptr && known != m_solids.end()) place = std::move(known->second);
-  }
-  for (const DetailLevels& level : scene.levels) {
-    for (const auto& solid : {level.far, level.close}) {
-      const auto known = m_solids.find(solid.get());
-      if (known != m_solids.end() && known->second) solids[solid.get()] = std::move(known->second);
-    }
-  }
-  m_solids = std::move(solids);
-  m_scene = scene;  // keeps the solids alive, so that their addresses stay theirs
-  m_bounds = boundsOf(m_scene);
+  m_solids.setScene(scene);
+  m_bounds = boundsOf(scene);
   m_balls.clear();
-  for (const auto& solid : m_scene.solids) m_balls.push_back(Ball::about(boundsOf(*solid)));
+  for (const auto& solid : scene.solids) m_balls.push_back(Ball::about(boundsOf(*solid)));
 }
 
 const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                     double radius) {
-  const std::shared_ptr<const Solid>* solid = &m_scene.solids[shape];
-  if (shape < m_scene.levels.size()) {
-    const DetailLevels& levels = m_scene.levels[shape];
-    const double nearest = (middle - frame.camera.eye()).dot(frame.camera.forward()) - radius;
-    const double pixelsAtTarget = levels.unit / frame.camera.millimetresPerPixel(frame.viewport);
-    const double pixels =
-        pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance());
-    solid = &levels.chosen(*solid, pixels);
-  }
-  std::unique_ptr<GlSolid>& place = m_solids[solid->get()];
-  if (place != nullptr) return *place;
-  const auto known = m_scene.edges.find(solid->get());
-  const auto edges = known != m_scene.edges.end()
-                         ? known->second
-                         : std::make_shared<const std::vector<std::uint32_t>>(featureEdges(**solid));
-  place = std::make_unique<GlSolid>(*m_gl, **solid, *edges, m_passes.instances());
-  return *place;
+  const double nearest = (middle - frame.camera.eye()).dot(frame.camera.forward()) - radius;
+  const double pixelsAtTarget = m_solids.unitOf(shape) / frame.camera.millimetresPerPixel(frame.viewport);
+  return m_solids.get(
+      shape, pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance()));
 }
 
 template <class Visit>
@@ -424,20 +406,9 @@ Image GlRenderer::picture(const Frame& frame) {
   return image;
 }
 
-// The picture is cut to three by three pixels round the place before anything is painted, so a pick costs the
-// vertices and hardly a pixel.
-std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
-  constexpr int kSide = 3;
-  const double width = frame.viewport.width, height = frame.viewport.height;
-  if (!(x >= 0 && x < width && y >= 0 && y < height) || !m_numbers.ensure(kSide, kSide)) return std::nullopt;
-  Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
-  cut(0, 0) = width / kSide;
-  cut(1, 1) = height / kSide;
-  cut(0, 3) = (width - 2 * (std::floor(x) + 0.5)) / kSide;
-  cut(1, 3) = (2 * (std::floor(y) + 0.5) - height) / kSide;
+void GlRenderer::drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut) {
   const Eigen::Matrix4d through = projection(frame);
   const Eigen::Matrix4d view = frame.camera.view().matrix();
-  m_numbers.bind();
   m_gl->Disable(GL_BLEND);
   m_gl->Enable(GL_DEPTH_TEST);
   m_gl->DepthFunc(GL_LEQUAL);
@@ -459,16 +430,39 @@ std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
   }
   m_gl->Disable(GL_STENCIL_TEST);
   m_passes.endSection();
-  const NumberedPixels<kSide> pixels = readNumbers<kSide>(*m_gl);
   m_gl->Disable(GL_CULL_FACE);
   m_gl->Disable(GL_DEPTH_TEST);
-  const auto place = pixels.nearestToMiddle();
+}
+
+// The picture is cut to three by three pixels round the place before anything is painted, so a pick costs the
+// vertices and hardly a pixel.
+std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
+  constexpr int kSide = 3;
+  const double width = frame.viewport.width, height = frame.viewport.height;
+  if (!(x >= 0 && x < width && y >= 0 && y < height) || !m_numbers.ensure(kSide, kSide)) return std::nullopt;
+  Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
+  cut(0, 0) = width / kSide;
+  cut(1, 1) = height / kSide;
+  cut(0, 3) = (width - 2 * (std::floor(x) + 0.5)) / kSide;
+  cut(1, 3) = (2 * (std::floor(y) + 0.5) - height) / kSide;
+  m_numbers.bind();
+  drawNumbers(frame, cut);
+  const auto place = readNumbers(*m_gl, kSide, kSide).nearestToMiddle();
   if (!place) return std::nullopt;
   const Eigen::Vector3d onScreen(2 * (std::floor(x) + 0.5 + place->right) / width - 1,
                                  1 - 2 * (std::floor(y) + 0.5 - place->up) / height, 2.0 * place->depth - 1);
-  const Eigen::Vector4d met = (through * view).inverse() * onScreen.homogeneous();
+  const Eigen::Vector4d met = toWorld(frame) * onScreen.homogeneous();
   const std::size_t instance = place->number - 1;
   return Hit{instance, m_scene.instances[instance].element, met.hnormalized()};
+}
+
+SeenMap GlRenderer::seen(const Frame& frame, int columns, int rows) {
+  if (!m_cells.ensure(columns, rows)) return {};
+  m_cells.bind();
+  drawNumbers(frame, Eigen::Matrix4d::Identity());
+  NumberedPixels pixels = readNumbers(*m_gl, columns, rows);
+  pixels.turnUpright();
+  return {columns, rows, std::move(pixels.numbers), std::move(pixels.depths), toWorld(frame)};
 }
 
 }  // namespace

@@ -7,8 +7,6 @@ namespace geargraph {
 namespace {
 
 constexpr std::size_t kMostLabels = 60;  // beyond, plates would hide the train
-constexpr double kGap = 5;               // between a part and its plate
-constexpr double kCrossed = 0.25;        // of the part's radius beyond the middle: the plate changes sides
 constexpr int kRounds = 12;
 
 /// Where plates may lie.
@@ -19,68 +17,60 @@ struct Room {
 };
 
 /// Moves touching plates apart, a little in each round, and all of them into the room.
-void pushApart(std::vector<LabelPlace>& labels, const Room& room) {
+void pushApart(std::vector<LabelPlate>& plates, const Room& room) {
   constexpr double kWanted = 2 * kLabelRadius + 2, kEdge = kLabelRadius + 2;
+  const double highest = room.top + kEdge;
+  const Eigen::Vector2d least(kEdge, highest);
+  const Eigen::Vector2d most(std::max(kEdge, room.width - kEdge), std::max(highest, room.bottom - kEdge));
   for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t a = 0; a < labels.size(); ++a) {
-      for (std::size_t b = a + 1; b < labels.size(); ++b) {
-        double x = labels[b].x - labels[a].x, y = labels[b].y - labels[a].y;
-        const double distance = std::hypot(x, y);
+    for (std::size_t a = 0; a < plates.size(); ++a) {
+      for (std::size_t b = a + 1; b < plates.size(); ++b) {
+        const Eigen::Vector2d between = plates[b].middle - plates[a].middle;
+        const double distance = between.norm();
         if (distance >= kWanted) continue;
-        const bool apart = distance > 1e-3;
         const double half = 0.5 * (kWanted - distance);
-        x = apart ? half * x / distance : 0;
-        y = apart ? half * y / distance : half;
-        labels[a].x -= x;
-        labels[a].y -= y;
-        labels[b].x += x;
-        labels[b].y += y;
+        const Eigen::Vector2d move =
+            distance > 1e-3 ? Eigen::Vector2d(half / distance * between) : Eigen::Vector2d(0, half);
+        plates[a].middle -= move;
+        plates[b].middle += move;
       }
     }
-    for (LabelPlace& label : labels) {
-      label.x = std::clamp(label.x, kEdge, std::max(kEdge, room.width - kEdge));
-      const double highest = room.top + kEdge;
-      label.y = std::clamp(label.y, highest, std::max(highest, room.bottom - kEdge));
-    }
+    for (LabelPlate& plate : plates) plate.middle = plate.middle.cwiseMax(least).cwiseMin(most);
   }
 }
 
 }  // namespace
 
-std::vector<LabelPlace> LabelPlaces::find(const LabelGround& ground) {
+std::optional<LabelPlate> LabelPlaces::placed(const LabelGround& ground, std::size_t index) const {
+  const StageLabel& label = ground.stage.labels[index];
+  if (!isShown(label.kind) || !ground.isShown(label)) return std::nullopt;
+  Eigen::Vector3d point = ground.middleOf(label);
+  Eigen::Vector2d away(0, 0);
+  if (label.kind == LabelKind::link && !areNew()) {
+    const LabelAnchor* anchor = m_anchors.of(label.element);
+    if (anchor == nullptr) return std::nullopt;
+    point += anchor->off;
+    away = anchor->away;
+  }
+  if (ground.camera.project(point, ground.viewport).depth <= 0) return std::nullopt;
+  const Eigen::Vector2d at = ground.project(point);
+  return LabelPlate{index, at + away, at};
+}
+
+std::vector<LabelPlate> LabelPlaces::find(const LabelGround& ground) {
   const auto& labels = ground.stage.labels;
-  const auto isShownNow = [&](const StageLabel& label) {
-    return isShown(label.kind) &&
-           (ground.showing.empty() || ground.showing[label.instance] == Showing::solid);
-  };
-  const auto count = std::count_if(labels.begin(), labels.end(), isShownNow);
+  const auto count = std::count_if(labels.begin(), labels.end(), [&](const StageLabel& label) {
+    return isShown(label.kind) && ground.isShown(label);
+  });
   if (count == 0 || static_cast<std::size_t>(count) > kMostLabels) return {};
-  m_sides.resize(labels.size(), 0);
-  std::vector<ScreenPoint> middles;
-  double centre = 0;
-  for (const StageLabel& label : labels) {
-    middles.push_back(ground.camera.project(ground.poses[label.instance] * label.place, ground.viewport));
-    centre += middles.back().x / static_cast<double>(labels.size());
-  }
-  std::vector<LabelPlace> placed;
+  if (ground.seen != nullptr && isShown(LabelKind::link)) m_anchors.renew(ground);
+  std::vector<LabelPlate> plates;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const ScreenPoint& middle = middles[i];
-    if (middle.depth <= 0 || !isShownNow(labels[i])) continue;
-    const double x = middle.x / ground.pixelRatio, y = middle.y / ground.pixelRatio;
-    if (labels[i].kind != LabelKind::link) {
-      placed.push_back({i, x, y});
-      continue;
-    }
-    const double reach = labels[i].radius / ground.camera.millimetresPerPixel(ground.viewport) *
-                         ground.camera.distance() / middle.depth;
-    const double off = middle.x - centre;
-    if (m_sides[i] == 0 || off * m_sides[i] < -kCrossed * reach) m_sides[i] = off < 0 ? -1 : 1;
-    const double away = reach / ground.pixelRatio + kLabelRadius + kGap;
-    placed.push_back({i, x + 0.93 * m_sides[i] * away, y - 0.37 * away});
+    if (const auto plate = placed(ground, i)) plates.push_back(*plate);
   }
-  pushApart(placed, {ground.viewport.width / ground.pixelRatio, m_above,
+  pushApart(plates, {ground.viewport.width / ground.pixelRatio, m_above,
                      ground.viewport.height / ground.pixelRatio - m_below});
-  return placed;
+  return plates;
 }
 
 double niceLength(double millimetresPerPixel, double most) {

@@ -9,6 +9,7 @@
 #include "core/render/look.h"
 #include "core/render/mark_line.h"
 #include "core/render/scene.h"
+#include "core/render/seen_map.h"
 
 namespace geargraph {
 
@@ -72,6 +73,9 @@ class Renderer {
   /// The nearest instance within one pixel of (x, y), counted from the upper left corner; nothing on the
   /// ground.
   [[nodiscard]] virtual std::optional<Hit> pick(const Frame& frame, double x, double y) = 0;
+  /// The whole picture in so many cells; ghosts are seen where nothing else is. Empty where the driver has no
+  /// room. Cost: the vertices, and the cells.
+  [[nodiscard]] virtual SeenMap seen(const Frame& frame, int columns, int rows) = 0;
 
  protected:
   Renderer() = default;

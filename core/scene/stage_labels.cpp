@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTextSize = 12;
 constexpr double kRing = 2.2;
+constexpr double kLine = 1.4, kDot = 2.2, kRim = 1;  // of a label's line; its rim sets it off from any part
 constexpr double kLongestBar = 110, kFromEdge = 16, kFromBelow = 24, kTick = 4;
 
 /// The tint that a label's colour is: that of a link.
@@ -34,9 +35,28 @@ Shape plateOf(LabelKind kind, SheetPoint middle) {
   return boxAbout(middle, kHalf, kHalf - 2, 4);
 }
 
-void addLabel(DisplayList& list, const Stage& stage, const LabelPlace& place) {
+SheetPoint sheetPoint(const Eigen::Vector2d& point) {
+  return {point.x(), point.y()};
+}
+
+/// The line to what the label speaks of, with a dot at its end.
+void addLine(DisplayList& list, const Stage& stage, const LabelPlate& place) {
   const StageLabel& label = stage.labels[place.label];
-  const SheetPoint middle{place.x, place.y};
+  const Tint tint = tintOf(stage, label);
+  const auto add = [&](auto what) {
+    list.marks.push_back({label.element, MarkRole::line, 0, std::move(what)});
+  };
+  const Curve line = Curve::straight(sheetPoint(place.rim()), sheetPoint(place.anchor));
+  const Shape dot = Circle{sheetPoint(place.anchor), kDot};
+  add(Stroke{line, ColorRole::sheet, kLine + 2 * kRim, Dash::solid});
+  add(Fill{Circle{sheetPoint(place.anchor), kDot + kRim}, ColorRole::sheet});
+  add(Stroke{line, tint, kLine, Dash::solid});
+  add(Fill{dot, tint});
+}
+
+void addLabel(DisplayList& list, const Stage& stage, const LabelPlate& place) {
+  const StageLabel& label = stage.labels[place.label];
+  const SheetPoint middle = sheetPoint(place.middle);
   const Shape plate = plateOf(label.kind, middle);
   const auto add = [&](MarkRole role, auto what) {
     list.marks.push_back({label.element, role, 0, std::move(what)});
@@ -81,12 +101,15 @@ StageLabels::StageLabels(const OverlayChoice& choice) : m_choice(choice) {
   m_places.setShown(LabelKind::axis, choice.axes);
 }
 
-DisplayList StageLabels::over(const StagePainter& painter) {
-  const SeenStage& seen = painter.seen();
+DisplayList StageLabels::over(StagePainter& painter) {
+  const Stage& stage = painter.seen().stage();
+  const SeenMap seen = painter.seenForLabels();
+  const std::vector<LabelPlate> places = m_places.find(painter.labelGround(seen));
   DisplayList list;
-  const LabelGround ground{seen.stage(),          seen.poses(),        seen.showing(),
-                           painter.view().camera, painter.shot().size, painter.pixelRatio()};
-  for (const LabelPlace& place : m_places.find(ground)) addLabel(list, seen.stage(), place);
+  for (const LabelPlate& place : places) {
+    if (place.hasLine()) addLine(list, stage, place);
+  }
+  for (const LabelPlate& place : places) addLabel(list, stage, place);
   if (m_choice.scaleBar) addScaleBar(list, painter);
   return list;
 }

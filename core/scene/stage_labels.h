@@ -21,7 +21,7 @@ struct OverlayChoice {
 class StageLabels {
  public:
   explicit StageLabels(const OverlayChoice& choice);
-  [[nodiscard]] DisplayList over(const StagePainter& painter);
+  [[nodiscard]] DisplayList over(StagePainter& painter);
 
  private:
   OverlayChoice m_choice;

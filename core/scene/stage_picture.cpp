@@ -99,6 +99,15 @@ Image StagePainter::paint(int picture) {
   return m_host->picture(m_seen.frame(m_shot.size, pixelRatio()));
 }
 
+SeenMap StagePainter::seenForLabels() {
+  const Viewport cells = labelCells(m_shot.size, pixelRatio());
+  return m_host->seen(m_seen.frame(m_shot.size, pixelRatio()), cells.width, cells.height);
+}
+
+LabelGround StagePainter::labelGround(const SeenMap& seen) const {
+  return {m_seen.stage(), m_seen.poses(), m_seen.showing(), m_now.camera, m_shot.size, pixelRatio(), &seen};
+}
+
 Expected<Image> stagePicture(StageShot shot) {
   shot.film.reset();
   auto painter = StagePainter::create(std::move(shot));

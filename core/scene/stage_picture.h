@@ -12,6 +12,7 @@
 #include "core/meshfile/mesh_scene.h"
 #include "core/render/egl_host.h"
 #include "core/render/film.h"
+#include "core/render/label_anchors.h"
 #include "core/render/stage_view.h"
 
 namespace geargraph {
@@ -44,6 +45,10 @@ class StagePainter {
   /// 1 where there is no film.
   [[nodiscard]] int pictures() const { return m_shot.film ? m_shot.film->frames : 1; }
   [[nodiscard]] Image paint(int picture);
+  /// What the last picture shows where, and what labels are placed by with it; the ground refers to the
+  /// painter and the map. @pre paint() was called
+  [[nodiscard]] SeenMap seenForLabels();
+  [[nodiscard]] LabelGround labelGround(const SeenMap& seen) const;
   /// What the last picture showed.
   [[nodiscard]] const SeenStage& seen() const { return m_seen; }
   [[nodiscard]] const StageView& view() const { return m_now; }
@@ -72,11 +77,11 @@ struct ShotFailure {
 };
 
 struct ShotRun {
-  std::function<void(int done, int all)> progress;          ///< after each picture, on the caller's thread
-  std::stop_token stop;                                     ///< looked at before each picture
-  std::function<void(Image&, const StagePainter&)> finish;  ///< paints over each picture, labels for one;
-                                                            ///< clears it where it cannot
-  bool mayOverwrite = false;                                ///< files in a folder that is there already
+  std::function<void(int done, int all)> progress;    ///< after each picture, on the caller's thread
+  std::stop_token stop;                               ///< looked at before each picture
+  std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, labels for one;
+                                                      ///< clears it where it cannot
+  bool mayOverwrite = false;                          ///< files in a folder that is there already
 };
 
 /// The shot as one file, whole or not at all: a PNG, animated where there is a film. "-" is standard output.

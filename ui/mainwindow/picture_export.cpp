@@ -26,12 +26,10 @@ PictureJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool
     ShotRun how;
     how.progress = progress;
     how.stop = stop;
-    how.finish = [options, dark](Image& image, const StagePainter& painter) {
-      const SeenStage& seen = painter.seen();
-      paintOverlay(image,
-                   {seen.stage(), seen.poses(), seen.showing(), painter.view().camera, painter.shot().size,
-                    painter.pixelRatio()},
-                   options, dark);
+    const auto overlay = std::make_shared<PictureOverlay>(options, dark);
+    how.finish = [overlay](Image& image, StagePainter& painter) {
+      const SeenMap seen = painter.seenForLabels();
+      overlay->paint(image, painter.labelGround(seen));
     };
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)

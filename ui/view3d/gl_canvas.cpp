@@ -13,6 +13,7 @@ namespace geargraph {
 namespace {
 
 constexpr int kStillAfter = 180;  // ms
+constexpr int kMapAfter = 150;    // ms; less, so that the picture at rest has a map of its own
 
 }  // namespace
 
@@ -27,7 +28,7 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
   m_whenStill.setInterval(kStillAfter);
   connect(&m_whenStill, &QTimer::timeout, this, [this] {
     m_still = true;
-    if (isSoftware()) update();
+    if (isSoftware() || m_mapIsOld) update();
   });
   connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
   connect(viewer, &Viewer::moving, this, [this] {
@@ -84,6 +85,7 @@ void GlCanvas::paintGL() {
   if (isSoftware()) m_picture.start();  // a graphics card keeps up
   if (m_sceneIsNew) m_renderer->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
   m_sceneIsNew = false;
+  const std::optional<SeenMap> seen = seenNow();
   m_renderer->draw(m_viewer->frame(isSoftware() && !m_still), defaultFramebufferObject());
   if (m_viewer->stage() == nullptr) return;
   // Not on the widget: while it is being grabbed, that paints somewhere else.
@@ -91,14 +93,29 @@ void GlCanvas::paintGL() {
   device.setDevicePixelRatio(m_viewer->pixelRatio());
   QPainter painter(&device);
   painter.setFont(font());
-  paintOverlay(painter, *m_viewer, *m_labels, m_dark);
+  paintOverlay(painter, *m_viewer, *m_labels, seen ? &*seen : nullptr, m_dark);
+}
+
+// While the picture moves, labels go with their parts; where they stand is looked at now and then only, and
+// once more when it has come to rest.
+std::optional<SeenMap> GlCanvas::seenNow() {
+  if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < kMapAfter) {
+    m_mapIsOld = true;
+    m_whenStill.start();
+    return std::nullopt;
+  }
+  m_mapIsOld = false;
+  m_sinceMap.start();
+  const Viewport cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
+  return m_renderer->seen(m_viewer->frame(), cells.width, cells.height);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
   if (m_renderer == nullptr || m_sceneIsNew)
     return std::nullopt;  // nothing was painted yet that could be meant
   makeCurrent();
-  const auto hit = m_renderer->pick(frame, x, y);
+  const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
+  const auto hit = m_renderer->pick(frame, at.x(), at.y());
   doneCurrent();
   return hit;
 }

@@ -42,6 +42,8 @@ class GlCanvas : public QOpenGLWidget {
 
  private:
   void release();
+  /// A map of the picture for the labels, where it is time for one.
+  [[nodiscard]] std::optional<SeenMap> seenNow();
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
 
   Viewer* m_viewer;
@@ -51,6 +53,8 @@ class GlCanvas : public QOpenGLWidget {
   bool m_dark = false;
   bool m_still = true;  ///< nothing has changed for a while: the picture may cost more
   QTimer m_whenStill;
+  bool m_mapIsOld = false;  ///< labels stand by an earlier picture's map
+  QElapsedTimer m_sinceMap;
   QElapsedTimer m_picture;  ///< since its painting began
 };
 

@@ -14,6 +14,46 @@ QColor colorOf(const Rgb& rgb) {
   return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
 }
 
+QPointF pointOf(const Eigen::Vector2d& point) {
+  return {point.x(), point.y()};
+}
+
+QColor sheetColor(bool dark) {
+  return dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
+}
+
+/// The image with its corner on a whole device pixel, so that it stays sharp.
+void drawAt(QPainter& painter, const QPointF& corner, const QImage& image) {
+  const double ratio = image.devicePixelRatio();
+  painter.drawImage(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, image);
+}
+
+/// The line from a plate to its part, with a dot at its end; a rim sets it off from any part.
+void drawLine(QPainter& painter, const LabelPlate& plate, const QColor& color, bool dark) {
+  constexpr double kLine = 1.4, kDot = 2.2, kRim = 1;
+  const QPointF from = pointOf(plate.rim()), to = pointOf(plate.anchor);
+  const double ratio = painter.device()->devicePixelRatio(), margin = kDot + kRim + 1;
+  const QRectF box = QRectF(from, to).normalized().adjusted(-margin, -margin, margin, margin);
+  const QPointF corner = QPointF(std::floor(box.x() * ratio), std::floor(box.y() * ratio)) / ratio;
+  QImage image((box.size() * ratio).toSize() + QSize(2, 2), QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(ratio);
+  image.fill(Qt::transparent);
+  QPainter line(&image);
+  line.setRenderHint(QPainter::Antialiasing);
+  line.translate(-corner);
+  for (const bool isRim : {true, false}) {
+    const QColor ink = isRim ? sheetColor(dark) : color;
+    line.setPen(QPen(ink, isRim ? kLine + 2 * kRim : kLine));
+    line.drawLine(from, to);
+    line.setPen(Qt::NoPen);
+    line.setBrush(ink);
+    const double dot = isRim ? kDot + kRim : kDot;
+    line.drawEllipse(to, dot, dot);
+  }
+  line.end();
+  drawAt(painter, corner, image);
+}
+
 /// A link is a disc as in the digraph, a joint a square, an axis a rounded plate without a border.
 QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) {
   const QString text = QString::fromStdString(label.text);
@@ -25,7 +65,7 @@ QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) 
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF whole({}, QSizeF(side, side) / ratio);
   painter.setPen(label.kind == LabelKind::axis ? QPen(Qt::NoPen) : QPen(colorOf(label.colour), 2.2));
-  painter.setBrush(dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white));
+  painter.setBrush(sheetColor(dark));
   const QRectF plate = whole.adjusted(2, 2, -2, -2);
   if (label.kind == LabelKind::link) painter.drawEllipse(whole.center(), kLabelRadius, kLabelRadius);
   if (label.kind == LabelKind::joint) painter.drawRect(plate.adjusted(1, 1, -1, -1));
@@ -43,20 +83,17 @@ QImage plateImage(const StageLabel& label, QFont font, bool dark, double ratio) 
 
 }  // namespace
 
-std::vector<PlacedLabel> LabelLayer::place(const Stage& stage, std::span<const Pose> poses,
-                                           const Camera& camera, const Viewport& viewport, double pixelRatio,
-                                           std::span<const Showing> showing) {
-  std::vector<PlacedLabel> placed;
-  for (const LabelPlace& place : m_places.find({stage, poses, showing, camera, viewport, pixelRatio}))
-    placed.push_back({place.label, {place.x, place.y}, kLabelRadius});
-  return placed;
+const std::vector<LabelPlate>& LabelLayer::place(const LabelGround& ground) {
+  return m_plates = m_places.find(ground);
 }
 
-void LabelLayer::paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels,
-                       bool dark) {
+void LabelLayer::paint(QPainter& painter, const Stage& stage, bool dark) {
   const double ratio = painter.device()->devicePixelRatio();
-  for (const PlacedLabel& placed : labels) {
-    const StageLabel& label = stage.labels[placed.label];
+  for (const LabelPlate& plate : m_plates) {
+    if (plate.hasLine()) drawLine(painter, plate, colorOf(stage.labels[plate.label].colour), dark);
+  }
+  for (const LabelPlate& plate : m_plates) {
+    const StageLabel& label = stage.labels[plate.label];
     const QString key =
         QStringLiteral("%1 %2 %3 %4 %5 %6")
             .arg(QString::fromStdString(label.text), colorOf(label.colour).name(), painter.font().family())
@@ -65,18 +102,16 @@ void LabelLayer::paint(QPainter& painter, const Stage& stage, const std::vector<
             .arg(static_cast<int>(label.kind));
     QImage& image = m_images[key];
     if (image.isNull()) image = plateImage(label, painter.font(), dark, ratio);
-    const QPointF corner = placed.centre - QPointF(0.5, 0.5) * (image.width() / ratio);
-    painter.drawImage(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, image);
+    drawAt(painter, pointOf(plate.middle) - QPointF(0.5, 0.5) * (image.width() / ratio), image);
   }
 }
 
-std::optional<ElementId> LabelLayer::at(const Stage& stage, const std::vector<PlacedLabel>& labels,
-                                        const QPointF& place) {
-  for (const PlacedLabel& label : labels) {
-    const QPointF away = place - label.centre;
-    if (std::hypot(away.x(), away.y()) <= label.radius) return stage.labels[label.label].element;
+QPointF LabelLayer::meant(const QPointF& place) const {
+  for (const LabelPlate& plate : m_plates) {
+    const QPointF away = place - pointOf(plate.middle);
+    if (std::hypot(away.x(), away.y()) <= kLabelRadius) return pointOf(plate.anchor);
   }
-  return std::nullopt;
+  return place;
 }
 
 }  // namespace geargraph

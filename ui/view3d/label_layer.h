@@ -4,49 +4,37 @@
 #include <QImage>
 #include <QPointF>
 #include <QString>
-#include <optional>
 #include <vector>
 
-#include "core/render/camera.h"
 #include "core/render/label_places.h"
-#include "core/render/renderer.h"
-#include "core/render/stage.h"
 
 class QPainter;
 
 namespace geargraph {
 
-/// A label's disc in the picture, in logical pixels.
-struct PlacedLabel {
-  std::size_t label = 0;  ///< position in Stage::labels
-  QPointF centre;
-  double radius = 0;
-};
-
-/// The discs with numbers that face the viewer, of the kinds that are shown: a link's beside its part, on the
-/// side away from the train's middle, a joint's and an axis' at its place; pushed apart where two would
-/// touch. A disc changes sides only when its part has clearly crossed the middle, so that turning parts do
-/// not make it flicker.
+/// The plates with numbers that face the viewer, of the kinds that are shown, where LabelPlaces puts them;
+/// from one that stands beside its part a line leads there.
 class LabelLayer {
  public:
   void setShown(LabelKind kind, bool shown) { m_places.setShown(kind, shown); }
   [[nodiscard]] bool isShown(LabelKind kind) const { return m_places.isShown(kind); }
   void reset() { m_places.reset(); }
+  /// Nothing tells yet where links are seen: a map is wanted at once.
+  [[nodiscard]] bool areNew() const { return m_places.areNew(); }
   void setBorders(double above, double below) { m_places.setBorders(above, below); }
 
   /// Labels of hidden instances are left out. Cost: O(labels²), for the pushing.
-  [[nodiscard]] std::vector<PlacedLabel> place(const Stage& stage, std::span<const Pose> poses,
-                                               const Camera& camera, const Viewport& viewport,
-                                               double pixelRatio, std::span<const Showing> showing = {});
-  /// Discs come from small images, because a painter on OpenGL smooths nothing by itself.
-  void paint(QPainter& painter, const Stage& stage, const std::vector<PlacedLabel>& labels, bool dark);
-  /// The element of the label under a place.
-  [[nodiscard]] static std::optional<ElementId> at(const Stage& stage, const std::vector<PlacedLabel>& labels,
-                                                   const QPointF& place);
+  const std::vector<LabelPlate>& place(const LabelGround& ground);
+  /// Paints what was placed. Plates and lines come from small images, because a painter on OpenGL smooths
+  /// nothing by itself.
+  void paint(QPainter& painter, const Stage& stage, bool dark);
+  /// What somebody means who points here: the part that the plate under the place speaks of, else the place.
+  [[nodiscard]] QPointF meant(const QPointF& place) const;
 
  private:
   LabelPlaces m_places;
-  QHash<QString, QImage> m_images;  ///< by text, colours, font and pixel ratio
+  std::vector<LabelPlate> m_plates;  ///< as they were placed last
+  QHash<QString, QImage> m_images;   ///< by text, colours, font and pixel ratio
 };
 
 }  // namespace geargraph

@@ -7,14 +7,14 @@ namespace geargraph {
 namespace {
 
 constexpr double kLongestBar = 110, kFromRight = 16, kTick = 4;  // logical pixels
-constexpr double kBarFromBelow = 24;                             // of a picture in a file
+constexpr double kBarFromBelow = 24, kBarOverPlayback = 52;      // in a file; in the window
 
-void paintScaleBar(QPainter& painter, const OverlayGround& ground, bool dark) {
+void paintScaleBar(QPainter& painter, const LabelGround& ground, double fromBelow, bool dark) {
   const double ratio = ground.pixelRatio;
   const double perPixel = ground.camera.millimetresPerPixel(ground.viewport) * ratio;
   const double length = niceLength(perPixel, kLongestBar);
   const double right = ground.viewport.width / ratio - kFromRight;
-  const double left = right - length / perPixel, y = ground.viewport.height / ratio - ground.barFromBelow;
+  const double left = right - length / perPixel, y = ground.viewport.height / ratio - fromBelow;
   const QColor ink = dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80);
   painter.fillRect(QRectF(left, y - 1, right - left, 1.6), ink);
   painter.fillRect(QRectF(left, y - kTick, 1.6, 2 * kTick), ink);
@@ -27,32 +27,35 @@ void paintScaleBar(QPainter& painter, const OverlayGround& ground, bool dark) {
 
 }  // namespace
 
-void paintOverlay(QPainter& painter, const OverlayGround& ground, LabelLayer& labels, bool scaleBar,
+void paintOverlay(QPainter& painter, const Viewer& viewer, LabelLayer& labels, const SeenMap* seen,
                   bool dark) {
-  const auto placed = labels.place(ground.stage, ground.poses, ground.camera, ground.viewport,
-                                   ground.pixelRatio, ground.showing);
-  labels.paint(painter, ground.stage, placed, dark);
-  if (scaleBar) paintScaleBar(painter, ground, dark);
-}
-
-void paintOverlay(QPainter& painter, const Viewer& viewer, LabelLayer& labels, bool dark) {
   if (viewer.stage() == nullptr || viewer.stage()->scene.instances.empty()) return;
-  const OverlayGround ground{*viewer.stage(), viewer.poses(),    viewer.showing(),
-                             viewer.camera(), viewer.viewport(), viewer.pixelRatio()};
-  paintOverlay(painter, ground, labels, viewer.options().scaleBar, dark);
+  const LabelGround ground{*viewer.stage(),
+                           viewer.poses(),
+                           viewer.showing(),
+                           viewer.camera(),
+                           viewer.viewport(),
+                           viewer.pixelRatio(),
+                           seen};
+  labels.place(ground);
+  labels.paint(painter, ground.stage, dark);
+  if (viewer.options().scaleBar) paintScaleBar(painter, ground, kBarOverPlayback, dark);
 }
 
-void paintOverlay(Image& image, const OverlayGround& ground, const ViewOptions& options, bool dark) {
-  LabelLayer labels;
-  labels.setShown(LabelKind::link, options.linkLabels);
-  labels.setShown(LabelKind::joint, options.jointLabels);
-  labels.setShown(LabelKind::axis, options.axisLabels);
+PictureOverlay::PictureOverlay(const ViewOptions& options, bool dark)
+    : m_scaleBar(options.scaleBar), m_dark(dark) {
+  m_labels.setShown(LabelKind::link, options.linkLabels);
+  m_labels.setShown(LabelKind::joint, options.jointLabels);
+  m_labels.setShown(LabelKind::axis, options.axisLabels);
+}
+
+void PictureOverlay::paint(Image& image, const LabelGround& ground) {
   QImage pixels(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
   pixels.setDevicePixelRatio(ground.pixelRatio);
   QPainter painter(&pixels);
-  OverlayGround lower = ground;
-  lower.barFromBelow = kBarFromBelow;
-  paintOverlay(painter, lower, labels, options.scaleBar, dark);
+  m_labels.place(ground);
+  m_labels.paint(painter, ground.stage, m_dark);
+  if (m_scaleBar) paintScaleBar(painter, ground, kBarFromBelow, m_dark);
 }
 
 }  // namespace geargraph

@@ -17,7 +17,9 @@ StillCanvas::StillCanvas(Viewer* viewer, LabelLayer* labels, const QString& why,
   if (host) {
     m_host = std::move(host).value();
     viewer->setPick([this](const Frame& frame, double x, double y) -> std::optional<Hit> {
-      return m_sceneIsNew ? std::nullopt : m_host->pick(frame, x, y);
+      if (m_sceneIsNew) return std::nullopt;
+      const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
+      return m_host->pick(frame, at.x(), at.y());
     });
   } else {
     m_sentence = QString::fromStdString(host.error().front().message);
@@ -46,16 +48,19 @@ void StillCanvas::resizeEvent(QResizeEvent* event) {
 
 void StillCanvas::paintPicture(QPainter& painter) {
   if (m_sceneIsNew) m_host->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
+  std::optional<SeenMap> seen;
   if (m_sceneIsNew || m_imageIsOld) {
     QElapsedTimer cost;
     cost.start();
     const Image image = m_host->picture(m_viewer->frame());
     m_viewer->setPictureCost(static_cast<double>(cost.nsecsElapsed()) / 1e6);
+    const Viewport cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
+    seen = m_host->seen(m_viewer->frame(), cells.width, cells.height);
     m_image = QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
   }
   m_sceneIsNew = m_imageIsOld = false;
   painter.drawImage(rect(), m_image);
-  paintOverlay(painter, *m_viewer, *m_labels, m_dark);
+  paintOverlay(painter, *m_viewer, *m_labels, seen ? &*seen : nullptr, m_dark);
 }
 
 void StillCanvas::paintEvent(QPaintEvent*) {

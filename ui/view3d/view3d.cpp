@@ -250,7 +250,6 @@ View3D::~View3D() {
 }
 
 void View3D::setStage(const StagePtr& stage) {
-  d->labels.reset();
   d->viewer.setStage(stage);
   d->playback.setPeriod(stage ? stage->period : 0);
   d->viewer.setTime(d->playback.time());
@@ -302,6 +301,7 @@ void View3D::setCamera(const Camera& camera) {
 }
 
 void View3D::startAnew(const std::optional<Camera>& camera) {
+  d->labels.reset();
   d->viewer.startAnew(camera);
 }
 bool View3D::isCameraChosen() const {

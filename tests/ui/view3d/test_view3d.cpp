@@ -17,12 +17,16 @@ using namespace geargraph;
 
 namespace {
 
-/// The view in a window, with the toy on its stage, painted at least once.
+/// The view in a window, with the toy on its stage, painted at least once; without the plates that would lie
+/// over the places where tests look.
 struct Shown {
   Selection selection;
   View3D view{&selection};
 
   explicit Shown(const StagePtr& stage = test::toyStage()) {
+    ViewOptions options = view.options();
+    options.linkLabels = false;
+    view.setOptions(options);
     view.resize(640, 420);
     view.setStage(stage);
     view.show();
@@ -261,13 +265,13 @@ class TestView3D : public QObject {
     QCOMPARE(shown.view.turnedByHand(), std::vector<double>{0});
   }
 
-  void labelsAreDiscsBesideTheirPartsAndCanBeHidden() {
+  void labelsAreDiscsOnTheirPartsAndCanBeHidden() {
     Shown shown;
-    const QImage with = shown.view.grab().toImage();
-    ViewOptions options = shown.view.options();
-    options.linkLabels = false;
-    shown.view.setOptions(options);
     const QImage without = shown.view.grab().toImage();
+    ViewOptions options = shown.view.options();
+    options.linkLabels = true;
+    shown.view.setOptions(options);
+    const QImage with = shown.view.grab().toImage();
     int white = 0;
     for (int y = 0; y < with.height(); ++y) {
       for (int x = 0; x < with.width(); ++x) {
