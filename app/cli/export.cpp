@@ -18,6 +18,8 @@ std::function<int()> exporterOf(const Arguments& arguments, const std::string& f
   }
   if (const auto picture = pictureFormFromName(form)) {
     if (solid && picture == PictureForm::png) return [&arguments] { return exportPicture(arguments, false); };
+    if (picture == PictureForm::pdf && !arguments.has("--view"))
+      return [&arguments] { return exportReportPages(arguments); };
     return [&arguments, picture] { return exportDrawing(arguments, *picture); };
   }
   if (const auto report = reportFormFromName(form)) {
@@ -41,9 +43,10 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--to", "FORM",
-           "csv: matrices; html, latex, md: the worked derivation; svg, pdf, png: a picture; stl, obj, ply, "
-           "glb, 3mf: gears; assembly: gears for a check"},
+    Option{
+        "--to", "FORM",
+        "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
+        "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
     Option{"--matrix", "NAME",
            "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
     Option{"--all", "", "every matrix, or every picture of a film, into the folder that -o names"},

@@ -28,6 +28,8 @@ int exportDrawing(const Arguments& arguments, PictureForm form);
 
 /// `export FILE --to html/latex/md [--inputs 8,9,11] [--speed 8=1 ...] -o OUT`: the worked derivation.
 int exportReport(const Arguments& arguments, ReportForm form);
+/// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the same on pages.
+int exportReportPages(const Arguments& arguments);
 
 // What both kinds of pictures share.
 

@@ -1,5 +1,6 @@
-// `export FILE --to html/latex/md -o OUT`: the worked derivation, both methods.
+// `export FILE --to html/latex/md/pdf -o OUT`: the worked derivation, both methods.
 
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -10,17 +11,18 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "core/drawing/svg_writer.h"
+#include "core/pages/report_pdf.h"
 
 namespace geargraph::cli {
 namespace {
 
-std::string svgNamed(const char* name, const AnalysisSnapshot& snapshot) {
-  return svgOf(drawingNamed(name)->draw(snapshot), SheetLook{});
+DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot) {
+  return drawingNamed(name)->draw(snapshot);
 }
 
-}  // namespace
-
-int exportReport(const Arguments& arguments, ReportForm form) {
+/// Writes what `bytesOf` makes of the analysed file; the exit status.
+int exportDerivation(const Arguments& arguments,
+                     const std::function<Expected<std::string>(const SnapshotPtr&)>& bytesOf) {
   const std::string& file = arguments.files.front();
   auto document = loadOrSay(file);
   if (const int* status = std::get_if<int>(&document)) return *status;
@@ -34,13 +36,34 @@ int exportReport(const Arguments& arguments, ReportForm form) {
   const SnapshotPtr snapshot =
       analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
-  const std::string text = reportText(derivationReport(snapshot), form, [&] {
-    return ReportDrawings{svgNamed("schematic", *snapshot), svgNamed("digraph", *snapshot),
-                          svgNamed("ttgraph", *snapshot)};
-  });
-  const int status = writePicture(text, *arguments.value("-o"));
+  const Expected<std::string> bytes = bytesOf(snapshot);
+  if (!bytes) {
+    std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
+    return kResourceLimit;
+  }
+  const int status = writePicture(*bytes, *arguments.value("-o"));
   if (status != kFine) return status;
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
+}
+
+}  // namespace
+
+int exportReport(const Arguments& arguments, ReportForm form) {
+  return exportDerivation(arguments, [form](const SnapshotPtr& snapshot) -> Expected<std::string> {
+    return reportText(derivationReport(snapshot), form, [&] {
+      const SheetLook look;
+      return ReportDrawings{svgOf(drawn("schematic", *snapshot), look),
+                            svgOf(drawn("digraph", *snapshot), look),
+                            svgOf(drawn("ttgraph", *snapshot), look)};
+    });
+  });
+}
+
+int exportReportPages(const Arguments& arguments) {
+  return exportDerivation(arguments, [](const SnapshotPtr& snapshot) {
+    return reportPdf(derivationReport(snapshot), {drawn("schematic", *snapshot), drawn("digraph", *snapshot),
+                                                  drawn("ttgraph", *snapshot)});
+  });
 }
 
 }  // namespace geargraph::cli

@@ -130,7 +130,11 @@ CairoSurface CairoSurface::pdf(double width, double height, const std::string& t
 }
 
 void CairoSurface::play(const DisplayList& list, const Extent& sheet, double scale, const SheetLook& look) {
-  cairo_t* context = m_context.get();
+  playOn(m_context.get(), list, sheet, scale, look);
+}
+
+void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
+            const SheetLook& look) {
   if (!look.transparent) {
     setColor(context, colorOf(ColorRole::sheet, look.theme));
     cairo_paint(context);

@@ -13,6 +13,11 @@ using cairo_t = struct _cairo;                  // NOLINT(bugprone-reserved-iden
 
 namespace geargraph {
 
+/// Paints the part `sheet` of a drawing from the context's origin on, `scale` to a unit of the sheet. The
+/// context's scale, font and dashes are changed.
+void playOn(cairo_t* context, const DisplayList& list, const Extent& sheet, double scale,
+            const SheetLook& look);
+
 /// A page or an image that cairo paints a drawing on.
 class CairoSurface {
  public:

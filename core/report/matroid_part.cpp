@@ -29,6 +29,15 @@ class MatroidPart : private ReportPart {
  private:
   [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
 
+  [[nodiscard]] ElementId elementOf(int joint) const {
+    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  }
+  [[nodiscard]] std::vector<ElementId> elementsOf(const std::vector<int>& joints) const {
+    std::vector<ElementId> elements;
+    for (const int joint : joints) elements.push_back(elementOf(joint));
+    return elements;
+  }
+
   /// The best form that is there: fractions, else decimals.
   [[nodiscard]] QuantityTablePtr numbers(QuantityKind kind) const {
     QuantityTablePtr table = quantityTable(m_pointer, kind, EntryForm::fractions);
@@ -96,8 +105,10 @@ class MatroidPart : private ReportPart {
     const CoefficientMatrix matrix(*m_snapshot.mechanism, *m_snapshot.kinematics->model,
                                    m_snapshot.kinematics->placement);
     std::vector<std::string> lines;
+    std::vector<ElementId> meshes;
     for (int mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {
       const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)];
+      meshes.emplace_back(teeth.id);
       const DigraphEdge& gears = m_graph.meshEdge(mesh);
       const std::string counts =
           "\\frac{" + std::to_string(teeth.tailTeeth) + "}{" + std::to_string(teeth.headTeeth) + "}";
@@ -106,7 +117,7 @@ class MatroidPart : private ReportPart {
                       "}}{N_{" + std::to_string(gears.head) + "}} = " + counts +
                       (ratio == counts ? "" : " = " + ratio));
     }
-    equation(texLines(lines), 20);
+    equation(texLines(lines), 20, std::move(meshes));
   }
 
   void addFreedom() {
@@ -165,6 +176,7 @@ class MatroidPart : private ReportPart {
   void addRecurrence() {
     paragraph("Written out, some entries are too long to read. One joint after the other they are");
     std::vector<std::string> lines;
+    std::vector<ElementId> joints;
     for (const SymbolicLine& line : m_snapshot.solved->symbolic->lines) {
       std::string sum;
       for (const SymbolicLine::Term& term : line.terms) {
@@ -178,9 +190,10 @@ class MatroidPart : private ReportPart {
         sum += (sum.empty() || (negative && !isSum) ? " " : " + ") + factor + " " +
                rateName(m_graph, term.joint);
       }
+      joints.push_back(elementOf(line.joint));
       lines.push_back(rateName(m_graph, line.joint) + " =" + (sum.empty() ? " 0" : sum));
     }
-    equation(texLines(lines), 25);
+    equation(texLines(lines), 25, std::move(joints));
   }
 
   void addRates() {
@@ -196,9 +209,9 @@ class MatroidPart : private ReportPart {
       return texts;
     };
     paragraph("At these speeds of the inputs, in rad/s,");
-    equation(texLines(lines(exact.inputs)));
+    equation(texLines(lines(exact.inputs)), std::nullopt, elementsOf(exact.inputs));
     paragraph("the outputs turn at");
-    equation(texLines(lines(exact.outputs)));
+    equation(texLines(lines(exact.outputs)), std::nullopt, elementsOf(exact.outputs));
   }
 
   SnapshotPtr m_pointer;

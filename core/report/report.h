@@ -30,6 +30,9 @@ struct ReportParagraph {
 struct ReportEquation {
   std::string tex;
   std::optional<int> number;
+  /// What it is about: one element of all of it, or one of each line of "aligned"; none of the whole
+  /// mechanism.
+  std::vector<ElementId> elements;
 };
 struct ReportTable {
   std::vector<std::string> head;

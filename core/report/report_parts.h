@@ -22,7 +22,8 @@ class ReportPart {
   /// With formulas between dollar signs (reportWords()).
   void paragraph(std::string_view text);
   /// Without the line ends behind it: an empty line would end the formula in LaTeX.
-  void equation(std::string tex, std::optional<int> number = std::nullopt);
+  void equation(std::string tex, std::optional<int> number = std::nullopt,
+                std::vector<ElementId> elements = {});
   template <class Block>
   void put(Block block) {
     m_report.blocks.emplace_back(std::move(block));

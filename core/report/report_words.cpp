@@ -10,9 +10,9 @@ void ReportPart::paragraph(std::string_view text) {
   put(ReportParagraph{reportWords(text)});
 }
 
-void ReportPart::equation(std::string tex, std::optional<int> number) {
+void ReportPart::equation(std::string tex, std::optional<int> number, std::vector<ElementId> elements) {
   while (!tex.empty() && tex.back() == '\n') tex.pop_back();
-  put(ReportEquation{std::move(tex), number});
+  put(ReportEquation{std::move(tex), number, std::move(elements)});
 }
 
 ReportWords reportWords(std::string_view sentence) {

@@ -27,6 +27,12 @@ class TtGraphPart : private ReportPart {
   }
 
  private:
+  [[nodiscard]] ElementId meshId(int mesh) const {
+    return m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)].id;
+  }
+  [[nodiscard]] ElementId jointId(int joint) const {
+    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  }
   [[nodiscard]] const SolvedKinematics& solved() const { return *m_snapshot.solved; }
 
   void addLevels() {
@@ -78,17 +84,19 @@ class TtGraphPart : private ReportPart {
         "teeth, with "
         "a plus sign where both turn the same way, each seen along its own axis:");
     for (int mesh = 0; mesh < m_digraph.c(); ++mesh)
-      equation(equations.terminal(mesh), numbers.terminal(mesh));
+      equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
     heading(2, "Fundamental circuits");
     paragraph(
         "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
         "branches:");
-    std::map<int, std::string> circuits;  // by number: those of several branches come first
+    std::map<int, std::pair<std::string, int>> circuits;  // by number: those of several branches come first
     for (int mesh = 0; mesh < m_digraph.c(); ++mesh) {
-      circuits[numbers.tailCircuit(mesh)] = equations.tailCircuit(mesh);
-      circuits[numbers.headCircuit(mesh)] = equations.headCircuit(mesh);
+      circuits[numbers.tailCircuit(mesh)] = {equations.tailCircuit(mesh), mesh};
+      circuits[numbers.headCircuit(mesh)] = {equations.headCircuit(mesh), mesh};
     }
-    for (auto& [number, text] : circuits) equation(std::move(text), number);
+    for (auto& [number, circuit] : circuits) {
+      equation(std::move(circuit.first), number, {meshId(circuit.second)});
+    }
   }
 
   [[nodiscard]] int unknowns() const {
@@ -108,7 +116,7 @@ class TtGraphPart : private ReportPart {
       const std::string unknown = "$" + branch(step.joint) + "$";
       paragraph(step.coupled ? "The equations of several meshes, solved together, give " + unknown + ":"
                              : "Equations " + citedEquations(step.uses) + " give " + unknown + ":");
-      equation(texStages(equations.stages(step)), step.number);
+      equation(texStages(equations.stages(step)), step.number, {jointId(step.joint)});
     }
     addMatrices();
   }

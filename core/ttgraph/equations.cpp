@@ -40,7 +40,8 @@ std::string TtEquations::ratio(int mesh, bool inverse) const {
 
 std::string TtEquations::bracketed(const RationalFunction& factor) const {
   const std::string text = m_style == FormulaStyle::latex ? factor.toLatex() : factor.toText();
-  const bool fraction = m_style == FormulaStyle::latex && text.rfind("\\frac", 0) == 0;
+  const bool fraction =
+      m_style == FormulaStyle::latex && (text.starts_with("\\frac") || text.starts_with("-\\frac"));
   const bool isSum = text.find(" + ") != std::string::npos || text.find(" - ") != std::string::npos;
   return isSum && !fraction ? "(" + text + ")" : text;
 }

@@ -76,7 +76,8 @@ char32_t takeCharacter(std::string_view& text) {
     character = (character << 6U) | (static_cast<unsigned char>(text.front()) & 0x3FU);
     text.remove_prefix(1);
   }
-  return character;
+  const bool isSurrogate = character >= 0xD800 && character < 0xE000;
+  return isSurrogate || character > 0x10FFFF ? kNone : character;
 }
 
 }  // namespace geargraph

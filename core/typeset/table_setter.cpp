@@ -7,10 +7,12 @@ namespace {
 
 // Of lines of text, in em.
 constexpr double kStrutHeight = 0.84, kStrutDepth = 0.36;
-constexpr double kCellGap = 0.42;    // on either side of a column
-constexpr double kLineGap = 0.12;    // between rows that are higher than a line
+constexpr double kCellGap = 0.45;    // on either side of a column
+constexpr double kBarPart = 1.3;     // how much wider that is at a bar
+constexpr double kLineGap = 0.3;     // between rows that are higher than a line
 constexpr double kAlignedGap = 0.3;  // between lines of "aligned"
-constexpr double kBracketGap = 0.1;
+constexpr double kBracketGap = 0.22;
+constexpr double kLabelLead = 0.35;  // between a sign and the labels of rows
 constexpr double kLabelGap = 0.25;
 constexpr double kLabelSize = 0.7;
 constexpr double kDash = 0.045;
@@ -123,9 +125,9 @@ class TableSetter {
   }
   [[nodiscard]] double gapBefore(std::size_t column) const {
     if (m_lines) return column > 0 && column % 2 == 0 ? 2 * size() : 0;
-    if (column == 0) return m_labelled ? 0 : kBracketGap * size();
+    if (column == 0) return (m_labelled ? kLabelLead : kBracketGap) * size();
     if (m_labelled && column == 1) return (kLabelGap + kBracketGap) * size() + bracketWidth();
-    return 2 * kCellGap * size();
+    return 2 * kCellGap * (m_table.hasBar(column) ? kBarPart : 1) * size();
   }
   [[nodiscard]] double bracketTotal() const { return kBracketPart * (m_bottom - m_bodyTop); }
   [[nodiscard]] double bracketWidth() const {
@@ -141,7 +143,7 @@ class TableSetter {
     const double thick = kDash * size();
     for (std::size_t column = m_labelled ? 2 : 1; column < m_lefts.size(); ++column) {
       if (!m_table.hasBar(column)) continue;
-      const double x = m_lefts[column] - kCellGap * size();
+      const double x = m_lefts[column] - kCellGap * kBarPart * size();
       body.rules.push_back({x - thick / 2, m_bodyTop, thick, m_bottom - m_bodyTop, true});
     }
     for (std::size_t row = m_labelled ? 2 : 0; row < m_heights.size(); ++row) {

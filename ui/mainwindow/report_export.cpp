@@ -8,6 +8,7 @@
 
 #include "core/drawing/svg_writer.h"
 #include "core/io/file.h"
+#include "core/pages/report_pdf.h"
 #include "core/report/report.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
@@ -24,12 +25,11 @@ ReportForm formOf(const QString& path) {
   return suffix == QLatin1String("md") ? ReportForm::markdown : ReportForm::html;
 }
 
-/// The drawings of the window, as they are now.
-struct DrawingLists {
-  DisplayList schematic;
-  DisplayList digraph;
-  DisplayList ttGraph;
-};
+/// Why the file could not be written; empty where it was.
+QString written(const QString& path, const std::string& bytes) {
+  const auto error = writeFile(QFile::encodeName(path).toStdString(), bytes);
+  return error ? QString::fromStdString(error->message) : QString();
+}
 
 }  // namespace
 
@@ -41,8 +41,9 @@ QString MainWindow::whyNoDerivation() const {
 
 void MainWindow::chooseAndExportDerivation() {
   const QString name = QFileInfo(m_files->title()).completeBaseName();
-  QString path = QFileDialog::getSaveFileName(this, tr("Export derivation"), name + QStringLiteral(".html"),
-                                              tr("Web page (*.html);;LaTeX (*.tex);;Markdown (*.md)"));
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Export derivation"), name + QStringLiteral(".html"),
+                                   tr("Web page (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
   exportDerivation(path);
@@ -70,20 +71,24 @@ void MainWindow::exportDerivation(const QString& path) {
     m_status->showRefusal(tr("The solution is still being worked out. Try again in a moment."));
     return;
   }
-  DrawingLists lists;
+  ReportLists lists;  // as the window shows them
   for (DrawingView* each : m_allDrawings) {
     if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
   }
   const auto run = [=](const PictureJobs::Progress&, const std::stop_token&) {
+    if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {
+      const Expected<std::string> pages =
+          reportPdf(derivationReport(snapshot), {lists.schematic, lists.digraph, lists.ttGraph});
+      return pages ? written(path, *pages) : QString::fromStdString(pages.error().front().message);
+    }
     const std::string text = reportText(derivationReport(snapshot), formOf(path), [&] {
       const SheetLook look;
       return ReportDrawings{svgOf(lists.schematic, look), svgOf(lists.digraph, look),
                             svgOf(lists.ttGraph, look)};
     });
-    const auto error = writeFile(QFile::encodeName(path).toStdString(), text);
-    return error ? QString::fromStdString(error->message) : QString();
+    return written(path, text);
   };
   m_pictures->add({path, false, run});
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/pages/flow.h"
+
+namespace geargraph {
+
+/// An equation on lines of its own, in the middle, with its number at the right margin.
+[[nodiscard]] std::vector<FlowLine> equationLines(const SetReport::SetEquation& set,
+                                                  const ReportEquation& equation, const FlowLook& flow,
+                                                  const WordMeasure& measure);
+
+}  // namespace geargraph
