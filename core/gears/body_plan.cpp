@@ -127,7 +127,7 @@ void BodyPlanner::placeLink(int link) {
 }
 
 /// Is a level free on the axes of all these bearings, and can straight arms reach them from the link's own?
-bool BodyPlanner::fits(int home, const std::vector<Bearing*>& round, double level) const {
+bool BodyPlanner::fits(int link, int home, const std::vector<Bearing*>& round, double level) const {
   std::vector<int> involved{home};
   for (const Bearing* b : round) {
     involved.push_back(m_placement.classes->classOf[static_cast<std::size_t>(b->joint)]);
@@ -140,10 +140,11 @@ bool BodyPlanner::fits(int home, const std::vector<Bearing*>& round, double leve
   const AxisLayout& own = axis(home);
   const Vector3d start = own.at(level);
   const auto gears = m_obstacles.inPlane(start, own.direction, own.width() / 2 + own.gap() / 2);
-  if (gears.empty()) return true;
+  const double margin = own.width() / 2 + 0.3 * own.module;
   return std::all_of(involved.begin(), involved.end(), [&](int c) {
     const Vector3d end = axis(c).at(carried(home, level, c));
-    return c == home || m_obstacles.isClear(gears, start, end, 2.5 * own.module);
+    return c == home || (m_obstacles.isClear(gears, start, end, 2.5 * own.module) &&
+                         m_obstacles.crossingHits(link, start, end, margin, own.direction) == 0);
   });
 }
 
@@ -181,7 +182,7 @@ double BodyPlanner::commonLevel(int link, int home, const std::vector<Bearing*>&
   candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
   constexpr std::size_t kTries = 40;
   for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
-    if (fits(home, round, candidates[i])) return candidates[i];
+    if (fits(link, home, round, candidates[i])) return candidates[i];
   }
   m_plan.blocked.push_back({link});
   for (const Bearing* b : round) m_plan.blocked.back().push_back(b->child);
@@ -322,8 +323,10 @@ void BodyPlanner::nestShafts(int axisClass) {
   }
 }
 
-BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train) {
-  BodyPlan plan = BodyPlanner(mechanism, placement, train).plan();
+BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                    const std::stop_token& stop) {
+  BodyPlan plan = BodyPlanner(mechanism, placement, train).plan(stop);
+  if (stop.stop_requested()) return plan;
   const auto isSaid = [&](const std::vector<int>& pair) {
     return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
       return std::all_of(pair.begin(), pair.end(), [&](int link) {

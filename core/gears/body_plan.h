@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 #include <vector>
 
 #include "core/gears/axis_layout.h"
@@ -47,8 +48,8 @@ struct BodyPlan {
 };
 
 /// Plans the bodies. Greedy, links nearest the ground first; deterministic.
-/// Cost: O(links * things on an axis).
+/// Cost: O(links * things on an axis). Of no use when `stop` was requested meanwhile.
 [[nodiscard]] BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement,
-                                  const GearTrain& train);
+                                  const GearTrain& train, const std::stop_token& stop = {});
 
 }  // namespace geargraph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -33,11 +34,16 @@ class BodyPlanner {
     }
   }
 
-  BodyPlan plan() {
-    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) planCoaxial(static_cast<int>(c));
+  /// Ends early, with a plan of no use, when `stop` was requested.
+  BodyPlan plan(const std::stop_token& stop) {
+    for (std::size_t c = 0; c < m_plan.axes.size() && !stop.stop_requested(); ++c)
+      planCoaxial(static_cast<int>(c));
     placeCups();
     const std::vector<int> links = m_tree.breadthFirst();
-    for (const int link : links) placeLink(link);
+    for (const int link : links) {
+      if (stop.stop_requested()) return std::move(m_plan);
+      placeLink(link);
+    }
     for (const int link : links) {
       if (link == 0) continue;
       const int c = m_placement.classes->classOfLink(m_tree, link);
@@ -62,7 +68,7 @@ class BodyPlanner {
   void placeCrossing(int link, int home, Bearing& bearing);
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
-  [[nodiscard]] bool fits(int home, const std::vector<Bearing*>& round, double level) const;
+  [[nodiscard]] bool fits(int link, int home, const std::vector<Bearing*>& round, double level) const;
   [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
   bool placeTee(int link, int home, int axisClass);
   void trimTees();

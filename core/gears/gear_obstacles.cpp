@@ -70,12 +70,14 @@ bool GearObstacles::isNear(const Gear& gear, const Vector3d& p, double margin) {
   return radius < tip + margin;
 }
 
-int GearObstacles::hits(int link, const Vector3d& a, const Vector3d& b, double margin) const {
+int GearObstacles::hits(int link, const Vector3d& a, const Vector3d& b, double margin,
+                        const Vector3d* across) const {
   int count = 0;
   const Vector3d middle = 0.5 * (a + b);
   const double half = 0.5 * (b - a).norm() + margin;
   for (const Gear& gear : m_gears) {
     if (gear.link == link || (gear.middle - middle).norm() > gear.reach + half) continue;
+    if (across != nullptr && gear.axis.cross(*across).norm() < 1e-6) continue;
     for (int i = 1; i <= kPlaces; ++i) count += isNear(gear, a + (b - a) * i / kPlaces, margin) ? 1 : 0;
   }
   return count;

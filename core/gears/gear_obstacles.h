@@ -22,7 +22,14 @@ class GearObstacles {
                              const Eigen::Vector3d& b, double margin) const;
   /// How many of some places along the bar, its first left out, lie in gears of other links or within
   /// `margin`.
-  [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin) const;
+  [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin) const {
+    return hits(link, a, b, margin, nullptr);
+  }
+  /// The same of gears on axes that are not parallel to `axis`.
+  [[nodiscard]] int crossingHits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
+                                 const Eigen::Vector3d& axis) const {
+    return hits(link, a, b, margin, &axis);
+  }
 
  private:
   struct Gear {
@@ -35,6 +42,8 @@ class GearObstacles {
     Eigen::Vector3d middle;
     double reach = 0;  ///< of the sphere about `middle` that holds it
   };
+  [[nodiscard]] int hits(int link, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin,
+                         const Eigen::Vector3d* across) const;
   [[nodiscard]] static bool isNear(const Gear& gear, const Eigen::Vector3d& p, double margin);
 
   std::vector<Gear> m_gears;

@@ -9,6 +9,10 @@
 namespace geargraph {
 namespace {
 
+/// Of larger trains the analysis does not say whether wheels and bodies find ways past each other: stacking
+/// and planning them compares all with all.
+constexpr std::size_t kMostPlannedWheels = 150;
+
 /// The wheels' ids in the document, else "15:tail" by the first mesh of each.
 std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& train) {
   std::vector<std::string> names(train.wheels.size());
@@ -90,6 +94,7 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   TrainWheels wheels = wheelsOf(mechanism, placement);
   shapeWheels(mechanism, wheels);
   stackWheels(wheels, placement);
+  shortenFaces(wheels, placement);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
   Diagnostics findings = findingsOf(mechanism, placement, train, {});
@@ -106,7 +111,17 @@ Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placeme
   if (stop.stop_requested()) return {};
   shapeWheels(mechanism, wheels);
   if (stop.stop_requested()) return {};
-  return findingsOf(mechanism, placement, toothed(mechanism, wheels), stop);
+  const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
+  if (planned) {
+    stackWheels(wheels, placement);
+    shortenFaces(wheels, placement);
+  }
+  const GearTrain train = toothed(mechanism, wheels);
+  Diagnostics found = findingsOf(mechanism, placement, train, stop);
+  if (!planned || stop.stop_requested()) return found;
+  append(found, bodyDiagnostics(mechanism, placement, train, stop));
+  append(found, placeFindings(mechanism, placement, wheels, train));
+  return found;
 }
 
 }  // namespace geargraph

@@ -65,6 +65,7 @@ struct GearTrain {
 ///    their centre distance by profile shifts, as equal as the document's own shifts allow. Tips are
 ///    shortened for clearance, tips of rings kept off the pinion's fillets.
 /// 3. Phase: phase.h; loops that cannot close give `assembly` with the nearest that can.
+///    Faces of bevels that the document leaves open are shortened where their wheels would stand in others.
 /// 4. Bodies: sized from the gears.
 ///
 /// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels in
@@ -72,9 +73,10 @@ struct GearTrain {
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
 
-/// The diagnostics of trainOf() alone, without stacking wheels and making bodies, for the analysis.
-/// Those found so far where `stop` was requested meanwhile.
-/// Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp).
+/// The diagnostics of trainOf() alone, without making bodies, for the analysis; of trains of many wheels
+/// (150) without those about the room of wheels and bodies. Those found so far where `stop` was requested
+/// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel
+/// (tests/bench/bench_gears.cpp); stacking wheels and planning bodies takes milliseconds more.
 /// @pre as trainOf
 [[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                           const std::stop_token& stop = {});

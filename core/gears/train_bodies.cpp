@@ -269,6 +269,11 @@ Diagnostics blockedFindings(const Mechanism& mechanism, const BodyPlan& plan) {
 
 }  // namespace
 
+Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                            const std::stop_token& stop) {
+  return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
+}
+
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
   const Diagnostics blocked = blockedFindings(mechanism, plan);

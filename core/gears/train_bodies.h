@@ -11,4 +11,9 @@ constexpr double kBodyTolerance = 0.02;
 /// What finds no way past others is an `interference` of the train.
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train);
 
+/// The findings of addBodies() alone: bodies are planned but not made. Of no use when `stop` was requested
+/// meanwhile. Cost: planBodies().
+[[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                          const GearTrain& train, const std::stop_token& stop);
+
 }  // namespace geargraph

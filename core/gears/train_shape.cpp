@@ -130,9 +130,10 @@ double defaultFace(const GearSpec& spec) {
 
 void setFaces(const Mechanism& mechanism, TrainWheels& train) {
   for (TrainWheel& wheel : train.wheels) wheel.spec.faceWidth = 0;
-  for (const TrainPair& pair : train.pairs) {
+  for (TrainPair& pair : train.pairs) {
     std::optional<Number> stated = mechanism.gearMeshes[static_cast<std::size_t>(pair.mesh)].faceWidth;
     if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
+    pair.openFace = !stated || stated->value() <= 0;
     for (const int w : {pair.tail, pair.head}) {
       GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
       double face = stated && stated->value() > 0 ? stated->value() : defaultFace(spec);

@@ -29,8 +29,9 @@ struct TrainPair {
   int head = 0;
   MeshKind kind = MeshKind::external;
   Eigen::Vector3d pitchPoint;
-  double distance = 0;   ///< of the axes; 0 for bevels
-  bool movable = false;  ///< the document leaves open where along the axes the pair lies
+  double distance = 0;    ///< of the axes; 0 for bevels
+  bool movable = false;   ///< the document leaves open where along the axes the pair lies
+  bool openFace = false;  ///< the document says no face width
 };
 
 struct TrainWheels {
@@ -47,6 +48,10 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
 
 /// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.
 void stackWheels(TrainWheels& train, const Placement& placement);
+
+/// Shortens faces of bevel pairs that the document leaves open, where that takes a wheel of theirs out of the
+/// room of another. Cost: O(wheels^2).
+void shortenFaces(TrainWheels& train, const Placement& placement);
 
 /// Wheels of different links that still stand in one place and do not mesh, nor have a wheel in common that
 /// both mesh with beside each other (neighbours, whose own finding says more).

@@ -54,6 +54,24 @@ class AnalysisTest : public QObject {
     }
   }
 
+  /// Where wheels and bodies have no room is planned after the live part, which waits for none of it.
+  void wheelsInOnePlaceAreSaidWithTheSecondStep() {
+    test::TrainSketch sketch(4);
+    sketch.axis("a", {"0", "0", "0"}).axis("b", {"40", "0", "0"}).axis("c", {"0", "40", "0"});
+    sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "b").joint(0, 4, "c");
+    sketch.mesh(1, 3, 20, 20, MeshKind::external, {"20", "0", "0"});
+    sketch.mesh(2, 4, 20, 20, MeshKind::external, {"0", "20", "0"});
+    const SnapshotPtr live = analyzeLive(std::make_shared<const Mechanism>(sketch.build()));
+    QCOMPARE(timesSaid(*live, Code::interference), 0L);
+    const SnapshotPtr full = analyzeFully(live);
+    QCOMPARE(timesSaid(*full, Code::interference), 3L);
+    const auto& said = *std::find_if(full->diagnostics.begin(), full->diagnostics.end(),
+                                     [](const Diagnostic& d) { return d.code == Code::interference; });
+    QCOMPARE(said.severity(), Severity::warning);
+    QCOMPARE(said.elements, (std::vector<ElementId>{LinkId("1"), LinkId("2")}));
+    QVERIFY(full->solved);
+  }
+
   void aMeshWithoutACarrierIsSaidOnce() {
     Mechanism robot = test::robot();
     robot.gearMeshes[0].tail = LinkId("5");  // coaxial with 1

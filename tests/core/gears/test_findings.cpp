@@ -8,6 +8,7 @@
 #include "core/gears/tooth_pair.h"
 #include "core/gears/train.h"
 #include "tests/core/support/train_sketch.h"
+#include "tests/core/support/trains.h"
 
 using namespace geargraph;
 using std::numbers::pi;
@@ -290,6 +291,61 @@ class TestFindings : public QObject {
     const Diagnostics found = findings(pair(2, 40));
     QVERIFY2(count(found, Code::interference, "has no solid") == 1, listed(found));
     QVERIFY(!gearSolid(standardGear(GearKind::external, 2, 1, 1), 0.01).has_value());
+  }
+
+  /// The pitch points of two links on one axis put their wheels into each other, and each into the other's
+  /// partner.
+  void wheelsInOnePlaceAreSaidByTheAnalysisToo() {
+    test::TrainSketch sketch(4);
+    sketch.axis("a", {"0", "0", "0"}).axis("b", {"40", "0", "0"}).axis("c", {"0", "40", "0"});
+    sketch.joint(0, 1, "a").joint(0, 2, "a").joint(0, 3, "b").joint(0, 4, "c");
+    sketch.mesh(1, 3, 20, 20, MeshKind::external, {"20", "0", "0"});
+    sketch.mesh(2, 4, 20, 20, MeshKind::external, {"0", "20", "0"});
+    const Mechanism mechanism = sketch.build();
+    const Diagnostics found = findings(mechanism);
+    QCOMPARE(count(found, Code::interference, "stand in one place and do not mesh"), 3);
+    QCOMPARE(listed(found), listed(trainOf(mechanism, placementOf(mechanism)).diagnostics));
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(gearDiagnostics(mechanism, placementOf(mechanism), stop.get_token()).empty());
+  }
+
+  /// A shaft with wheels at both ends lies across another wheel.
+  void bodiesWithoutAWayAreSaidByTheAnalysisToo() {
+    test::TrainSketch sketch(4);
+    sketch.axis("a", {"0", "0", "0"}).axis("b", {"0", "-40", "0"});
+    sketch.axis("c", {"0", "5", "0"}, {"1", "0", "0"}).axis("d", {"0", "45", "0"}, {"1", "0", "0"});
+    sketch.joint(0, 1, "a").joint(0, 2, "c").joint(0, 3, "b").joint(0, 4, "d");
+    sketch.mesh(1, 3, 20, 20, MeshKind::external, {"0", "-20", "0"});
+    sketch.mesh(2, 4, 20, 20, MeshKind::external, {"40", "25", "0"});
+    sketch.mesh(2, 4, 20, 20, MeshKind::external, {"-40", "25", "0"});
+    const Mechanism mechanism = sketch.build();
+    const Diagnostics found = findings(mechanism);
+    QVERIFY2(count(found, Code::interference, "Found no way for the bodies of links 1 and 2 past") == 1,
+             listed(found));
+    QCOMPARE(listed(found), listed(trainOf(mechanism, placementOf(mechanism)).diagnostics));
+  }
+
+  /// A default has to fit: the robot's bevels become shorter where their wheels would stand in each other.
+  /// What somebody states stays, and is said.
+  void onlyStatedFacesOfBevelsCollide() {
+    Mechanism robot = test::robot();
+    const auto trainNow = [&] { return trainOf(robot, placementOf(robot)); };
+    const auto faceOf = [&](const char* name) {
+      for (const TrainGear& gear : trainNow().gears) {
+        if (gear.name == name) return gear.spec.faceWidth;
+      }
+      return 0.0;
+    };
+    QVERIFY2(findings(robot).empty(), listed(findings(robot)));
+    QVERIFY(faceOf("16:head") < 11 && faceOf("16:head") > 4);
+    QVERIFY(std::abs(faceOf("16:tail") - faceOf("16:head")) < 1e-6);
+    for (const auto& [name, radius, height] : {std::tuple{"17:tail", 18, 24}, {"18:tail", 16, 24}})
+      QVERIFY(std::abs(faceOf(name) - std::hypot(radius, height) / 3) < 1e-6);
+    for (const std::size_t mesh : {1, 2}) robot.gearMeshes[mesh].faceWidth = Number(11);
+    const Diagnostics found = findings(robot);
+    QVERIFY2(count(found, Code::interference, "stand in one place and do not mesh") > 0, listed(found));
+    QCOMPARE(faceOf("16:head"), 11.0);
   }
 
   void aSoundTrainHasNoFindings() {
