@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCell = 4;      // logical pixels
 constexpr double kNarrow = 0.7;  // of a plate's radius within the part: less, and the plate stands beside it
-constexpr double kStillGood = 0.5;  // of the best place's room: an anchor with more stays
+constexpr double kStillGood = 0.5;  // of the widest place of a narrow part: an anchor with more stays
 
 /// Whose label stands in for each cell of the map, and how deep in its part the cell lies.
 class LabelMap {
@@ -185,7 +185,9 @@ Spot spotOf(const LabelGround& ground, const LabelMap& map, std::size_t label, c
   Spot spot{map.columnAt(at.x()), map.rowAt(at.y()), 0};
   if (map.owner(spot.column, spot.row) != static_cast<int>(label)) return {};
   spot.room = std::min(map.room(spot.column, spot.row), kLabelRadius);
-  return spot.room >= kStillGood * bestRoom ? spot : Spot{};
+  const bool isWide = spot.room >= kNarrow * kLabelRadius;
+  const bool isAsGoodAsAny = bestRoom < kNarrow * kLabelRadius && spot.room >= kStillGood * bestRoom;
+  return isWide || isAsGoodAsAny ? spot : Spot{};
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/theme/icons.h"
+
 namespace geargraph {
 namespace {
 
@@ -111,13 +113,13 @@ void PlaybackBar::setDark(bool dark) {
     ink.setColor(QPalette::ButtonText, dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
     quiet->setPalette(ink);
   }
-  palette = m_play->palette();
-  palette.setColor(QPalette::ButtonText, dark ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2F, 0x6F, 0xED));
-  m_play->setPalette(palette);
+  m_dark = dark;
+  refresh();
 }
 
 void PlaybackBar::refresh() {
-  m_play->setText(m_playback->isPlaying() ? QStringLiteral("⏸") : QStringLiteral("▶"));
+  m_play->setIcon(icon(m_playback->isPlaying() ? QStringLiteral("pause") : QStringLiteral("play"),
+                       ColorRole::accent, m_dark ? Theme::dark : Theme::light));
   m_play->setToolTip(m_playback->isPlaying() ? tr("Pause (Space)") : tr("Play (Space)"));
   showTime();
 }

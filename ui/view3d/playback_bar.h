@@ -30,6 +30,7 @@ class PlaybackBar : public QWidget {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip);
 
   Playback* m_playback;
+  bool m_dark = false;
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
