@@ -25,6 +25,20 @@ bool sameHeadings(const IntegerMatrix& a, const IntegerMatrix& b) {
   return true;
 }
 
+/// Have both the same links, joints and meshes between them? Then all their matrices are equal.
+bool sameGraph(const Digraph& a, const Digraph& b) {
+  if (a.n() != b.n() || a.t() != b.t() || a.c() != b.c()) return false;
+  for (int node = 0; node < a.nodeCount(); ++node) {
+    if (a.nodeId(node) != b.nodeId(node)) return false;
+  }
+  for (int edge = 0; edge < a.edgeCount(); ++edge) {
+    const auto [tail, head] = a.edge(edge);
+    if (tail != b.edge(edge).tail || head != b.edge(edge).head || a.edgeId(edge) != b.edgeId(edge))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 MatrixModel::MatrixModel(QObject* parent) : QAbstractTableModel(parent) {
@@ -78,8 +92,14 @@ Heading MatrixModel::columnHeading(int column) const {
 }
 
 void MatrixModel::setSnapshot(const SnapshotPtr& snapshot) {
+  const bool same = m_snapshot && snapshot && !m_preview && !m_quantityKind &&
+                    sameGraph(*m_snapshot->graph, *snapshot->graph);
   m_snapshot = snapshot;
   m_preview.reset();  // what was drawn is in the snapshot now, or was given up
+  if (same && m_matrix && snapshot->matrix(m_kind)) {
+    m_matrix = snapshot->matrix(m_kind);  // a drag of teeth leaves the entries alone
+    return;
+  }
   show(true);
 }
 

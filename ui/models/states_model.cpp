@@ -28,6 +28,8 @@ void StatesModel::setMechanism(const MechanismPtr& mechanism) {
 }
 
 void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
+  const bool isFirstStep = snapshot && !snapshot->isComplete && !snapshot->states;
+  if (isFirstStep && m_snapshot && m_snapshot->states) return;
   m_snapshot = snapshot;
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }

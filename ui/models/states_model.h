@@ -9,7 +9,8 @@ namespace geargraph {
 /// The shift table: a row a state of the document; its name, a column for each coupling, the links that make
 /// the ratio, the ratio exact and decimal, the step from the state before.
 ///
-/// Names and dots are the document's at once; what is computed follows with the snapshot of the same states.
+/// Names and dots are the document's at once; what is computed follows with the complete snapshot of the same
+/// states. Until then the last ratios of these states stay: they would blink at every step of a drag.
 class StatesModel : public QAbstractTableModel {
   Q_OBJECT
 

@@ -12,6 +12,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/style_sheet.h"
 
 namespace geargraph {
 
@@ -152,7 +153,7 @@ void GearboxPanel::paintRemark() {
   }
   m_remark->setText(text);
   m_remark->setVisible(!text.isEmpty());
-  m_remark->setStyleSheet(QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+  setSheet(*m_remark, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
 }
 
 void GearboxPanel::changeEvent(QEvent* event) {

@@ -12,6 +12,7 @@
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/style_sheet.h"
 
 namespace geargraph {
 namespace {
@@ -127,7 +128,7 @@ void InsertSetDialog::renew() {
   const auto set = form().set();
   m_insert->setEnabled(set.has_value());
   const ColorRole role = set ? ColorRole::secondary : ColorRole::error;
-  m_summary->setStyleSheet(QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+  setSheet(*m_summary, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
   if (!set) {
     m_summary->setText(shownText(set.error().front().message));
     m_preview->setMechanism(emptyMechanism());

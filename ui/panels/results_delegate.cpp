@@ -80,20 +80,34 @@ void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
 }
 
 int ResultsDelegate::widthOf(const QModelIndex& index, const QFont& font) const {
+  constexpr int kMostKept = 4096;
+  if (font != m_font || m_widths.size() > kMostKept) m_widths.clear();
+  m_font = font;
   const QString text = index.data().toString();
-  const QFontMetricsF metrics(font);
+  const bool last = index.column() == index.model()->columnCount() - 1;
+  // What is not the text itself that decides how it is painted.
+  QString key = index.column() == 0 ? index.data(ResultsModel::JointLabelRole).toString()
+                : last              ? QStringLiteral("bold")
+                                    : index.data(ResultsModel::SymbolRole).toString();
+  key += QLatin1Char('\n') + text;
+  const auto known = m_widths.constFind(key);
+  return known != m_widths.constEnd() ? *known : *m_widths.insert(key, measured(index, text));
+}
+
+int ResultsDelegate::measured(const QModelIndex& index, const QString& text) const {
+  const QFontMetricsF metrics(m_font);
   if (index.column() == 0) {
     const QString label = index.data(ResultsModel::JointLabelRole).toString();
     return kMargin + kDotRoom + kGap +
-           qCeil(paintRate(nullptr, font, {}, label) + metrics.horizontalAdvance(QLatin1Char(' ') + text));
+           qCeil(paintRate(nullptr, m_font, {}, label) + metrics.horizontalAdvance(QLatin1Char(' ') + text));
   }
   if (index.column() == index.model()->columnCount() - 1) {
-    QFont bold = font;
+    QFont bold = m_font;
     bold.setBold(true);
     return kGap + kMargin + qCeil(QFontMetricsF(bold).horizontalAdvance(text));
   }
   if (index.data(ResultsModel::SymbolRole).toBool()) {
-    return kGap + qCeil(paintRatios(nullptr, font, {}, text));
+    return kGap + qCeil(paintRatios(nullptr, m_font, {}, text));
   }
   return kGap + qCeil(metrics.horizontalAdvance(text));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QFont>
+#include <QHash>
 #include <QHeaderView>
 #include <QStyledItemDelegate>
 
@@ -15,11 +17,15 @@ class ResultsDelegate : public QStyledItemDelegate {
   ResultsDelegate(Selection* selection, QObject* parent);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  /// The pixels that the cell wants.
+  /// The pixels that the cell wants. Texts are measured once for a font.
   [[nodiscard]] int widthOf(const QModelIndex& index, const QFont& font) const;
 
  private:
+  [[nodiscard]] int measured(const QModelIndex& index, const QString& text) const;
+
   Selection* m_selection;
+  mutable QFont m_font;  ///< of the widths
+  mutable QHash<QString, int> m_widths;
 };
 
 /// The heads of the columns: the rates of the inputs.

@@ -14,11 +14,13 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/style_sheet.h"
 
 namespace geargraph {
 namespace {
 
 constexpr int kRowHeight = 23;
+constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
 
 }  // namespace
@@ -52,6 +54,9 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_note->setContentsMargins(16, 0, 16, 0);
   m_verdict->setObjectName(QStringLiteral("verdict"));
   m_verdict->setWordWrap(true);
+  m_patience.setSingleShot(true);
+  m_patience.setInterval(kPatience);
+  connect(&m_patience, &QTimer::timeout, this, &ResultsPanel::paintVerdict);
   m_symbols->setProperty("look", "flat");
   m_symbols->setToolTip(tr("Coefficients as formulas in the gear ratios, or as fractions"));
   connect(m_symbols, &QToolButton::clicked, this, [this] {
@@ -240,7 +245,13 @@ void ResultsPanel::hoverHead(int section) {
 }
 
 void ResultsPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  const bool wasComplete = m_snapshot && m_snapshot->isComplete;
   m_snapshot = snapshot;
+  if (!snapshot || snapshot->isComplete) {
+    m_patience.stop();
+  } else if (wasComplete) {
+    m_patience.start();
+  }
   m_model->setSnapshot(snapshot);
   m_linkModel->setSnapshot(snapshot);
   renew();
@@ -321,6 +332,7 @@ void ResultsPanel::paintVerdict() {
                : tr("The two methods differ at %1 joints. Please report this document.")
                      .arg(agreement.joints.size());
   } else if (m_snapshot && m_model->rowCount() > 0 && !m_snapshot->isComplete) {
+    if (m_patience.isActive()) return;
     text = tr("Solving exactly, by both methods …");
   }
   const Theme theme = themeOf(palette());
@@ -330,10 +342,10 @@ void ResultsPanel::paintVerdict() {
   border.setAlphaF(0.45F);
   m_verdict->setText(text);
   m_verdict->setVisible(!text.isEmpty());
-  m_verdict->setStyleSheet(
-      QStringLiteral("QLabel { color: %1; background: %2; border: 1px solid %3; "
-                     "border-radius: 5px; padding: 5px 12px; }")
-          .arg(qColor(role, theme).name(), ground.name(QColor::HexArgb), border.name(QColor::HexArgb)));
+  setSheet(*m_verdict,
+           QStringLiteral("QLabel { color: %1; background: %2; border: 1px solid %3; "
+                          "border-radius: 5px; padding: 5px 12px; }")
+               .arg(qColor(role, theme).name(), ground.name(QColor::HexArgb), border.name(QColor::HexArgb)));
 }
 
 QString ResultsPanel::whyNone() const {

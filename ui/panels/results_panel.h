@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/models/link_speeds_model.h"
@@ -71,6 +72,7 @@ class ResultsPanel : public QWidget {
   QLabel* m_empty;
   QLabel* m_note;
   QLabel* m_verdict;
+  QTimer m_patience;  ///< runs out where solving exactly takes long enough to be said
 };
 
 }  // namespace geargraph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QWidget>
 
 #include "core/drawing/palette.h"
 
@@ -10,5 +11,10 @@ namespace geargraph {
 /// "look": "chip" (a rounded button), "tool" (a tool of the tool bar), "card" (a framed note), "hint"
 /// (secondary text), "title", "problem".
 [[nodiscard]] QString styleSheetOf(Theme theme);
+
+/// The widget's own sheet, where it is another: Qt polishes and lays out anew at every sheet that is set.
+inline void setSheet(QWidget& widget, const QString& sheet) {
+  if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
+}
 
 }  // namespace geargraph

@@ -130,6 +130,21 @@ class MatrixModelTest : public QObject {
     }
   }
 
+  /// Teeth are in no matrix of whole numbers: nothing is painted anew while they are dragged.
+  void aChangeOfTeethChangesNoMatrix() {
+    MatrixModel model;
+    const Mechanism robot = test::robotTopology();
+    model.setSnapshot(snapshotOf(robot));
+    const QSignalSpy data(&model, &QAbstractItemModel::dataChanged);
+    const QSignalSpy matrix(&model, &MatrixModel::matrixChanged);
+    const SnapshotPtr next = snapshotOf(withTeeth(robot, MeshId("15"), 20, 40).value());
+    model.setSnapshot(next);
+    QCOMPARE(data.count() + matrix.count(), 0);
+    QCOMPARE(model.matrix(), next->matrix(MatrixKind::cycleBasis));
+    model.setSnapshot(snapshotOf(withFlipped(robot, JointId("10")).value()));
+    QCOMPARE(matrix.count(), 1);
+  }
+
   void sameShapeIsNoReset() {
     MatrixModel model;
     const Mechanism robot = test::robotTopology();

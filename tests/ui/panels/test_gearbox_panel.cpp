@@ -63,6 +63,25 @@ class GearboxPanelTest : public QObject {
     QVERIFY(!panel->model().index(0, 4).data(StatesModel::EngagedRole).toBool());
   }
 
+  /// The first step of an analysis has no ratios yet: those before stay, until the second brings its own.
+  void ratiosDoNotBlinkWhileTeethAreDragged() {
+    const MeshId mesh("25");
+    const GearMesh& drawn = *document->mechanism()->find(mesh);
+    const int tail = drawn.tailTeeth, head = drawn.headTeeth + 2;
+    document->apply({"teeth", [=](const Mechanism& m) { return withTeeth(m, mesh, tail, head); }, 0});
+    const auto ratios = [&] {
+      QStringList all;
+      for (int row = 0; row < panel->model().rowCount(); ++row) all << text(row, StatesModel::Tail::ratio);
+      return all;
+    };
+    const QStringList before = ratios();
+    panel->setSnapshot(analyzeLive(document->mechanism(), document->revision()));
+    QCOMPARE(ratios(), before);
+    settle();
+    QVERIFY(ratios() != before);
+    QVERIFY(!ratios().contains(QStringLiteral("…")));
+  }
+
   void aClickOnAStateGivesTheInputsItsSpeeds() {
     click(0, panel->model().columnCount() - 2);
     QVERIFY(panel->model().isRunning(0));
