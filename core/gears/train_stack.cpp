@@ -12,6 +12,9 @@ using Eigen::Vector3d;
 /// discs that join them.
 constexpr double kPlaneGap = 5;
 constexpr double kLinkedGap = 12;
+constexpr int kNearTries = 60;  // plane by plane, then in strides
+constexpr int kMostTries = 120;
+constexpr double kStride = 1.0 / 12;  // of the way
 
 /// Wheels that lie in one plane because they mesh.
 struct Plane {
@@ -75,9 +78,10 @@ void stackWheels(TrainWheels& train, const Placement& placement) {
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
       step = std::max(step, spec.faceWidth + gap * spec.module);
     }
-    double at = 0;
-    for (int attempt = 1; plane.movable && blocked(plane) && attempt < 60; ++attempt) {
-      const double goal = (attempt % 2 == 1 ? 1 : -1) * ((attempt + 1) / 2) * step;  // +1, -1, +2, -2, ...
+    double at = 0, far = 0;
+    for (int attempt = 1; plane.movable && blocked(plane) && attempt < kMostTries; ++attempt) {
+      if (attempt % 2 == 1) far += attempt < kNearTries ? step : std::max(step, kStride * far);
+      const double goal = attempt % 2 == 1 ? far : -far;
       for (const int w : plane.wheels) rooms.move(w, (goal - at) * direction);
       at = goal;
     }

@@ -7,10 +7,11 @@
 namespace geargraph {
 namespace {
 
-constexpr int kMostSteps = 60;           // to either side
+constexpr int kMostSteps = 60;           // to either side, one by one; then in strides,
+constexpr int kFarthestStep = 2000;      // to here
 constexpr double kAgainst = 1.5;         // a place on the negative half counts as so much farther,
 constexpr double kBehindRoot = 100;      // and where the axis begins at the point
-constexpr int kLargestSize = 16;         // halves of the module
+constexpr int kLargestSize = 400;        // halves of the module
 constexpr int kTurns = 12;               // poses of a carrier that are looked at
 constexpr double kMargin = 1;            // modules between wheels
 constexpr std::size_t kMostWheels = 64;  // of larger trains no room is sought
@@ -120,7 +121,7 @@ void BevelArranger::setSizes(int from, int to, const Line& a, const Line& b, dou
   };
   for (const int mesh : meshesBetween(from, to)) {
     int& size = m_sizes[static_cast<std::size_t>(mesh)];
-    for (;; ++size) {
+    for (;; size += std::max(1, size / 8)) {
       Wheels pair;
       addPair(pair, mesh, size, {}, a, b, from, module);
       if (size < kLargestSize && meets(pair)) continue;
@@ -187,6 +188,7 @@ int BevelArranger::place(int from, int to, const Vector3& direction, double modu
   };
   std::vector<int> steps{first};
   for (int i = -kMostSteps; i <= kMostSteps; ++i) steps.push_back(i);
+  for (int i = kMostSteps; i < kFarthestStep; steps.insert(steps.end(), {i, -i})) i += i / 6;
   const double against = m_rooted.contains(from) ? kBehindRoot : kAgainst;
   const auto cost = [&](int step) { return step < 0 ? -against * step : step; };
   std::stable_sort(steps.begin() + 1, steps.end(), [&](int x, int y) { return cost(x) < cost(y); });

@@ -283,6 +283,19 @@ class TestClearance : public QObject {
       QVERIFY2(d.message.find("in one place") == std::string::npos, d.message.c_str());
   }
 
+  /// Trains drawn at random, with meshes between any two links of neighbouring axes, several between the same
+  /// two, and groups that nothing ties together: there is room for every wheel of each.
+  void bareRandomTrainsHaveARoomForEveryWheel() {
+    for (const auto& [links, meshes] : {std::pair{4, 3}, {6, 6}, {8, 6}, {12, 8}}) {
+      for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const Mechanism mechanism = bare(test::randomTrain(seed, links, meshes));
+        for (const Diagnostic& d : trainOf(mechanism, placementOf(mechanism)).diagnostics)
+          QVERIFY2(d.message.find("in one place") == std::string::npos,
+                   qPrintable(QString("%1 links, %2: ").arg(links).arg(seed) + d.message.c_str()));
+      }
+    }
+  }
+
   /// The paper's robot as a bare graph: its bodies pass each other, too, as it stands.
   void theBareRobotPasses() {
     const Mechanism mechanism = bare(example("robot"));
