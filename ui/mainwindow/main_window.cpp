@@ -15,6 +15,7 @@
 #include "core/mechanism/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
+#include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -229,6 +230,10 @@ void MainWindow::makeDocks() {
   addDock("dock.properties", tr("Properties"), m_properties);
   m_motion = new MotionPanel(m_selection, m_view3d, this);
   addDock("dock.speeds", tr("Speeds"), m_motion);
+  m_derivation = new DerivationPanel(m_selection, this);
+  QDockWidget* derivation = addDock("dock.derivation", tr("Derivation"), m_derivation);
+  connect(derivation, &QDockWidget::visibilityChanged, m_derivation, &DerivationPanel::setAwake);
+  connect(m_derivation, &DerivationPanel::exportWanted, this, &MainWindow::chooseAndExportDerivation);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
   placeDocks();
@@ -244,6 +249,7 @@ void MainWindow::placeDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
   tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
   tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
+  tabifyDockWidget(dock("dock.speeds"), dock("dock.derivation"));
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
   tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));
@@ -411,6 +417,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
+  m_derivation->setSnapshot(snapshot, whyNoDerivation());
   m_view3d->setEmptyText(whyNoGears(*snapshot));
   renewExport();
   raiseProblems(*snapshot);

@@ -2,7 +2,6 @@
 
 #include <QMainWindow>
 #include <QTabWidget>
-#include <QTemporaryDir>
 #include <memory>
 
 #include "core/derivation/quantity_table.h"
@@ -16,6 +15,7 @@
 namespace geargraph {
 
 struct PictureWish;
+class DerivationPanel;
 class DigraphView;
 class DockTitles;
 class DrawingView;
@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   bool showDrawing(const QString& name);
   [[nodiscard]] View3D& view3d() { return *m_view3d; }
   [[nodiscard]] MatricesPanel& matrices() { return *m_matrices; }
+  [[nodiscard]] DerivationPanel& derivation() { return *m_derivation; }
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
   [[nodiscard]] GearboxPanel& gearbox() { return *m_gearbox; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
@@ -81,7 +82,7 @@ class MainWindow : public QMainWindow {
   /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
   /// for the 3D view. The status bar says what went wrong.
   void exportPicture(const PictureWish& wish, const QString& path);
-  /// Writes the derivation in the form that the path's suffix names (html, tex, md); pictureExported()
+  /// Writes the derivation in the form that the path's suffix names (html, pdf, tex, md); pictureExported()
   /// follows, or the status bar says why not.
   void exportDerivation(const QString& path);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
@@ -164,7 +165,6 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QString whyNoDerivation() const;
   void chooseAndExportDerivation();
   void showDerivation();
-  void onPageWritten(const QString& path);
   void askForPicture();
   void chooseAndExportPicture(const PictureWish& wish);
   void exportView3D(const PictureWish& wish, const QString& path);
@@ -190,6 +190,7 @@ class MainWindow : public QMainWindow {
   ResultsPanel* m_results = nullptr;
   GearboxPanel* m_gearbox = nullptr;
   MotionPanel* m_motion = nullptr;
+  DerivationPanel* m_derivation = nullptr;
   InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
@@ -203,10 +204,8 @@ class MainWindow : public QMainWindow {
   std::vector<QDockWidget*> m_docks;
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
-  std::unique_ptr<QTemporaryDir> m_pages;  ///< what a browser shows, as long as the window is there
-  QString m_wantedPage;                    ///< the one that is being written for it
-  bool m_hasPicture = false;               ///< the 3D view shows something of this document
-  bool m_isOpened = false;                 ///< since the last complete snapshot
+  bool m_hasPicture = false;  ///< the 3D view shows something of this document
+  bool m_isOpened = false;    ///< since the last complete snapshot
   PictureJobs* m_pictures = nullptr;
 };
 

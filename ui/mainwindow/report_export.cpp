@@ -1,10 +1,9 @@
-// File > Export derivation and Learn > Show derivation: both methods worked out, as a web page, LaTeX or
-// Markdown.
+// File > Export derivation and Learn > Show the derivation: both methods worked out, as a web page, PDF,
+// LaTeX or Markdown, and in the window.
 
-#include <QDesktopServices>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QUrl>
 
 #include "core/drawing/svg_writer.h"
 #include "core/io/file.h"
@@ -50,19 +49,8 @@ void MainWindow::chooseAndExportDerivation() {
 }
 
 void MainWindow::showDerivation() {
-  if (!m_pages) m_pages = std::make_unique<QTemporaryDir>();
-  m_wantedPage = m_pages->filePath(QFileInfo(m_files->title()).completeBaseName() + QStringLiteral(".html"));
-  exportDerivation(m_wantedPage);
-}
-
-void MainWindow::onPageWritten(const QString& path) {
-  if (path != m_wantedPage) return;
-  m_wantedPage.clear();
-  if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) {
-    m_status->showNote(tr("The derivation is shown in the browser."));
-  } else {
-    m_status->showRefusal(tr("No program here opens web pages. File > Export derivation writes the page."));
-  }
+  dock("dock.derivation")->show();
+  dock("dock.derivation")->raise();
 }
 
 void MainWindow::exportDerivation(const QString& path) {

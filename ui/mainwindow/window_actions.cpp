@@ -90,10 +90,11 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
                        {QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   exportDerivation = make(
       "file.exportDerivation", words("Export &derivation…"),
-      words("Both methods worked out step by step for this mechanism, as a web page, LaTeX or Markdown"), {});
-  showDerivation = make("learn.derivation", words("Show the &derivation"),
-                        words("Both methods worked out step by step for this mechanism, in the browser"),
-                        {QKeySequence(Qt::Key_F6)});
+      words("Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown"),
+      {});
+  showDerivation =
+      make("learn.derivation", words("Show the &derivation"),
+           words("Both methods worked out step by step for this mechanism"), {QKeySequence(Qt::Key_F6)});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
   quit =
       make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});

@@ -105,7 +105,6 @@ void MainWindow::wireActions() {
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.exportDerivation, &QAction::triggered, this, &MainWindow::chooseAndExportDerivation);
   connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
-  connect(this, &MainWindow::pictureExported, this, &MainWindow::onPageWritten);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

@@ -1,5 +1,4 @@
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -11,6 +10,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
+#include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_dialog.h"
@@ -26,7 +26,6 @@ class DrawingsTest : public QObject {
 
   std::unique_ptr<MainWindow> window;
   const QTemporaryDir folder;
-  QUrl opened;  ///< by a browser
 
   QByteArray exported(const PictureWish& wish, const QString& name) {
     const QString path = folder.filePath(name);
@@ -47,9 +46,6 @@ class DrawingsTest : public QObject {
   static PictureWish wish(const QString& view, PictureForm form) {
     return {view, DrawingPicture{.form = form}};
   }
-
- public slots:
-  void open(const QUrl& url) { opened = url; }
 
  private slots:
   void initTestCase() { test::setUpProgram(); }
@@ -76,17 +72,19 @@ class DrawingsTest : public QObject {
     QVERIFY(page.contains("id=\"eq25\"") && page.contains("id=\"eq45\""));
     QVERIFY(derivation("derivation.tex").startsWith("\\documentclass"));
     QVERIFY(derivation("derivation.md").startsWith("# Geared robotic mechanism"));
+    QVERIFY(derivation("derivation.pdf").startsWith("%PDF-"));
   }
 
-  // One key, and the browser has the page.
-  void theDerivationIsShownInTheBrowser() {
-    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open");
+  // One key, and both methods are there, as the document is now.
+  void theDerivationIsShownInTheWindow() {
+    DerivationPanel& panel = window->derivation();
+    QVERIFY(panel.visibleRegion().isEmpty() && panel.view().report() == nullptr);
     QTest::keyClick(&window->digraph(), Qt::Key_F6);
-    QTRY_VERIFY(!opened.isEmpty());
-    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
-    QFile page(opened.toLocalFile());
-    QVERIFY(page.open(QIODevice::ReadOnly));
-    QVERIFY(page.readAll().startsWith("<!DOCTYPE html>"));
+    QTRY_VERIFY(!panel.visibleRegion().isEmpty() && panel.isUpToDate() && panel.view().report() != nullptr);
+    QVERIFY(!panel.view().equationPlace(45).isEmpty());
+    window->selection().select({LinkId("3")});
+    window->actions().remove->trigger();
+    QTRY_VERIFY(panel.isUpToDate() && panel.view().equationPlace(45).isEmpty());
   }
 
   void anEmptyDocumentHasNoDerivation() {
