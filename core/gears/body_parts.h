@@ -61,6 +61,12 @@ struct TeePlan {
   double low = 0, high = 0;  ///< how far that one reaches, for others that run on it
 };
 
+/// The foot of a wheel of the frame that stands on none of its bearings.
+struct StubPlan {
+  int axisClass = 0;
+  double at = 0;
+};
+
 /// The plate and wall that carry a ring on its link's shaft.
 struct CupPlan {
   int gear = 0;

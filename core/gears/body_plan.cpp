@@ -224,6 +224,31 @@ std::optional<double> BodyPlanner::heldLevel(int axisClass, int link) const {
   return std::nullopt;
 }
 
+namespace {
+
+/// Does an axis cross this one between the shaft and a place outside of it?
+bool isAcross(const AxisLayout& layout, const ShaftPlan& shaft, double place) {
+  const double low = std::min(shaft.high, place), high = std::max(shaft.low, place);
+  return std::any_of(layout.taken.begin(), layout.taken.end(),
+                     [&](const Stretch& s) { return s.link < 0 && s.low < high && low < s.high; });
+}
+
+}  // namespace
+
+/// A wheel of the frame that none of its bearings reaches stands on a foot of its own, on the side where
+/// nothing crosses its axis.
+void BodyPlanner::addStub(int axisClass, ShaftPlan& shaft) {
+  AxisLayout& layout = axis(axisClass);
+  const double reach = layout.gap() + layout.width() / 2;
+  double place = shaft.low - reach;
+  const double other = shaft.high + reach;
+  const auto isBetter = [&](double x) { return layout.slotIsFree(x) && !isAcross(layout, shaft, x); };
+  if (!isBetter(place) && isBetter(other)) place = other;
+  shaft.include(place - layout.width() / 2, place + layout.width() / 2);
+  layout.take(place, 0);
+  m_plan.stubs.push_back({axisClass, place});
+}
+
 /// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
 void BodyPlanner::addShaft(int axisClass, int link) {
   const AxisLayout& layout = axis(axisClass);
@@ -232,6 +257,7 @@ void BodyPlanner::addShaft(int axisClass, int link) {
   shaft.link = link;
   const double half = layout.width() / 2;
   const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
+  bool holdsWheel = false;
   for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
     const TrainGear& gear = m_train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
@@ -239,6 +265,7 @@ void BodyPlanner::addShaft(int axisClass, int link) {
     const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
     const double origin = layout.coordinate(gear.pose.translation());
     for (const double z : {hub.low, hub.high}) shaft.include(origin + sense * z, origin + sense * z);
+    holdsWheel = true;
   }
   for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)]) {
     const ArmPlan& arm = m_plan.arms[a];
@@ -265,7 +292,11 @@ void BodyPlanner::addShaft(int axisClass, int link) {
     if (b.parent == link && (nearest == nullptr || away(b) < away(*nearest))) nearest = &b;
     if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
   }
-  if (!turns && nearest != nullptr) shaft.include(nearest->at - half, nearest->at + half);
+  if (!turns && nearest != nullptr && !isAcross(layout, shaft, nearest->at)) {
+    shaft.include(nearest->at - half, nearest->at + half);
+  } else if (link == 0 && holdsWheel) {
+    addStub(axisClass, shaft);
+  }
   if (shaft.low < shaft.high) {
     shaft.low -= 0.4 * layout.gap();  // neighbours do not touch
     shaft.high += 0.4 * layout.gap();

@@ -66,15 +66,28 @@ class BodyPlanner {
   void placeLink(int link);
   void placeParallel(int link, int home, const std::vector<Bearing*>& round);
   void placeCrossing(int link, int home, Bearing& bearing);
+  struct TriedArm {
+    ArmPlan arm;
+    int hits = 1 << 20;  ///< places that do not pass
+  };
+  [[nodiscard]] TriedArm bestArm(int link, int home, const Bearing& bearing,
+                                 const std::vector<double>& levels) const;
+  [[nodiscard]] std::vector<double> levelsBeside(int link, int home) const;
+  [[nodiscard]] std::vector<double> levelsBeyond(int home, int axisClass) const;
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
   [[nodiscard]] bool fits(int link, int home, const std::vector<Bearing*>& round, double level) const;
   [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
+  [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
+  [[nodiscard]] Stretch reachOf(const ArmPlan& arm) const;
+  std::vector<Bearing>::iterator heldByTee(int link, int axisClass, double at);
+  [[nodiscard]] bool isAround(int home, int link, double level) const;
   bool placeTee(int link, int home, int axisClass);
   void trimTees();
   [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
   void addShaft(int axisClass, int link);
+  void addStub(int axisClass, ShaftPlan& shaft);
   void addArm(const ArmPlan& arm) {
     m_armsOf[static_cast<std::size_t>(arm.link)].push_back(m_plan.arms.size());
     m_plan.arms.push_back(arm);

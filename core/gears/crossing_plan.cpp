@@ -18,6 +18,35 @@ int BodyPlanner::armHits(const ArmPlan& arm) const {
          shaftHits(arm);
 }
 
+/// Where two axes meet: the coordinates of the point along them; nothing where they are skew.
+std::optional<std::pair<double, double>> BodyPlanner::crossingOf(int a, int b) const {
+  const AxisLayout& one = axis(a);
+  const AxisLayout& other = axis(b);
+  const Vector3d across = one.direction.cross(other.direction);
+  const Vector3d apart = other.point - one.point;
+  if (across.norm() < 1e-6 || std::abs(apart.dot(across)) > 0.01 * one.module * across.norm())
+    return std::nullopt;
+  const double level = apart.cross(other.direction).dot(across) / across.squaredNorm();
+  return std::pair{level, other.coordinate(one.at(level))};
+}
+
+/// How far the link's shaft reaches along its own axis with this arm.
+Stretch BodyPlanner::reachOf(const ArmPlan& arm) const {
+  const AxisLayout& own = axis(arm.from);
+  Stretch reach{arm.level, arm.level, arm.link};
+  const auto include = [&](double low, double high) {
+    reach.low = std::min(reach.low, low);
+    reach.high = std::max(reach.high, high);
+  };
+  for (const Stretch& s : own.taken) {
+    if (s.link == arm.link) include(s.low, s.high);
+  }
+  for (const Bearing& b : own.bearings) {
+    if (b.child == arm.link) include(b.at, b.at);
+  }
+  return reach;
+}
+
 /// How many places of an arm with its post lie in the shaft that its bearing holds, outside of the bearing,
 /// or in what stands on the axis that the post runs along.
 int BodyPlanner::shaftHits(const ArmPlan& arm) const {
@@ -39,6 +68,13 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
     low = std::min(low, wheels->low);
     high = std::max(high, wheels->high);
   }
+  if (const auto meeting = crossingOf(arm.from, arm.to)) {
+    constexpr int kThrough = 6;  // places in gears that shafts through each other weigh as much as
+    const Stretch own = reachOf(arm);
+    const bool through = own.low < meeting->first && meeting->first < own.high && low < meeting->second &&
+                         meeting->second < high;
+    count += through ? kThrough : 0;
+  }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
   const double sine = std::max(from.direction.cross(to.direction).norm(), 0.1);
   const double postEnd = (reach + 0.5 * to.module) / sine;  // nearer to the shaft the post does not come
@@ -58,16 +94,50 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
   return count;
 }
 
-/// Where axes meet and a shaft with wheels on both sides passes the crossing, the link's own shaft can end in
-/// an eye about it. Whatever else turns there on the link runs on the shaft that it encloses.
+/// Would the link's shaft run within that of another on its axis, to the level beyond it, while that one runs
+/// within the link's own wheels?
+bool BodyPlanner::isAround(int home, int link, double level) const {
+  const AxisLayout& own = axis(home);
+  const auto wheels = own.wheelsOf(link);
+  return wheels && std::any_of(own.bearings.begin(), own.bearings.end(), [&](const Bearing& other) {
+           const auto passed = own.wheelsOf(other.child);
+           if (other.child == link || !passed) return false;
+           const double low = std::min(passed->low, other.at), high = std::max(passed->high, other.at);
+           return wheels->high > low && wheels->low < high && (level < low || level > high);
+         });
+}
+
+/// The bearing of the one shaft that an eye at the crossing holds: the one with wheels on both sides of it;
+/// where several have theirs on one side, the nearest, on which the others run. The end: there is none.
+std::vector<Bearing>::iterator BodyPlanner::heldByTee(int link, int axisClass, double at) {
+  AxisLayout& target = axis(axisClass);
+  std::vector<std::vector<Bearing>::iterator> passing, below, above;
+  const auto none = target.bearings.end();
+  for (auto b = target.bearings.begin(); b != none; ++b) {
+    const auto wheels = target.wheelsOf(b->child);
+    if (b->parent != link || b->placed) continue;
+    if (!wheels) return none;
+    (wheels->low < at && wheels->high > at ? passing : wheels->high <= at ? below : above).push_back(b);
+  }
+  if (passing.size() == 1) return passing.front();
+  if (!passing.empty() || below.empty() == above.empty() || below.size() + above.size() < 2) return none;
+  const auto away = [&](const auto& b) {
+    const auto wheels = target.wheelsOf(b->child);
+    return std::max(wheels->low - at, at - wheels->high);
+  };
+  const auto& all = below.empty() ? above : below;
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const auto& x, const auto& y) { return away(x) < away(y); });
+}
+
+/// Where axes meet, the link's own shaft can end in an eye about the shaft that passes the crossing or begins
+/// there. Whatever else turns there on the link runs on the shaft that it encloses.
 bool BodyPlanner::placeTee(int link, int home, int axisClass) {
   AxisLayout& own = axis(home);
   AxisLayout& target = axis(axisClass);
-  const Vector3d across = own.direction.cross(target.direction);
-  const Vector3d apart = target.point - own.point;
-  if (link == 0 || std::abs(apart.dot(across)) > 0.01 * own.module * across.norm()) return false;
-  const double level = apart.cross(target.direction).dot(across) / across.squaredNorm();
-  const double at = target.coordinate(own.at(level));
+  const auto meeting = crossingOf(home, axisClass);
+  if (link == 0 || !meeting) return false;
+  const auto [level, at] = *meeting;
   const auto isOthers = [](const Stretch& s, double low, double high) {
     return s.link >= 0 && s.low < high && low < s.high;
   };
@@ -80,13 +150,9 @@ bool BodyPlanner::placeTee(int link, int home, int axisClass) {
     if (isOthers(s, level - reach, level + reach)) return false;
     if (s.link == link && s.low < level && level < s.high) return false;
   }
-  const auto passes = [&](const Bearing& b) {
-    const auto wheels = target.wheelsOf(b.child);
-    return b.parent == link && !b.placed && wheels && wheels->low < at && wheels->high > at;
-  };
-  const auto through = std::find_if(target.bearings.begin(), target.bearings.end(), passes);
+  if (isAround(home, link, level)) return false;
+  const auto through = heldByTee(link, axisClass, at);
   if (through == target.bearings.end()) return false;
-  if (std::count_if(target.bearings.begin(), target.bearings.end(), passes) != 1) return false;
   TeePlan tee{link, home, level, axisClass, at, through->child, at, at};
   for (const Bearing& b : target.bearings) {  // what runs on the shaft stands on one side
     const auto wheels = target.wheelsOf(b.child);
@@ -135,11 +201,10 @@ std::optional<PinPlan> BodyPlanner::pinFor(int link, int home, const Bearing& be
   const AxisLayout& own = axis(home);
   const AxisLayout& target = axis(c);
   const auto wheels = target.wheelsOf(bearing.child);
-  const Vector3d across = own.direction.cross(target.direction);
-  const Vector3d apart = target.point - own.point;
-  if (!wheels || std::abs(apart.dot(across)) > 0.01 * own.module * across.norm()) return std::nullopt;
-  PinPlan pin{link, home, apart.cross(target.direction).dot(across) / across.squaredNorm(), c};
-  pin.from = target.coordinate(own.at(pin.level));
+  const auto meeting = crossingOf(home, c);
+  if (!wheels || !meeting) return std::nullopt;
+  PinPlan pin{link, home, meeting->first, c};
+  pin.from = meeting->second;
   if (wheels->low < pin.from && wheels->high > pin.from) return std::nullopt;
   const double end = 2 * target.gap();
   pin.to = wheels->low >= pin.from ? wheels->high + end : wheels->low - end;
@@ -158,14 +223,9 @@ std::optional<PinPlan> BodyPlanner::pinFor(int link, int home, const Bearing& be
   return pin;
 }
 
-/// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
-/// arms beside the link's own wheel or where it has one already; but first of all where they pass the gears.
-void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
-  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
-  AxisLayout& target = axis(c);
-  AxisLayout& own = axis(home);
-  std::vector<double> places{bearing.at, target.outerSlot()};
-  for (const double x : target.slotCandidates()) places.push_back(x);
+/// Levels beside the link's own wheel and arms, or outside of everything.
+std::vector<double> BodyPlanner::levelsBeside(int link, int home) const {
+  const AxisLayout& own = axis(home);
   std::vector<double> levels{own.outerSlot()};
   const double reach = own.gap() + own.width() / 2;
   for (const Stretch& s : own.taken) {
@@ -174,43 +234,78 @@ void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
     levels.push_back(s.low - reach);
   }
   if (levels.size() == 1) levels = own.slotCandidates();
-  std::vector<double> standing;
-  for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)])
-    standing.push_back(m_plan.arms[a].level);
-  ArmPlan best;
+  return levels;
+}
+
+/// Levels beyond the wheels on an axis that crosses, so that an arm goes round them.
+std::vector<double> BodyPlanner::levelsBeyond(int home, int axisClass) const {
+  const AxisLayout& own = axis(home);
+  std::vector<double> levels;
+  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
+    const TrainGear& gear = m_train.gears[g];
+    const double beyond = nominalTipRadius(gear.spec) + own.width() / 2 + own.gap();
+    const double middle = own.coordinate(gear.pose.translation());
+    levels.insert(levels.end(), {middle + beyond, middle - beyond});
+  }
+  return levels;
+}
+
+/// The arm to the bearing's axis that passes most, then the shortest.
+BodyPlanner::TriedArm BodyPlanner::bestArm(int link, int home, const Bearing& bearing,
+                                           const std::vector<double>& levels) const {
+  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const AxisLayout& target = axis(c);
+  const AxisLayout& own = axis(home);
+  std::vector<double> places{bearing.at, target.outerSlot()};
+  for (const double x : target.slotCandidates()) places.push_back(x);
+  TriedArm best;
   double bestCost = 1e300;
-  int bestHits = 0;
   const auto consider = [&](double at, double level, double extra) {
     const ArmPlan arm{link, home, level, c, at, bearing.child};
     constexpr int kInside = 20;  // an arm that cannot come out weighs as much as so many places in gears
     const int hits = armHits(arm) + (own.emerges(link, level) ? 0 : kInside);
     const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
                         std::abs(level - own.coordinate(target.at(at))) + extra;
-    if (cost < bestCost - 1e-9) {
-      best = arm;
-      bestCost = cost;
-      bestHits = hits;
-    }
+    if (cost >= bestCost - 1e-9) return;
+    best = {arm, hits};
+    bestCost = cost;
   };
   for (const double at : places) {
     if (!target.slotIsFree(at)) continue;
-    for (const double level : standing) consider(at, level, 0);
+    for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)])
+      consider(at, m_plan.arms[a].level, 0);
     for (const double level : levels) {
       if (own.slotIsFree(level)) consider(at, level, 6 * own.module);
     }
   }
+  return best;
+}
+
+/// Bearing and arm for an axis that crosses the link's own. Bearings go where they are drawn if that is free,
+/// arms beside the link's own wheel or where it has one already; but first of all where they pass the gears.
+/// Where none does, a pin may, or an arm round the wheels.
+void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
+  TriedArm best = bestArm(link, home, bearing, levelsBeside(link, home));
   bearing.placed = true;
-  if (const auto pin = bestHits > 0 ? pinFor(link, home, bearing) : std::nullopt) {
+  if (const auto pin = best.hits > 0 ? pinFor(link, home, bearing) : std::nullopt) {
     bearing.form = BearingForm::pin;
     bearing.at = pin->to;
     m_plan.pins.push_back(*pin);
     return;
   }
-  if (bestHits > 0) m_plan.blocked.push_back({link, bearing.child});
-  bearing.at = best.at;
-  target.take(best.at, link);
-  if (std::find(standing.begin(), standing.end(), best.level) == standing.end()) own.take(best.level, link);
-  addArm(best);
+  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  if (best.hits > 0) {
+    const TriedArm other = bestArm(link, home, bearing, levelsBeyond(home, c));
+    if (other.hits < best.hits) best = other;
+  }
+  if (best.hits > 0) m_plan.blocked.push_back({link, bearing.child});
+  bearing.at = best.arm.at;
+  axis(c).take(best.arm.at, link);
+  const auto& arms = m_armsOf[static_cast<std::size_t>(link)];
+  const bool stands = std::any_of(arms.begin(), arms.end(),
+                                  [&](std::size_t a) { return m_plan.arms[a].level == best.arm.level; });
+  if (!stands) axis(home).take(best.arm.level, link);
+  addArm(best.arm);
 }
 
 }  // namespace geargraph

@@ -33,6 +33,7 @@ class BodyBuilder {
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
     for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
     for (const CagePlan& plan : m_plan.cages) addCage(plan);
+    for (const StubPlan& stub : m_plan.stubs) addStub(stub);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
         if (b.form == BearingForm::pin) {
@@ -93,10 +94,11 @@ class BodyBuilder {
     const double outer = hole + bearing.wall * eyeWall(layout);
     append(of(bearing.parent), tube(outer, hole, bearing.at - half, bearing.at + half, tolerance(layout)),
            frameAlong(layout.point, layout.direction));
-    if (bearing.parent == 0) addFlange(c, bearing, hole, outer);
+    if (bearing.parent == 0) addFlange(c, bearing.at, hole, outer);
   }
 
-  void addFlange(int c, const Bearing& bearing, double hole, double outer);
+  void addFlange(int c, double at, double hole, double outer);
+  void addStub(const StubPlan& stub);
   [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
   void addArms();
   void addSpider(std::span<const ArmPlan* const> arms);
@@ -112,17 +114,17 @@ class BodyBuilder {
 
 /// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
 /// away from the wheels, where no wheel goes round so near.
-void BodyBuilder::addFlange(int c, const Bearing& bearing, double hole, double outer) {
+void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
   const AxisLayout& layout = axis(c);
   const double module = layout.module;
   const double foot = 0.9 * module;
   const double distance = outer + 1.3 * module;
-  if (!hasRoom(c, bearing.at, distance + foot)) return;
+  if (!hasRoom(c, at, distance + foot)) return;
   double middle = 0;
   for (const Stretch& s : layout.wheels)
     middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
-  const double side = bearing.at < middle ? -1 : 1;
-  const double far = bearing.at + side * 0.45 * layout.width();
+  const double side = at < middle ? -1 : 1;
+  const double far = at + side * 0.45 * layout.width();
   const double near = far - side * 0.4 * layout.width();
   std::vector<Eye> feet;
   for (int i = 0; i < 4; ++i) {
@@ -134,6 +136,19 @@ void BodyBuilder::addFlange(int c, const Bearing& bearing, double hole, double o
          spider({{0, 0}, outer + 0.1 * module, seat}, feet, std::min(near, far), std::max(near, far),
                 tolerance(layout)),
          frameAlong(layout.point, layout.direction));
+}
+
+/// A collar about the shaft, with feet.
+void BodyBuilder::addStub(const StubPlan& stub) {
+  const AxisLayout& layout = axis(stub.axisClass);
+  const ShaftPlan* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
+  if (shaft == nullptr) return;
+  const double half = 0.45 * layout.width();
+  const double hole = 0.5 * (shaft->inner + shaft->outer);
+  const double outer = shaft->outer + eyeWall(layout);
+  append(of(0), tube(outer, hole, stub.at - half, stub.at + half, tolerance(layout)),
+         frameAlong(layout.point, layout.direction));
+  addFlange(stub.axisClass, stub.at, hole, outer);
 }
 
 /// Does no gear of another axis come nearer to this one, beside the coordinate?
