@@ -128,18 +128,36 @@ double defaultFace(const GearSpec& spec) {
   return std::min(coneDistance(spec) / 3, kMostBevelFace * spec.module);
 }
 
+/// What the meshes of a wheel cover of its axis, from its origin.
+struct Cover {
+  double low = 0;
+  double high = 0;
+};
+
 void setFaces(const Mechanism& mechanism, TrainWheels& train) {
-  for (TrainWheel& wheel : train.wheels) wheel.spec.faceWidth = 0;
+  std::vector<Cover> covers(train.wheels.size());
   for (TrainPair& pair : train.pairs) {
     std::optional<Number> stated = mechanism.gearMeshes[static_cast<std::size_t>(pair.mesh)].faceWidth;
     if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
     pair.openFace = !stated || stated->value() <= 0;
     for (const int w : {pair.tail, pair.head}) {
-      GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
-      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(spec);
-      if (spec.kind == GearKind::bevel) face = std::min(face, 0.6 * coneDistance(spec));
-      spec.faceWidth = std::max(spec.faceWidth, face);
+      const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
+      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec);
+      if (wheel.spec.kind == GearKind::bevel) face = std::min(face, 0.6 * coneDistance(wheel.spec));
+      const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
+      const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
+      Cover& cover = covers[static_cast<std::size_t>(w)];
+      cover.low = std::min(cover.low, plane - face / 2);
+      cover.high = std::max(cover.high, plane + face / 2);
     }
+  }
+  for (std::size_t w = 0; w < covers.size(); ++w) {
+    TrainWheel& wheel = train.wheels[w];
+    wheel.spec.faceWidth = covers[w].high - covers[w].low;
+    const double middle = (covers[w].low + covers[w].high) / 2;
+    if (middle == 0) continue;
+    wheel.origin += middle * wheel.axis;
+    for (double& plane : wheel.planes) plane -= middle;
   }
 }
 

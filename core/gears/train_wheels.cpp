@@ -162,12 +162,16 @@ std::vector<int> WheelFinder::like(const TrainWheel& wheel) const {
 
 int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
   if (known) {
-    m_train.wheels[static_cast<std::size_t>(*known)].meshes.push_back(mesh);
+    TrainWheel& shared = m_train.wheels[static_cast<std::size_t>(*known)];
+    const double plane = (wheel.origin - shared.origin).dot(shared.axis);
+    shared.meshes.push_back(mesh);
+    shared.planes.push_back(same(plane, 0, shared.workingRadius) ? 0 : plane);
     return *known;
   }
   const int position = static_cast<int>(m_train.wheels.size());
   m_ofLink[static_cast<std::size_t>(wheel.link)].push_back(position);
   wheel.meshes.push_back(mesh);
+  wheel.planes.push_back(0);
   m_train.wheels.push_back(std::move(wheel));
   return position;
 }

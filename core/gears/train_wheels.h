@@ -16,6 +16,7 @@ struct TrainWheel {
   int link = 0;
   int axisClass = 0;
   std::vector<int> meshes;
+  std::vector<double> planes;  ///< by mesh: where along the axis it lies, from the origin; bevels: 0
   std::optional<WheelId> id;
   Eigen::Vector3d axis;      ///< +z of the gear; bevel: from the apex to the gear
   Eigen::Vector3d origin;    ///< of the gear's frame: middle of the face, or the apex
@@ -43,7 +44,8 @@ struct TrainWheels {
 /// yet.
 [[nodiscard]] TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement);
 
-/// Modules, profile shifts, face widths, backlash and tips of all wheels.
+/// Modules, profile shifts, face widths, backlash and tips of all wheels. A wheel whose meshes lie in several
+/// planes (the long planet of a Ravigneaux set) is as wide as all of them, its origin in their middle.
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
 
 /// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.

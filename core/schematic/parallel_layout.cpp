@@ -222,8 +222,8 @@ std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheel
   }
 }
 
-void setPlanes(SheetLayout& layout, const std::vector<double>& along) {
-  layout.planes = along;
+void setPlanes(SheetLayout& layout, const std::vector<std::vector<double>>& ofWheels) {
+  for (const auto& planes : ofWheels) layout.planes.insert(layout.planes.end(), planes.begin(), planes.end());
   std::sort(layout.planes.begin(), layout.planes.end());
   const double size = layout.planes.empty() ? 0 : layout.planes.back() - layout.planes.front();
   const auto same = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * (1 + size); };
@@ -264,8 +264,14 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   layout.scale = scaleFor(system);
   const SheetAxis first = layout.axes.front();
   std::vector<double> along;
-  for (const TrainWheel& wheel : train.wheels) along.push_back(first.spaceCoordinate(narrow(wheel.origin)));
-  setPlanes(layout, along);
+  std::vector<std::vector<double>> planes;  // by wheel
+  for (const TrainWheel& wheel : train.wheels) {
+    along.push_back(first.spaceCoordinate(narrow(wheel.origin)));
+    planes.emplace_back();
+    for (const double plane : wheel.planes)
+      planes.back().push_back(first.spaceCoordinate(narrow(wheel.origin + plane * wheel.axis)));
+  }
+  setPlanes(layout, planes);
   layout.root = std::max(root, 0);
   layout.right = first.direction;
   layout.up = sideways(layout);
@@ -279,10 +285,13 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   for (std::size_t w = 0; w < layout.wheels.size(); ++w) {
     SheetWheel& wheel = layout.wheels[w];
     wheel.space = along[w];
-    wheel.at = layout.stretched(along[w]);
+    const auto [low, high] = std::minmax_element(planes[w].begin(), planes[w].end());
+    wheel.low = layout.stretched(*low);
+    wheel.high = layout.stretched(*high);
+    wheel.at = (wheel.low + wheel.high) / 2;
     wheel.radius = system.wheels[w].radius * layout.scale + (wheel.isRing() ? kBarGap : -kBarGap);
-    wheel.barFrom = {wheel.at - kBarHalf, wheel.radius};
-    wheel.barTo = {wheel.at + kBarHalf, wheel.radius};
+    wheel.barFrom = {wheel.low - kBarHalf, wheel.radius};
+    wheel.barTo = {wheel.high + kBarHalf, wheel.radius};
     wheel.outward = {0, wheel.isRing() ? -1.0 : 1.0};
   }
   for (std::size_t p = 0; p < layout.pairs.size(); ++p) layout.pairs[p].apart = !system.contacts[p].kept;

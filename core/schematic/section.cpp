@@ -298,6 +298,17 @@ void SectionBuilder::addArms() {
   }
 }
 
+/// Of the pitch line of a wheel through several planes, what lies beside the other's.
+std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoint>& line,
+                                           const std::pair<SheetPoint, SheetPoint>& other) {
+  const double length = distance(line.first, line.second);
+  if (length < distance(other.first, other.second) + 1) return line;
+  const SheetPoint way = unit(line.second - line.first);
+  const auto along = [&](SheetPoint p) { return std::clamp(dot(p - line.first, way), 0.0, length); };
+  const double from = along(other.first), to = along(other.second);
+  return to - from < 1 ? line : std::pair(line.first + from * way, line.first + to * way);
+}
+
 void SectionBuilder::addMesh(const SheetPair& pair) {
   const SheetWheel& a = m_layout.wheels[at(pair.tail)];
   const SheetWheel& b = m_layout.wheels[at(pair.head)];
@@ -312,8 +323,8 @@ void SectionBuilder::addMesh(const SheetPair& pair) {
   std::vector<std::pair<SheetPoint, SheetPoint>> contacts;
   for (const double side : sides(a.axis)) {
     for (const double other : sides(b.axis)) {
-      const auto p = bar(a, side);
-      const auto q = bar(b, other);
+      const auto p = besideOf(bar(a, side), bar(b, other));
+      const auto q = besideOf(bar(b, other), bar(a, side));
       const double away = std::min(distance(p.first, q.first), distance(between(p.first, p.second, 0.5),
                                                                         between(q.first, q.second, 0.5)));
       if (away < 3 * kBarGap)

@@ -101,8 +101,10 @@ void Stacker::squeeze() {
   for (SheetCup& cup : m_cups) cup.at = shifted(cup.at);
   for (SheetWheel& wheel : m_layout.wheels) {
     wheel.at = shifted(wheel.at);
-    wheel.barFrom.x = wheel.at - kBarHalf;
-    wheel.barTo.x = wheel.at + kBarHalf;
+    wheel.low = shifted(wheel.low);
+    wheel.high = shifted(wheel.high);
+    wheel.barFrom.x = wheel.low - kBarHalf;
+    wheel.barTo.x = wheel.high + kBarHalf;
   }
 }
 

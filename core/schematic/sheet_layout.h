@@ -40,8 +40,10 @@ struct SheetWheel {
   int axis = 0;  ///< of the layout
   GearKind kind = GearKind::external;
   std::vector<int> meshes;
-  double space = 0;    ///< where along the axis it stands in space
-  double at = 0;       ///< where its body meets the axis
+  double space = 0;  ///< where along the axis it stands in space
+  double at = 0;     ///< where its body meets the axis
+  double low = 0;    ///< parallel: where the first and the last of its meshes lie, most often both at `at`
+  double high = 0;
   double radius = 0;   ///< height of the body's end: the middle of the pitch line
   SheetPoint barFrom;  ///< (coordinate, height) of the ends of its pitch line
   SheetPoint barTo;

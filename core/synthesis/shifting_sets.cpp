@@ -60,11 +60,13 @@ bool pairsClear(const RavigneauxTeeth& teeth, const PairPlaces& places, int pair
   return true;
 }
 
-/// Where two outer wheels touch, in the plane of the small sun.
-NumberTriple touching(const Point& a, int teethOfA, const Point& b, int teethOfB) {
-  constexpr int kLevel = 20;
+constexpr int kSmallSunLevel = 20;  // where along the axes the small sun and the short planets lie
+constexpr int kRingLevel = 0;       // the large sun and the ring
+
+/// Where two wheels touch; `teethOfB` of a ring are negative.
+NumberTriple touching(const Point& a, int teethOfA, const Point& b, int teethOfB, int level) {
   const double part = static_cast<double>(teethOfA) / (teethOfA + teethOfB);
-  return {coordinate(a.x + part * (b.x - a.x)), coordinate(a.y + part * (b.y - a.y)), Number(kLevel)};
+  return {coordinate(a.x + part * (b.x - a.x)), coordinate(a.y + part * (b.y - a.y)), Number(level)};
 }
 
 }  // namespace
@@ -76,6 +78,12 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
         Code::teethGeometry,
         "Short and long planet cannot touch each other: small sun + short planet and large sun + long "
         "planet differ by more than short + long planet. What fits: sums that are nearer.");
+  }
+  if (teeth.largeSun - teeth.smallSun < 4) {
+    return refusal(
+        Code::teethGeometry,
+        "The long planets, which run through both planes, run into the small sun. What fits: a large "
+        "sun with at least 4 teeth more than the small one.");
   }
   if (!pairsClear(teeth, *places, pairs))
     return refusal(Code::teethGeometry,
@@ -103,17 +111,26 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
     set.axis("c" + number, {coordinate(longAt.x), coordinate(longAt.y), Number(0)}, z);
     const int shorter = set.link(carrier, "b" + number, "short planet " + number);
     const int longer = set.link(carrier, "c" + number, "long planet " + number);
-    const auto mesh = [&](int tail, int head, int tailTeeth, int headTeeth, MeshKind kind) -> GearMesh& {
+    const auto mesh = [&](int tail, int head, int tailTeeth, int headTeeth,
+                          const NumberTriple& point) -> GearMesh& {
+      const MeshKind kind = head == ring ? MeshKind::internal : MeshKind::external;
       GearMesh& made = set.mesh(tail, head, tailTeeth, headTeeth, kind);
       made.faceWidth = Number(12);
+      made.pitchPoint = point;
       return made;
     };
-    mesh(small, shorter, teeth.smallSun, teeth.shortPlanet, MeshKind::external).pitchPoint =
-        touching({}, teeth.smallSun, shortAt, teeth.shortPlanet);
-    mesh(shorter, longer, teeth.shortPlanet, teeth.longPlanet, MeshKind::external).pitchPoint =
-        touching(shortAt, teeth.shortPlanet, longAt, teeth.longPlanet);
-    mesh(large, longer, teeth.largeSun, teeth.longPlanet, MeshKind::external);
-    mesh(longer, ring, teeth.longPlanet, teeth.ring(), MeshKind::internal);
+    const WheelId wheel = set.wheel("long-" + number, longer);  // one, through both planes
+    mesh(small, shorter, teeth.smallSun, teeth.shortPlanet,
+         touching({}, teeth.smallSun, shortAt, teeth.shortPlanet, kSmallSunLevel));
+    mesh(shorter, longer, teeth.shortPlanet, teeth.longPlanet,
+         touching(shortAt, teeth.shortPlanet, longAt, teeth.longPlanet, kSmallSunLevel))
+        .headWheel = wheel;
+    mesh(large, longer, teeth.largeSun, teeth.longPlanet,
+         touching({}, teeth.largeSun, longAt, teeth.longPlanet, kRingLevel))
+        .headWheel = wheel;
+    mesh(longer, ring, teeth.longPlanet, teeth.ring(),
+         touching(longAt, teeth.longPlanet, {}, -teeth.ring(), kRingLevel))
+        .tailWheel = wheel;
   }
   set.input(small, Number(1));
   set.input(carrier, Number(0));

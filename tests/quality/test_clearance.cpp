@@ -221,6 +221,8 @@ Mechanism bare(Mechanism mechanism) {
   for (GearMesh& mesh : mechanism.gearMeshes) {
     mesh.pitchPoint.reset();
     mesh.faceWidth.reset();
+    mesh.tailWheel.reset();  // who draws links and meshes only has named no wheel
+    mesh.headWheel.reset();
   }
   return mechanism;
 }

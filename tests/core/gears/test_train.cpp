@@ -122,6 +122,23 @@ class TestTrain : public QObject {
   }
 
   /// Planets of one set are one solid, although their coordinates are rounded each for itself.
+  /// The long planet of a Ravigneaux set runs through the planes of both suns: one wheel as wide as these,
+  /// and in phase with all three that it meshes with.
+  void aNamedWheelRunsThroughThePlanesOfItsMeshes() {
+    const GearTrain train = trainOf(example("ravigneaux.geargraph"));
+    QCOMPARE(train.gears.size(), std::size_t{5});
+    for (const TrainGear& gear : train.gears) {
+      const bool isLong = gear.wheel == WheelId("6'");
+      QCOMPARE(gear.meshes.size(), isLong           ? std::size_t{3}
+                                   : gear.link == 5 ? std::size_t{2}
+                                                    : std::size_t{1});
+      QCOMPARE(gear.spec.faceWidth, isLong ? 32.0 : 12.0);  // planes at 0 and 20
+      if (isLong) QCOMPARE(gear.pose.translation().z(), 10.0);
+    }
+    QVERIFY(worstPhase(train) < 1e-5);
+    QVERIFY(train.diagnostics.empty());
+  }
+
   void equalPlanetsHaveEqualSpecs() {
     const GearTrain train = trainOf(test::planetary(20, 15, 5));
     std::vector<GearSpec> planets;

@@ -147,6 +147,10 @@ class TestSynthesis : public QObject {
       QVERIFY(isSound(set, 2 + 2 * pairs));
       QCOMPARE(ratiosOf(set), (std::vector<Rational>{{12, 5}, {22, 15}, 1, -2}));
     }
+    const Mechanism three = *ravigneauxSet({}, 3);
+    QCOMPARE(trainOf(three, placementOf(three)).gears.size(), std::size_t{9});  // long planets are one wheel
+    QVERIFY(ravigneauxSet({34, 36, 20, 18}, 1).error()[0].message.find("run into the small sun") !=
+            std::string::npos);
     QCOMPARE(ravigneauxSet({31, 36, 20, 18}, 3).error()[0].code, Code::assembly);
     QCOMPARE(ravigneauxSet({30, 90, 20, 18}, 1).error()[0].code, Code::teethGeometry);
     QCOMPARE(ravigneauxSet({}, 6).error()[0].code, Code::teethGeometry);
