@@ -6,25 +6,27 @@
 namespace geargraph {
 namespace {
 
-using Boxes = std::vector<std::shared_ptr<const FormulaBox>>;
+using Lines = std::vector<SetReport::SetLine>;
 
 constexpr double kGapOfLines = 0.45;     // em, between the lines of one equation
+constexpr double kGapOfParts = 1;        // em, between the parts of a matrix
+constexpr double kTallLine = 4;          // em: nothing but a matrix is as tall
 constexpr double kLeastUnbroken = 0.75;  // smaller than this a formula is broken first
 constexpr std::size_t kMostKept = 12;    // lines of an equation that stay on one page
 
-double widthOf(const Boxes& lines) {
+double widthOf(const Lines& lines) {
   double width = 0;
-  for (const auto& line : lines) width = std::max(width, line->width);
+  for (const auto& line : lines) width = std::max(width, line.box->width);
   return width;
 }
-double tallest(const Boxes& lines) {
+double tallest(const Lines& lines) {
   double height = 0;
-  for (const auto& line : lines) height = std::max(height, line->height + line->depth);
+  for (const auto& line : lines) height = std::max(height, line.box->height + line.box->depth);
   return height;
 }
 
 struct Fit {
-  Boxes lines;
+  Lines lines;
   double part = 1;  ///< of the size
   bool fits = true;
 };
@@ -57,12 +59,8 @@ class EquationFitter {
     return em(widthOf(fit.lines)) * fit.part <= m_room + kRounding &&
            em(tallest(fit.lines)) * fit.part <= m_flow.tallest + kRounding;
   }
-  [[nodiscard]] Boxes brokenTo(double room) const {
-    Boxes boxes;
-    for (FormulaBox& line : typesetLines(m_set.formula, room / m_flow.formulaSize)) {
-      boxes.push_back(std::make_shared<const FormulaBox>(std::move(line)));
-    }
-    return boxes;
+  [[nodiscard]] Lines brokenTo(double room) const {
+    return sharedLines(typesetLines(m_set.formula, room / m_flow.formulaSize));
   }
 
   const SetReport::SetEquation& m_set;
@@ -80,14 +78,21 @@ FlowLine leftOut(const FlowLook& flow, const std::string& number, double numberW
   return line;
 }
 
-/// Where each line is about an element of its own, that one; `of` its lines this one starts the index-th.
-std::optional<ElementId> elementOf(const ReportEquation& equation, std::size_t line, std::size_t lines) {
+/// Of a line of "aligned" the element that it is about.
+std::optional<ElementId> elementOf(const ReportEquation& equation, std::size_t row) {
   if (equation.elements.size() == 1) return equation.elements.front();
-  if (equation.elements.size() == lines) return equation.elements[line];
-  return std::nullopt;
+  return row < equation.elements.size() ? std::optional(equation.elements[row]) : std::nullopt;
 }
 
 }  // namespace
+
+std::vector<SetReport::SetLine> sharedLines(std::vector<FormulaLine> lines) {
+  Lines shared;
+  for (FormulaLine& line : lines) {
+    shared.push_back({std::make_shared<const FormulaBox>(std::move(line.box)), line.row});
+  }
+  return shared;
+}
 
 std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const ReportEquation& equation,
                                     const FlowLook& flow, const WordMeasure& measure) {
@@ -101,13 +106,14 @@ std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const Rep
   const double x = std::max(0.0, std::min((flow.width - width) / 2, room - width));
   std::vector<FlowLine> lines;
   for (std::size_t i = 0; i < fit.lines.size(); ++i) {
-    const FormulaBox& box = *fit.lines[i];
+    const FormulaBox& box = *fit.lines[i].box;
     FlowLine line;
-    line.above = (i == 0 ? 0.85 : kGapOfLines) * em;
+    const bool isMatrix = box.height + box.depth > kTallLine;
+    line.above = (i == 0 ? 0.85 : isMatrix ? kGapOfParts : kGapOfLines) * em;
     const double ascent = std::max(box.height, 0.8) * em, descent = std::max(box.depth, 0.25) * em;
     line.height = ascent + descent;
-    line.formulas.push_back({fit.lines[i], x, ascent, em});
-    line.element = elementOf(equation, i, fit.lines.size());
+    line.formulas.push_back({fit.lines[i].box, x, ascent, em});
+    line.element = elementOf(equation, fit.lines[i].row);
     const bool kept = fit.lines.size() <= kMostKept || i == 0 || i + 2 == fit.lines.size();
     line.keepsWithNext = kept && i + 1 < fit.lines.size();
     lines.push_back(std::move(line));

@@ -184,9 +184,7 @@ SetReport::SetReport(Report report) : m_report(std::move(report)), m_equations(m
     const ReportBlock& block = m_report.blocks[i];
     if (const auto* equation = std::get_if<ReportEquation>(&block)) {
       m_equations[i].formula = formulaOf(equation->tex);
-      for (FormulaBox& line : typesetLines(m_equations[i].formula, kAnyWidth)) {
-        m_equations[i].lines.push_back(std::make_shared<const FormulaBox>(std::move(line)));
-      }
+      m_equations[i].lines = sharedLines(typesetLines(m_equations[i].formula, kAnyWidth));
     } else if (const auto* paragraph = std::get_if<ReportParagraph>(&block)) {
       set(paragraph->words);
     } else if (const auto* list = std::get_if<ReportList>(&block)) {

@@ -90,9 +90,13 @@ class SetReport {
   /// The report from its first heading to its end, in strips. Cost: linear in the report.
   [[nodiscard]] std::vector<FlowLine> lines(const FlowLook& look, const WordMeasure& measure) const;
 
+  struct SetLine {
+    std::shared_ptr<const FormulaBox> box;
+    std::size_t row = 0;  ///< of "aligned"
+  };
   struct SetEquation {
     FormulaNode formula;
-    std::vector<std::shared_ptr<const FormulaBox>> lines;  ///< on its own, unbroken
+    std::vector<SetLine> lines;  ///< on its own, unbroken
   };
   /// Of a block that is an equation.
   [[nodiscard]] const SetEquation& equation(std::size_t block) const { return m_equations[block]; }

@@ -37,7 +37,12 @@ struct FormulaNode {
   std::vector<char> bars = {};                       ///< by column: a bar left of it
   std::vector<char> rules = {};                      ///< by row: a line above it
   std::vector<std::vector<FormulaNode>> cells = {};  ///< by row: rows of a formula
+  bool opens = true, closes = true;  ///< of a part of a matrix: has it the left, the right bracket?
 
+  /// Are the first row and column labels?
+  [[nodiscard]] bool isLabelled() const {
+    return table == FormulaTableKind::array && hasBar(1) && hasRule(1) && cells.size() > 1;
+  }
   /// l, c or r.
   [[nodiscard]] char alignmentOf(std::size_t column) const;
   [[nodiscard]] bool hasBar(std::size_t column) const { return column < bars.size() && bars[column] != 0; }

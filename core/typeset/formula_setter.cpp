@@ -153,9 +153,9 @@ SetAtom fenced(const FormulaNode& node, SetStyle style) {
   const double total = 2 * std::max(inside.height - axis, inside.depth + axis);
   SetAtom atom;
   atom.kind = AtomClass::inner;
-  atom.box.append(bracketBox(node.text[0], kBracketPart * total, style.size()));
+  atom.box.append(bracketBox(node.text[0], bracketTotal(total, style.size()), style.size()));
   atom.box.append(inside);
-  atom.box.append(bracketBox(node.text[1], kBracketPart * total, style.size()));
+  atom.box.append(bracketBox(node.text[1], bracketTotal(total, style.size()), style.size()));
   return atom;
 }
 
@@ -219,6 +219,10 @@ std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle st
   }
   notBinary(last);
   return atoms;
+}
+
+double bracketTotal(double held, double size) {
+  return std::max(0.9 * held, held - 0.5 * size);
 }
 
 double roomBetween(const SetAtom& left, const SetAtom& right, SetStyle style) {

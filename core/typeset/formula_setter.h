@@ -31,8 +31,8 @@ struct SetAtom {
 
 /// The parts of a row, each with its slant within its width, and signs between nothing no longer binary.
 [[nodiscard]] std::vector<SetAtom> setAtoms(const std::vector<FormulaNode>& parts, SetStyle style);
-/// The least part of what they hold that brackets have to cover.
-constexpr double kBracketPart = 0.9;
+/// How tall brackets have to be for what they hold: nine tenths of it, and no more than half an em less.
+[[nodiscard]] double bracketTotal(double held, double size);
 /// The room between two atoms.
 [[nodiscard]] double roomBetween(const SetAtom& left, const SetAtom& right, SetStyle style);
 [[nodiscard]] FormulaBox setRow(const FormulaNode& row, SetStyle style);

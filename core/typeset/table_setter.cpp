@@ -23,7 +23,7 @@ class TableSetter {
       : m_table(table),
         m_style(style),
         m_lines(table.table == FormulaTableKind::aligned),
-        m_labelled(!m_lines && table.hasBar(1) && table.hasRule(1) && table.cells.size() > 1) {
+        m_labelled(table.isLabelled()) {
     setCells();
     placeRows();
     placeColumns();
@@ -129,7 +129,7 @@ class TableSetter {
     if (m_labelled && column == 1) return (kLabelGap + kBracketGap) * size() + bracketWidth();
     return 2 * kCellGap * (m_table.hasBar(column) ? kBarPart : 1) * size();
   }
-  [[nodiscard]] double bracketTotal() const { return kBracketPart * (m_bottom - m_bodyTop); }
+  [[nodiscard]] double bracketTotal() const { return geargraph::bracketTotal(m_bottom - m_bodyTop, size()); }
   [[nodiscard]] double bracketWidth() const {
     return m_labelled ? bracketBox('[', bracketTotal(), size()).width : 0;
   }
@@ -153,8 +153,8 @@ class TableSetter {
   }
   void addBrackets(FormulaBox& body) const {
     const double total = bracketTotal(), width = bracketWidth();
-    body.put(bracketBox('[', total, size()), m_lefts[1] - kBracketGap * size() - width, 0);
-    body.put(bracketBox(']', total, size()), m_right - width, 0);
+    if (m_table.opens) body.put(bracketBox('[', total, size()), m_lefts[1] - kBracketGap * size() - width, 0);
+    if (m_table.closes) body.put(bracketBox(']', total, size()), m_right - width, 0);
   }
   [[nodiscard]] FormulaBox inParentheses(const FormulaBox& body) const {
     FormulaBox result;

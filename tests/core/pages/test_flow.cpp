@@ -137,6 +137,10 @@ class FlowTest : public QObject {
     QVERIFY(lines[0].element == first && lines[1].element == second);
     lines = linesOf({ReportEquation{texLines({"a = 1", "b = 2"}), 1, {first}}});
     QVERIFY(lines[0].element == first && lines[1].element == first);
+    // One that goes on in the next line does so there, too.
+    const std::string wide = "a = 1" + std::string(40, '2') + " + 1" + std::string(40, '2');
+    lines = linesOf({ReportEquation{texLines({wide, "b = 2"}), 1, {first, second}}});
+    QVERIFY(lines.size() > 2 && lines[1].element == first && lines.back().element == second);
     lines = linesOf({ReportEquation{"a = 1", 1, {}}});
     QVERIFY(!lines[0].element);
   }

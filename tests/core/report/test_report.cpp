@@ -126,6 +126,22 @@ class ReportTest : public QObject {
           reportOf(test::randomTrain(seed, 8 + 3 * static_cast<int>(seed), 6 + 2 * static_cast<int>(seed))));
   }
 
+  // Views light up an equation with its element.
+  void equationsSayWhatTheyAreAbout() {
+    const Report report = reportOf(fileOf(examplePath("robot")));
+    std::map<int, std::vector<ElementId>> about;
+    for (const ReportBlock& block : report.blocks) {
+      const auto* equation = std::get_if<ReportEquation>(&block);
+      if (equation != nullptr && equation->number) about[*equation->number] = equation->elements;
+    }
+    const std::vector<ElementId> meshes{MeshId("15"), MeshId("16"), MeshId("17"), MeshId("18")};
+    QVERIFY(about.at(20) == meshes);
+    QVERIFY(about.at(27) == std::vector<ElementId>{MeshId("15")});
+    QVERIFY(about.at(31) == std::vector<ElementId>{MeshId("16")});
+    QVERIFY(about.at(39) == std::vector<ElementId>{JointId("10")});
+    QVERIFY(about.at(45).empty());
+  }
+
   // Where a part is missing, what comes before it is there, and no other number is shown.
   void looseLinksHaveAnIncidenceMatrixAndNoMore() {
     Mechanism mechanism = fileOf(examplePath("robot"));
