@@ -49,6 +49,18 @@ class TestCli : public QObject {
  private slots:
   void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
+  // Without a view the derivation, with one a drawing.
+  void pdf_isTheDerivationOrADrawing() {
+    const Run pages = run({"export", kRobot, "--to", "pdf", "--inputs", "8,9,12", "-o", "-"});
+    QCOMPARE(pages.status, 0);
+    QVERIFY(pages.output.starts_with("%PDF-"));
+    QVERIFY(pages.output.find("/Title (Matroid method)") != std::string::npos);
+    const Run drawing = run({"export", kRobot, "--to", "pdf", "--view", "digraph", "-o", "-"});
+    QVERIFY(drawing.output.starts_with("%PDF-"));
+    QVERIFY(drawing.output.find("/Title (Matroid method)") == std::string::npos);
+    QCOMPARE(run({"export", kRobot, "--to", "pdf", "--inputs", "99", "-o", "-"}).status, 2);
+  }
+
   void csv_readsBackAsTheMatrix() {
     const Mechanism mechanism = test::randomTree(5, 40, 30);
     save(mechanism);
