@@ -51,7 +51,7 @@ class TestCli : public QObject {
 
   // Without a view the derivation, with one a drawing.
   void pdf_isTheDerivationOrADrawing() {
-    const Run pages = run({"export", kRobot, "--to", "pdf", "--inputs", "8,9,12", "-o", "-"});
+    const Run pages = run({"export", kRobot, "--to", "pdf", "--inputs", "8,9,13", "-o", "-"});
     QCOMPARE(pages.status, 0);
     QVERIFY(pages.output.starts_with("%PDF-"));
     QVERIFY(pages.output.find("/Title (Matroid method)") != std::string::npos);

@@ -169,12 +169,14 @@ class DerivationPanelTest : public QObject {
     QCOMPARE(view().textAt(place), QStringLiteral("E = t - r = 7 - 4 = 3"));
   }
 
-  // Whatever the width, only what cannot be broken or made smaller scrolls.
-  void aNarrowPanelScrollsForMatricesOnly() {
+  void whatIsTooWideEvenInPartsScrolls() {
     showNow(snapshotOf(robot()));
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
     panel->resize(220, 300);
+    QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
+    view().setZoom(DerivationView::kMostZoom);
     QVERIFY(view().horizontalScrollBar()->maximum() > 0);
+    view().setZoom(1);
     panel->resize(1400, 300);
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
     QVERIFY(panel->minimumSizeHint().width() < 420);
