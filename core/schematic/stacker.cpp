@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -52,6 +51,14 @@ void Stacker::indexByAxis() {
   for (const SheetBearing& bearing : m_bearings) {
     m_on[at(bearing.axis)].bearings.push_back(bearing.joint);
     if (bearing.straightArm) m_on[at(axisOfLink(m_placement, bearing.parent))].arms.push_back(bearing.joint);
+  }
+  for (OnAxis& on : m_on) {
+    std::set<int> links;
+    for (const int joint : on.bearings) links.insert(m_bearings[at(joint)].child);
+    for (const int w : on.wheels) {
+      if (!isInFrame(m_layout.wheels[at(w)])) links.insert(m_layout.wheels[at(w)].link);
+    }
+    on.links.assign(links.begin(), links.end());
   }
 }
 
@@ -202,35 +209,31 @@ std::vector<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
   return pieces;
 }
 
-std::vector<int> Stacker::linksOn(int axis) const {
-  std::set<int> links;
-  for (const int joint : m_on[at(axis)].bearings) links.insert(m_bearings[at(joint)].child);
-  for (const int w : m_on[at(axis)].wheels) {
-    if (!isInFrame(m_layout.wheels[at(w)])) links.insert(m_layout.wheels[at(w)].link);
-  }
-  return {links.begin(), links.end()};
-}
-
-std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
+template <class Visit>
+void Stacker::forColumns(int axis, const Visit& visit) const {
   const OnAxis& on = m_on[at(axis)];
-  std::vector<Column> columns;
   for (const int w : on.wheels) {
     const SheetWheel& wheel = m_layout.wheels[at(w)];
-    if (!wheel.isRing() && !isInFrame(wheel)) columns.push_back({wheel.at, wheel.link, wheel.link != 0});
+    if (!wheel.isRing() && !isInFrame(wheel)) visit(Column{wheel.at, wheel.link, wheel.link != 0});
   }
   for (const int k : on.cups) {
     const SheetCup& cup = m_cups[at(k)];
-    columns.push_back({cup.at, m_layout.wheels[at(cup.wheel)].link, true});
+    visit(Column{cup.at, m_layout.wheels[at(cup.wheel)].link, true});
   }
   for (const int joint : on.bearings) {
     const SheetBearing& bearing = m_bearings[at(joint)];
-    columns.push_back({bearing.at, bearing.child, m_reachesAcross[at(bearing.child)]});
+    visit(Column{bearing.at, bearing.child, m_reachesAcross[at(bearing.child)]});
   }
   for (const int joint : on.arms) {
     const SheetBearing& bearing = m_bearings[at(joint)];
     const SheetPoint end = m_layout.axes[at(bearing.axis)].at(bearing.at, 0);
-    columns.push_back({m_layout.axes[at(axis)].coordinateOf(end), bearing.parent, true});
+    visit(Column{m_layout.axes[at(axis)].coordinateOf(end), bearing.parent, true});
   }
+}
+
+std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
+  std::vector<Column> columns;
+  forColumns(axis, [&](const Column& column) { columns.push_back(column); });
   return columns;
 }
 
@@ -241,9 +244,9 @@ bool Stacker::isOwn(int axis, int link) const {
 
 Stacker::Range Stacker::rangeOf(int axis, int link) const {
   Range range;
-  for (const Column& column : columnsOn(axis)) {
+  forColumns(axis, [&](const Column& column) {
     if (column.link == link) range.include(column.at, column.at);
-  }
+  });
   const bool own = isOwn(axis, link);
   for (const int joint : m_on[at(axis)].bearings) {
     const SheetBearing& bearing = m_bearings[at(joint)];
@@ -263,24 +266,30 @@ Stacker::Range Stacker::rangeOf(int axis, int link) const {
 /// The end of the child's shaft beside which it holds nothing.
 double Stacker::freeEndOf(const SheetBearing& bearing) const {
   double sum = 0;
-  for (const Column& column : columnsOn(bearing.axis)) {
+  forColumns(bearing.axis, [&](const Column& column) {
     if (column.link == bearing.child) sum += column.at - bearing.at;
-  }
+  });
   return sum < 0 ? 1 : -1;
 }
 
 std::vector<Stacker::OnShaft> Stacker::shaftsOn(int axis) const {
-  std::map<int, OnShaft> shafts;
-  for (const int link : linksOn(axis)) shafts[link].link = link;
-  for (const Column& column : columnsOn(axis)) {
-    const auto found = shafts.find(column.link);
-    if (found == shafts.end()) continue;
-    found->second.columns.push_back(column.at);
-    found->second.range.include(column.at, column.at);
-  }
+  const std::vector<int>& links = linksOn(axis);
+  std::vector<OnShaft> shafts(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) shafts[i].link = links[i];
+  const auto find = [&](int link) -> OnShaft* {
+    const auto found = std::lower_bound(links.begin(), links.end(), link);
+    return found == links.end() || *found != link ? nullptr
+                                                  : &shafts[static_cast<std::size_t>(found - links.begin())];
+  };
+  forColumns(axis, [&](const Column& column) {
+    OnShaft* shaft = find(column.link);
+    if (shaft == nullptr) return;
+    shaft->columns.push_back(column.at);
+    shaft->range.include(column.at, column.at);
+  });
   for (const int joint : m_on[at(axis)].bearings) {
     const SheetBearing& bearing = m_bearings[at(joint)];
-    OnShaft& child = shafts.at(bearing.child);
+    OnShaft& child = *find(bearing.child);
     child.range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
     if (bearing.driven) {
       const double sum = std::accumulate(child.columns.begin(), child.columns.end(), 0.0) -
@@ -288,18 +297,15 @@ std::vector<Stacker::OnShaft> Stacker::shaftsOn(int axis) const {
       const double end = bearing.at + kDrivenEnd * (sum < 0 ? 1 : -1);
       child.range.include(end, end);
     }
-    const auto parent = shafts.find(bearing.parent);
-    if (parent != shafts.end() && isOwn(axis, bearing.parent))
-      parent->second.range.include(bearing.at, bearing.at);
+    OnShaft* parent = find(bearing.parent);
+    if (parent != nullptr && isOwn(axis, bearing.parent)) parent->range.include(bearing.at, bearing.at);
   }
-  std::vector<OnShaft> result;
-  for (auto& [link, shaft] : shafts) {
-    if (!isOwn(axis, link) && !shaft.range.isEmpty())
+  for (OnShaft& shaft : shafts) {
+    if (!isOwn(axis, shaft.link) && !shaft.range.isEmpty())
       shaft.range.include(shaft.range.low - 12, shaft.range.high + 12);
     std::sort(shaft.columns.begin(), shaft.columns.end());
-    result.push_back(std::move(shaft));
   }
-  return result;
+  return shafts;
 }
 
 /// How many things on an axis cannot get past a shaft of another link, whichever of the two is hollow, as far
@@ -369,9 +375,9 @@ double Stacker::enclosure(const SheetBearing& bearing) const {
     if (other.top < 0) continue;
     if (std::abs(sine) < 1e-6) {
       if (std::abs(on.heightOf(other.origin)) > 1) continue;
-      for (const Column& column : columnsOn(static_cast<int>(a))) {
+      forColumns(static_cast<int>(a), [&](const Column& column) {
         if (column.closes) count(on.coordinateOf(other.at(column.at, 0)), 1);
-      }
+      });
       continue;
     }
     count(dot(other.origin - on.origin, turned(other.along)) / sine, 2);  // what crosses is in the middle

@@ -84,7 +84,12 @@ class Stacker {
   [[nodiscard]] std::size_t itemOf(int joint) const;
   [[nodiscard]] double enclosure(const SheetBearing& bearing) const;
   [[nodiscard]] double compactness(const Item& item) const;
-  [[nodiscard]] std::vector<int> linksOn(int axis) const;
+  [[nodiscard]] const std::vector<int>& linksOn(int axis) const {
+    return m_on[static_cast<std::size_t>(axis)].links;
+  }
+  /// Without a list of them: they are asked for at every place that is tried.
+  template <class Visit>
+  void forColumns(int axis, const Visit& visit) const;
   [[nodiscard]] std::vector<Column> columnsOn(int axis) const;
   [[nodiscard]] Range rangeOf(int axis, int link) const;
   [[nodiscard]] double freeEndOf(const SheetBearing& bearing) const;
@@ -115,7 +120,8 @@ class Stacker {
     std::vector<int> wheels;
     std::vector<int> cups;
     std::vector<int> bearings;
-    std::vector<int> arms;  ///< bearings elsewhere that straight arms from here hold
+    std::vector<int> arms;   ///< bearings elsewhere that straight arms from here hold
+    std::vector<int> links;  ///< that have a shaft or a wheel here, ascending
   };
   std::vector<OnAxis> m_on;
   /// By link: does it hold axes that are not parallel to its own? Its arms go round what is between.
