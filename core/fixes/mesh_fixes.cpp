@@ -31,7 +31,9 @@ void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std
     const AxisLine& line = placement.lineOfClass(placement.classes->classOf[static_cast<std::size_t>(joint)]);
     return length(cross(line.direction, point - line.point));
   };
-  const double ratio = radius(path.back().joint) / radius(path.front().joint);
+  const double tailRadius = radius(path.front().joint), headRadius = radius(path.back().joint);
+  if (tailRadius == 0 || headRadius == 0) return;  // the point lies on an axis: no teeth would fit
+  const double ratio = headRadius / tailRadius;
   const auto offer = [&](int tail, int head) {
     if (std::min(tail, head) < kFewestTeeth || std::max(tail, head) > kMostTeeth) return;
     fixes.push_back(
