@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <numeric>
 #include <queue>
@@ -226,7 +227,10 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
 /// What was asked last, with the answers. Thread-safe.
 class RouteMemory {
  public:
+  /// Who asks for what another thread is at waits for its answer.
   Routes find(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
+    std::packaged_task<Routes()> work;
+    std::shared_future<Routes> answer;
     {
       const std::lock_guard lock(m_mutex);
       const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& k) {
@@ -234,14 +238,16 @@ class RouteMemory {
       });
       if (known != m_known.end()) {
         std::rotate(m_known.begin(), known, known + 1);  // the newest is in front
-        return m_known.front().routes;
+        answer = m_known.front().routes;
+      } else {
+        work = std::packaged_task<Routes()>([&] { return routed(grid, nets, tries); });
+        answer = work.get_future().share();
+        if (m_known.size() == kMost) m_known.pop_back();
+        m_known.push_front({grid, nets, tries, answer});
       }
     }
-    Routes routes = routed(grid, nets, tries);
-    const std::lock_guard lock(m_mutex);
-    if (m_known.size() == kMost) m_known.pop_back();
-    m_known.push_front({grid, nets, tries, routes});
-    return routes;
+    if (work.valid()) work();
+    return answer.get();
   }
 
  private:
@@ -250,7 +256,7 @@ class RouteMemory {
     MeridianGrid grid;
     std::vector<MeridianNet> nets;
     int tries;
-    Routes routes;
+    std::shared_future<Routes> routes;
   };
   std::mutex m_mutex;
   std::deque<Known> m_known;

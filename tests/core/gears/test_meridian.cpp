@@ -1,5 +1,6 @@
 #include <QtTest>
 #include <random>
+#include <thread>
 
 #include "core/gears/meridian_outline.h"
 #include "core/gears/meridian_router.h"
@@ -106,6 +107,25 @@ class TestMeridian : public QObject {
     QVERIFY(found.has_value());
     QVERIFY(apart(*found));
     QCOMPARE(found->at(0).cells.size(), std::size_t{7});  // over the second, by the outmost row
+  }
+
+  /// The analysis and the 3D view ask at once; one works, the other waits.
+  void threadsThatAskTogetherHearTheSame() {
+    const MeridianGrid grid = freeGrid(7, 5);
+    const std::vector<MeridianNet> nets{joining({grid.cell(0, 1), grid.cell(6, 1)}),
+                                        joining({grid.cell(2, 0), grid.cell(2, 1)})};
+    std::vector<std::size_t> cells(4, 0);
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t& count : cells) {
+        threads.emplace_back([&grid, &nets, &count] {
+          const auto found = routeMeridian(grid, nets);
+          if (found && apart(*found)) count = found->at(0).cells.size();
+        });
+      }
+    }
+    QVERIFY(cells.front() > 0);
+    QCOMPARE(cells, std::vector<std::size_t>(4, cells.front()));
   }
 
   /// Beside steps until nothing gets cheaper: the same costs to the last bit, and of equal ways the one over
