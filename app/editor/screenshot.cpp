@@ -9,10 +9,21 @@
 namespace geargraph {
 namespace {
 
+/// Wherever the pointer happens to be, nothing shows it.
+void forgetPointer(MainWindow& window) {
+  for (QWidget* each : window.findChildren<QWidget*>()) {
+    if (!each->underMouse()) continue;
+    each->setAttribute(Qt::WA_UnderMouse, false);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(each, &leave);
+  }
+  window.selection().unhover();
+}
+
 void takeScreenshot(MainWindow& window, const QString& file) {
-  window.selection().unhover();  // wherever the pointer happens to be
   QThreadPool::globalInstance()->waitForDone();
   QCoreApplication::sendPostedEvents();  // the pictures of the start page
+  forgetPointer(window);
   const bool written = window.grab().save(file);
   if (!written) qCritical("Cannot write %s.", qPrintable(file));
   QApplication::exit(written ? 0 : 1);

@@ -70,7 +70,7 @@ QToolButton* GearboxPanel::makeButton(const char* name, const QString& text, con
   button->setObjectName(QLatin1String(name));
   button->setText(text);
   button->setToolTip(tip);
-  button->setProperty("look", "flat");
+  button->setProperty("look", "control");
   return button;
 }
 

@@ -48,7 +48,7 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   m_empty->setAlignment(Qt::AlignCenter);
   m_choose = new QToolButton(this);
   m_choose->setObjectName(QStringLiteral("chooseInputs"));
-  m_choose->setProperty("look", "flat");
+  m_choose->setProperty("look", "control");
   connect(m_choose, &QToolButton::clicked, this, [this] { drive(m_snapshot->matroid()->choice.joints); });
   m_grid->setContentsMargins(16, 8, 16, 4);
   m_grid->setHorizontalSpacing(10);
@@ -145,7 +145,7 @@ QToolButton* InputsPanel::makeExchange(JointId joint) {
   button->setObjectName(QStringLiteral("exchange.") +
                         shownText(labelOf(*m_document->mechanism(), joint).value()));
   button->setText(QStringLiteral("⇄"));
-  button->setProperty("look", "flat");
+  button->setProperty("look", "control");
   button->setToolTip(tr("Drive another joint instead; the motion stays as it is"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);

@@ -57,11 +57,11 @@ QString formName(EntryForm form) {
   return {};
 }
 
-QToolButton* flatButton(const QString& text, const QString& tip, QWidget* parent) {
+QToolButton* panelButton(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setText(text);
   button->setToolTip(tip);
-  button->setProperty("look", "flat");
+  button->setProperty("look", "control");
   return button;
 }
 
@@ -121,11 +121,11 @@ QWidget* MatricesPanel::makeBar() {
   layout->addWidget(m_form);
   m_copy = makeCopyButton();
   layout->addWidget(m_copy);
-  m_export = flatButton(tr("CSV…"), tr("Export the matrix with its labels to a CSV file"), bar);
+  m_export = panelButton(tr("CSV…"), tr("Export the matrix with its labels to a CSV file"), bar);
   m_export->setObjectName(QStringLiteral("exportCsv"));
   connect(m_export, &QToolButton::clicked, this, &MatricesPanel::wantExport);
   layout->addWidget(m_export);
-  auto* zeros = flatButton(tr("zeros ·"), tr("Show zeros as faint dots, or as 0"), bar);
+  auto* zeros = panelButton(tr("zeros ·"), tr("Show zeros as faint dots, or as 0"), bar);
   zeros->setObjectName(QStringLiteral("zerosAsDots"));
   connect(zeros, &QToolButton::clicked, this, [this, zeros] {
     m_view->setZerosAsDots(!m_view->zerosAsDots());
@@ -136,7 +136,7 @@ QWidget* MatricesPanel::makeBar() {
 }
 
 QToolButton* MatricesPanel::makeCopyButton() {
-  auto* button = flatButton(tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
+  auto* button = panelButton(tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
   button->setObjectName(QStringLiteral("copyMatrix"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
@@ -179,7 +179,7 @@ void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString&
 }
 
 QToolButton* MatricesPanel::makeFormButton() {
-  auto* button = flatButton({}, tr("In which numbers the entries are told"), this);
+  auto* button = panelButton({}, tr("In which numbers the entries are told"), this);
   button->setObjectName(QStringLiteral("entryForm"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);

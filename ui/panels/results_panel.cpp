@@ -57,7 +57,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_patience.setSingleShot(true);
   m_patience.setInterval(kPatience);
   connect(&m_patience, &QTimer::timeout, this, &ResultsPanel::paintVerdict);
-  m_symbols->setProperty("look", "flat");
+  m_symbols->setProperty("look", "control");
   m_symbols->setToolTip(tr("Coefficients as formulas in the gear ratios, or as fractions"));
   connect(m_symbols, &QToolButton::clicked, this, [this] {
     m_model->setSymbolic(!m_model->isSymbolic());
@@ -137,9 +137,9 @@ void ResultsPanel::makeLinkTable() {
 
 QLayout* ResultsPanel::makeStrip() {
   auto* strip = new QHBoxLayout;
-  strip->setContentsMargins(10, 2, 10, 0);
-  strip->setSpacing(2);
-  for (QToolButton* button : {m_frame, m_unit, m_motors}) button->setProperty("look", "flat");
+  strip->setContentsMargins(12, 6, 12, 2);
+  strip->setSpacing(6);
+  for (QToolButton* button : {m_frame, m_unit, m_motors}) button->setProperty("look", "control");
   m_frame->setObjectName(QStringLiteral("speedFrame"));
   m_unit->setObjectName(QStringLiteral("speedUnit"));
   m_motors->setObjectName(QStringLiteral("readMotors"));

@@ -66,10 +66,15 @@ QToolButton[look="flat"] { border: none; background: transparent; color: @second
                            border-radius: 4px; }
 QToolButton[look="flat"]:hover { background: @panel@; color: @ink@; }
 QToolButton[look="flat"]:checked { color: @accent@; }
+QToolButton[look="control"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px;
+                              color: @ink@; padding: 2px 6px; }
+QToolButton[look="control"]:hover { border-color: @accent@; }
+QToolButton[look="control"]:checked { color: @accent@; border-color: @accent@; }
+QToolButton[look="control"]:disabled { color: @secondary@; }
 QWidget#view3dButtons, QWidget#view3dStrip, QLabel#view3dPainter { background: @veil@; border-radius: 5px; }
 QLabel#view3dPainter { padding: 2px 6px; }
 QToolButton#view3dMore::menu-indicator { image: none; width: 0px; }
-QToolButton[look="flat"]::menu-indicator { image: none; width: 0px; }
+QToolButton[look="flat"]::menu-indicator, QToolButton[look="control"]::menu-indicator { image: none; width: 0px; }
 
 QLineEdit { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px;
             selection-background-color: @accent@; selection-color: @sheet@; }
