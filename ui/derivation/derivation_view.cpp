@@ -126,7 +126,7 @@ void DerivationView::layOut() {
   m_laidOutFor = viewport()->width();
   m_lines.clear();
   m_tops.assign(1, kMargin);
-  const double room = std::min<double>(m_laidOutFor - 2 * kMargin, kWidestPage * m_zoom);
+  const double room = std::min<double>(m_laidOutFor - 2 * kMargin, scaledPixels(kWidestPage) * m_zoom);
   if (m_report == nullptr || room < 50) return renewScrollBars(0, 0);
   FlowLook flow;
   flow.width = room;
@@ -228,9 +228,11 @@ void DerivationView::paintEvent(QPaintEvent* event) {
   const QPointF origin(kMargin - horizontalScrollBar()->value(), -verticalScrollBar()->value());
   // A line's number may stand a little below it.
   const double from = event->rect().top() - origin.y() - 40, to = event->rect().bottom() - origin.y();
-  auto i = static_cast<std::size_t>(std::lower_bound(m_tops.begin(), m_tops.end(), from) - m_tops.begin());
-  for (i = i > 0 ? i - 1 : 0; i < m_lines.size() && m_tops[i] <= to; ++i) {
-    paintLight(painter, i, origin);
+  const auto after =
+      static_cast<std::size_t>(std::lower_bound(m_tops.begin(), m_tops.end(), from) - m_tops.begin());
+  const std::size_t first = after > 0 ? after - 1 : 0;
+  for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) paintLight(painter, i, origin);
+  for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) {
     paintLine(painter, m_lines[i], origin + QPointF(0, m_tops[i]));
   }
 }
@@ -240,8 +242,14 @@ void DerivationView::paintLight(QPainter& painter, std::size_t line, QPointF ori
   const auto& element = m_lines[line].element;
   if (!element || (!m_selection->isHovered(*element) && !m_selection->isSelected(*element))) return;
   const Theme theme = themeOf(palette());
-  const QRectF area(kMargin / 2.0, origin.y() + m_tops[line] - kLightRoom, viewport()->width() - kMargin,
-                    m_lines[line].height + 2 * kLightRoom);
+  // The lines of one equation have one band.
+  const auto goesOn = [&](std::size_t next) {
+    return next < m_lines.size() && m_lines[next].element == element &&
+           m_lines[next].block == m_lines[line].block;
+  };
+  const double top = m_tops[line] - (line > 0 && goesOn(line - 1) ? 0 : kLightRoom);
+  const double end = goesOn(line + 1) ? m_tops[line + 1] : m_tops[line] + m_lines[line].height + kLightRoom;
+  const QRectF area(kMargin / 2.0, origin.y() + top, viewport()->width() - kMargin, end - top);
   QColor light = qColor(ColorRole::halo, theme);
   light.setAlphaF(0.45F);
   painter.fillRect(area, light);

@@ -139,6 +139,19 @@ class DerivationPanelTest : public QObject {
     QCOMPARE(before.copy(view().equationPlace(30)), after.copy(view().equationPlace(30)));
   }
 
+  // Nothing of it lies over the number.
+  void theLinesOfOneEquationHaveOneBand() {
+    showNow(snapshotOf(robot()));
+    view().setZoom(DerivationView::kMostZoom);
+    bringUp(40);
+    selection.select({JointId("12")});
+    const QImage after = picture();
+    const QRect place = view().equationPlace(40);
+    const QColor bar = qColor(ColorRole::accent, Theme::light);
+    for (int y = place.top() + 2; y < place.bottom() + 100; ++y) QCOMPARE(after.pixelColor(10, y), bar);
+    QCOMPARE(after.pixelColor(20, place.bottom()), after.pixelColor(20, place.bottom() + 12));
+  }
+
   void controlAndTheWheelZoomAndStayInTheSection() {
     showNow(snapshotOf(robot()));
     view().showHeading(5);
