@@ -77,10 +77,12 @@ Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement
   for (const auto& [a, b] : wheelsInOnePlace(wheels, placement)) {
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
+    const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
     found.push_back(finding(Code::interference,
                             "Gears " + one.name + " and " + other.name +
-                                " stand in one place and do not mesh. Move the pitch point of one along its "
-                                "axis, or leave it open.",
+                                " stand in one place and do not mesh. " +
+                                (bevels ? "Use smaller face widths, or leave them or a pitch point open."
+                                        : "Move the pitch point of one along its axis, or leave it open."),
                             {mechanism.links[static_cast<std::size_t>(one.link)].id,
                              mechanism.links[static_cast<std::size_t>(other.link)].id}));
   }
