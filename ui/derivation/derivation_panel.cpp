@@ -42,7 +42,7 @@ QWidget* DerivationPanel::makeBar() {
   m_export = new QToolButton(bar);
   m_export->setText(tr("Export…"));
   m_export->setToolTip(tr("Write the derivation as a web page, PDF, LaTeX or Markdown"));
-  m_export->setProperty("look", "flat");
+  m_export->setProperty("look", "control");
   layout->addWidget(m_sections);
   layout->addStretch(1);
   layout->addWidget(m_export);
