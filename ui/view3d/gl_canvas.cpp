@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kStillAfter = 180;  // ms
 constexpr int kMapAfter = 150;    // ms; less, so that the picture at rest has a map of its own
+constexpr int kDearMapAfter = 600;
+constexpr int kOneAfterTheOther = 500;  // ms: scenes that follow as soon as this are steps of a drag
 
 }  // namespace
 
@@ -30,11 +32,12 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     m_still = true;
     if (isSoftware() || m_mapIsOld) update();
   });
-  connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
-  connect(viewer, &Viewer::moving, this, [this] {
-    m_still = false;
-    m_whenStill.start();
+  connect(viewer, &Viewer::sceneChanged, this, [this] {
+    m_sceneIsNew = true;
+    if (m_sinceScene.isValid() && m_sinceScene.elapsed() < kOneAfterTheOther) onMoving();
+    m_sinceScene.start();
   });
+  connect(viewer, &Viewer::moving, this, &GlCanvas::onMoving);
   connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
     if (m_picture.isValid()) m_viewer->setPictureCost(static_cast<double>(m_picture.nsecsElapsed()) / 1e6);
@@ -58,6 +61,11 @@ void GlCanvas::release() {
   makeCurrent();
   m_renderer.reset();
   doneCurrent();
+}
+
+void GlCanvas::onMoving() {
+  m_still = false;
+  m_whenStill.start();
 }
 
 void GlCanvas::initializeGL() {
@@ -99,7 +107,8 @@ void GlCanvas::paintGL() {
 // While the picture moves, labels go with their parts; where they stand is looked at now and then only, and
 // once more when it has come to rest.
 std::optional<SeenMap> GlCanvas::seenNow() {
-  if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < kMapAfter) {
+  const int enough = isSoftware() && !m_still ? kDearMapAfter : kMapAfter;
+  if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < enough) {
     m_mapIsOld = true;
     m_whenStill.start();
     return std::nullopt;

@@ -42,6 +42,7 @@ class GlCanvas : public QOpenGLWidget {
 
  private:
   void release();
+  void onMoving();
   /// A map of the picture for the labels, where it is time for one.
   [[nodiscard]] std::optional<SeenMap> seenNow();
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
@@ -55,6 +56,7 @@ class GlCanvas : public QOpenGLWidget {
   QTimer m_whenStill;
   bool m_mapIsOld = false;  ///< labels stand by an earlier picture's map
   QElapsedTimer m_sinceMap;
+  QElapsedTimer m_sinceScene;
   QElapsedTimer m_picture;  ///< since its painting began
 };
 
