@@ -249,15 +249,10 @@ void BodyPlanner::addStub(int axisClass, ShaftPlan& shaft) {
   m_plan.stubs.push_back({axisClass, place});
 }
 
-/// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
-void BodyPlanner::addShaft(int axisClass, int link) {
+/// True where the link has wheels here.
+bool BodyPlanner::includeWheels(int axisClass, int link, ShaftPlan& shaft) {
   const AxisLayout& layout = axis(axisClass);
-  ShaftPlan shaft;
-  shaft.axisClass = axisClass;
-  shaft.link = link;
-  const double half = layout.width() / 2;
-  const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
-  bool holdsWheel = false;
+  bool any = false;
   for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
     const TrainGear& gear = m_train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
@@ -265,8 +260,14 @@ void BodyPlanner::addShaft(int axisClass, int link) {
     const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
     const double origin = layout.coordinate(gear.pose.translation());
     for (const double z : {hub.low, hub.high}) shaft.include(origin + sense * z, origin + sense * z);
-    holdsWheel = true;
+    any = true;
   }
+  return any;
+}
+
+/// Arms, cups, tees and pins of the link that stand on the axis.
+void BodyPlanner::includeBodies(int axisClass, int link, ShaftPlan& shaft) {
+  const double half = axis(axisClass).width() / 2;
   for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)]) {
     const ArmPlan& arm = m_plan.arms[a];
     if (arm.from == axisClass) shaft.include(arm.level - half, arm.level + half);
@@ -285,6 +286,18 @@ void BodyPlanner::addShaft(int axisClass, int link) {
     if (pin.link == link && pin.axisClass == axisClass)
       shaft.include(std::min(pin.from, pin.to), std::max(pin.from, pin.to));
   }
+}
+
+/// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
+void BodyPlanner::addShaft(int axisClass, int link) {
+  const AxisLayout& layout = axis(axisClass);
+  ShaftPlan shaft;
+  shaft.axisClass = axisClass;
+  shaft.link = link;
+  const double half = layout.width() / 2;
+  const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
+  const bool holdsWheel = includeWheels(axisClass, link, shaft);
+  includeBodies(axisClass, link, shaft);
   const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
   const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
   for (const Bearing& b : layout.bearings) {

@@ -86,6 +86,8 @@ class BodyPlanner {
   void trimTees();
   [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
+  bool includeWheels(int axisClass, int link, ShaftPlan& shaft);
+  void includeBodies(int axisClass, int link, ShaftPlan& shaft);
   void addShaft(int axisClass, int link);
   void addStub(int axisClass, ShaftPlan& shaft);
   void addArm(const ArmPlan& arm) {
