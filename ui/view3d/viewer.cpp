@@ -262,7 +262,7 @@ void Viewer::setLook(const Look& look) {
 void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
   m_viewport = viewport;
   m_pixelRatio = pixelRatio;
-  if (!m_fitted) fitNow();
+  if (!m_fitted || !m_isCameraChosen) fitNow();
 }
 
 std::optional<CutPlane> Viewer::cut() const {

@@ -140,7 +140,7 @@ class Viewer : public QObject {
   std::vector<MarkLine> m_marks;
   Viewport m_viewport;
   double m_pixelRatio = 1;
-  bool m_fitted = false;  ///< the first size a stage is seen in fits it
+  bool m_fitted = false;  ///< the first size a stage is seen in fits it, and every size of an unchosen camera
   bool m_isAnew = false;  ///< the next stage is that of another document
   bool m_isCameraChosen = false;
   std::optional<Camera> m_opening;  ///< where that document wants to be seen from

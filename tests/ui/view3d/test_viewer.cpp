@@ -67,6 +67,29 @@ class ViewerTest : public QObject {
     QVERIFY(viewer.traces().empty());
   }
 
+  void untilSomebodyMovesTheCameraTheTrainFitsEverySize() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setStage(test::toyStage());
+    const auto isInside = [&](const Viewport& size) {
+      for (const Eigen::Vector3d& corner : outlineOf(viewer.stage()->scene)) {
+        const ScreenPoint at = viewer.camera().project(corner, size);
+        if (at.x < 0 || at.y < 0 || at.x > size.width || at.y > size.height) return false;
+      }
+      return true;
+    };
+    const Viewport wide{900, 300}, narrow{200, 500};
+    viewer.setViewport(wide, 1);
+    QVERIFY(isInside(wide));
+    viewer.setViewport(narrow, 1);
+    QVERIFY(isInside(narrow));
+    QVERIFY(!viewer.isCameraChosen());
+    viewer.setCamera(viewer.camera().orbited(0.3, 0.1));
+    const Camera chosen = viewer.camera();
+    viewer.setViewport(wide, 1);
+    QVERIFY(viewer.camera() == chosen);
+  }
+
   void anotherDocumentIsFittedOrSeenFromWhereItSays() {
     Selection selection;
     Viewer viewer(&selection);
