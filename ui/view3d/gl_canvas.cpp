@@ -107,6 +107,7 @@ void GlCanvas::paintGL() {
 // While the picture moves, labels go with their parts; where they stand is looked at now and then only, and
 // once more when it has come to rest.
 std::optional<SeenMap> GlCanvas::seenNow() {
+  if (!m_labels->isShown(LabelKind::link)) return std::nullopt;
   const int enough = isSoftware() && !m_still ? kDearMapAfter : kMapAfter;
   if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < enough) {
     m_mapIsOld = true;

@@ -55,7 +55,7 @@ void StillCanvas::paintPicture(QPainter& painter) {
     const Image image = m_host->picture(m_viewer->frame());
     m_viewer->setPictureCost(static_cast<double>(cost.nsecsElapsed()) / 1e6);
     const Viewport cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
-    seen = m_host->seen(m_viewer->frame(), cells.width, cells.height);
+    if (m_labels->isShown(LabelKind::link)) seen = m_host->seen(m_viewer->frame(), cells.width, cells.height);
     m_image = QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
   }
   m_sceneIsNew = m_imageIsOld = false;
