@@ -6,15 +6,14 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/theme/empty_label.h"
+
 namespace geargraph {
 
 DerivationPanel::DerivationPanel(Selection* selection, QWidget* parent)
     : QWidget(parent), m_service(new DerivationService(this)), m_view(new DerivationView(selection, this)) {
   m_view->setObjectName(QStringLiteral("derivationView"));
-  m_empty = new QLabel(this);
-  m_empty->setProperty("look", "empty");
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
+  m_empty = emptyLabel(this);
   m_pages = new QStackedWidget(this);
   m_pages->addWidget(m_view);
   m_pages->addWidget(m_empty);

@@ -12,6 +12,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph {
@@ -28,11 +29,8 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
                           tr("Make two links turn as one: the two selected, or choose"))),
       m_state(makeButton("addState", tr("+ State"), tr("A new row: what is engaged together"))),
       m_pages(new QStackedWidget(this)),
-      m_empty(new QLabel(this)),
+      m_empty(emptyLabel(this)),
       m_remark(new QLabel(this)) {
-  m_empty->setProperty("look", "empty");
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
   m_empty->setText(
       tr("A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a "
          "link "

@@ -17,6 +17,7 @@
 #include "ui/panels/results_delegate.h"
 #include "ui/panels/speed_slider.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
 
 namespace geargraph {
 namespace {
@@ -41,11 +42,8 @@ std::string titleOf(const Mechanism& mechanism, JointId id) {
 InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_grid(new QGridLayout) {
   m_empty =
-      new QLabel(tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."), this);
+      emptyLabel(this, tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."));
   m_empty->setObjectName(QStringLiteral("noInputs"));
-  m_empty->setProperty("look", "empty");
-  m_empty->setWordWrap(true);
-  m_empty->setAlignment(Qt::AlignCenter);
   m_choose = new QToolButton(this);
   m_choose->setObjectName(QStringLiteral("chooseInputs"));
   m_choose->setProperty("look", "control");

@@ -18,6 +18,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
 
 namespace geargraph {
 namespace {
@@ -70,10 +71,7 @@ QToolButton* panelButton(const QString& text, const QString& tip, QWidget* paren
 MatricesPanel::MatricesPanel(Selection* selection, QWidget* parent)
     : QWidget(parent), m_model(new MatrixModel(this)), m_view(new MatrixView(m_model, selection, this)) {
   m_view->setObjectName(QStringLiteral("matrixView"));
-  m_empty = new QLabel(this);
-  m_empty->setProperty("look", "empty");
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
+  m_empty = emptyLabel(this);
   m_pages = new QStackedWidget(this);
   m_pages->addWidget(m_view);
   m_pages->addWidget(m_empty);

@@ -14,6 +14,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/fix_row.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
 #include "ui/theme/icons.h"
 
 namespace geargraph {
@@ -99,12 +100,9 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
     if (m_list->indexWidget(index) == nullptr) offerFixes(index);
   });
 
-  auto* fine = new QLabel(tr("No problems. Every link is tied to the ground, and the turning joints make a "
-                             "spanning tree."),
-                          this);
-  fine->setProperty("look", "empty");
-  fine->setAlignment(Qt::AlignCenter);
-  fine->setWordWrap(true);
+  auto* fine =
+      emptyLabel(this, tr("No problems. Every link is tied to the ground, and the turning joints make a "
+                          "spanning tree."));
   m_pages->addWidget(m_list);
   m_pages->addWidget(fine);
   auto* layout = new QVBoxLayout(this);

@@ -14,6 +14,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph {
@@ -37,14 +38,11 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
       m_motors(new QToolButton(this)),
       m_symbols(new QToolButton(this)),
       m_pages(new QStackedWidget(this)),
-      m_empty(new QLabel(this)),
+      m_empty(emptyLabel(this)),
       m_note(new QLabel(this)),
       m_verdict(new QLabel(this)) {
   makeTable();
   makeLinkTable();
-  m_empty->setProperty("look", "empty");
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
   m_empty->setObjectName(QStringLiteral("noResults"));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);

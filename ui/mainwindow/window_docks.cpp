@@ -1,0 +1,136 @@
+// The panels of a window round its drawing: which there are, where they stand, and which comes to the front.
+
+#include <QBoxLayout>
+#include <QDockWidget>
+#include <QFrame>
+#include <algorithm>
+
+#include "ui/derivation/derivation_panel.h"
+#include "ui/mainwindow/dock_titles.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/panels/gearbox_panel.h"
+#include "ui/panels/inputs_panel.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
+#include "ui/panels/properties_panel.h"
+#include "ui/panels/results_panel.h"
+#include "ui/view3d/motion_panel.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+namespace {
+
+/// What somebody who opens a document has to know before anything else. A harmless remark is not.
+bool isUrgent(const Diagnostic& diagnostic) {
+  return diagnostic.severity() == Severity::error || diagnostic.code == Code::locked ||
+         diagnostic.code == Code::assembly;
+}
+
+}  // namespace
+
+QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget* widget) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QLatin1String(name));
+  dock->setWidget(widget);
+  m_docks.push_back(dock);
+  dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
+  addAction(dock->toggleViewAction());
+  m_titles->watch(dock);
+  return dock;
+}
+
+QWidget* MainWindow::makeInputsAndResults() {
+  auto* both = new QWidget(this);
+  auto* layout = new QVBoxLayout(both);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  m_inputs = new InputsPanel(m_document, m_selection, both);
+  connect(m_results, &ResultsPanel::inputsWanted, m_inputs, &InputsPanel::drive);
+  layout->addWidget(m_inputs);
+  auto* rule = new QFrame(both);
+  rule->setProperty("look", "rule");
+  rule->setFixedHeight(1);
+  layout->addWidget(rule);
+  layout->addWidget(m_results, 1);
+  return both;
+}
+
+void MainWindow::makeDocks() {
+  m_matrices = new MatricesPanel(m_selection, this);
+  m_problems = new ProblemsPanel(m_selection, this);
+  m_properties = new PropertiesPanel(m_document, m_selection, this);
+  m_results = new ResultsPanel(m_selection, this);
+  addDock("dock.matrices", tr("Matrices"), m_matrices);
+  QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems);
+  m_view3d = new View3D(m_selection, this);
+  addDock("dock.view3d", tr("3D"), m_view3d);
+  addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults());
+  m_gearbox = new GearboxPanel(m_document, m_selection, this);
+  addDock("dock.gearbox", tr("Gearbox"), m_gearbox);
+  addDock("dock.properties", tr("Properties"), m_properties);
+  m_motion = new MotionPanel(m_selection, m_view3d, this);
+  addDock("dock.speeds", tr("Speeds"), m_motion);
+  m_derivation = new DerivationPanel(m_selection, this);
+  QDockWidget* derivation = addDock("dock.derivation", tr("Derivation"), m_derivation);
+  connect(derivation, &QDockWidget::visibilityChanged, m_derivation, &DerivationPanel::setAwake);
+  connect(m_derivation, &DerivationPanel::exportWanted, this, &MainWindow::chooseAndExportDerivation);
+  connect(m_problems, &ProblemsPanel::countChanged, problems,
+          [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
+  placeDocks();
+}
+
+QDockWidget* MainWindow::dock(const char* name) const {
+  return findChild<QDockWidget*>(QLatin1String(name));
+}
+
+/// Each goes straight into its tab: docks beside each other, if only for a moment, make the window wider than
+/// a projector.
+void MainWindow::placeDocks() {
+  addDockWidget(Qt::BottomDockWidgetArea, dock("dock.matrices"));
+  tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
+  tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
+  tabifyDockWidget(dock("dock.speeds"), dock("dock.derivation"));
+  addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
+  splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
+  tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));
+  tabifyDockWidget(dock("dock.gearbox"), dock("dock.properties"));
+}
+
+void MainWindow::applyDefaultLayout() {
+  for (QDockWidget* each : m_docks) {
+    each->setFloating(false);
+    removeDockWidget(each);
+  }
+  placeDocks();
+  for (QDockWidget* each : m_docks) each->show();
+  resizeDocks({dock("dock.inputs")}, {width() * 41 / 100}, Qt::Horizontal);
+  resizeDocks({dock("dock.matrices")}, {height() * 36 / 100}, Qt::Vertical);
+  resizeDocks({dock("dock.view3d"), dock("dock.inputs")}, {height() / 2, height() / 2}, Qt::Vertical);
+  dock("dock.matrices")->raise();
+  raiseResults();
+}
+
+/// Of the panels of results the one that this document is about.
+void MainWindow::raiseResults() {
+  const bool shifts = !m_document->mechanism()->states.empty();
+  dock(shifts ? "dock.gearbox" : "dock.inputs")->raise();
+}
+
+/// Another document has been opened: what it needs first comes to the front, once it is known.
+void MainWindow::onOpened() {
+  const bool isGearbox = !m_document->mechanism()->states.empty();
+  if (isGearbox || !m_gearbox->visibleRegion().isEmpty()) raiseResults();
+  m_isOpened = true;
+}
+
+void MainWindow::raiseProblems(const AnalysisSnapshot& snapshot) {
+  if (!m_isOpened) return;
+  if (std::any_of(snapshot.diagnostics.begin(), snapshot.diagnostics.end(), isUrgent)) {
+    dock("dock.problems")->raise();
+  } else if (snapshot.isComplete && !m_problems->visibleRegion().isEmpty()) {
+    dock("dock.matrices")->raise();
+  }
+  m_isOpened = !snapshot.isComplete;
+}
+
+}  // namespace geargraph
