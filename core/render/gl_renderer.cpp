@@ -1,6 +1,7 @@
 #include "core/render/gl_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -27,8 +28,7 @@ class GlRenderer final : public Renderer {
  public:
   explicit GlRenderer(std::unique_ptr<GlApi> gl) : m_gl(std::move(gl)), m_passes(*m_gl) {
     m_name = reinterpret_cast<const char*>(m_gl->GetString(GL_RENDERER));  // NOLINT
-    m_software = m_name.find("llvmpipe") != std::string::npos ||
-                 m_name.find("softpipe") != std::string::npos || m_name.find("SWR") != std::string::npos;
+    m_software = isSoftwareRenderer(m_name);
     m_gl->GetIntegerv(GL_MAX_SAMPLES, &m_maximumSamples);
     GLint renderbuffer = 0, texture = 0;
     m_gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
@@ -466,6 +466,12 @@ SeenMap GlRenderer::seen(const Frame& frame, int columns, int rows) {
 }
 
 }  // namespace
+
+bool isSoftwareRenderer(std::string_view name) {
+  constexpr std::array<std::string_view, 4> kProcessors{"llvmpipe", "softpipe", "SWR", "Software Rasterizer"};
+  return std::any_of(kProcessors.begin(), kProcessors.end(),
+                     [&](std::string_view known) { return name.find(known) != std::string_view::npos; });
+}
 
 Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProcAddress) {
   const auto refused = [](const std::string& why) {

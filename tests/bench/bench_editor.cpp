@@ -243,16 +243,17 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
   window.resize(1366, 768);
   window.openDocument(path);
   window.show();
-  while (!window.isSettled()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  const auto until = [](const auto& isThere) {
+    while (!isThere()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  };
+  until([&] { return window.isSettled(); });
   Stand::paint();
+  until([&] { return window.view3d().isUpToDate(); });
   std::map<std::string, double> parts;
   QElapsedTimer clock;
   const auto lap = [&](const char* part) {
     parts[part] += static_cast<double>(clock.nsecsElapsed()) / 1e6;
     clock.start();
-  };
-  const auto until = [](const auto& isThere) {
-    while (!isThere()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
   };
   int step = 0;
   const ThreadTimes start = ThreadTimes::now();
@@ -275,6 +276,8 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
     lap("settled_ms");
     Stand::paint();
     lap("paint_ms");
+    until([&] { return window.view3d().isUpToDate(); });
+    lap("picture_ms");
   }
   const ThreadTimes end = ThreadTimes::now();
   parts["cpu_window_ms"] = end.window - start.window;

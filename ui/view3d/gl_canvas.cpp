@@ -10,34 +10,15 @@
 #include "ui/view3d/overlay.h"
 
 namespace geargraph {
-namespace {
-
-constexpr int kStillAfter = 180;  // ms
-constexpr int kMapAfter = 150;    // ms; less, so that the picture at rest has a map of its own
-constexpr int kDearMapAfter = 600;
-constexpr int kOneAfterTheOther = 500;  // ms: scenes that follow as soon as this are steps of a drag
-
-}  // namespace
-
 GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
-    : QOpenGLWidget(parent), m_viewer(viewer), m_labels(labels) {
+    : QOpenGLWidget(parent), m_viewer(viewer), m_labels(labels), m_pace(viewer, labels, this) {
   QSurfaceFormat wanted = format();
   wanted.setVersion(3, 3);
   wanted.setProfile(QSurfaceFormat::CoreProfile);
   setFormat(wanted);
   setMouseTracking(true);
-  m_whenStill.setSingleShot(true);
-  m_whenStill.setInterval(kStillAfter);
-  connect(&m_whenStill, &QTimer::timeout, this, [this] {
-    m_still = true;
-    if (isSoftware() || m_mapIsOld) update();
-  });
-  connect(viewer, &Viewer::sceneChanged, this, [this] {
-    m_sceneIsNew = true;
-    if (m_sinceScene.isValid() && m_sinceScene.elapsed() < kOneAfterTheOther) onMoving();
-    m_sinceScene.start();
-  });
-  connect(viewer, &Viewer::moving, this, &GlCanvas::onMoving);
+  connect(&m_pace, &PicturePace::rested, this, qOverload<>(&GlCanvas::update));
+  connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
   connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
     if (m_picture.isValid()) m_viewer->setPictureCost(static_cast<double>(m_picture.nsecsElapsed()) / 1e6);
@@ -63,11 +44,6 @@ void GlCanvas::release() {
   doneCurrent();
 }
 
-void GlCanvas::onMoving() {
-  m_still = false;
-  m_whenStill.start();
-}
-
 void GlCanvas::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release, Qt::UniqueConnection);
   auto renderer = makeGlRenderer([this](const char* name) {
@@ -78,6 +54,7 @@ void GlCanvas::initializeGL() {
     return;
   }
   m_renderer = std::move(renderer).value();
+  m_pace.setSoftware(m_renderer->isSoftware());
   m_sceneIsNew = true;
   emit started();
 }
@@ -93,31 +70,24 @@ void GlCanvas::paintGL() {
   if (isSoftware()) m_picture.start();  // a graphics card keeps up
   if (m_sceneIsNew) m_renderer->setScene(m_viewer->stage() ? m_viewer->stage()->scene : Scene{});
   m_sceneIsNew = false;
-  const std::optional<SeenMap> seen = seenNow();
-  m_renderer->draw(m_viewer->frame(isSoftware() && !m_still), defaultFramebufferObject());
+  const Viewport& viewport = m_viewer->viewport();
+  const double ratio = m_viewer->pixelRatio();
+  const Frame frame = m_viewer->frame(m_pace.isQuick());
+  std::optional<SeenMap> seen;
+  if (m_pace.takeMap()) {
+    const Viewport cells = labelCells(viewport, ratio);
+    seen = m_renderer->seen(m_viewer->frame(), cells.width, cells.height);
+  }
+  m_renderer->draw(frame, defaultFramebufferObject());
   if (m_viewer->stage() == nullptr) return;
   // Not on the widget: while it is being grabbed, that paints somewhere else.
-  QOpenGLPaintDevice device(m_viewer->viewport().width, m_viewer->viewport().height);
-  device.setDevicePixelRatio(m_viewer->pixelRatio());
+  QOpenGLPaintDevice device(viewport.width, viewport.height);
+  device.setDevicePixelRatio(ratio);
   QPainter painter(&device);
   painter.setFont(font());
-  paintOverlay(painter, *m_viewer, *m_labels, seen ? &*seen : nullptr, m_dark);
-}
-
-// While the picture moves, labels go with their parts; where they stand is looked at now and then only, and
-// once more when it has come to rest.
-std::optional<SeenMap> GlCanvas::seenNow() {
-  if (!m_labels->isShown(LabelKind::link)) return std::nullopt;
-  const int enough = isSoftware() && !m_still ? kDearMapAfter : kMapAfter;
-  if (!m_labels->areNew() && m_sinceMap.isValid() && m_sinceMap.elapsed() < enough) {
-    m_mapIsOld = true;
-    m_whenStill.start();
-    return std::nullopt;
-  }
-  m_mapIsOld = false;
-  m_sinceMap.start();
-  const Viewport cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
-  return m_renderer->seen(m_viewer->frame(), cells.width, cells.height);
+  const LabelGround ground{*m_viewer->stage(), frame.poses, frame.showing,          frame.camera,
+                           viewport,           ratio,       seen ? &*seen : nullptr};
+  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {

@@ -2,17 +2,19 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
-#include <QTimer>
 #include <memory>
 
 #include "core/render/renderer.h"
 #include "ui/view3d/label_layer.h"
+#include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
 namespace geargraph {
 
-/// The viewer's picture by the graphics card, in its window. Where the processor has to paint, antialiasing
-/// and shadow come as soon as the picture stands still.
+/// The viewer's picture by the graphics card, in its window.
+///
+/// For a real card only, as far as that can be known: a window with a QOpenGLWidget in it is uploaded and put
+/// together by OpenGL as a whole at every change of any part of it, and a processor is slow at that.
 class GlCanvas : public QOpenGLWidget {
   Q_OBJECT
 
@@ -42,21 +44,14 @@ class GlCanvas : public QOpenGLWidget {
 
  private:
   void release();
-  void onMoving();
-  /// A map of the picture for the labels, where it is time for one.
-  [[nodiscard]] std::optional<SeenMap> seenNow();
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
 
   Viewer* m_viewer;
   LabelLayer* m_labels;
   std::unique_ptr<Renderer> m_renderer;
+  PicturePace m_pace;
   bool m_sceneIsNew = true;
   bool m_dark = false;
-  bool m_still = true;  ///< nothing has changed for a while: the picture may cost more
-  QTimer m_whenStill;
-  bool m_mapIsOld = false;  ///< labels stand by an earlier picture's map
-  QElapsedTimer m_sinceMap;
-  QElapsedTimer m_sinceScene;
   QElapsedTimer m_picture;  ///< since its painting began
 };
 

@@ -27,19 +27,12 @@ void paintScaleBar(QPainter& painter, const LabelGround& ground, double fromBelo
 
 }  // namespace
 
-void paintOverlay(QPainter& painter, const Viewer& viewer, LabelLayer& labels, const SeenMap* seen,
+void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar,
                   bool dark) {
-  if (viewer.stage() == nullptr || viewer.stage()->scene.instances.empty()) return;
-  const LabelGround ground{*viewer.stage(),
-                           viewer.poses(),
-                           viewer.showing(),
-                           viewer.camera(),
-                           viewer.viewport(),
-                           viewer.pixelRatio(),
-                           seen};
+  if (ground.stage.scene.instances.empty()) return;
   labels.place(ground);
   labels.paint(painter, ground.stage, dark);
-  if (viewer.options().scaleBar) paintScaleBar(painter, ground, kBarOverPlayback, dark);
+  if (scaleBar) paintScaleBar(painter, ground, kBarOverPlayback, dark);
 }
 
 PictureOverlay::PictureOverlay(const ViewOptions& options, bool dark)

@@ -2,16 +2,16 @@
 
 #include "core/render/image.h"
 #include "ui/view3d/label_layer.h"
-#include "ui/view3d/viewer.h"
+#include "ui/view3d/view_options.h"
 
 class QPainter;
 
 namespace geargraph {
 
 /// What lies over the picture of the solids, the same in every canvas and file: the labels, and the scale
-/// bar, which holds at the depth of the view's middle. `seen`: a map of the picture, where one was made.
-void paintOverlay(QPainter& painter, const Viewer& viewer, LabelLayer& labels, const SeenMap* seen,
-                  bool dark);
+/// bar, which holds at the depth of the view's middle. The ground is that of the picture, with a map of it
+/// where one was made.
+void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark);
 
 /// The labels of these options over the pictures of a film, one after the other. Any one thread may use it.
 class PictureOverlay {

@@ -7,33 +7,61 @@
 #include <QMenu>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
+#include "core/render/gl_renderer.h"
 #include "ui/view3d/gl_canvas.h"
+#include "ui/view3d/image_canvas.h"
 #include "ui/view3d/playback_bar.h"
 #include "ui/view3d/section_bar.h"
-#include "ui/view3d/still_canvas.h"
 #include "ui/view3d/view_menu.h"
 
 namespace geargraph {
 namespace {
 
-/// Why there can be no window of the graphics card; empty where there can. Under some platforms of Qt a
-/// QOpenGLWidget never gets its context, and nobody tells it.
-QString obstacle() {
+/// Where the picture is painted: in a window of the graphics card, or beside the screen.
+struct Surface {
+  bool isWindow = true;
+  QString why;  ///< of an image: empty where a window would be possible as well
+};
+
+/// Under some platforms of Qt a QOpenGLWidget never gets its context, and nobody tells it.
+Surface bestSurface() {
   const QString platform = QGuiApplication::platformName();
   if (platform == "offscreen" || platform == "minimal" || platform == "vnc" || platform == "linuxfb") {
-    return QObject::tr("Qt's platform \"%1\" has no windows with OpenGL.").arg(platform);
+    return {false, QObject::tr("Qt's platform \"%1\" has no windows with OpenGL.").arg(platform)};
   }
   QOpenGLContext context;
   QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
   wanted.setVersion(3, 3);
   wanted.setProfile(QSurfaceFormat::CoreProfile);
   context.setFormat(wanted);
-  if (context.create() && context.format().version() >= qMakePair(3, 3)) return {};
-  return QObject::tr("This display offers no OpenGL 3.3.");
+  if (!context.create() || context.format().version() < qMakePair(3, 3))
+    return {false, QObject::tr("This display offers no OpenGL 3.3.")};
+  QOffscreenSurface surface;
+  surface.setFormat(context.format());
+  surface.create();
+  if (!context.makeCurrent(&surface)) return {};
+  const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));  // NOLINT
+  const bool isSoftware = name != nullptr && isSoftwareRenderer(name);
+  context.doneCurrent();
+  return {!isSoftware, {}};
+}
+
+/// Decided once: the GEARGRAPH_3D of the environment says `window` or `image` where somebody knows better.
+const Surface& surfaceOfChoice() {
+  static const Surface chosen = [] {
+    const QByteArray wish = qgetenv("GEARGRAPH_3D");
+    if (wish == "image") return Surface{false, {}};
+    Surface best = bestSurface();
+    if (wish == "window" && best.why.isEmpty()) best.isWindow = true;
+    return best;
+  }();
+  return chosen;
 }
 
 }  // namespace
@@ -51,8 +79,10 @@ class View3D::Private {
         painter(new QLabel(view)) {}
 
   void useGl();
-  void useStill(const QString& why);
+  void useImage(const QString& why);
   void place(QWidget* canvas);
+  void tellWhatPaints(bool isSoftware, const QString& why);
+  [[nodiscard]] QWidget* canvas() const { return gl != nullptr ? static_cast<QWidget*>(gl) : image; }
   QToolButton* addButton(const QString& text, const QString& tip, const std::function<void()>& act);
   void makeButtons();
   void makeMoreButton();
@@ -67,7 +97,7 @@ class View3D::Private {
   LabelLayer labels;
   Playback playback;
   GlCanvas* gl = nullptr;
-  StillCanvas* still = nullptr;
+  ImageCanvas* image = nullptr;
   PlaybackBar* bar;
   SectionBar* strip;
   QWidget* buttons = nullptr;
@@ -88,29 +118,38 @@ void View3D::Private::useGl() {
   gl = new GlCanvas(&viewer, &labels, q);
   gl->setDark(dark);
   place(gl);
-  connect(gl, &GlCanvas::started, q, [this] {
-    painter->setVisible(gl->isSoftware());
-    painter->setText(tr("Software 3D"));
-    painter->setToolTip(
-        tr("Painted by the processor (%1): finer when it stands still.").arg(gl->rendererName()));
-    painter->adjustSize();
-  });
+  connect(gl, &GlCanvas::started, q, [this] { tellWhatPaints(gl->isSoftware(), {}); });
   // Not at once: the canvas is in the middle of its own event.
   connect(
       gl, &GlCanvas::failed, q,
       [this](const QString& why) {
         gl->deleteLater();
         gl = nullptr;
-        useStill(why);
+        useImage(why);
       },
       Qt::QueuedConnection);
 }
 
-void View3D::Private::useStill(const QString& why) {
-  still = new StillCanvas(&viewer, &labels, why, q);
-  still->setDark(dark);
-  place(still);
-  still->show();
+/// `why` there is no window of the graphics card; empty where there could be one.
+void View3D::Private::useImage(const QString& why) {
+  image = new ImageCanvas(&viewer, &labels, q);
+  if (!image->problem().isEmpty() && why.isEmpty()) {
+    delete std::exchange(image, nullptr);
+    return useGl();
+  }
+  image->setDark(dark);
+  place(image);
+  image->show();
+  tellWhatPaints(image->isSoftware(), why);
+}
+
+void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
+  painter->setVisible(isSoftware);
+  painter->setText(tr("Software 3D"));
+  painter->setToolTip(tr("%1 Painted by the processor (%2): finer when it stands still.")
+                          .arg(why, q->rendererName())
+                          .trimmed());
+  painter->adjustSize();
 }
 
 QToolButton* View3D::Private::addButton(const QString& text, const QString& tip,
@@ -189,8 +228,7 @@ void View3D::Private::openPartMenu(const std::optional<Hit>& hit, const QPointF&
   menu->setAttribute(Qt::WA_DeleteOnClose);
   fillPartMenu(*menu, *q, hit);
   emit q->menuOpening(menu, hit ? std::optional(hit->element) : std::nullopt);
-  QWidget* canvas = gl != nullptr ? static_cast<QWidget*>(gl) : still;
-  menu->popup(canvas->mapToGlobal(at.toPoint()));
+  menu->popup(canvas()->mapToGlobal(at.toPoint()));
 }
 
 std::optional<ElementId> View3D::Private::selectedLink() const {
@@ -226,8 +264,8 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->painter->move(12, 10);
   d->painter->hide();
   d->makeButtons();
-  const QString why = obstacle();
-  why.isEmpty() ? d->useGl() : d->useStill(why);
+  const Surface& surface = surfaceOfChoice();
+  surface.isWindow ? d->useGl() : d->useImage(surface.why);
   connect(&d->playback, &Playback::timeChanged, &d->viewer, [this](double seconds) {
     emit d->viewer.moving();
     d->viewer.setTime(seconds);
@@ -245,8 +283,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
 
 // The canvas goes while the viewer it looks at is still there.
 View3D::~View3D() {
-  delete d->gl;
-  delete d->still;
+  delete d->canvas();
 }
 
 void View3D::setStage(const StagePtr& stage) {
@@ -314,7 +351,7 @@ const StageView& View3D::view() const {
 void View3D::setDark(bool dark) {
   d->dark = dark;
   if (d->gl != nullptr) d->gl->setDark(dark);
-  if (d->still != nullptr) d->still->setDark(dark);
+  if (d->image != nullptr) d->image->setDark(dark);
   d->bar->setDark(dark);
   QPalette quiet = d->painter->palette();
   quiet.setColor(QPalette::WindowText, dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
@@ -369,12 +406,15 @@ const std::vector<ShownTrace>& View3D::traces() const {
 }
 
 QString View3D::rendererName() const {
-  if (d->gl != nullptr) return d->gl->rendererName();
-  return d->still->rendererName();
+  return d->gl != nullptr ? d->gl->rendererName() : d->image->rendererName();
 }
 
-bool View3D::isStill() const {
+bool View3D::isImage() const {
   return d->gl == nullptr;
+}
+
+bool View3D::isUpToDate() const {
+  return d->image == nullptr || d->image->isUpToDate();
 }
 
 void View3D::fit() {

@@ -69,8 +69,11 @@ class View3D : public QWidget {
   [[nodiscard]] const std::vector<ShownTrace>& traces() const;
   /// What paints, as the driver says; empty before the first picture, or where there is none.
   [[nodiscard]] QString rendererName() const;
-  /// Is the view a picture beside the screen, for want of a window of the graphics card?
-  [[nodiscard]] bool isStill() const;
+  /// Is the picture painted beside the screen and shown as an image? So it is where there is no window of the
+  /// graphics card, or where the processor stands for one.
+  [[nodiscard]] bool isImage() const;
+  /// An image is painted while the window does other work: is that of the moment on the screen?
+  [[nodiscard]] bool isUpToDate() const;
 
  public slots:
   void fit();

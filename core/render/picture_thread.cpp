@@ -1,0 +1,111 @@
+#include "core/render/picture_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace geargraph {
+namespace {
+
+/// The same picture with fewer pixels: lines and letters keep their part of it.
+Frame scaled(const Frame& frame, double scale) {
+  Frame smaller = frame;
+  smaller.viewport.width = std::max(1, static_cast<int>(std::lround(scale * frame.viewport.width)));
+  smaller.viewport.height = std::max(1, static_cast<int>(std::lround(scale * frame.viewport.height)));
+  smaller.pixelRatio = scale * frame.pixelRatio;
+  return smaller;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<PictureThread>> PictureThread::start(Deliver deliver) {
+  std::unique_ptr<PictureThread> made(new PictureThread(std::move(deliver)));
+  std::promise<Diagnostics> started;
+  std::future<Diagnostics> outcome = started.get_future();
+  made->m_thread =
+      std::jthread([self = made.get(), started = std::move(started)](const std::stop_token& quit) mutable {
+        self->run(quit, std::move(started));
+      });
+  if (Diagnostics problems = outcome.get(); !problems.empty()) return problems;
+  return made;
+}
+
+PictureThread::~PictureThread() = default;
+
+// A context belongs to one thread: the host is made and goes here.
+void PictureThread::run(const std::stop_token& quit, std::promise<Diagnostics> started) {
+  auto host = EglHost::create();
+  if (!host) return started.set_value(host.error());
+  m_host = std::move(host).value();
+  m_name = m_host->name();
+  m_isSoftware = m_host->isSoftware();
+  started.set_value({});
+  work(quit);
+  m_host.reset();
+}
+
+void PictureThread::work(const std::stop_token& quit) {
+  while (true) {
+    std::unique_lock lock(m_mutex);
+    m_isPainting = false;
+    if (!m_next) m_idle.notify_all();
+    m_wake.wait(lock, quit, [this] { return m_next || m_question; });
+    std::optional<Question> question = std::exchange(m_question, std::nullopt);
+    if (question) {
+      lock.unlock();
+      show(question->frame->stage());
+      question->answer.set_value(m_host->pick(question->frame->frame(), question->x, question->y));
+      continue;
+    }
+    if (quit.stop_requested()) return;
+    PictureOrder order = *std::exchange(m_next, std::nullopt);
+    m_isPainting = true;
+    lock.unlock();
+    m_deliver(paint(std::move(order)));
+  }
+}
+
+void PictureThread::show(const StagePtr& stage) {
+  if (m_hasScene && stage == m_stage) return;
+  m_host->setScene(stage ? stage->scene : Scene{});
+  m_stage = stage;
+  m_hasScene = true;
+}
+
+PaintedPicture PictureThread::paint(PictureOrder order) {
+  const auto begin = std::chrono::steady_clock::now();
+  show(order.frame->stage());
+  PaintedPicture picture;
+  picture.image = m_host->picture(scaled(order.frame->frame(), order.scale));
+  if (order.cells) picture.seen = m_host->seen(order.frame->frame(), order.cells->width, order.cells->height);
+  picture.order = std::move(order);
+  picture.cost = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return picture;
+}
+
+void PictureThread::order(PictureOrder order) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_next = std::move(order);
+  }
+  m_wake.notify_one();
+}
+
+void PictureThread::finish() {
+  std::unique_lock lock(m_mutex);
+  m_idle.wait(lock, [this] { return !m_next && !m_isPainting; });
+}
+
+std::optional<Hit> PictureThread::pick(const KeptFramePtr& frame, double x, double y) {
+  std::future<std::optional<Hit>> answer;
+  {
+    const std::lock_guard lock(m_mutex);
+    m_question.emplace(Question{frame, x, y, {}});
+    answer = m_question->answer.get_future();
+  }
+  m_wake.notify_one();
+  return answer.get();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,200 @@
+#include "ui/view3d/image_canvas.h"
+
+#include <QBackingStore>
+#include <QLinearGradient>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPaintEngine>
+#include <QPainter>
+#include <utility>
+
+#include "ui/view3d/overlay.h"
+
+namespace geargraph {
+namespace {
+
+QColor colorOf(const Rgb& rgb) {
+  return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
+}
+
+/// As the raster engine copies it to the screen without a look at its pixels. A picture with fewer pixels is
+/// stretched to all of them.
+QImage screenImage(const PaintedPicture& picture) {
+  const Frame& frame = picture.order.frame->frame();
+  const Image& pixels = picture.image;
+  QImage image = QImage(pixels.rgba.data(), pixels.width, pixels.height, QImage::Format_RGBA8888)
+                     .convertToFormat(QImage::Format_RGB32);
+  const QSize whole(frame.viewport.width, frame.viewport.height);
+  if (picture.order.scale < 1) image = image.scaled(whole, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  image.setDevicePixelRatio(frame.pixelRatio);
+  return image;
+}
+
+}  // namespace
+
+ImageCanvas::ImageCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
+    : QWidget(parent), m_viewer(viewer), m_labels(labels), m_pace(viewer, labels, this) {
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  auto thread = PictureThread::start([this](PaintedPicture picture) { deliver(std::move(picture)); });
+  if (!thread) {
+    m_problem = QString::fromStdString(thread.error().front().message);
+    return;
+  }
+  m_thread = std::move(thread).value();
+  m_pace.setSoftware(m_thread->isSoftware());
+  connect(&m_pace, &PicturePace::rested, this, &ImageCanvas::orderSoon);
+  connect(viewer, &Viewer::viewChanged, this, &ImageCanvas::orderSoon);
+  viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
+}
+
+ImageCanvas::~ImageCanvas() {
+  m_viewer->setPick({});
+}
+
+QString ImageCanvas::rendererName() const {
+  return m_thread == nullptr ? QString() : QString::fromStdString(m_thread->name());
+}
+
+bool ImageCanvas::isUpToDate() const {
+  return m_thread == nullptr || !isVisible() ||
+         (!m_willOrder && m_isPainted && m_shown.frame != nullptr && m_shown.frame == m_ordered);
+}
+
+void ImageCanvas::orderSoon() {
+  if (m_willOrder || m_thread == nullptr) return;
+  m_willOrder = true;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (m_willOrder && isVisible()) order(m_pace.isQuick());
+      },
+      Qt::QueuedConnection);
+}
+
+void ImageCanvas::order(bool quick) {
+  m_willOrder = false;
+  m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), m_viewer->frame(quick));
+  PictureOrder order{m_ordered, quick ? m_quickScale : 1, {}};
+  m_owesMap = m_pace.takeMap() || m_owesMap;
+  if (m_owesMap) order.cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
+  m_thread->order(std::move(order));
+}
+
+void ImageCanvas::deliver(PaintedPicture picture) {
+  Shown shown{picture.order.frame, screenImage(picture), std::move(picture.seen), picture.cost};
+  {
+    const std::lock_guard lock(m_mutex);
+    // A map holds for later pictures too: one that nobody has looked at yet is not lost with its picture.
+    if (m_delivered && !shown.seen) shown.seen = std::move(m_delivered->seen);
+    m_delivered = std::move(shown);
+  }
+  QMetaObject::invokeMethod(this, &ImageCanvas::takeUp, Qt::QueuedConnection);
+}
+
+void ImageCanvas::takeUp() {
+  std::optional<Shown> delivered;
+  {
+    const std::lock_guard lock(m_mutex);
+    delivered = std::exchange(m_delivered, std::nullopt);
+  }
+  if (!delivered) return;
+  if (delivered->seen) m_owesMap = false;
+  m_viewer->setPictureCost(delivered->cost);
+  m_shown = std::move(*delivered);
+  m_isPainted = false;
+  update();
+}
+
+void ImageCanvas::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  m_willOrder = false;
+  orderSoon();
+}
+
+void ImageCanvas::resizeEvent(QResizeEvent* event) {
+  const double ratio = devicePixelRatioF();
+  m_viewer->setViewport({qMax(1, qRound(width() * ratio)), qMax(1, qRound(height() * ratio))}, ratio);
+  orderSoon();
+  QWidget::resizeEvent(event);
+}
+
+// While a widget is being grabbed it paints somewhere else. QPainter::device() is the widget all the same.
+bool ImageCanvas::isOnScreen(const QPainter& painter) const {
+  QBackingStore* store = backingStore();
+  return store != nullptr && painter.paintEngine()->paintDevice() == store->paintDevice();
+}
+
+void ImageCanvas::paintGround(QPainter& painter) const {
+  const Look& look = m_viewer->view().look;
+  QLinearGradient ground(0, 0, 0, height());
+  ground.setColorAt(0, colorOf(look.groundTop));
+  ground.setColorAt(1, colorOf(look.groundBottom));
+  painter.fillRect(rect(), ground);
+}
+
+// After a change of size, until its picture is there, the last one stands where the train will be: the
+// camera's angle is that of the height.
+void ImageCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (m_thread != nullptr && !isOnScreen(painter)) {
+    m_owesMap = m_labels->isShown(LabelKind::link);
+    order(false);
+    m_thread->finish();
+    takeUp();
+  }
+  const QSizeF size = QSizeF(m_shown.image.size()) / m_shown.image.devicePixelRatio();
+  if (size != QSizeF(this->size())) paintGround(painter);
+  if (m_shown.image.isNull()) {
+    painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
+    return painter.drawText(rect().adjusted(12, 10, -12, -10), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
+  }
+  m_isPainted = true;
+  if (size != QSizeF(this->size())) {
+    const double factor = height() / size.height();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.translate(0.5 * (width() - factor * size.width()), 0);
+    painter.scale(factor, factor);
+  }
+  painter.drawImage(QPointF(), m_shown.image);
+  const KeptFrame& kept = *m_shown.frame;
+  if (kept.stage() == nullptr) return;
+  const std::optional<SeenMap> seen = std::exchange(m_shown.seen, std::nullopt);
+  const Frame& frame = kept.frame();
+  const LabelGround ground{*kept.stage(),  frame.poses,      frame.showing,          frame.camera,
+                           frame.viewport, frame.pixelRatio, seen ? &*seen : nullptr};
+  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
+}
+
+std::optional<Hit> ImageCanvas::pick(const Frame& frame, double x, double y) {
+  if (m_shown.frame == nullptr || m_shown.frame->stage() != m_viewer->stage())
+    return std::nullopt;  // nothing is seen yet that could be meant
+  const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
+  return m_thread->pick(std::make_shared<const KeptFrame>(m_viewer->stage(), frame), at.x(), at.y());
+}
+
+void ImageCanvas::mousePressEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mousePress(*event));
+}
+void ImageCanvas::mouseMoveEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseMove(*event));
+}
+void ImageCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  event->setAccepted(m_viewer->mouseRelease(*event));
+}
+void ImageCanvas::wheelEvent(QWheelEvent* event) {
+  event->setAccepted(m_viewer->wheel(*event));
+}
+
+bool ImageCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture)
+    return m_viewer->nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+  return QWidget::event(event);
+}
+
+void ImageCanvas::leaveEvent(QEvent* event) {
+  m_viewer->leave();
+  QWidget::leaveEvent(event);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <memory>
+#include <mutex>
+
+#include "core/render/picture_thread.h"
+#include "ui/view3d/label_layer.h"
+#include "ui/view3d/picture_pace.h"
+#include "ui/view3d/viewer.h"
+
+namespace geargraph {
+
+/// The viewer's picture where the processor has to paint, or where no window of the graphics card can be had:
+/// painted beside the screen, on a thread of its own, and shown as an image. So the window waits for nothing,
+/// and is not put together by OpenGL at every change of any part of it.
+///
+/// The newest picture that is finished is on the screen; what is grabbed waits for the picture of the moment.
+class ImageCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  ImageCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent = nullptr);
+  ~ImageCanvas() override;
+
+  /// Why nothing can be painted; empty where something can.
+  [[nodiscard]] QString problem() const { return m_problem; }
+  /// What paints; empty where nothing does.
+  [[nodiscard]] QString rendererName() const;
+  [[nodiscard]] bool isSoftware() const { return m_thread != nullptr && m_thread->isSoftware(); }
+  void setDark(bool dark) { m_dark = dark; }
+  /// Is the picture of the moment on the screen?
+  [[nodiscard]] bool isUpToDate() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Shown {
+    KeptFramePtr frame;
+    QImage image;  ///< in the screen's own format
+    std::optional<SeenMap> seen;
+    double cost = 0;
+  };
+
+  /// Orders the picture of the moment once the event that changes it is over.
+  void orderSoon();
+  void order(bool quick);
+  void deliver(PaintedPicture picture);  ///< on the painting thread
+  void takeUp();
+  [[nodiscard]] bool isOnScreen(const QPainter& painter) const;
+  void paintGround(QPainter& painter) const;
+  [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
+
+  Viewer* m_viewer;
+  LabelLayer* m_labels;
+  PicturePace m_pace;
+  QString m_problem;
+  bool m_dark = false;
+  bool m_willOrder = false;
+  bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken
+  bool m_isPainted = false;  ///< what is shown is on the screen
+  double m_quickScale = 1;   ///< of a quick look
+  KeptFramePtr m_ordered;
+  Shown m_shown;
+  std::mutex m_mutex;
+  std::optional<Shown> m_delivered;         ///< guarded by m_mutex
+  std::unique_ptr<PictureThread> m_thread;  ///< last: it is stopped before what it uses goes
+};
+
+}  // namespace geargraph
