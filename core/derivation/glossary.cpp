@@ -79,6 +79,10 @@ const std::vector<Definition>& glossary() {
       {Term::offset, "", "Offset", "Where along the axis the bearing is drawn, from the axis' point.", 0},
       {Term::teeth, "N", "Teeth",
        "The whole number of teeth of a wheel. Pitch diameters are proportional to it.", 20},
+      {Term::module, "m", "Module",
+       "The pitch diameter of a wheel over its teeth, one for both wheels of a mesh; of bevels at the large "
+       "end. Another module moves the axes and changes no ratio.",
+       0},
       {Term::meshKind, "", "Kind of mesh",
        "External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.",
        0},

@@ -34,6 +34,7 @@ enum class Term {
   axisDirection,
   offset,
   teeth,
+  module,
   meshKind,
   pitchPoint,
   gearRatio,

@@ -9,7 +9,9 @@
 #include "core/fitting/axis_fit.h"
 #include "core/fitting/fitted_edits.h"
 #include "core/fitting/fitting_guards.h"
+#include "core/fitting/module_pairs.h"
 #include "core/fitting/pin_refusal.h"
+#include "core/fitting/written_numbers.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/pins.h"
 #include "core/placement/tolerance.h"
@@ -19,26 +21,13 @@ namespace {
 
 /// Pairs of axes whose wheels are those of one, step by step: their modules are one.
 std::set<AxisPair> pairsOfOneModule(const Mechanism& mechanism, const Placement& placement, int axisClass) {
-  const WheelMap wheels(mechanism, placement);
   std::set<AxisPair> pairs;
-  std::set<int> reached;
-  const auto isParallel = [&](int mesh) {
-    return placement.meshes[static_cast<std::size_t>(mesh)]->kind != MeshKind::bevel;
-  };
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-      if (!isParallel(mesh)) continue;
-      const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
-      const AxisPair pair = axisPairOf(geometry);
-      const bool touches = geometry.tailClass == axisClass || geometry.headClass == axisClass ||
-                           pairs.contains(pair) || reached.contains(wheels.wheelOf(2 * mesh)) ||
-                           reached.contains(wheels.wheelOf(2 * mesh + 1));
-      if (!touches) continue;
-      grows = pairs.insert(pair).second || grows;
-      grows = reached.insert(wheels.wheelOf(2 * mesh)).second || grows;
-      grows = reached.insert(wheels.wheelOf(2 * mesh + 1)).second || grows;
-    }
+  for (const int mesh : meshesOfOneModule(mechanism, placement, [&](int each) {
+         const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+         return geometry.kind != MeshKind::bevel &&
+                (geometry.tailClass == axisClass || geometry.headClass == axisClass);
+       })) {
+    pairs.insert(axisPairOf(*placement.meshes[static_cast<std::size_t>(mesh)]));
   }
   return pairs;
 }
@@ -97,7 +86,7 @@ Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const Number
   const Placement placement = placementOf(mechanism);
   if (!canBeFitted(placement)) return plain;
   const MovedAxis moved = movedAxis(mechanism, placement, axis);
-  if (moved.neighbour < 0) return unlessBroken(std::move(plain));
+  if (moved.neighbour < 0) return unlessBroken(mechanism, placement, std::move(plain));
   const double was = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
   const double now = distanceFrom(placement, moved.neighbour, valuesOf(point));
   if (now < 1e-9 * was) {
@@ -118,10 +107,9 @@ Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const Number
   const auto stated =
       std::find_if(edited.axes.begin(), edited.axes.end(), [&](const Axis& a) { return a.id == axis; });
   if (!stated->point) {
-    const ExactVector3 chosen = exactLineOfClass(mechanism, placement, moved.axisClass).point;
-    stated->point = NumberTriple{Number(chosen[0]), Number(chosen[1]), Number(chosen[2])};
+    stated->point = numbersOf(exactLineOfClass(mechanism, placement, moved.axisClass).point);
   }
-  return unlessBroken(fitAxes(mechanism, placement, std::move(edited), scales, pinned));
+  return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales, pinned));
 }
 
 std::optional<AxisReach> axisReach(const Mechanism& mechanism, AxisId axis) {
@@ -149,7 +137,7 @@ Expected<Mechanism> withAxisReach(Mechanism mechanism, AxisId axis, const Ration
   const ExactVector3 between = line.point - from.point;
   const Rational along = dot(between, from.direction) / dot(from.direction, from.direction);
   const ExactVector3 place = line.point + (factor - Rational(1)) * (between - along * from.direction);
-  return withAxisMoved(std::move(mechanism), axis, {Number(place[0]), Number(place[1]), Number(place[2])});
+  return withAxisMoved(std::move(mechanism), axis, numbersOf(place));
 }
 
 std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, double distance,

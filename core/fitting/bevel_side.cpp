@@ -53,12 +53,12 @@ Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool 
     const WheelMap wheels(mechanism, placement);
     ends = wheels.ends(wheels.wheelOf(ends.front()));
   }
-  Mechanism edited = std::move(mechanism);
+  Mechanism edited = mechanism;
   std::vector<NumberTriple> points;
   for (const int end : ends) points.push_back(mirroredPoint(edited, placement, end));
   for (std::size_t i = 0; i < ends.size(); ++i)
     edited.gearMeshes[static_cast<std::size_t>(ends[i] / 2)].pitchPoint = points[i];
-  return unlessBroken(std::move(edited));
+  return unlessBroken(mechanism, placement, std::move(edited));
 }
 
 }  // namespace geargraph

@@ -4,7 +4,9 @@
 
 #include "core/fitting/axis_fit.h"
 #include "core/fitting/fitting_guards.h"
+#include "core/fitting/pin_refusal.h"
 #include "core/fitting/teeth_fit.h"
+#include "core/fitting/written_numbers.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/pins.h"
 
@@ -29,7 +31,19 @@ Expected<Mechanism> fitted(const Mechanism& before, const Placement& placement, 
     if (mesh == change.mesh && change.kind != placement.meshes[static_cast<std::size_t>(mesh)]->kind)
       element.kind = change.kind;
   }
-  return unlessBroken(fitAxes(before, placement, std::move(edited), fit->scales));
+  return unlessBroken(before, placement, fitAxes(before, placement, std::move(edited), fit->scales));
+}
+
+/// Of an axis its class, of a mesh those of its wheels; none where they have no place.
+std::vector<int> classesOf(const Mechanism& mechanism, const Placement& placement, const ElementId& element) {
+  if (element.kind == ElementKind::gearMesh) {
+    const auto& mesh = placement.meshes[static_cast<std::size_t>(positionOf(mechanism, MeshId(element.id)))];
+    return mesh ? std::vector{mesh->tailClass, mesh->headClass} : std::vector<int>{};
+  }
+  for (int axisClass = 0; axisClass < static_cast<int>(placement.classes->classes.size()); ++axisClass) {
+    if (ElementId(axisOfClass(mechanism, placement, axisClass).id) == element) return {axisClass};
+  }
+  return {};
 }
 
 }  // namespace
@@ -52,28 +66,24 @@ Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind ki
   const int position = positionOf(mechanism, mesh);
   const MeshKind was = placement.meshes[static_cast<std::size_t>(position)]->kind;
   if (was == kind || (was == MeshKind::bevel) != (kind == MeshKind::bevel))
-    return unlessBroken(std::move(plain));
+    return unlessBroken(mechanism, placement, std::move(plain));
   const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(position)];
   return fitted(mechanism, placement, {position, element.tailTeeth, element.headTeeth, kind});
 }
 
 Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned) {
   auto marked = withPinMark(mechanism, element, pinned);
-  if (!marked || !pinned || element.kind != ElementKind::axis) return marked;
-  const AxisId id(element.id);
-  const Axis& axis = *mechanism.find(id);
+  if (!marked || !pinned || element.kind == ElementKind::link) return marked;
   const Placement placement = placementOf(mechanism);
-  if ((axis.point && axis.direction) || !placement.tree) return marked;
-  const auto& classes = placement.classes->classes;
-  const auto found = std::find_if(classes.begin(), classes.end(), [&](const AxisClasses::Class& each) {
-    return mechanism.axes[static_cast<std::size_t>(each.axis)].id == id;
-  });
-  if (found == classes.end()) return marked;
-  const ExactLine line = exactLineOfClass(mechanism, placement, static_cast<int>(found - classes.begin()));
-  const auto triple = [](const ExactVector3& v) {
-    return NumberTriple{Number(v[0]), Number(v[1]), Number(v[2])};
-  };
-  return withAxisPlaced(std::move(marked).value(), id, triple(line.point), triple(line.direction));
+  if (!placement.tree) return marked;
+  for (const int axisClass : classesOf(mechanism, placement, element)) {
+    const Axis& axis = axisOfClass(mechanism, placement, axisClass);
+    if (axis.point && axis.direction) continue;
+    const ExactLine line = exactLineOfClass(mechanism, placement, axisClass);
+    marked =
+        withAxisPlaced(std::move(marked).value(), axis.id, numbersOf(line.point), numbersOf(line.direction));
+  }
+  return marked;
 }
 
 }  // namespace geargraph

@@ -27,8 +27,8 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 /// The other wheel stays. Refuses unknown-id, and pitch-geometry for a pair that is no bevel.
 [[nodiscard]] Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool ofTail);
 
-/// Pins an axis or a link, or lets it go (pins.h). An axis that the program has placed so far is stated
-/// where it lies. Refuses unknown-id.
+/// Pins an axis, a link or a mesh, or lets it go (pins.h). An axis that the program has placed so far is
+/// stated where it lies, and so are both axes of a mesh. Refuses unknown-id.
 [[nodiscard]] Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned);
 
 }  // namespace geargraph

@@ -8,6 +8,7 @@
 
 #include "core/fitting/axis_fit.h"
 #include "core/fitting/fitting_guards.h"
+#include "core/fitting/written_numbers.h"
 #include "core/placement/tolerance.h"
 
 namespace geargraph {
@@ -53,14 +54,6 @@ bool holdsOther(const Mechanism& mechanism, const Placement& placement, int mesh
   return false;
 }
 
-/// The number as a person would have written it, where it is one.
-Rational plain(double value) {
-  constexpr int kParts = 1'000'000;
-  const Rational decimal(static_cast<long long>(std::llround(value * kParts)), kParts);
-  return std::abs(decimal.toDouble() - value) <= 1e-12 * std::abs(value) ? decimal
-                                                                         : Rational::fromDouble(value);
-}
-
 /// By how much the distance of the axes has to grow; nothing where it is right, or nothing says what is.
 std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
   const auto [tail, head] = sidesOf(mechanism, placement, mesh);
@@ -79,7 +72,7 @@ std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& pl
   const int teeth = isInternal ? std::abs(tail.teeth - head.teeth) : tail.teeth + head.teeth;
   const double wanted = module * teeth / 2;
   if (std::abs(now - wanted) <= kGeometryFits * wanted) return std::nullopt;
-  return plain(wanted) / plain(now);
+  return plainDecimal(wanted) / plainDecimal(now);
 }
 
 }  // namespace
@@ -96,7 +89,8 @@ Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh) {
   const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(position)];
   const std::map<AxisPair, Rational> scales{{std::minmax(geometry.tailClass, geometry.headClass), *growth}};
   const auto moved = [&](int held) {
-    return unlessBroken(fitAxes(mechanism, placement, mechanism, scales,
+    return unlessBroken(mechanism, placement,
+                        fitAxes(mechanism, placement, mechanism, scales,
                                 {{held, exactLineOfClass(mechanism, placement, held).point}}));
   };
   Expected<Mechanism> snapped = moved(geometry.tailClass);

@@ -42,6 +42,16 @@ Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, in
   return refusal;
 }
 
+Diagnostic modulePinRefusal(const Mechanism& mechanism, int mesh) {
+  return {Code::teethGeometry,
+          "The module of mesh " + std::to_string(mechanism.meshLabel(mesh)) +
+              " is pinned, and would change. What fits: unpin it, or another change.",
+          {mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id},
+          {},
+          0,
+          0};
+}
+
 Diagnostic pinRefusal(const Axis& axis) {
   return {Code::teethGeometry,
           "Axis " + axis.id.text() + " is pinned. What fits: unpin it to move it.",

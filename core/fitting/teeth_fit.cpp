@@ -85,6 +85,12 @@ class TeethFitter {
            m_changed.contains(m_wheels.wheelOf(2 * mesh + 1));
   }
 
+  /// A pinned module is kept before others, and one of an external pair before that of an internal one.
+  [[nodiscard]] int rankAsBase(int mesh) const {
+    return (isPinned(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)]) ? 2 : 0) +
+           (kindOf(mesh) == MeshKind::external ? 1 : 0);
+  }
+
   /// A pair with a changed wheel that has no distance yet, and the mesh that gives it one.
   [[nodiscard]] std::optional<std::pair<AxisPair, int>> nextPair() const {
     for (const auto& [pair, meshes] : m_pairs) {
@@ -92,8 +98,7 @@ class TeethFitter {
       int base = -1;
       for (const int mesh : meshes) {
         if (!isChanged(mesh)) continue;
-        if (base < 0 || (kindOf(base) == MeshKind::internal && kindOf(mesh) == MeshKind::external))
-          base = mesh;
+        if (base < 0 || rankAsBase(mesh) > rankAsBase(base)) base = mesh;
       }
       if (base >= 0) return std::pair(pair, base);
     }

@@ -30,8 +30,8 @@ struct MeshChange {
 /// What follows from the change, module and axes kept coaxial:
 ///
 /// 1. The wheel's other meshes have its new teeth, and so have its twins, the other planets.
-/// 2. A pair of axes takes the distance that its changed mesh asks for at the module it has, an external one
-///    first.
+/// 2. A pair of axes takes the distance that its changed mesh asks for at the module it has, one with a
+///    pinned module first, then an external one.
 /// 3. Other meshes of that pair keep their module: of their wheels the one that is not given yet follows, of
 /// an
 ///    internal pair the ring. Where no whole count fits they keep their teeth, and their module follows (as

@@ -30,10 +30,20 @@ bool isPinned(const Link& link) {
   return isMarked(link.unknown);
 }
 
+bool isPinned(const GearMesh& mesh) {
+  return isMarked(mesh.unknown);
+}
+
 Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, bool pinned) {
-  if (mark(mechanism.axes, element, pinned) || mark(mechanism.links, element, pinned)) return mechanism;
-  return Diagnostic{
-      Code::unknownId, "There is no axis or link \"" + element.id.text() + "\" to pin.", {element}, {}, 0, 0};
+  if (mark(mechanism.axes, element, pinned) || mark(mechanism.links, element, pinned) ||
+      mark(mechanism.gearMeshes, element, pinned))
+    return mechanism;
+  return Diagnostic{Code::unknownId,
+                    "There is no axis, link or mesh \"" + element.id.text() + "\" to pin.",
+                    {element},
+                    {},
+                    0,
+                    0};
 }
 
 }  // namespace geargraph

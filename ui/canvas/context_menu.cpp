@@ -83,11 +83,12 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
               .arg(QString::fromStdString(*labelOf(mechanism, ofTail ? element.tail : element.head))),
           {}, [actions, ofTail] { actions.flipSide(ofTail); });
     }
-    return;
+  } else {
+    const bool internal = *kind == MeshKind::internal;
+    add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
+        [actions, internal] { actions.makeKind(internal ? MeshKind::external : MeshKind::internal); });
   }
-  const bool internal = *kind == MeshKind::internal;
-  add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
-      [actions, internal] { actions.makeKind(internal ? MeshKind::external : MeshKind::internal); });
+  addTick(menu, tr("Module pinned"), isPinned(element), [actions, mesh](bool on) { actions.pin(mesh, on); });
 }
 
 void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {

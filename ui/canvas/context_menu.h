@@ -19,7 +19,7 @@ struct ContextActions {
   std::function<void()> makeGround;
   std::function<void()> attachGear;
   std::function<void()> flip;
-  std::function<void(const ElementId&, bool)> pin;  ///< an axis or a link
+  std::function<void(const ElementId&, bool)> pin;  ///< an axis, a link or a mesh
   std::function<void(MeshKind)> makeKind;           ///< of the mesh
   std::function<void(bool)> flipSide;               ///< of a bevel mesh: its tail or its head
   std::function<void()> hold;                       ///< a brake on the link

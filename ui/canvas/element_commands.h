@@ -24,9 +24,10 @@ class ElementCommands {
   /// A new link beside this one on the same carrier, in mesh with it; it is selected then. Where that is not
   /// possible it answers why.
   QString attachGear(LinkId link);
-  void pin(const ElementId& element, bool pinned);  ///< an axis, or a link for the teeth of its gears
-  void makeKind(MeshId mesh, MeshKind kind);        ///< axes and pitch points follow
-  void flipSide(MeshId mesh, bool ofTail);          ///< of a bevel: to the other side of the apex
+  void pin(const ElementId& element,
+           bool pinned);  ///< an axis, a link for the teeth of its gears, or a mesh for its module
+  void makeKind(MeshId mesh, MeshKind kind);  ///< axes and pitch points follow
+  void flipSide(MeshId mesh, bool ofTail);    ///< of a bevel: to the other side of the apex
   void addBrake(LinkId link);
   void addClutch(LinkId one, LinkId other);
   void takeOff(const ElementId& coupling);

@@ -8,6 +8,8 @@
 
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
+#include "core/fitting/module_fit.h"
+#include "core/fitting/written_numbers.h"
 #include "core/mechanism/edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
@@ -255,13 +257,16 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
       m_tailTeeth(makeNumber(QStringLiteral("tailTeeth"))),
       m_headTeeth(makeNumber(QStringLiteral("headTeeth"))),
       m_kind(new QComboBox(this)),
+      m_module(makeNumber(QStringLiteral("module"))),
       m_pitchPoint(new TripleField(QStringLiteral("pitchPoint"))),
       m_ratio(new QLabel(this)),
-      m_pinTail(makePin(tr("Tail pinned"), pinTeethTip(), tailOf)),
-      m_pinHead(makePin(tr("Head pinned"), pinTeethTip(), headOf)),
+      m_pinTail(makePin(tr("tail"), pinTeethTip(), tailOf)),
+      m_pinHead(makePin(tr("head"), pinTeethTip(), headOf)),
+      m_pinModule(makePin(tr("module"), tr("The mesh keeps its module while other things change."), itself)),
       m_tooMany(new QLabel(this)) {
   m_pinTail->setObjectName(QStringLiteral("pinTail"));
   m_pinHead->setObjectName(QStringLiteral("pinHead"));
+  m_pinModule->setObjectName(QStringLiteral("pinModule"));
   m_tooMany->setProperty("look", "hint");
   m_tooMany->setWordWrap(true);
   m_tooMany->setText(tr("This train has more than %1 meshes: axes and other wheels do not follow a change of "
@@ -274,31 +279,28 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   addRow(one ? tr("Teeth of gear %1").arg(label(first.tail)) : tr("Teeth, tail"), Term::teeth, m_tailTeeth);
   addRow(one ? tr("Teeth of gear %1").arg(label(first.head)) : tr("Teeth, head"), Term::teeth, m_headTeeth);
   addRow(tr("Ratio"), Term::gearRatio, m_ratio);
+  addRow(tr("Module"), Term::module, m_module);
   addRow(tr("Kind"), Term::meshKind, m_kind);
   addRow(tr("Pitch point"), Term::pitchPoint, m_pitchPoint);
   if (one) {
-    m_pinTail->setText(tr("Gear %1 pinned").arg(label(first.tail)));
-    m_pinHead->setText(tr("Gear %1 pinned").arg(label(first.head)));
+    m_pinTail->setText(tr("gear %1").arg(label(first.tail)));
+    m_pinHead->setText(tr("gear %1").arg(label(first.head)));
   }
-  addButtons({m_pinTail, m_pinHead});
+  addButtons({m_pinTail, m_pinHead, m_pinModule}, tr("Pinned"));
   auto* flip = new QPushButton(tr("Flip"), this);
   flip->setToolTip(tr("Exchange tail and head with their teeth: the arrow turns round."));
   addButtons({flip});
   addWide(m_tooMany);
 
-  for (NumberField* field : {m_tailTeeth, m_headTeeth}) {
-    field->setWhole(kFewestTeeth, kMostTeeth);
-    field->setEmptyText(tr("several"));
-    connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
-      if (!number) return;
-      const bool ofTail = field == m_tailTeeth;
-      apply(tr("Change teeth"), [ofTail, teeth = asTeeth(*number)](Mechanism before, const ElementId& id) {
-        const GearMesh mesh = *before.find(MeshId(id.id));
-        return withTeethFitted(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
-                               ofTail ? mesh.headTeeth : teeth);
-      });
+  connectTeeth();
+  m_module->setEmptyText(tr("several"));
+  m_module->setStep(Rational(1, 4));
+  connect(m_module, &NumberField::edited, this, [this](const std::optional<Number>& number) {
+    if (!number) return;
+    apply(tr("Change module"), [module = number->exact()](Mechanism before, const ElementId& mesh) {
+      return withModule(std::move(before), MeshId(mesh.id), module);
     });
-  }
+  });
   connect(m_kind, &QComboBox::activated, this, [this](int index) {
     newGesture();
     const auto kind = index > 0 ? std::optional(static_cast<MeshKind>(index - 1)) : std::nullopt;
@@ -321,6 +323,22 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
     apply(tr("Flip mesh"),
           [](Mechanism before, const ElementId& mesh) { return withFlipped(std::move(before), mesh); });
   });
+}
+
+void MeshForm::connectTeeth() {
+  for (NumberField* field : {m_tailTeeth, m_headTeeth}) {
+    field->setWhole(kFewestTeeth, kMostTeeth);
+    field->setEmptyText(tr("several"));
+    connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
+      if (!number) return;
+      const bool ofTail = field == m_tailTeeth;
+      apply(tr("Change teeth"), [ofTail, teeth = asTeeth(*number)](Mechanism before, const ElementId& id) {
+        const GearMesh mesh = *before.find(MeshId(id.id));
+        return withTeethFitted(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
+                               ofTail ? mesh.headTeeth : teeth);
+      });
+    });
+  }
 }
 
 std::vector<const GearMesh*> MeshForm::meshes() const {
@@ -348,9 +366,36 @@ void MeshForm::refresh() {
   const QSignalBlocker quiet(m_kind);
   m_kind->setPlaceholderText(tr("several"));
   m_kind->setCurrentIndex(!kind ? -1 : (*kind ? static_cast<int>(**kind) + 1 : 0));
+  refreshGeometry(all);
+}
+
+void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {
+  m_module->setLengthUnit(mechanism().unit);
+  std::vector<std::optional<Rational>> modules(meshes.size());
+  if (mechanism().c() <= kMostFittedMeshes) {
+    const Placement placement = placementOf(mechanism());
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const auto position = static_cast<int>(meshes[i] - mechanism().gearMeshes.data());
+      if (const auto module = moduleOf(mechanism(), placement, position)) modules[i] = plainDecimal(*module);
+    }
+  }
+  const bool same =
+      std::all_of(modules.begin(), modules.end(), [&](const auto& each) { return each == modules[0]; });
+  m_module->setNumber(same && modules[0] ? std::optional(Number(*modules[0])) : std::nullopt);
+  showPin(*m_pinModule, itself);
+  const bool isPlaced =
+      std::all_of(modules.begin(), modules.end(), [](const auto& each) { return each.has_value(); });
+  const QString pinned = m_pinModule->isChecked() ? tr("The module is pinned.") : QString();
+  const QString why = m_tooMany->isVisibleTo(this) ? m_tooMany->text()
+                      : isPlaced                   ? pinned
+                                                   : tr("The gears have no places yet: see Problems.");
+  m_module->setEnabled(why.isEmpty());
+  m_module->setToolTip(why);
+  m_pitchPoint->setEnabled(pinned.isEmpty());
+  m_pitchPoint->setToolTip(pinned);
   m_pitchPoint->setLengthUnit(mechanism().unit);
   TripleField::Triples points;
-  for (const GearMesh* mesh : all) points.push_back(mesh->pitchPoint);
+  for (const GearMesh* mesh : meshes) points.push_back(mesh->pitchPoint);
   m_pitchPoint->setTriples(points);
 }
 

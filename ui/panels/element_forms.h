@@ -66,14 +66,18 @@ class MeshForm : public PropertyForm {
 
  private:
   [[nodiscard]] std::vector<const GearMesh*> meshes() const;
+  void connectTeeth();
+  void refreshGeometry(const std::vector<const GearMesh*>& meshes);
 
   NumberField* m_tailTeeth;
   NumberField* m_headTeeth;
   QComboBox* m_kind;
+  NumberField* m_module;
   TripleField* m_pitchPoint;
   QLabel* m_ratio;
   QCheckBox* m_pinTail;
   QCheckBox* m_pinHead;
+  QCheckBox* m_pinModule;
   QLabel* m_tooMany;  ///< meshes for the rest of the train to follow
 };
 

@@ -63,11 +63,14 @@ void PropertyForm::addWide(QWidget* widget) {
   m_rows->addRow(widget);
 }
 
-void PropertyForm::addButtons(const std::vector<QAbstractButton*>& buttons) {
+void PropertyForm::addButtons(const std::vector<QAbstractButton*>& buttons, const QString& name) {
   auto* line = new QHBoxLayout;
   for (QAbstractButton* button : buttons) line->addWidget(button);
   line->addStretch(1);
-  m_rows->addRow(line);
+  if (name.isEmpty()) return m_rows->addRow(line);
+  auto* rowLabel = new QLabel(name);
+  rowLabel->setProperty("look", "hint");
+  m_rows->addRow(rowLabel, line);
 }
 
 void PropertyForm::addNote(const QString& text) {
@@ -102,8 +105,9 @@ void PropertyForm::showPin(QCheckBox& box, const PinnedPart& of) const {
   const QSignalBlocker quiet(&box);
   box.setChecked(std::all_of(m_elements.begin(), m_elements.end(), [&](const ElementId& element) {
     const ElementId part = of(mechanism(), element);
-    return part.kind == ElementKind::axis ? isPinned(*mechanism().find(AxisId(part.id)))
-                                          : isPinned(*mechanism().find(LinkId(part.id)));
+    if (part.kind == ElementKind::axis) return isPinned(*mechanism().find(AxisId(part.id)));
+    if (part.kind == ElementKind::gearMesh) return isPinned(*mechanism().find(MeshId(part.id)));
+    return isPinned(*mechanism().find(LinkId(part.id)));
   }));
 }
 

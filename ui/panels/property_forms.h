@@ -38,7 +38,7 @@ class PropertyForm : public QWidget {
   [[nodiscard]] QString label(const ElementId& element) const;
   void setTitle(const QString& title);
   void addRow(const QString& name, Term term, QWidget* field);
-  void addButtons(const std::vector<QAbstractButton*>& buttons);
+  void addButtons(const std::vector<QAbstractButton*>& buttons, const QString& name = {});
   void addWide(QWidget* widget);
   void addNote(const QString& text);
   NumberField* makeNumber(const QString& objectName);

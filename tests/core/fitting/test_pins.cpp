@@ -93,7 +93,7 @@ class TestPins : public QObject {
     QVERIFY(text.find("\"pinned\": true") != std::string::npos);
     QCOMPARE(*readMechanism(text), pinned);
     QCOMPARE(*withPinned(*withPinned(pinned, before.axes[1].id, false), before.links[1].id, false), before);
-    QCOMPARE(withPinned(before, MeshId("6"), true).error()[0].code, Code::unknownId);
+    QCOMPARE(withPinned(before, MeshId("none"), true).error()[0].code, Code::unknownId);
   }
 
   void anAxisThatTheProgramPlacedIsStatedWhenItIsPinned() {

@@ -238,7 +238,7 @@ class TestDigraphCommands : public QObject {
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.middle(MeshId("17")))),
              (QStringList{"[Drive it (only turning joints can be driven)]", "Flip the arrow",
-                          "Make it internal", "Delete"}));
+                          "Make it internal", "Module pinned", "Delete"}));
     const auto menu = menuAt(d, d.middle(JointId("12")));
     entry(*menu, "Drive it")->trigger();
     QVERIFY(isInput(d.mechanism(), JointId("12")));
@@ -267,7 +267,7 @@ class TestDigraphCommands : public QObject {
     QVERIFY(!entry(*menuAt(d, d.center(5)), "Tie link 0")->isEnabled());
   }
 
-  void menuPinsAxesAndTeeth() {
+  void menuPinsAxesTeethAndModules() {
     ViewDriver d(placedRobot());
     entry(*menuAt(d, d.center(3)), "Teeth of its gears pinned")->trigger();
     QVERIFY(isPinned(*d.mechanism().find(LinkId("3"))));
@@ -276,7 +276,10 @@ class TestDigraphCommands : public QObject {
     QVERIFY(isPinned(*d.mechanism().find(AxisId("c"))));
     entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
     QVERIFY(!isPinned(*d.mechanism().find(AxisId("c"))));
-    QCOMPARE(d.steps(), 3);
+    entry(*menuAt(d, d.middle(MeshId("17"))), "Module pinned")->trigger();
+    QVERIFY(isPinned(*d.mechanism().find(MeshId("17"))));
+    QVERIFY(entry(*menuAt(d, d.middle(MeshId("17"))), "Module pinned")->isChecked());
+    QCOMPARE(d.steps(), 4);
   }
 
   void menuMakesAPairInternalAndExternal() {

@@ -298,6 +298,32 @@ class EditingPanelsTest : public QObject {
     QCOMPARE(document->mechanism()->gearMeshes[2].tailTeeth, 24);
   }
 
+  void theModuleOfAMeshIsTypedAndPinned() {
+    document->replace(test::planetary(24, 18, 3), {});
+    selection.select({ElementId(document->mechanism()->gearMeshes[0].id)});
+    QCOMPARE(property("module")->text(), QStringLiteral("2"));
+    type(property("module"), QStringLiteral("2.5"));
+    const Mechanism after = *document->mechanism();
+    const NumberTriple& planet = *after.axes[1].point;
+    QCOMPARE(std::hypot(planet[0].value(), planet[1].value()), 52.5);
+    selection.select({ElementId(after.gearMeshes[0].id), ElementId(after.gearMeshes[5].id)});
+    QCOMPARE(property("module")->text(), QStringLiteral("2.5"));  // the ring's, too
+    selection.select({ElementId(after.gearMeshes[0].id)});
+    type(property("module"), QStringLiteral("0"));
+    QVERIFY(!properties->findChild<QLabel*>("wrong")->text().isEmpty());
+    QCOMPARE(document->mechanism()->axes, after.axes);
+
+    auto* box = properties->findChild<QCheckBox*>("pinModule");
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QVERIFY(box->isChecked() && isPinned(document->mechanism()->gearMeshes[0]));
+    QVERIFY(!property("module")->isEnabled() && !property("pitchPoint.x")->isEnabled());
+    const Mechanism held = *document->mechanism();
+    selection.select({ElementId(after.gearMeshes[1].id)});
+    type(property("module"), QStringLiteral("3"));  // of the same wheels
+    QVERIFY(properties->findChild<QLabel*>("wrong")->text().contains("pinned"));
+    QCOMPARE(*document->mechanism(), held);
+  }
+
   void whatIsPinnedStaysAndIsBlamed() {
     const auto pin = [this](const char* name) {
       auto* box = properties->findChild<QCheckBox*>(QLatin1String(name));
