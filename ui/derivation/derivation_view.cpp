@@ -83,7 +83,10 @@ DerivationView::DerivationView(Selection* selection, QWidget* parent)
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // else the width would depend on the height
   viewport()->setMouseTracking(true);
   connect(selection, &Selection::hoverChanged, viewport(), QOverload<>::of(&QWidget::update));
-  connect(selection, &Selection::selectionChanged, viewport(), QOverload<>::of(&QWidget::update));
+  connect(selection, &Selection::selectionChanged, this, [this] {
+    viewport()->update();
+    showSelected();
+  });
 }
 
 void DerivationView::setReport(const SetReportPtr& report) {
@@ -298,6 +301,21 @@ void DerivationView::hover(const std::optional<ElementId>& element) {
     m_selection->unhover();
   }
   m_hovers = element.has_value();
+}
+
+void DerivationView::showSelected() {
+  const int from = verticalScrollBar()->value(), room = viewport()->height();
+  int nearest = -1, leastWay = 0;
+  for (std::size_t i = 0; i < m_lines.size(); ++i) {
+    if (!m_lines[i].element || !m_selection->isSelected(*m_lines[i].element)) continue;
+    const int top = static_cast<int>(m_tops[i]), end = static_cast<int>(m_tops[i] + m_lines[i].height);
+    const int way = std::max({0, from - end, top - (from + room)});
+    if (nearest < 0 || way < leastWay) {
+      nearest = top;
+      leastWay = way;
+    }
+  }
+  if (leastWay > 0) verticalScrollBar()->setValue(nearest - room / 3);
 }
 
 void DerivationView::mouseMoveEvent(QMouseEvent* event) {

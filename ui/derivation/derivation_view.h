@@ -12,7 +12,8 @@
 namespace geargraph {
 
 /// A derivation, set like a printed page, as wide as the view; a matrix that is wider even when it is small
-/// scrolls. Equations of an element light up with it and select it. Ctrl and the wheel zoom.
+/// scrolls. Equations of an element light up with it and select it; of what is selected elsewhere the nearest
+/// one comes into sight. Ctrl and the wheel zoom.
 class DerivationView : public QAbstractScrollArea {
   Q_OBJECT
 
@@ -73,6 +74,8 @@ class DerivationView : public QAbstractScrollArea {
   void paintLine(QPainter& painter, const FlowLine& line, QPointF origin);
   void paintLight(QPainter& painter, std::size_t line, QPointF origin);
   void hover(const std::optional<ElementId>& element);
+  /// Scrolls to the nearest equation of what is selected where none is in sight.
+  void showSelected();
 
   Selection* m_selection;
   SetReportPtr m_report;

@@ -139,6 +139,22 @@ class DerivationPanelTest : public QObject {
     QCOMPARE(before.copy(view().equationPlace(30)), after.copy(view().equationPlace(30)));
   }
 
+  void whatIsSelectedElsewhereComesIntoSight() {
+    showNow(snapshotOf(robot()));
+    const QScrollBar& bar = *view().verticalScrollBar();
+    QCOMPARE(bar.value(), 0);
+    selection.select({MeshId("16")});
+    QVERIFY(bar.value() > 0);
+    QTest::mouseMove(view().viewport(), QPoint(40, view().viewport()->height() / 3 + 3));
+    QCOMPARE(selection.hovered(), std::set<ElementId>{MeshId("16")});
+    const int there = bar.value();
+    selection.clear();
+    selection.select({MeshId("16")});  // in sight already
+    QCOMPARE(bar.value(), there);
+    selection.select({LinkId("3")});  // no equation is its own
+    QCOMPARE(bar.value(), there);
+  }
+
   // Nothing of it lies over the number.
   void theLinesOfOneEquationHaveOneBand() {
     showNow(snapshotOf(robot()));
