@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <memory>
 #include <utility>
 
 #include "core/io/file.h"
@@ -53,11 +54,23 @@ std::optional<MeshFileError> toStandardOutput(const std::string& bytes, const Me
   return std::nullopt;
 }
 
-std::optional<MeshFileError> toFile(const std::filesystem::path& path, const std::string& bytes,
-                                    const MeshWriteOptions& options) {
-  AtomicFile file(path);
-  if (auto error = writeBytes(file, bytes, options)) return error;
-  if (const auto error = file.commit()) return MeshFileError{MeshFileError::Kind::file, error->message};
+/// The first file goes to `path`, those that it refers to beside it: all of them or none.
+std::optional<MeshFileError> toFiles(const std::filesystem::path& path, const Files& files,
+                                     const MeshWriteOptions& options) {
+  std::vector<std::unique_ptr<AtomicFile>> written;
+  for (const auto& file : files) {
+    const bool isFirst = written.empty();
+    written.push_back(std::make_unique<AtomicFile>(isFirst ? path : path.parent_path() / file.name));
+    MeshWriteOptions silent;
+    silent.stop = options.stop;
+    if (auto error = writeBytes(*written.back(), file.bytes, isFirst ? options : silent)) return error;
+    if (!written.back()->failed()) continue;
+    return MeshFileError{MeshFileError::Kind::file, written.back()->commit()->message};
+  }
+  for (auto file = written.rbegin(); file != written.rend();
+       ++file) {  // what the first refers to comes first
+    if (const auto error = (*file)->commit()) return MeshFileError{MeshFileError::Kind::file, error->message};
+  }
   return std::nullopt;
 }
 
@@ -100,12 +113,7 @@ std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format
   MeshWriteOptions writing = options;
   writing.progress = partOf(options.progress, kEncoded, 1);
   if (path == "-") return toStandardOutput(files[0].bytes, writing);
-  for (std::size_t i = files.size(); i-- > 1;) {  // what the first refers to is there before it
-    MeshWriteOptions silent;
-    silent.stop = options.stop;
-    if (auto error = toFile(path.parent_path() / files[i].name, files[i].bytes, silent)) return error;
-  }
-  if (auto error = toFile(path, files[0].bytes, writing)) return error;
+  if (auto error = toFiles(path, files, writing)) return error;
   if (options.progress) options.progress(1);
   return std::nullopt;
 }

@@ -81,14 +81,18 @@ class TestMeshWriting : public QObject {
   void anUnwritablePlaceIsAnErrorOfTheFile_data() { addFormats(); }
   void anUnwritablePlaceIsAnErrorOfTheFile() {
     QFETCH(MeshFormat, format);
-    const QTemporaryDir folder;
+    const QTemporaryDir above;
+    const QDir folder(above.filePath("folder"));
+    QVERIFY(folder.mkpath("."));
     for (const QString& path : {folder.filePath("no such folder/wheels"), folder.path()}) {
       const auto error = writeMesh(movingScene(), format, path.toStdString());
       QVERIFY(error.has_value());
       QCOMPARE(int(error->kind), int(MeshFileError::Kind::file));
       QVERIFY(error->message.size() > 10);
     }
-    QVERIFY(QDir(folder.path()).isEmpty());
+    QVERIFY(folder.isEmpty());
+    QCOMPARE(QDir(above.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+             QStringList("folder"));  // no part of several files either
   }
 
   void tooManyTrianglesAreRefusedWithTheNumber() {

@@ -103,10 +103,14 @@ QStringList shownRows(MainWindow& window, MatrixKind kind) {
 
 void isolateSettings() {
   static const QTemporaryDir folder;
+  keepSettingsIn(folder.path());
+}
+
+void keepSettingsIn(const QString& folder) {
   QCoreApplication::setOrganizationName(QStringLiteral("GearGraphTest"));
   QCoreApplication::setApplicationName(QStringLiteral("GearGraphTest"));
   QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
 }
 
 void setUpProgram() {

@@ -41,7 +41,9 @@ class Hand {
 
 /// Settings in a folder of their own, thrown away at the end of the program; call before the first window.
 void isolateSettings();
-/// That, and the light theme, whatever the machine's is.
+/// Settings in a folder that somebody else throws away.
+void keepSettingsIn(const QString& folder);
+/// isolateSettings(), and the light theme, whatever the machine's is.
 void setUpProgram();
 
 /// A window that shows a document, active and with its analysis; none where it does not come to that.

@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   const QStringList arguments = QApplication::arguments();
   if (arguments.size() == 4 && arguments.at(1) == QStringLiteral("--edit")) {
-    geargraph::test::isolateSettings();
+    geargraph::test::keepSettingsIn(arguments.at(2));  // what is killed removes no folder of its own
     QStandardPaths::setTestModeEnabled(true);
     return geargraph::editUntilKilled(arguments.at(2), arguments.at(3));
   }
