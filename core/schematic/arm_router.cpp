@@ -31,26 +31,45 @@ struct Dearer {
   }
 };
 
-double apart(const LinkLine& line, SheetPoint from, SheetPoint to) {
-  const Extent box = Extent::spanning(from, to);
-  if (box.meetsSegment(line.from, line.to)) return 0;
-  return std::min({distanceToSegment(line.from, from, to), distanceToSegment(line.to, from, to),
-                   distanceToSegment(from, line.from, line.to), distanceToSegment(to, line.from, line.to)});
+double squareToSegment(SheetPoint p, SheetPoint from, SheetPoint to) {
+  const SheetPoint along = to - from;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0;
+  const SheetPoint away = from + share * along - p;
+  return dot(away, away);
 }
 
-/// What it costs a foreign arm to run from one place to another near a line: crossing it, or beside it.
-double tollOf(const LinkLine& line, SheetPoint from, SheetPoint to) {
-  const double away = apart(line, from, to);
-  if (away >= kNear) return 0;
-  const SheetPoint way = unit(to - from);
-  const SheetPoint along = unit(line.to - line.from);
-  double beside = 0;
-  if (std::abs(dot(way, turned(along))) < 0.3) {
-    const double a = dot(line.from - from, way);
-    const double b = dot(line.to - from, way);
-    beside = std::max(std::min(std::max(a, b), distance(from, to)) - std::max(std::min(a, b), 0.0), 0.0);
+/// The square of the distance between a line and an edge of the grid (from its lesser end to its greater);
+/// every line asks it of every edge near it.
+double squareApart(const LinkLine& line, SheetPoint from, SheetPoint to) {
+  if (line.from.x == line.to.x || line.from.y == line.to.y) {
+    const auto gap = [](double least, double most, double a, double b) {
+      return std::max({std::min(a, b) - most, least - std::max(a, b), 0.0});
+    };
+    const double x = gap(from.x, to.x, line.from.x, line.to.x);
+    const double y = gap(from.y, to.y, line.from.y, line.to.y);
+    return x * x + y * y;
   }
-  return away < kTouch ? kCrossing + kOnLine * beside : kCrowded + kBeside * beside;
+  const Extent box = Extent::spanning(from, to);
+  if (box.meetsSegment(line.from, line.to)) return 0;
+  return std::min({squareToSegment(line.from, from, to), squareToSegment(line.to, from, to),
+                   squareToSegment(from, line.from, line.to), squareToSegment(to, line.from, line.to)});
+}
+
+/// What it costs a foreign arm to run along an edge of the grid near a line: crossing it, or beside it.
+/// `along`: the line's direction.
+double tollOf(const LinkLine& line, SheetPoint along, SheetPoint from, SheetPoint to) {
+  const double square = squareApart(line, from, to);
+  if (square >= kNear * kNear) return 0;
+  const bool level = from.y == to.y;
+  double beside = 0;
+  if (std::abs(level ? along.y : along.x) < 0.3) {
+    const double a = level ? line.from.x - from.x : line.from.y - from.y;
+    const double b = level ? line.to.x - from.x : line.to.y - from.y;
+    const double length = level ? to.x - from.x : to.y - from.y;
+    beside = std::max(std::min(std::max(a, b), length) - std::max(std::min(a, b), 0.0), 0.0);
+  }
+  return square < kTouch * kTouch ? kCrossing + kOnLine * beside : kCrowded + kBeside * beside;
 }
 
 /// Sorted lanes; `exact` ones stay where they are, others give way to them.
@@ -148,6 +167,7 @@ void ArmRouter::charge(const LinkLine& line, bool level) {
   const std::size_t right = index(m_xs, box.right());
   const std::size_t top = index(m_ys, box.top());
   const std::size_t bottom = index(m_ys, box.bottom());
+  const SheetPoint along = unit(line.to - line.from);
   for (std::size_t row = level ? top : (top > 0 ? top - 1 : 0); row < std::min(bottom + 1, m_ys.size());
        ++row) {
     for (std::size_t column = level ? (left > 0 ? left - 1 : 0) : left;
@@ -155,7 +175,7 @@ void ArmRouter::charge(const LinkLine& line, bool level) {
       if ((level ? column + 1 : row + 1) >= (level ? m_xs.size() : m_ys.size())) continue;
       const SheetPoint from{m_xs[column], m_ys[row]};
       const SheetPoint to{m_xs[column + (level ? 1 : 0)], m_ys[row + (level ? 0 : 1)]};
-      const double toll = tollOf(line, from, to);
+      const double toll = tollOf(line, along, from, to);
       if (toll <= 0) continue;
       add((level ? m_level : m_upright)[static_cast<std::size_t>(node(column, row))], line.link, toll);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -352,9 +353,9 @@ std::vector<int> Stacker::movedBy(const Item& item) const {
 }
 
 /// Short shafts, bearings near what they hold.
-double Stacker::compactness(const Item& item) const {
+double Stacker::compactness(const Item& item, const std::vector<std::pair<int, Range>>& tubes) const {
   double sum = item.insistence * std::min(std::abs(atOf(item) - item.wanted), 150.0);
-  for (const auto& [axis, range] : tubesTouchedBy(item)) sum += 0.1 * (range.high - range.low);
+  for (const auto& [axis, range] : tubes) sum += 0.1 * (range.high - range.low);
   if (item.isCup) sum += 0.05 * std::abs(atOf(item) - item.wanted);
   return sum;
 }
@@ -403,9 +404,12 @@ Stacker::Scene Stacker::sceneWithout(std::size_t item) const {
   return scene;
 }
 
-/// What stands in one place, arms across shafts on other axes, and shafts that cannot be nested.
-double Stacker::cost(const Item& item, const Scene& scene) const {
-  double sum = compactness(item);
+/// What stands in one place, arms across shafts on other axes, and shafts that cannot be nested. No part of
+/// it is negative, so it need not be known to the end where it has come to what is too much.
+double Stacker::cost(const Item& item, const Scene& scene, double tooMuch) const {
+  const std::vector<std::pair<int, Range>> tubes = tubesTouchedBy(item);
+  double sum = compactness(item, tubes);
+  if (sum >= tooMuch) return sum;
   if (!item.isCup) sum += enclosure(m_bearings[at(item.index)]);
   const int axis = axisOf(item);
   for (const Piece& own : piecesOf(item)) {
@@ -415,8 +419,9 @@ double Stacker::cost(const Item& item, const Scene& scene) const {
     for (const Scene::Tube& tube : scene.tubes) {
       if (tube.axis != axis && own.owner != tube.link && own.box.meets(tube.box)) sum += kCrossing;
     }
+    if (sum >= tooMuch) return sum;
   }
-  for (const auto& [tubeAxis, range] : tubesTouchedBy(item)) {
+  for (const auto& [tubeAxis, range] : tubes) {
     const Extent tube = boxOn(tubeAxis, range.low, range.high, -2, 2);
     const int link = item.isCup ? m_layout.wheels[at(m_cups[at(item.index)].wheel)].link
                                 : (tubeAxis == axis ? m_bearings[at(item.index)].child
@@ -425,6 +430,7 @@ double Stacker::cost(const Item& item, const Scene& scene) const {
       const Piece& piece = scene.pieces[k];
       if (scene.axisOf[k] != tubeAxis && piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
     }
+    if (sum >= tooMuch) return sum;
     sum += 1.3 * kCrossing * conflictsOn(tubeAxis, movedBy(item));
   }
   return sum;
@@ -432,7 +438,7 @@ double Stacker::cost(const Item& item, const Scene& scene) const {
 
 double Stacker::costOf(int joint) const {
   const std::size_t item = itemOf(joint);
-  return cost(m_items[item], sceneWithout(item));
+  return cost(m_items[item], sceneWithout(item), std::numeric_limits<double>::infinity());
 }
 
 std::size_t Stacker::itemOf(int joint) const {
@@ -469,10 +475,10 @@ void Stacker::search(const std::stop_token& stop) {
       const Scene scene = sceneWithout(i);
       double& place = atOf(item);
       double best = place;
-      double least = cost(item, scene);
+      double least = cost(item, scene, std::numeric_limits<double>::infinity());
       for (const double candidate : candidatesOf(item)) {
         place = candidate;
-        const double found = cost(item, scene);
+        const double found = cost(item, scene, least - 1e-6);
         if (found >= least - 1e-6) continue;
         least = found;
         best = candidate;

@@ -79,11 +79,11 @@ class Stacker {
     std::vector<Tube> tubes;
   };
   [[nodiscard]] Scene sceneWithout(std::size_t item) const;
-  [[nodiscard]] double cost(const Item& item, const Scene& scene) const;
+  [[nodiscard]] double cost(const Item& item, const Scene& scene, double tooMuch) const;
   void indexByAxis();
   [[nodiscard]] std::size_t itemOf(int joint) const;
   [[nodiscard]] double enclosure(const SheetBearing& bearing) const;
-  [[nodiscard]] double compactness(const Item& item) const;
+  [[nodiscard]] double compactness(const Item& item, const std::vector<std::pair<int, Range>>& tubes) const;
   [[nodiscard]] const std::vector<int>& linksOn(int axis) const {
     return m_on[static_cast<std::size_t>(axis)].links;
   }
