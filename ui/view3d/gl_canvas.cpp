@@ -79,6 +79,7 @@ void GlCanvas::paintGL() {
     seen = m_renderer->seen(m_viewer->frame(), cells.width, cells.height);
   }
   m_renderer->draw(frame, defaultFramebufferObject());
+  m_pace.shown();
   if (m_viewer->stage() == nullptr) return;
   // Not on the widget: while it is being grabbed, that paints somewhere else.
   QOpenGLPaintDevice device(viewport.width, viewport.height);

@@ -13,6 +13,11 @@
 namespace geargraph {
 namespace {
 
+// A quick look that takes longer than this (ms) becomes a coarse one, with half the pixels of a side and
+// without edges, which takes 0.4 of the time; and it becomes a full one again well before that would.
+constexpr double kSlow = 20;
+constexpr double kQuick = 6;
+
 QColor colorOf(const Rgb& rgb) {
   return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
 }
@@ -74,8 +79,12 @@ void ImageCanvas::orderSoon() {
 
 void ImageCanvas::order(bool quick) {
   m_willOrder = false;
-  m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), m_viewer->frame(quick));
-  PictureOrder order{m_ordered, quick ? m_quickScale : 1, {}};
+  Frame frame = m_viewer->frame(quick);
+  const bool isCoarse = quick && m_isCoarse;
+  if (isCoarse) frame.look.edges = false;
+  m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), frame);
+  if (quick) m_quick = m_ordered;
+  PictureOrder order{m_ordered, isCoarse ? 0.5 : 1, {}};
   m_owesMap = m_pace.takeMap() || m_owesMap;
   if (m_owesMap) order.cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
   m_thread->order(std::move(order));
@@ -101,6 +110,7 @@ void ImageCanvas::takeUp() {
   if (!delivered) return;
   if (delivered->seen) m_owesMap = false;
   m_viewer->setPictureCost(delivered->cost);
+  if (delivered->frame == m_quick) m_isCoarse = delivered->cost > (m_isCoarse ? kQuick : kSlow);
   m_shown = std::move(*delivered);
   m_isPainted = false;
   update();
@@ -149,7 +159,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
     return painter.drawText(rect().adjusted(12, 10, -12, -10), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
   }
-  m_isPainted = true;
+  if (!std::exchange(m_isPainted, true)) m_pace.shown();
   if (size != QSizeF(this->size())) {
     const double factor = height() / size.height();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

@@ -69,8 +69,9 @@ class ImageCanvas : public QWidget {
   bool m_willOrder = false;
   bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken
   bool m_isPainted = false;  ///< what is shown is on the screen
-  double m_quickScale = 1;   ///< of a quick look
+  bool m_isCoarse = false;   ///< quick looks have fewer pixels and no edges
   KeptFramePtr m_ordered;
+  KeptFramePtr m_quick;  ///< the last quick look that was ordered
   Shown m_shown;
   std::mutex m_mutex;
   std::optional<Shown> m_delivered;         ///< guarded by m_mutex

@@ -34,6 +34,10 @@ void PicturePace::onMoving(int stillAfter) {
   m_whenStill.start(std::max(stillAfter, kStillAfter));
 }
 
+void PicturePace::shown() {
+  if (!m_isStill) m_whenStill.start(std::max(kStillAfter, m_whenStill.remainingTime()));
+}
+
 bool PicturePace::takeMap() {
   if (!m_labels->isShown(LabelKind::link)) return false;
   const int enough = isQuick() ? kDearMapAfter : kMapAfter;

@@ -21,6 +21,9 @@ class PicturePace : public QObject {
   void setSoftware(bool software) { m_isSoftware = software; }
   /// The picture of the moment is a quick look.
   [[nodiscard]] bool isQuick() const { return m_isSoftware && !m_isStill; }
+  /// A quick look is on the screen now: it rests from here on. Where pictures are slow, a better one between
+  /// two of a movement would only hold up the next.
+  void shown();
   /// Is a map of what is seen to be made with the picture that is painted now? If so, it counts as made.
   [[nodiscard]] bool takeMap();
 
