@@ -303,11 +303,10 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   });
   connect(m_kind, &QComboBox::activated, this, [this](int index) {
     newGesture();
-    const auto kind = index > 0 ? std::optional(static_cast<MeshKind>(index - 1)) : std::nullopt;
-    apply(tr("Change kind"), [kind](Mechanism before, const ElementId& id) {
+    apply(tr("Change kind"), [index](Mechanism before, const ElementId& id) {
       const MeshId mesh(id.id);
-      return kind ? withKindFitted(std::move(before), mesh, *kind)
-                  : withMeshKind(std::move(before), mesh, kind);
+      if (index <= 0) return withMeshKind(std::move(before), mesh, std::nullopt);
+      return withKindFitted(std::move(before), mesh, static_cast<MeshKind>(index - 1));
     });
   });
   connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);
