@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "core/fitting/module_fit.h"
 #include "core/fitting/pin_refusal.h"
 #include "core/mechanism/pins.h"
 #include "core/placement/tolerance.h"
@@ -266,7 +267,6 @@ class PitchPointFitter {
   [[nodiscard]] ExactVector3 bevelPoint(int mesh, const MeshGeometry& was, const ExactLine& tail,
                                         const ExactLine& head) const {
     const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
-    const GearMesh& old = m_before.gearMeshes[static_cast<std::size_t>(mesh)];
     const GearPair<double> pair{toDoubles(tail.point),     toDoubles(tail.direction), toDoubles(head.point),
                                 toDoubles(head.direction), element.tailTeeth,         element.headTeeth};
     const AxisLine& oldTail = m_placement.lineOfClass(was.tailClass);
@@ -278,8 +278,7 @@ class PitchPointFitter {
     const double x = dot(off, oldTail.direction - cosine * oldHead.direction);
     const double y = dot(off, oldHead.direction - cosine * oldTail.direction);
     const BevelSides sides{x < 0 ? -1 : 1, y < 0 ? -1 : 1};
-    const double module = 2 * std::abs(was.tailRadius) / old.tailTeeth;
-    const Vector3 point = bevelPitchPoint(pair, sides, module);
+    const Vector3 point = bevelPitchPoint(pair, sides, *moduleOf(m_before, m_placement, mesh));
     return {Rational::fromDouble(point[0]), Rational::fromDouble(point[1]), Rational::fromDouble(point[2])};
   }
 

@@ -1,7 +1,6 @@
-#include <cmath>
-
 #include "core/fitting/fitted_edits.h"
 #include "core/fitting/fitting_guards.h"
+#include "core/fitting/module_fit.h"
 #include "core/fitting/wheel_map.h"
 #include "core/mechanism/edits.h"
 #include "core/placement/placement.h"
@@ -25,8 +24,7 @@ NumberTriple mirroredPoint(const Mechanism& mechanism, const Placement& placemen
   sides.head = dot(off, head.direction - cosine * tail.direction) < 0 ? -1 : 1;
   int& flipped = isTailEnd(end) ? sides.tail : sides.head;
   flipped = -flipped;
-  const double module = 2 * std::abs(geometry.tailRadius) / mesh.tailTeeth;
-  const Vector3 point = bevelPitchPoint(pair, sides, module);
+  const Vector3 point = bevelPitchPoint(pair, sides, *moduleOf(mechanism, placement, end / 2));
   return {Number::fromDouble(point[0]), Number::fromDouble(point[1]), Number::fromDouble(point[2])};
 }
 

@@ -10,7 +10,6 @@
 #include "core/placement/tolerance.h"
 
 namespace geargraph {
-
 namespace {
 
 /// Meshes whose module is pinned and another one now.
