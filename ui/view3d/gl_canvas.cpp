@@ -1,7 +1,5 @@
 #include "ui/view3d/gl_canvas.h"
 
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
 #include <QOpenGLContext>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
@@ -17,6 +15,7 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
   wanted.setProfile(QSurfaceFormat::CoreProfile);
   setFormat(wanted);
   setMouseTracking(true);
+  installEventFilter(viewer);
   connect(&m_pace, &PicturePace::rested, this, qOverload<>(&GlCanvas::update));
   connect(viewer, &Viewer::sceneChanged, this, [this] { m_sceneIsNew = true; });
   connect(viewer, &Viewer::viewChanged, this, qOverload<>(&GlCanvas::update));
@@ -99,30 +98,6 @@ std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
   const auto hit = m_renderer->pick(frame, at.x(), at.y());
   doneCurrent();
   return hit;
-}
-
-void GlCanvas::mousePressEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mousePress(*event));
-}
-void GlCanvas::mouseMoveEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mouseMove(*event));
-}
-void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mouseRelease(*event));
-}
-void GlCanvas::wheelEvent(QWheelEvent* event) {
-  event->setAccepted(m_viewer->wheel(*event));
-}
-
-bool GlCanvas::event(QEvent* event) {
-  if (event->type() == QEvent::NativeGesture)
-    return m_viewer->nativeGesture(*static_cast<QNativeGestureEvent*>(event));
-  return QOpenGLWidget::event(event);
-}
-
-void GlCanvas::leaveEvent(QEvent* event) {
-  m_viewer->leave();
-  QOpenGLWidget::leaveEvent(event);
 }
 
 }  // namespace geargraph

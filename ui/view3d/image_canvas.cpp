@@ -2,8 +2,6 @@
 
 #include <QBackingStore>
 #include <QLinearGradient>
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
 #include <QPaintEngine>
 #include <QPainter>
 #include <utility>
@@ -40,6 +38,7 @@ QImage screenImage(const PaintedPicture& picture) {
 ImageCanvas::ImageCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     : QWidget(parent), m_viewer(viewer), m_labels(labels), m_pace(viewer, labels, this) {
   setMouseTracking(true);
+  installEventFilter(viewer);
   setAttribute(Qt::WA_OpaquePaintEvent);
   auto thread = PictureThread::start([this](PaintedPicture picture) { deliver(std::move(picture)); });
   if (!thread) {
@@ -181,30 +180,6 @@ std::optional<Hit> ImageCanvas::pick(const Frame& frame, double x, double y) {
     return std::nullopt;  // nothing is seen yet that could be meant
   const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
   return m_thread->pick(std::make_shared<const KeptFrame>(m_viewer->stage(), frame), at.x(), at.y());
-}
-
-void ImageCanvas::mousePressEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mousePress(*event));
-}
-void ImageCanvas::mouseMoveEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mouseMove(*event));
-}
-void ImageCanvas::mouseReleaseEvent(QMouseEvent* event) {
-  event->setAccepted(m_viewer->mouseRelease(*event));
-}
-void ImageCanvas::wheelEvent(QWheelEvent* event) {
-  event->setAccepted(m_viewer->wheel(*event));
-}
-
-bool ImageCanvas::event(QEvent* event) {
-  if (event->type() == QEvent::NativeGesture)
-    return m_viewer->nativeGesture(*static_cast<QNativeGestureEvent*>(event));
-  return QWidget::event(event);
-}
-
-void ImageCanvas::leaveEvent(QEvent* event) {
-  m_viewer->leave();
-  QWidget::leaveEvent(event);
 }
 
 }  // namespace geargraph

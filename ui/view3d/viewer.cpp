@@ -326,6 +326,31 @@ std::optional<Hit> Viewer::hitAt(const QPointF& place) const {
   return m_pick(frame(true), place.x() * m_pixelRatio, place.y() * m_pixelRatio);
 }
 
+bool Viewer::eventFilter(QObject* canvas, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      event->setAccepted(mousePress(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::MouseMove:
+      event->setAccepted(mouseMove(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::MouseButtonRelease:
+      event->setAccepted(mouseRelease(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::Wheel:
+      event->setAccepted(wheel(*static_cast<QWheelEvent*>(event)));
+      return true;
+    case QEvent::NativeGesture:
+      return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+    case QEvent::Leave:
+      leave();
+      return false;
+    default:
+      return QObject::eventFilter(canvas, event);
+  }
+}
+
 bool Viewer::mousePress(const QMouseEvent& event) {
   if (m_gesture != Gesture::none) return true;
   const bool shifted = event.modifiers().testFlag(Qt::ShiftModifier);

@@ -94,14 +94,10 @@ class Viewer : public QObject {
   /// The picture of the moment. `quick`: while it moves on slow hardware. Valid until the next change.
   [[nodiscard]] Frame frame(bool quick = false) const;
 
+  /// The gestures above, of a canvas that has installed the viewer as its filter.
+  bool eventFilter(QObject* canvas, QEvent* event) override;
   /// @return the event was one of the gestures above
-  bool mousePress(const QMouseEvent& event);
-  bool mouseMove(const QMouseEvent& event);
-  bool mouseRelease(const QMouseEvent& event);
-  bool wheel(const QWheelEvent& event);
-  bool nativeGesture(const QNativeGestureEvent& event);
   bool keyPress(const QKeyEvent& event);
-  void leave();
 
  signals:
   void sceneChanged();  ///< other solids or instances
@@ -114,6 +110,13 @@ class Viewer : public QObject {
  private:
   enum class Gesture { none, orbit, pan, turn };
 
+  /// @return the event was one of the gestures
+  bool mousePress(const QMouseEvent& event);
+  bool mouseMove(const QMouseEvent& event);
+  bool mouseRelease(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool nativeGesture(const QNativeGestureEvent& event);
+  void leave();
   void lightUp();
   void place();
   void renewShowing();
