@@ -1,34 +1,46 @@
 #include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <memory_resource>
 #include <numeric>
 #include <set>
 #include <span>
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/scratch.h"
 #include "core/base/wording.h"
 #include "core/ttgraph/wording.h"
 
 namespace geargraph {
 namespace {
 
-// 1. Joints are told apart by the positions of their axes in the document.
-// 2. At each link, take one joint for each of its axes; the others of that axis are united with it.
-// 3. Compare the lines of those few, sorted by a number that equal lines share, and unite what is collinear.
-// 4. Number the levels by their first joints; give senses, names and findings.
+// 1. Every axis of the document gets a number that equal lines share.
+// 2. At each link, sort the joints by these numbers: those of one axis, and those whose lines may be one,
+//    come to stand together. Unite what is of one axis or collinear.
+// 3. Number the levels by their first joints; give senses, names and findings.
 class Classifier {
  public:
   Classifier(const Mechanism& mechanism, const Digraph& graph, const ReferenceLines& lines)
-      : m_mechanism(mechanism), m_graph(graph), m_lines(lines), m_parent(joints()), m_axisOf(graph.axisOf()) {
+      : m_mechanism(mechanism),
+        m_graph(graph),
+        m_lines(lines),
+        m_parent(joints(), &m_scratch),
+        m_keys(&m_scratch),
+        m_here(&m_scratch),
+        m_axisOf(graph.axisOf()) {
     std::iota(m_parent.begin(), m_parent.end(), 0);
   }
 
   AxisLevels run() {
-    uniteAtLinks();
+    giveKeys();
+    for (int link = 0; link < m_graph.nodeCount(); ++link) {
+      const std::span<const int> here = m_graph.turningEdgesAt(link);
+      if (here.size() > 1) uniteAt(here);
+    }
     number();
     giveNames();
     reportSplits();
@@ -37,16 +49,21 @@ class Classifier {
   }
 
  private:
+  static constexpr double kNoLine = std::numeric_limits<double>::infinity();
+
+  struct Key {
+    double value = kNoLine;
+    double reach = 0;  ///< of the line's point from the origin
+  };
   struct Candidate {
     double key = 0;
+    int axis = 0;
     int joint = 0;
   };
 
   [[nodiscard]] std::size_t joints() const { return m_mechanism.turningJoints.size(); }
-  [[nodiscard]] const AxisLine* lineOf(int joint) const {
-    return m_lines.axis(m_axisOf[static_cast<std::size_t>(joint)]);
-  }
 
+  /// The smaller root stays, so that a level is known by its first joint.
   int rootOf(int joint) {
     while (m_parent[static_cast<std::size_t>(joint)] != joint) {
       int& up = m_parent[static_cast<std::size_t>(joint)];
@@ -54,103 +71,89 @@ class Classifier {
     }
     return joint;
   }
-
-  /// The smaller root stays, so that a level is known by its first joint.
   void unite(int a, int b) {
     const auto [low, high] = std::minmax({rootOf(a), rootOf(b)});
     m_parent[static_cast<std::size_t>(high)] = low;
   }
 
-  void uniteAtLinks() {
-    std::vector<int> seenAs(m_mechanism.axes.size(), -1);
-    std::vector<Candidate> different;
-    for (int link = 0; link < m_graph.nodeCount(); ++link) {
-      const std::span<const int> here = m_graph.turningEdgesAt(link);
-      if (here.size() < 2) continue;
-      different.clear();
-      for (const int joint : here) {
-        int& first = seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])];
-        if (first >= 0) {
-          unite(first, joint);
-          continue;
-        }
-        first = joint;
-        const AxisLine* line = lineOf(joint);
-        if (line != nullptr && !line->automatic) different.push_back({0, joint});
-      }
-      if (different.size() > 1) uniteCollinear(different);
-      for (const int joint : here) {
-        seenAs[static_cast<std::size_t>(m_axisOf[static_cast<std::size_t>(joint)])] = -1;
-      }
-    }
-  }
-
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
-  /// view of its foot below the origin, relative to `size`, and of the products of its direction.
-  static double keyOf(const AxisLine& line, double size) {
-    const Vector3& u = line.direction;
-    const Vector3 foot = line.point - dot(line.point, u) * u;
-    return dot(foot, Vector3{0.51, 0.67, 0.54}) / size + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
-           0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2];
+  /// view of its foot below the origin, and of the products of its direction. An axis without a line of its
+  /// author's gets the one of its id alone.
+  void giveKeys() {
+    m_keys.resize(m_mechanism.axes.size());
+    for (std::size_t axis = 0; axis < m_keys.size(); ++axis) {
+      const AxisLine* line = m_lines.axis(static_cast<int>(axis));
+      if (line == nullptr || line->automatic) continue;
+      const Vector3& u = line->direction;
+      const Vector3 foot = line->point - dot(line->point, u) * u;
+      m_keys[axis] = {dot(foot, Vector3{0.51, 0.67, 0.54}) + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
+                          0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2],
+                      length(line->point)};
+    }
   }
 
-  void uniteCollinear(std::vector<Candidate>& different) {
-    constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
-    double farthest = 0;              // from the origin, squared
-    for (const Candidate& candidate : different) {
-      const Vector3& point = lineOf(candidate.joint)->point;
-      farthest = std::max(farthest, dot(point, point));
+  void uniteAt(std::span<const int> here) {
+    m_here.clear();
+    double reach = 0;
+    for (const int joint : here) {
+      const int axis = m_axisOf[static_cast<std::size_t>(joint)];
+      const Key& key = m_keys[static_cast<std::size_t>(axis)];
+      reach = std::max(reach, key.reach);
+      m_here.push_back({key.value, axis, joint});
     }
-    const double size = 1 + std::sqrt(farthest);
-    for (Candidate& candidate : different) candidate.key = keyOf(*lineOf(candidate.joint), size);
-    std::sort(different.begin(), different.end(),
-              [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
-    for (std::size_t a = 0; a < different.size(); ++a) {
-      for (std::size_t b = a + 1; b < different.size() && different[b].key - different[a].key <= kWindow;
-           ++b) {
-        if (areCollinear(*lineOf(different[a].joint), *lineOf(different[b].joint))) {
-          unite(different[a].joint, different[b].joint);
-        }
+    std::sort(m_here.begin(), m_here.end(), [](const Candidate& a, const Candidate& b) {
+      return a.key != b.key ? a.key < b.key : a.axis < b.axis;
+    });
+    constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
+    for (std::size_t a = 0; a + 1 < m_here.size(); ++a) uniteWithNext(a, kWindow * (1 + reach));
+  }
+
+  void uniteWithNext(std::size_t first, double window) {
+    const Candidate& a = m_here[first];
+    for (std::size_t next = first + 1; next < m_here.size(); ++next) {
+      const Candidate& b = m_here[next];
+      if (a.axis == b.axis) {
+        unite(a.joint, b.joint);
+        return;  // what follows is as near to this one, which is on the same axis
       }
+      if (!(b.key - a.key <= window)) return;
+      if (areCollinear(*m_lines.axis(a.axis), *m_lines.axis(b.axis))) unite(a.joint, b.joint);
     }
   }
 
   void number() {
     m_levels.ofJoint.reserve(joints());
-    m_levels.sense.reserve(joints());
-    m_levels.firstJoint.reserve(joints());
-    m_levels.axis.reserve(joints());
+    m_levels.axes.reserve(joints());
     for (int j = 0; j < static_cast<int>(joints()); ++j) {
-      const int first = rootOf(j);
       const int axis = m_axisOf[static_cast<std::size_t>(j)];
-      m_levels.sense.push_back(1);
-      if (first == j) {
+      const int earlier = m_parent[static_cast<std::size_t>(j)];  // of the same level
+      if (earlier == j) {
         m_levels.ofJoint.push_back(m_levels.count());
-        m_levels.firstJoint.push_back(j);
-        m_levels.axis.push_back(axis);
+        m_levels.axes.push_back({axis, m_mechanism.axes[static_cast<std::size_t>(axis)].id});
         continue;
       }
-      const int level = m_levels.ofJoint[static_cast<std::size_t>(first)];
+      const int level = m_levels.ofJoint[static_cast<std::size_t>(earlier)];
       m_levels.ofJoint.push_back(level);
-      if (axis == m_levels.axis[static_cast<std::size_t>(level)]) continue;
-      if (dot(lineOf(first)->direction, lineOf(j)->direction) < 0) m_levels.sense.back() = -1;
+      const int along = m_levels.axisOf(level);
+      if (axis == along) continue;
+      if (dot(m_lines.axis(along)->direction, m_lines.axis(axis)->direction) < 0) {
+        m_levels.reversed.insert(j);
+      }
       m_joined.emplace(axis, level);
     }
   }
 
   void giveNames() {
     std::unordered_set<std::string> taken;  // needed where an axis splits only
-    std::vector<char> used(m_mechanism.axes.size(), 0);
-    m_levels.axisIds.reserve(m_levels.axis.size());
+    std::pmr::vector<char> used(m_mechanism.axes.size(), 0, &m_scratch);
     for (int level = 0; level < m_levels.count(); ++level) {
-      const int axis = m_levels.axis[static_cast<std::size_t>(level)];
-      m_levels.axisIds.push_back(m_mechanism.axes[static_cast<std::size_t>(axis)].id);
+      const auto& [axis, id] = m_levels.axes[static_cast<std::size_t>(level)];
       if (std::exchange(used[static_cast<std::size_t>(axis)], 1) == 0) continue;
       if (taken.empty()) {
         for (const Axis& other : m_mechanism.axes) taken.insert(other.id.text());
       }
       m_split.insert(axis);
-      std::string name = m_levels.axisIds.back().text();
+      std::string name = id.text();
       while (!taken.insert(name).second) name += "'";
       m_levels.primedNames.emplace(level, std::move(name));
     }
@@ -163,7 +166,8 @@ class Classifier {
   void reportSplits() {
     // An axis splits where it gives two levels their lines, or one and joins another's.
     if (m_joined.empty() && m_split.empty()) return;
-    const std::unordered_set<int> own(m_levels.axis.begin(), m_levels.axis.end());
+    std::unordered_set<int> own;
+    for (const AxisLevels::Axis& axis : m_levels.axes) own.insert(axis.position);
     for (auto joined = m_joined.begin(); joined != m_joined.end(); ++joined) {
       const auto next = std::next(joined);
       const int axis = joined->first;
@@ -202,7 +206,7 @@ class Classifier {
     std::map<int, std::vector<int>> others;  // by level: the other axes on it
     for (const auto& [axis, level] : m_joined) others[level].push_back(axis);
     for (auto& [level, axes] : others) {
-      axes.insert(axes.begin(), m_levels.axis[static_cast<std::size_t>(level)]);
+      axes.insert(axes.begin(), m_levels.axisOf(level));
       reportMerge(level, axes);
     }
   }
@@ -231,7 +235,10 @@ class Classifier {
   const Mechanism& m_mechanism;
   const Digraph& m_graph;
   const ReferenceLines& m_lines;
-  std::vector<int> m_parent;      ///< union-find over joints
+  Scratch<> m_scratch;
+  std::pmr::vector<int> m_parent;  ///< union-find over joints
+  std::pmr::vector<Key> m_keys;    ///< by axis
+  std::pmr::vector<Candidate> m_here;
   std::span<const int> m_axisOf;  ///< by joint: its axis, by position
   AxisLevels m_levels;
   std::set<int> m_split;                   ///< axes that fall into several levels

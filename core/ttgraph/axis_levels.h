@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,19 +18,29 @@ namespace geargraph {
 /// that are. Lines are never compared across the mechanism: axes 1 and 3 of a robot wrist coincide in the
 /// drawn pose and are two axes. Where an axis has no line of its author's, its id in the document decides.
 struct AxisLevels {
-  std::vector<int> ofJoint;     ///< by turning joint: its level
-  std::vector<int> sense;       ///< by turning joint: +1 if its axis points as the level does, else -1
-  std::vector<int> firstJoint;  ///< by level: its first joint, whose axis gives the level its direction
-  std::vector<int> axis;        ///< by level: the position of that axis in the document
-  std::vector<AxisId> axisIds;  ///< by level: the id of that axis
+  /// The axis of the level's first joint, which gives the level its direction.
+  struct Axis {
+    int position = 0;  ///< in the document
+    AxisId id;
+  };
+
+  std::vector<int> ofJoint;  ///< by turning joint: its level
+  std::vector<Axis> axes;    ///< by level
+  std::set<int> reversed;    ///< joints whose axes point against their levels
   /// By level: its name where it is not the id, because primes tell apart what an axis splits into.
   std::map<int, std::string> primedNames;
   Diagnostics diagnostics;  ///< split-axis, merged-axes
 
-  [[nodiscard]] int count() const { return static_cast<int>(firstJoint.size()); }
+  [[nodiscard]] int count() const { return static_cast<int>(axes.size()); }
+  /// The position of the level's axis in the document.
+  [[nodiscard]] int axisOf(int level) const { return axes[static_cast<std::size_t>(level)].position; }
+  /// +1 if the joint's axis points as its level does, else -1.
+  [[nodiscard]] int senseOf(int joint) const {
+    return !reversed.empty() && reversed.contains(joint) ? -1 : 1;
+  }
   [[nodiscard]] const std::string& name(int level) const {
     const auto primed = primedNames.find(level);
-    return primed != primedNames.end() ? primed->second : axisIds[static_cast<std::size_t>(level)].text();
+    return primed != primedNames.end() ? primed->second : axes[static_cast<std::size_t>(level)].id.text();
   }
   [[nodiscard]] const std::string& levelOf(int joint) const {
     return name(ofJoint[static_cast<std::size_t>(joint)]);

@@ -105,7 +105,8 @@ class LevelSystem {
 
   [[nodiscard]] Branch branch(int joint) const {
     const auto at = static_cast<std::size_t>(joint);
-    return {m_graph->graph().turningEdge(joint), m_graph->levels().ofJoint[at], m_graph->levels().sense[at]};
+    return {m_graph->graph().turningEdge(joint), m_graph->levels().ofJoint[at],
+            m_graph->levels().senseOf(joint)};
   }
 
   /// Has the node an unknown on this level? Its top has none: it stands still there.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/placement/placement.h"
+#include "core/placement/tolerance.h"
 
 namespace geargraph {
 
@@ -29,7 +30,10 @@ class ReferenceLines {
 };
 
 /// The same direction or the opposite one, as far as decimals tell.
-[[nodiscard]] bool areParallel(const AxisLine& a, const AxisLine& b);
+[[nodiscard]] inline bool areParallel(const AxisLine& a, const AxisLine& b) {
+  const Vector3 normal = cross(a.direction, b.direction);
+  return dot(normal, normal) <= kSameLine * kSameLine;
+}
 /// The same line in space, whichever way it points, as far as decimals tell.
 [[nodiscard]] bool areCollinear(const AxisLine& a, const AxisLine& b);
 

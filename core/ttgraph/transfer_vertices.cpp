@@ -1,5 +1,6 @@
 #include "core/ttgraph/transfer_vertices.h"
 
+#include "core/base/scratch.h"
 #include "core/base/wording.h"
 #include "core/ttgraph/wording.h"
 
@@ -63,61 +64,78 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
 
 }  // namespace
 
-LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels)
-    : m_graph(graph), m_places(static_cast<std::size_t>(graph.nodeCount())) {
-  constexpr std::size_t kUsual = 4;
-  m_up.reserve(kUsual);
-  m_down.reserve(kUsual);
-  for (const int node : tree.preorder()) {
-    if (node == 0) continue;
+LevelWalks::LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
+                       std::pmr::memory_resource* memory)
+    : m_graph(graph), m_tree(tree), m_places(static_cast<std::size_t>(graph.nodeCount()), memory) {
+  for (const int node : tree.preorder().subspan(1)) {
     const int level = levels.ofJoint[static_cast<std::size_t>(tree.jointToParent(node))];
     const int parent = tree.parent(node);
     const Place& above = at(parent);
-    m_places[static_cast<std::size_t>(node)] =
-        above.level == level ? above : Place{level, parent, tree.depth(parent)};
+    m_places[static_cast<std::size_t>(node)] = above.level == level ? above : Place{level, parent};
   }
 }
 
 // Climb from both gears, stretch by stretch, the one first whose stretch ends lower: so neither passes the
 // node where the walks meet. Where both stand on one level they are joined along it, for a level is one
 // piece.
-const std::vector<WalkStretch>& LevelWalks::walk(int mesh) {
+std::vector<WalkStretch> LevelWalks::walk(int mesh) const {
   auto [tail, head] = m_graph.meshEdge(mesh);
-  m_up.clear();
-  m_down.clear();
+  std::vector<WalkStretch> up;
+  std::vector<WalkStretch> down;
+  const auto topDepth = [this](int node) { return node == 0 ? -1 : m_tree.depth(at(node).top); };
   while (tail != head) {
     const Place& ofTail = at(tail);
     const Place& ofHead = at(head);
     if (ofTail.level == ofHead.level) {
-      m_up.push_back({ofTail.level, tail, head});
+      up.push_back({ofTail.level, tail, head});
       break;
     }
-    if (ofTail.topDepth >= ofHead.topDepth) {
-      m_up.push_back({ofTail.level, tail, ofTail.top});
+    if (topDepth(tail) >= topDepth(head)) {
+      up.push_back({ofTail.level, tail, ofTail.top});
       tail = ofTail.top;
     } else {
-      m_down.push_back({ofHead.level, ofHead.top, head});
+      down.push_back({ofHead.level, ofHead.top, head});
       head = ofHead.top;
     }
   }
-  m_up.insert(m_up.end(), m_down.rbegin(), m_down.rend());
-  return m_up;
+  up.insert(up.end(), down.rbegin(), down.rend());
+  return up;
+}
+
+/// The level on which two nodes lie, as its links or its top; -1 where there is none. @pre the nodes differ
+int LevelWalks::levelOfBoth(int a, int b) const {
+  const Place& ofA = at(a);
+  const Place& ofB = at(b);
+  if (ofA.level == ofB.level || ofA.top == b) return ofA.level;
+  return ofB.top == a ? ofB.level : -1;
+}
+
+// Where a walk leaves a level that it climbed, or enters one that it descends, it passes the level's top: the
+// only vertex of a walk of two stretches is the top of its tail gear's level or of its head gear's.
+std::optional<TransferVertex> LevelWalks::transferVertex(int mesh) const {
+  const auto [tail, head] = m_graph.meshEdge(mesh);
+  for (const int gear : {tail, head}) {
+    const int carrier = at(gear).top;
+    if (carrier < 0 || carrier == tail || carrier == head) continue;
+    const int tailLevel = levelOfBoth(tail, carrier);
+    const int headLevel = levelOfBoth(head, carrier);
+    if (tailLevel >= 0 && headLevel >= 0 && tailLevel != headLevel) {
+      return TransferVertex{carrier, tailLevel, headLevel};
+    }
+  }
+  return std::nullopt;
 }
 
 TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels) {
   TransferVertices result;
   result.ofMesh.reserve(static_cast<std::size_t>(graph.c()));
-  LevelWalks walks(graph, tree, levels);
+  Scratch<> scratch;
+  const LevelWalks walks(graph, tree, levels, &scratch);
   for (int mesh = 0; mesh < graph.c(); ++mesh) {
-    const std::vector<WalkStretch>& walk = walks.walk(mesh);
-    auto& vertex = result.ofMesh.emplace_back();
-    if (walk.size() == 2) {
-      vertex = TransferVertex{walk[0].to, walk[0].level, walk[1].level};
-    } else if (walk.size() == 1) {
-      result.diagnostics.push_back(coaxial(graph, levels, mesh, walk));
-    } else {
-      result.diagnostics.push_back(manyAxes(graph, tree, levels, mesh, walk));
-    }
+    if (result.ofMesh.emplace_back(walks.transferVertex(mesh))) continue;
+    const std::vector<WalkStretch> walk = walks.walk(mesh);
+    result.diagnostics.push_back(walk.size() == 1 ? coaxial(graph, levels, mesh, walk)
+                                                  : manyAxes(graph, tree, levels, mesh, walk));
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -17,37 +18,40 @@ struct WalkStretch {
   int to = 0;    ///< node: where the level changes, or the head gear
 };
 
+/// The carrier arm of a mesh, where its walk changes level, and the axes on either side.
+struct TransferVertex {
+  int carrier = 0;    ///< node
+  int tailLevel = 0;  ///< the level on which the tail gear turns in the carrier
+  int headLevel = 0;  ///< and the head gear
+};
+
 /// The walk of a mesh from its tail gear to its head gear, stretch by stretch [AU, the paths below Fig. 5]:
 ///
 ///     5 --b-- 0 --b-- 1 --c-- 2      stretches b from 5 to 1, c from 1 to 2; word b|c, transfer vertex 1
 class LevelWalks {
  public:
-  /// Cost: O(n). Refers to the graph.
-  LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels);
+  /// Cost: O(n). Refers to graph and tree.
+  LevelWalks(const Digraph& graph, const SpanningTree& tree, const AxisLevels& levels,
+             std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-  /// Valid until the next one is asked for. Cost: O(stretches), however long they are.
-  [[nodiscard]] const std::vector<WalkStretch>& walk(int mesh);
+  /// Cost: O(stretches), however long they are.
+  [[nodiscard]] std::vector<WalkStretch> walk(int mesh) const;
+
+  /// The vertex where a walk of two stretches changes level; none where it has fewer or more. Cost: O(1).
+  [[nodiscard]] std::optional<TransferVertex> transferVertex(int mesh) const;
 
  private:
   /// A node's level is that of its branch towards the ground; the ground has none.
   struct Place {
     int level = -1;
     int top = -1;  ///< the ancestor that the level's branches lead to
-    int topDepth = -1;
   };
   [[nodiscard]] const Place& at(int node) const { return m_places[static_cast<std::size_t>(node)]; }
+  [[nodiscard]] int levelOfBoth(int a, int b) const;
 
   const Digraph& m_graph;
-  std::vector<Place> m_places;  ///< by node
-  std::vector<WalkStretch> m_up;
-  std::vector<WalkStretch> m_down;
-};
-
-/// The carrier arm of a mesh, where its walk changes level, and the axes on either side.
-struct TransferVertex {
-  int carrier = 0;    ///< node
-  int tailLevel = 0;  ///< the level on which the tail gear turns in the carrier
-  int headLevel = 0;  ///< and the head gear
+  const SpanningTree& m_tree;
+  std::pmr::vector<Place> m_places;  ///< by node
 };
 
 struct TransferVertices {
@@ -58,7 +62,7 @@ struct TransferVertices {
 /// The transfer vertex of every mesh. It is unique: the links on one level form a subtree, and two subtrees
 /// of a tree that share no branch meet in one node at most.
 ///
-/// Cost: O(n) and the stretches of the walks.
+/// Cost: O(n + c), and the walks of meshes without one.
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,
                                                 const AxisLevels& levels);
 

@@ -14,7 +14,6 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
       m_levels(axisLevels(mechanism, *m_graph, lines)),
       m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
   addTerminals(mechanism, lines);
-  m_complete = std::all_of(m_terminals.begin(), m_terminals.end(), [](const auto& t) { return bool(t); });
 }
 
 Diagnostics TtGraph::diagnostics() const {
@@ -47,18 +46,22 @@ long long TtGraph::longestCircuitTerms() const {
 }
 
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
-  const auto lineOf = [&](int level) { return lines.axis(m_levels.axis[static_cast<std::size_t>(level)]); };
+  const auto lineOf = [&](int level) { return lines.axis(m_levels.axisOf(level)); };
   m_terminals.reserve(static_cast<std::size_t>(m_graph->c()));
   for (int mesh = 0; mesh < m_graph->c(); ++mesh) {
     const auto at = static_cast<std::size_t>(mesh);
     auto& terminal = m_terminals.emplace_back();
     const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
-    if (!vertex) continue;
+    if (!vertex) {
+      m_complete = false;
+      continue;
+    }
     const GearMesh& pair = mechanism.gearMeshes[at];
     const std::optional<int> sign =
         meshSign({lineOf(vertex->tailLevel), lineOf(vertex->headLevel), lines.pitchPoint(mesh), pair.kind});
     if (!sign) {
       m_unsigned.push_back(mesh);
+      m_complete = false;
       continue;
     }
     const DigraphEdge& edge = m_graph->meshEdge(mesh);
@@ -77,7 +80,7 @@ void TtGraph::writeCircuits() const {
   // the carrier to the gear, and counts.
   const auto addChord = [&](int gear, int carrier) {
     for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
-      terms.push_back({step.joint, -step.direction * m_levels.sense[static_cast<std::size_t>(step.joint)]});
+      terms.push_back({step.joint, -step.direction * m_levels.senseOf(step.joint)});
     }
     starts.push_back(terms.size());
   };

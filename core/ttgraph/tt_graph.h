@@ -89,7 +89,7 @@ class TtGraph {
   TransferVertices m_vertices;
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
-  bool m_complete = false;
+  bool m_complete = true;
   std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
 };
 

@@ -74,11 +74,11 @@ std::optional<Rehung> rehung(const Both& both, int joint, const std::vector<Rati
   (outward ? moved.tail : moved.head) = graph.nodeId(hub);
   Rational relative;  // of the child against its new parent, along the axis
   for (const PathStep& step : treePath(tree, hub, child)) {
-    const auto at = static_cast<std::size_t>(step.joint);
-    relative += Rational(step.direction * levels.sense[at]) * rates[at];
+    relative +=
+        Rational(step.direction * levels.senseOf(step.joint)) * rates[static_cast<std::size_t>(step.joint)];
   }
-  const auto at = static_cast<std::size_t>(joint);
-  result.rates[at] = Rational(outward ? levels.sense[at] : -levels.sense[at]) * relative;
+  const int sense = outward ? levels.senseOf(joint) : -levels.senseOf(joint);
+  result.rates[static_cast<std::size_t>(joint)] = Rational(sense) * relative;
   return result;
 }
 

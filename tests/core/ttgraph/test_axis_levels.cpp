@@ -50,7 +50,7 @@ class AxisLevelsTest : public QObject {
     for (const Mechanism& robot : {test::robot(), test::robotTopology()}) {
       const AxisLevels levels = levelsOf(robot);
       QCOMPARE(levelWord(levels), std::string("a b b c c d e"));
-      QCOMPARE(levels.sense, (std::vector<int>{1, 1, 1, 1, 1, 1, 1}));
+      QVERIFY(levels.reversed.empty());
       QVERIFY(levels.diagnostics.empty());
     }
   }
@@ -83,7 +83,7 @@ class AxisLevelsTest : public QObject {
     train.link(0, c);
     const AxisLevels levels = levelsOf(train.mechanism());
     QCOMPARE(levelWord(levels), std::string("a a c"));
-    QCOMPARE(levels.sense, (std::vector<int>{1, -1, 1}));
+    QCOMPARE(levels.reversed, std::set<int>{1});
     QCOMPARE(levels.diagnostics.size(), std::size_t(1));
     QCOMPARE(levels.diagnostics.front().code, Code::mergedAxes);
     QVERIFY(levels.diagnostics.front().message.find("opposite direction of b") != std::string::npos);
@@ -99,7 +99,7 @@ class AxisLevelsTest : public QObject {
     train.link(second, c);
     const AxisLevels levels = levelsOf(train.mechanism());
     QCOMPARE(levelWord(levels), std::string("a a a"));
-    QCOMPARE(levels.sense, (std::vector<int>{1, 1, -1}));
+    QCOMPARE(levels.reversed, std::set<int>{2});
   }
 
   void manyLinesAtOneLinkAreToldApart() {

@@ -103,7 +103,7 @@ class TtRandomTest : public QObject {
         for (const CircuitTerm& term : circuit) {
           speed += Rational(term.coefficient) * rates[static_cast<std::size_t>(term.joint)];
         }
-        const int axis = found.graph.levels().axis[static_cast<std::size_t>(level)];
+        const int axis = found.graph.levels().axisOf(level);
         const test::ExactTriple along =
             test::unitDirection(found.mechanism.axes[static_cast<std::size_t>(axis)]);
         return found.angularVelocity(gear, rates) - found.angularVelocity(carrier, rates) == speed * along;
