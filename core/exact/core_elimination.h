@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <memory_resource>
 #include <set>
+#include <span>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -26,8 +28,8 @@ class CoreElimination {
   using Value = typename Field::Value;
 
   /// `solved`, by unknown: the columns that peeling took.
-  CoreElimination(const Field& field, const SparseRows<Value>& matrix, const std::vector<int>& sources,
-                  const std::vector<char>& solved, int columns)
+  CoreElimination(const Field& field, const SparseRows<Value>& matrix, std::span<const int> sources,
+                  std::span<const char> solved, int columns)
       : m_field(field), m_rows(sources.size()), m_count(sources.size(), 0) {
     if (sources.empty()) return;
     m_active.assign(static_cast<std::size_t>(columns), 0);
@@ -66,8 +68,8 @@ class CoreElimination {
   [[nodiscard]] const std::vector<Pivot>& solved() const { return m_solved; }  ///< in order of solution
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return m_pivots; }  ///< in order of elimination
   [[nodiscard]] const std::vector<int>& emptyRows() const { return m_empty; }
-  [[nodiscard]] SparseRows<Value> takeRows() {
-    SparseRows<Value> result;
+  [[nodiscard]] SparseRows<Value> takeRows(std::pmr::memory_resource* memory) {
+    SparseRows<Value> result(memory);
     for (std::vector<Entry>& row : m_rows) {
       for (Entry& entry : row) result.add(entry.column, std::move(entry.value));
       result.endRow();

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <memory_resource>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/base/contract.h"
@@ -38,11 +42,23 @@ struct Elimination {
   SparseRows<Value> coreRows;  ///< what elimination made of the rows that peeling left
   int unknowns = 0;
   int columns = 0;
-  std::vector<Line> lines;  ///< in order of substitution
-  std::vector<Check> checks;
-  std::vector<int> freeColumns;  ///< unknowns that no equation gives, ascending
-  int coreSize = 0;              ///< rows that needed arithmetic
+  std::pmr::vector<Line> lines;  ///< in order of substitution
+  std::pmr::vector<Check> checks;
+  std::pmr::vector<int> freeColumns;  ///< unknowns that no equation gives, ascending
+  int coreSize = 0;                   ///< rows that needed arithmetic
 
+  /// Kept where the rows are.
+  Elimination(SparseRows<Value> system, int unknownCount, int columnCount)
+      : rows(std::move(system)),
+        coreRows(memory()),
+        unknowns(unknownCount),
+        columns(columnCount),
+        lines(memory()),
+        checks(memory()),
+        freeColumns(memory()) {}
+  Elimination() = default;  ///< of nothing
+
+  [[nodiscard]] std::pmr::memory_resource* memory() const { return rows.pattern().memory(); }
   [[nodiscard]] int rank() const { return static_cast<int>(lines.size()); }
   [[nodiscard]] const SparseRows<Value>& matrixOf(bool core) const { return core ? coreRows : rows; }
 };
@@ -58,11 +74,7 @@ template <class Field>
     const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(unknowns <= columns);
   using Value = typename Field::Value;
-  Elimination<Value> result;
-  result.unknowns = unknowns;
-  result.columns = columns;
-  result.rows = std::move(rows);
-
+  Elimination<Value> result(std::move(rows), unknowns, columns);
   CoreElimination<Field> core(field, result.rows, peeling.coreRows, peeling.solved, columns);
   if (!core.run(stop)) return std::nullopt;
 
@@ -85,7 +97,7 @@ template <class Field>
   for (int column = 0; column < unknowns; ++column) {
     if (peeling.solved[column] == 0) result.freeColumns.push_back(column);
   }
-  result.coreRows = core.takeRows();
+  result.coreRows = core.takeRows(result.memory());
   return result;
 }
 
@@ -104,17 +116,13 @@ template <class Value>
   return rows.value(entry);
 }
 
-/// Fills in the solved unknowns, line by line, of `width` solutions at once: column j of solution k stands at
-/// x[j * width + k]. @pre x has a place for every column; the given and the free ones are set
-/// Cost: the non-zeros of the lines, times the width.
-template <class Field>
-void substitute(const Field& field, const Elimination<typename Field::Value>& system,
-                std::vector<typename Field::Value>& x, std::size_t width = 1) {
-  const auto at = [&x, width](int column) { return x.data() + static_cast<std::size_t>(column) * width; };
+/// Fills in the solved unknowns of `Width` solutions: substitute() below.
+template <std::size_t Width, class Field>
+void substituteSideBySide(const Field& field, const Elimination<typename Field::Value>& system,
+                          typename Field::Value* x) {
   for (const auto& line : system.lines) {
     const auto& rows = system.matrixOf(line.core);
-    auto* const sum = at(line.column);
-    std::fill(sum, sum + width, field.fromInteger(0));
+    std::array<typename Field::Sum, Width> sums{};
     const typename Field::Value* pivot = nullptr;
     for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
       const auto& value = rows.value(entry);
@@ -122,12 +130,36 @@ void substitute(const Field& field, const Elimination<typename Field::Value>& sy
         pivot = &value;
         continue;
       }
-      const auto* const known = at(rows.column(entry));
-      for (std::size_t k = 0; k < width; ++k) field.subtractProduct(sum[k], value, known[k]);
+      const auto* const known = x + static_cast<std::size_t>(rows.column(entry)) * Width;
+      for (std::size_t k = 0; k < Width; ++k) field.subtractProduct(sums[k], value, known[k]);
     }
-    for (std::size_t k = 0; k < width; ++k) {
-      if (!field.isZero(sum[k])) sum[k] = field.quotient(sum[k], *pivot);
-    }
+    const auto& divisor = field.divisor(*pivot);
+    auto* const solved = x + static_cast<std::size_t>(line.column) * Width;
+    for (std::size_t k = 0; k < Width; ++k) solved[k] = field.quotient(sums[k], divisor);
+  }
+}
+
+constexpr std::size_t kMostSideBySide = 4;
+
+/// Fills in the solved unknowns, line by line, of `width` solutions at once: column j of solution k stands at
+/// x[j * width + k]. @pre x has a place for every column; the given and the free ones are set;
+/// width <= kMostSideBySide
+/// Cost: the non-zeros of the lines, times the width.
+template <class Field>
+void substitute(const Field& field, const Elimination<typename Field::Value>& system,
+                std::span<typename Field::Value> x, std::size_t width = 1) {
+  GEARGRAPH_REQUIRE(x.size() >= static_cast<std::size_t>(system.columns) * width);
+  switch (width) {
+    case 1:
+      return substituteSideBySide<1>(field, system, x.data());
+    case 2:
+      return substituteSideBySide<2>(field, system, x.data());
+    case 3:
+      return substituteSideBySide<3>(field, system, x.data());
+    case kMostSideBySide:
+      return substituteSideBySide<kMostSideBySide>(field, system, x.data());
+    default:
+      GEARGRAPH_REQUIRE(false);
   }
 }
 
@@ -135,7 +167,7 @@ void substitute(const Field& field, const Elimination<typename Field::Value>& sy
 template <class Field>
 [[nodiscard]] typename Field::Value negatedRowSum(const Field& field,
                                                   const SparseRows<typename Field::Value>& rows, int row,
-                                                  const std::vector<typename Field::Value>& x,
+                                                  std::span<const typename Field::Value> x,
                                                   std::size_t width = 1, std::size_t place = 0) {
   typename Field::Value sum = field.fromInteger(0);
   for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
@@ -149,8 +181,8 @@ template <class Field>
 template <class Field>
 [[nodiscard]] typename Field::Value checkValue(
     const Field& field, const Elimination<typename Field::Value>& system,
-    const typename Elimination<typename Field::Value>::Check& check,
-    const std::vector<typename Field::Value>& x, std::size_t width = 1, std::size_t place = 0) {
+    const typename Elimination<typename Field::Value>::Check& check, std::span<const typename Field::Value> x,
+    std::size_t width = 1, std::size_t place = 0) {
   return negatedRowSum(field, system.matrixOf(check.core), check.row, x, width, place);
 }
 

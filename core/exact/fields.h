@@ -20,6 +20,8 @@ namespace geargraph {
 //   subtract(a, b)                 a -= b
 //   subtractProduct(a, b, c)       a -= b c
 //   quotient(a, b)                 a / b, b not 0
+//   Sum                            of products; a default one is 0, subtractProduct() adds to it
+//   divisor(b), quotient(sum, d)   sum / b, for many sums
 //   negated(a)
 //   pivotWeight(value)             0: not to be divided by; else larger is better
 
@@ -29,7 +31,7 @@ struct Fused {
   PrimeField::Residue residue = 0;
 };
 
-/// The live arithmetic. One field per thread: it remembers the inverses it computed.
+/// The live arithmetic.
 class FusedField {
  public:
   using Value = Fused;
@@ -60,21 +62,45 @@ class FusedField {
     return value.residue == 0 ? 0 : std::max(std::abs(value.number), kLightest);
   }
 
+  /// The residue is reduced at the end only, or where two terms may have cancelled before a third one comes.
+  struct Sum {
+    double number = 0;
+    int terms = 0;
+    Wide minusResidue = 0;
+  };
+  void subtractProduct(Sum& sum, const Value& b, const Value& c) const {
+    if (sum.terms++ >= 2 && m_prime.valueOf(sum.minusResidue) == 0) sum.number = 0;
+    sum.number -= b.number * c.number;
+    sum.minusResidue = m_prime.addProduct(sum.minusResidue, b.residue, c.residue);
+  }
+  struct Divisor {
+    double number = 1;
+    PrimeField::Residue minusInverse = 0;
+  };
+  [[nodiscard]] Divisor divisor(const Value& value) const {
+    return {value.number, m_prime.negate(inverse(value.residue))};
+  }
+  [[nodiscard]] Value quotient(const Sum& sum, const Divisor& by) const {
+    const PrimeField::Residue residue = m_prime.multiply(m_prime.valueOf(sum.minusResidue), by.minusInverse);
+    return {residue == 0 ? 0 : sum.number / by.number, residue};
+  }
+
  private:
-  /// Trains have few different tooth counts, so a small table answers nearly all.
+  /// Trains have few different tooth counts, and the next analysis has the same: a small table for each
+  /// thread answers nearly all.
   [[nodiscard]] PrimeField::Residue inverse(PrimeField::Residue a) const {
-    Remembered& place = m_inverses[(a * 0x9e3779b97f4a7c15U) >> 56U];
-    if (place.of != a) place = {a, m_prime.inverse(a)};
+    struct Remembered {
+      PrimeField::Residue of = 0;
+      std::uint64_t prime = 0;
+      PrimeField::Residue inverse = 0;
+    };
+    static thread_local std::array<Remembered, 512> inverses{};
+    Remembered& place = inverses[(a * 0x9e3779b97f4a7c15U) >> 55U];
+    if (place.of != a || place.prime != m_prime.prime()) place = {a, m_prime.prime(), m_prime.inverse(a)};
     return place.inverse;
   }
 
-  struct Remembered {
-    PrimeField::Residue of = 0;
-    PrimeField::Residue inverse = 0;
-  };
-
   PrimeField m_prime;
-  mutable std::array<Remembered, 256> m_inverses{};
 };
 
 /// Exact fractions.
@@ -90,6 +116,8 @@ class RationalField {
     fmpq_submul(a.flint(), b.flint(), c.flint());
   }
   [[nodiscard]] Value quotient(const Value& a, const Value& b) const { return a / b; }
+  using Sum = Value;
+  [[nodiscard]] const Value& divisor(const Value& value) const { return value; }
   [[nodiscard]] Value negated(const Value& a) const { return -a; }
   [[nodiscard]] double pivotWeight(const Value& value) const { return value.isZero() ? 0 : 1; }
 };
@@ -120,6 +148,8 @@ class RationalFunctionField {
     a.subtractProduct(b, c);
   }
   [[nodiscard]] Value quotient(const Value& a, const Value& b) const { return a / b; }
+  using Sum = Value;
+  [[nodiscard]] const Value& divisor(const Value& value) const { return value; }
   [[nodiscard]] Value negated(const Value& a) const { return -a; }
   /// Short pivots first; none that vanishes at the ratios' own values, where the ring knows them.
   [[nodiscard]] double pivotWeight(const Value& value) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <vector>
 
 #include "core/exact/sparse_rows.h"
@@ -21,11 +22,11 @@ struct Pivot {
 ///
 /// Cost: linear in the non-zeros.
 struct Peeling {
-  std::vector<Pivot> first;
-  std::vector<Pivot> last;
-  std::vector<int> coreRows;   ///< in row order
-  std::vector<int> emptyRows;  ///< rows that lost all their unknowns to others' equations
-  std::vector<char> solved;    ///< by unknown: in `first` or `last`
+  std::pmr::vector<Pivot> first;
+  std::pmr::vector<Pivot> last;
+  std::pmr::vector<int> coreRows;   ///< in row order
+  std::pmr::vector<int> emptyRows;  ///< rows that lost all their unknowns to others' equations
+  std::pmr::vector<char> solved;    ///< by unknown: in `first` or `last`
 
   Peeling(const SparsePattern& pattern, int unknowns);
 };

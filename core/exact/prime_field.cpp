@@ -26,15 +26,21 @@ std::uint64_t primeOf(std::uint64_t seed) {
 }  // namespace
 
 PrimeField::PrimeField(std::uint64_t seed) {
-  static const std::uint64_t first =
-      primeOf(kFirstSeed);  // the two that every analysis uses are looked for once
-  static const std::uint64_t second = primeOf(kSecondSeed);
-  m_prime = seed == kFirstSeed ? first : seed == kSecondSeed ? second : primeOf(seed);
-  std::uint64_t inverse = 1;  // Newton's doubling of the correct low bits
-  for (int i = 0; i < 6; ++i) inverse *= 2 - m_prime * inverse;
-  m_minusInverse = 0 - inverse;
-  m_one = static_cast<std::uint64_t>((static_cast<Wide>(1) << 64U) % m_prime);
-  m_square = static_cast<std::uint64_t>(static_cast<Wide>(m_one) * m_one % m_prime);
+  // The two that every analysis uses are looked for once.
+  static const PrimeField first = PrimeField::modulo(primeOf(kFirstSeed));
+  static const PrimeField second = PrimeField::modulo(primeOf(kSecondSeed));
+  *this = seed == kFirstSeed ? first : seed == kSecondSeed ? second : PrimeField::modulo(primeOf(seed));
+}
+
+PrimeField PrimeField::modulo(std::uint64_t prime) {
+  PrimeField field(prime, 1);
+  for (int i = 0; i < 6; ++i) {  // Newton's doubling of the correct low bits
+    field.m_minusInverse *= 2 - prime * field.m_minusInverse;
+  }
+  field.m_minusInverse = 0 - field.m_minusInverse;
+  field.m_one = static_cast<std::uint64_t>((static_cast<Wide>(1) << 64U) % prime);
+  field.m_square = static_cast<std::uint64_t>(static_cast<Wide>(field.m_one) * field.m_one % prime);
+  return field;
 }
 
 PrimeField::Residue PrimeField::inverse(Residue a) const {
@@ -46,6 +52,7 @@ std::optional<PrimeField::Residue> PrimeField::fromRational(const Rational& valu
   const std::uint64_t denominator = fmpz_fdiv_ui(fmpq_denref(value.flint()), m_prime);
   if (denominator == 0) return std::nullopt;
   const Residue numerator = multiply(fmpz_fdiv_ui(fmpq_numref(value.flint()), m_prime), m_square);
+  if (denominator == 1) return numerator;
   return multiply(numerator, inverse(multiply(denominator, m_square)));
 }
 

@@ -46,10 +46,21 @@ class PrimeField {
   [[nodiscard]] Residue subtract(Residue a, Residue b) const { return a >= b ? a - b : a + m_prime - b; }
   [[nodiscard]] Residue negate(Residue a) const { return a == 0 ? 0 : m_prime - a; }
   [[nodiscard]] Residue multiply(Residue a, Residue b) const { return reduce(static_cast<Wide>(a) * b); }
+  /// A sum of products that is reduced at its end only, by valueOf(): `sum` + b c. It starts with 0.
+  [[nodiscard]] Wide addProduct(Wide sum, Residue b, Residue c) const {
+    const Wide longer = sum + static_cast<Wide>(b) * c;
+    const Wide whole = static_cast<Wide>(m_prime) << 64U;
+    return longer >= whole ? longer - whole : longer;
+  }
+  [[nodiscard]] Residue valueOf(Wide sum) const { return reduce(sum); }
   /// @pre a is not 0
   [[nodiscard]] Residue inverse(Residue a) const;
 
  private:
+  PrimeField(std::uint64_t prime, std::uint64_t minusInverse)
+      : m_prime(prime), m_minusInverse(minusInverse) {}
+  static PrimeField modulo(std::uint64_t prime);
+
   /// wide / 2^64 modulo the prime. @pre wide < prime * 2^64
   [[nodiscard]] std::uint64_t reduce(Wide wide) const {
     const std::uint64_t multiple = static_cast<std::uint64_t>(wide) * m_minusInverse;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory_resource>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,9 +10,14 @@ namespace geargraph {
 
 /// Where the non-zeros of a matrix stand, row by row.
 struct SparsePattern {
-  std::vector<int> starts{0};  ///< by row, and one behind the last
-  std::vector<int> columns;    ///< of the entries, row by row; no column twice in a row
+  std::pmr::vector<int> starts;   ///< by row, and one behind the last
+  std::pmr::vector<int> columns;  ///< of the entries, row by row; no column twice in a row
 
+  explicit SparsePattern(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+      : starts(1, 0, memory), columns(memory) {}
+
+  /// Where it is kept, and so what an elimination makes of it.
+  [[nodiscard]] std::pmr::memory_resource* memory() const { return columns.get_allocator().resource(); }
   [[nodiscard]] int rows() const { return static_cast<int>(starts.size()) - 1; }
   [[nodiscard]] int begin(int row) const { return starts[static_cast<std::size_t>(row)]; }
   [[nodiscard]] int end(int row) const { return starts[static_cast<std::size_t>(row) + 1]; }
@@ -25,6 +31,9 @@ struct SparsePattern {
 template <class Value>
 class SparseRows {
  public:
+  explicit SparseRows(std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+      : m_pattern(memory), m_values(memory) {}
+
   /// @pre the value is not 0 and the column not yet in this row
   void add(int column, Value value) {
     m_pattern.columns.push_back(column);
@@ -47,7 +56,7 @@ class SparseRows {
 
  private:
   SparsePattern m_pattern;
-  std::vector<Value> m_values;
+  std::pmr::vector<Value> m_values;
 };
 
 }  // namespace geargraph

@@ -5,9 +5,6 @@ namespace geargraph {
 std::optional<KinematicModel> KinematicModel::of(const Mechanism& mechanism, DigraphPtr graph,
                                                  SpanningTreePtr tree, const Placement& placement) {
   if (!graph || !tree || !placement.tree) return std::nullopt;
-  for (const auto& mesh : placement.meshes) {
-    if (!mesh) return std::nullopt;
-  }
   KinematicModel model;
   const AxisClasses& classes = *placement.classes;
   const JointTree& joints = *placement.tree;
@@ -23,18 +20,16 @@ std::optional<KinematicModel> KinematicModel::of(const Mechanism& mechanism, Dig
 
   model.m_rows.reserve(placement.meshes.size());
   for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
+    if (!placement.meshes[m]) return std::nullopt;
     const MeshGeometry& mesh = *placement.meshes[m];
-    MeshRow& row = model.m_rows.emplace_back();
-    row.tailTeeth = mechanism.gearMeshes[m].tailTeeth;
-    row.headTeeth = mechanism.gearMeshes[m].headTeeth;
-    const auto add = [&](int link, int axisClass, bool tail, int factor) {
-      if (link == classes.classes[axisClass].top) return;
-      row.terms[static_cast<std::size_t>(row.size++)] = {link, tail, static_cast<std::int8_t>(factor)};
-    };
-    add(mesh.tail, mesh.tailClass, true, 1);
-    add(mesh.carrier, mesh.tailClass, true, -1);
-    add(mesh.head, mesh.headClass, false, -mesh.sign);
-    add(mesh.carrier, mesh.headClass, false, mesh.sign);
+    const int tailTop = classes.classes[mesh.tailClass].top;
+    const int headTop = classes.classes[mesh.headClass].top;
+    const auto below = [](int link, int top) { return link == top ? 0 : link; };
+    model.m_rows.push_back({{below(mesh.tail, tailTop), below(mesh.carrier, tailTop),
+                             below(mesh.head, headTop), below(mesh.carrier, headTop)},
+                            mechanism.gearMeshes[m].tailTeeth,
+                            mechanism.gearMeshes[m].headTeeth,
+                            mesh.sign});
   }
   model.m_graph = std::move(graph);
   model.m_tree = std::move(tree);

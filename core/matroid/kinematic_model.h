@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/exact/sparse_rows.h"
@@ -21,17 +21,13 @@ namespace geargraph {
 /// Links and joints are ordinals of the digraph; unknown v - 1 is phi_v.
 class KinematicModel {
  public:
-  /// One link of a mesh row: which wheel's tooth count it bears, +1 or -1.
-  struct RowTerm {
-    int link = 0;
-    bool tail = false;       ///< N_tail, else N_head
-    std::int8_t factor = 1;  ///< the sign; the s of the mesh is in it
-  };
+  /// The links of a mesh row, 0 where the term drops out: the tail's gear bears N_tail, the carrier -N_tail
+  /// on the tail's axis, the head's gear -s N_head, the carrier s N_head on the head's axis.
   struct MeshRow {
-    std::array<RowTerm, 4> terms;
-    int size = 0;
+    std::array<int, 4> links{};
     int tailTeeth = 1;
     int headTeeth = 1;
+    int sign = 1;  ///< s
   };
   /// theta = sign * (phi_child - phi_parent); parent 0: it is the class's top and drops out.
   struct JointRate {
@@ -56,15 +52,25 @@ class KinematicModel {
     return m_rates[static_cast<std::size_t>(joint)];
   }
 
-  /// The mesh's row over the phi, added to `rows` (the row is not ended). Entry +-N through `weights`:
-  /// weights(mesh, tail) is the field's value for N_tail or N_head of the mesh.
-  template <class Value, class Weights>
-  void addMeshRow(SparseRows<Value>& rows, int mesh, const Weights& weights) const {
+  /// The mesh's row over the phi, added to `rows` (the row is not ended): its entries are +-tail and +-head,
+  /// the field's numbers for N_tail and N_head.
+  template <class Field>
+  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field,
+                  const typename Field::Value& tail, const typename Field::Value& head) const {
     const MeshRow& row = meshRow(mesh);
-    for (int i = 0; i < row.size; ++i) {
-      const RowTerm& term = row.terms[static_cast<std::size_t>(i)];
-      rows.add(term.link - 1, weights(mesh, term.tail, term.factor));
-    }
+    const auto add = [&](int link, const typename Field::Value& weight, bool positive) {
+      if (link != 0) rows.add(link - 1, positive ? weight : field.negated(weight));
+    };
+    add(row.links[0], tail, true);
+    add(row.links[1], tail, false);
+    add(row.links[2], head, row.sign < 0);
+    add(row.links[3], head, row.sign > 0);
+  }
+  /// The same with the teeth themselves.
+  template <class Field>
+  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field) const {
+    const MeshRow& row = meshRow(mesh);
+    addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
   }
   /// The joint's rate over the phi, added likewise.
   template <class Field>
@@ -78,7 +84,7 @@ class KinematicModel {
   /// @pre phi has a place for every unknown
   template <class Field>
   [[nodiscard]] typename Field::Value rateOf(const Field& field, int joint,
-                                             const std::vector<typename Field::Value>& phi,
+                                             std::span<const typename Field::Value> phi,
                                              std::size_t width = 1, std::size_t place = 0) const {
     const JointRate& rate = jointRate(joint);
     const auto at = [&](int link) -> const auto& {
@@ -87,15 +93,6 @@ class KinematicModel {
     auto value = at(rate.child);
     if (rate.parent != 0) field.subtract(value, at(rate.parent));
     return rate.sign > 0 ? value : field.negated(value);
-  }
-
-  /// The teeth as a field's numbers, for addMeshRow().
-  template <class Field>
-  [[nodiscard]] auto teeth(const Field& field) const {
-    return [this, &field](int mesh, bool tail, int factor) {
-      const MeshRow& row = meshRow(mesh);
-      return field.fromInteger(static_cast<std::int64_t>(factor) * (tail ? row.tailTeeth : row.headTeeth));
-    };
   }
 
  private:

@@ -1,8 +1,10 @@
 #include "core/matroid/live_solution.h"
 
 #include <algorithm>
-#include <array>
+#include <memory_resource>
 #include <numeric>
+
+#include "core/base/scratch.h"
 
 namespace geargraph {
 namespace {
@@ -10,13 +12,15 @@ namespace {
 using System = Elimination<Fused>;
 
 std::optional<System> eliminated(const KinematicModel& model, const FusedField& field,
-                                 std::span<const int> inputs, const std::stop_token& stop) {
-  return eliminate(field, inputRows(model, field, allMeshes(model), inputs), model.n(),
+                                 std::span<const int> inputs, const std::stop_token& stop,
+                                 std::pmr::memory_resource& memory) {
+  std::pmr::vector<int> meshes(static_cast<std::size_t>(model.c()), &memory);
+  std::iota(meshes.begin(), meshes.end(), 0);
+  return eliminate(field, inputRows(model, field, meshes, inputs, &memory), model.n(),
                    model.n() + static_cast<int>(inputs.size()), stop);
 }
 
-bool checksHold(const FusedField& field, const System& system, const std::vector<Fused>& x,
-                std::size_t width) {
+bool checksHold(const FusedField& field, const System& system, std::span<const Fused> x, std::size_t width) {
   for (const auto& check : system.checks) {
     for (std::size_t k = 0; k < width; ++k) {
       if (!field.isZero(checkValue(field, system, check, x, width, k))) return false;
@@ -26,24 +30,12 @@ bool checksHold(const FusedField& field, const System& system, const std::vector
 }
 
 /// Do the inputs determine every link, and is no relation forced among them? `x` becomes a motion at random.
-bool isDetermined(const FusedField& field, const System& system, std::vector<Fused>& x) {
+bool isDetermined(const FusedField& field, const System& system, std::span<Fused> x) {
   if (!system.freeColumns.empty()) return false;
   ResidueStream random(field.prime(), 0x696e70757473U);
   for (int column = system.unknowns; column < system.columns; ++column) x[column] = {0, random.next()};
   substitute(field, system, x);
   return checksHold(field, system, x, 1);
-}
-
-/// Speeds beside their own residues, so that sums that cancel are exact zeros.
-std::vector<Fused> fused(const FusedField& field, std::span<const Rational> speeds) {
-  std::vector<Fused> values;
-  values.reserve(speeds.size());
-  for (const Rational& speed : speeds) {
-    const auto residue = field.prime().fromRational(speed);
-    // A speed whose denominator the prime divides: any residue but 0 keeps the double alive.
-    values.push_back({speed.toDouble(), residue.value_or(field.prime().one())});
-  }
-  return values;
 }
 
 /// Fills in a solution from an eliminated system.
@@ -54,8 +46,17 @@ class Solver {
       : m_model(model),
         m_field(field),
         m_system(system),
-        m_speeds(fused(field, speeds)),
-        m_solution(solution) {
+        m_minusSpeeds(system.memory()),
+        m_solution(solution),
+        m_x(system.memory()),
+        m_rates(system.memory()) {
+    // Speeds beside their own residues, so that sums that cancel are exact zeros.
+    m_minusSpeeds.reserve(speeds.size());
+    for (const Rational& speed : speeds) {
+      const auto residue = field.prime().fromRational(speed);
+      // A speed whose denominator the prime divides: any residue but 0 keeps the double alive.
+      m_minusSpeeds.push_back(field.negated({speed.toDouble(), residue.value_or(field.prime().one())}));
+    }
     m_solution.dead.assign(static_cast<std::size_t>(model.t()), 1);
   }
 
@@ -63,13 +64,12 @@ class Solver {
   /// still in all of them is dead; the rates are their sum, weighted with the speeds. False where a relation
   /// among the inputs is forced, or `stop` was requested.
   bool byColumns(const std::stop_token& stop) {
-    constexpr std::size_t kAtOnce = 4;
     const std::size_t inputs = m_solution.inputs.size();
     m_solution.matrix.resize(m_solution.outputs.size() * inputs);
     m_rates.assign(static_cast<std::size_t>(m_model.t()), Fused());
-    for (std::size_t first = 0; first < inputs; first += kAtOnce) {
+    for (std::size_t first = 0; first < inputs; first += kMostSideBySide) {
       if (stop.stop_requested()) return false;
-      if (!takeColumns(first, std::min(kAtOnce, inputs - first))) return false;
+      if (!takeColumns(first, std::min(kMostSideBySide, inputs - first))) return false;
     }
     m_solution.rates.resize(m_rates.size());
     for (std::size_t joint = 0; joint < m_rates.size(); ++joint)
@@ -80,16 +80,17 @@ class Solver {
   /// Too large for a matrix: a motion at random, which shows what is dead, beside the one at the given
   /// speeds.
   bool byMotions() {
-    std::vector<Fused> x(static_cast<std::size_t>(m_system.columns));
-    if (!isDetermined(m_field, m_system, x)) return false;
+    m_x.resize(static_cast<std::size_t>(m_system.columns));
+    if (!isDetermined(m_field, m_system, m_x)) return false;
     for (int joint = 0; joint < m_model.t(); ++joint) {
-      if (m_model.rateOf(m_field, joint, x).residue != 0) m_solution.dead[joint] = 0;
+      if (m_model.rateOf(m_field, joint, m_x).residue != 0) m_solution.dead[joint] = 0;
     }
-    std::copy(m_speeds.begin(), m_speeds.end(), x.begin() + m_system.unknowns);
-    substitute(m_field, m_system, x);
+    for (std::size_t i = 0; i < m_minusSpeeds.size(); ++i)
+      m_x[static_cast<std::size_t>(m_system.unknowns) + i] = m_field.negated(m_minusSpeeds[i]);
+    substitute(m_field, m_system, m_x);
     m_solution.rates.resize(static_cast<std::size_t>(m_model.t()));
     for (int joint = 0; joint < m_model.t(); ++joint) {
-      m_solution.rates[joint] = m_model.rateOf(m_field, joint, x).number;
+      m_solution.rates[joint] = m_model.rateOf(m_field, joint, m_x).number;
     }
     return true;
   }
@@ -102,8 +103,6 @@ class Solver {
     }
     substitute(m_field, m_system, m_x, width);
     if (!checksHold(m_field, m_system, m_x, width)) return false;
-    std::array<Fused, 4> minusSpeeds;
-    for (std::size_t k = 0; k < width; ++k) minusSpeeds[k] = m_field.negated(m_speeds[first + k]);
     std::size_t row = 0;
     for (int joint = 0; joint < m_model.t(); ++joint) {
       const bool isOutput = row < m_solution.outputs.size() && m_solution.outputs[row] == joint;
@@ -111,7 +110,7 @@ class Solver {
         const Fused rate = m_model.rateOf(m_field, joint, m_x, width, k);
         if (rate.residue != 0) {
           m_solution.dead[joint] = 0;
-          m_field.subtractProduct(m_rates[joint], minusSpeeds[k], rate);
+          m_field.subtractProduct(m_rates[joint], m_minusSpeeds[first + k], rate);
         }
         if (isOutput) m_solution.matrix[row * m_solution.inputs.size() + first + k] = rate.number;
       }
@@ -123,10 +122,10 @@ class Solver {
   const KinematicModel& m_model;
   const FusedField& m_field;
   const System& m_system;
-  std::vector<Fused> m_speeds;
+  std::pmr::vector<Fused> m_minusSpeeds;
   LiveSolution& m_solution;
-  std::vector<Fused> m_x;
-  std::vector<Fused> m_rates;  ///< by joint: the sum so far
+  std::pmr::vector<Fused> m_x;
+  std::pmr::vector<Fused> m_rates;  ///< by joint: the sum so far
 };
 
 }  // namespace
@@ -135,7 +134,8 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
                                       std::span<const int> inputs, std::span<const Rational> speeds,
                                       const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(inputs.size() == speeds.size());
-  const std::optional<System> system = eliminated(model, field, inputs, stop);
+  Scratch<8192> scratch;
+  const std::optional<System> system = eliminated(model, field, inputs, stop, scratch);
   if (!system || !system->freeColumns.empty()) return std::nullopt;
   LiveSolution solution;
   solution.inputs.assign(inputs.begin(), inputs.end());
@@ -147,7 +147,7 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
   if (!(small ? solver.byColumns(stop) : solver.byMotions())) return std::nullopt;
   if (!system->checks.empty()) {
     const FusedField second(PrimeField::kSecondSeed);
-    const std::optional<System> confirming = eliminated(model, second, inputs, stop);
+    const std::optional<System> confirming = eliminated(model, second, inputs, stop, scratch);
     std::vector<Fused> x(static_cast<std::size_t>(model.n()) + inputs.size());
     if (!confirming || !isDetermined(second, *confirming, x)) return std::nullopt;
   }
@@ -162,7 +162,8 @@ std::vector<int> allMeshes(const KinematicModel& model) {
 }
 
 std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inputs) {
-  std::vector<char> isInput(static_cast<std::size_t>(model.t()), 0);
+  Scratch<1024> scratch;
+  std::pmr::vector<char> isInput(static_cast<std::size_t>(model.t()), 0, &scratch);
   for (const int joint : inputs) isInput[joint] = 1;
   std::vector<int> outputs;
   outputs.reserve(isInput.size() - std::min(isInput.size(), inputs.size()));

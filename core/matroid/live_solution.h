@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -12,14 +13,13 @@ namespace geargraph {
 /// Some mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
 /// of it solves the mechanism, and tells whether the inputs are valid.
 template <class Field>
-[[nodiscard]] SparseRows<typename Field::Value> inputRows(const KinematicModel& model, const Field& field,
-                                                          std::span<const int> meshes,
-                                                          std::span<const int> inputs) {
-  SparseRows<typename Field::Value> rows;
-  rows.reserve(meshes.size() + inputs.size(), 3 * (meshes.size() + inputs.size()));
-  const auto weights = model.teeth(field);
+[[nodiscard]] SparseRows<typename Field::Value> inputRows(
+    const KinematicModel& model, const Field& field, std::span<const int> meshes, std::span<const int> inputs,
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
+  SparseRows<typename Field::Value> rows(memory);
+  rows.reserve(meshes.size() + inputs.size(), 4 * meshes.size() + 3 * inputs.size());
   for (const int mesh : meshes) {
-    model.addMeshRow(rows, mesh, weights);
+    model.addMeshRow(rows, mesh, field);
     rows.endRow();
   }
   const auto minus = field.fromInteger(-1);
@@ -40,7 +40,7 @@ struct LiveSolution {
   std::vector<double> matrix;
 
   int rank = 0;
-  std::vector<char> dead;  ///< by joint
+  std::vector<char> dead;  ///< by joint; a MatroidAnalysis takes it over
   int redundant = 0;       ///< meshes that depend on others
 
   static constexpr std::size_t kMostLiveEntries = 2'000'000;

@@ -1,8 +1,10 @@
 #include "core/matroid/matroid_analysis.h"
 
 #include <algorithm>
+#include <memory_resource>
 
 #include "core/base/position_index.h"
+#include "core/base/scratch.h"
 #include "core/matroid/findings.h"
 
 namespace geargraph {
@@ -20,7 +22,6 @@ class Analyzer {
     if (!explain()) return std::nullopt;
     if (m_result.solution) {
       m_result.linkVelocities = linkVelocities(m_model, m_placement, m_result.solution->rates);
-      m_result.meshVelocities = meshVelocities(m_model, m_result.linkVelocities);
     }
     m_result.diagnostics = findingsOf(m_mechanism, m_model, m_placement, m_result, m_wanted, m_stop);
     if (m_stop.stop_requested()) return std::nullopt;
@@ -31,15 +32,24 @@ class Analyzer {
   void takeInputs() {
     if (!m_mechanism.inputs) return;
     m_result.inputsGiven = true;
+    const std::vector<Input>& inputs = *m_mechanism.inputs;
     constexpr std::size_t kFew = 8;  // found sooner by looking than by an index of all joints
-    const bool few = m_mechanism.inputs->size() <= kFew;
+    const bool few = inputs.size() <= kFew;
     const auto index = few ? PositionIndex<JointTag>() : PositionIndex<JointTag>(m_mechanism.turningJoints);
-    for (const Input& input : *m_mechanism.inputs) {
-      m_wanted.push_back(
-          few ? static_cast<int>(m_mechanism.find(input.joint) - m_mechanism.turningJoints.data())
-              : index.at(input.joint));
+    m_wanted.reserve(inputs.size());
+    m_speeds.reserve(inputs.size());
+    for (const Input& input : inputs) {
+      m_wanted.push_back(few ? jointOf(input.joint) : index.at(input.joint));
       m_speeds.push_back(input.speed.exact());
     }
+  }
+
+  /// In the digraph the ids stand closer together than in the document.
+  [[nodiscard]] int jointOf(JointId id) const {
+    int joint = 0;
+    while (joint < m_model.t() && m_model.graph().edgeId(joint).id != id.atom()) ++joint;
+    GEARGRAPH_REQUIRE(joint < m_model.t());
+    return joint;
   }
 
   /// The usual case: the document's inputs are valid, and one elimination says everything.
@@ -48,10 +58,10 @@ class Analyzer {
     m_result.solution = solveLive(m_model, m_field, m_wanted, m_speeds, m_stop);
     if (!m_result.solution) return false;
     m_result.rank = m_result.solution->rank;
-    m_result.dead = m_result.solution->dead;
+    m_result.dead = std::move(m_result.solution->dead);
     m_result.idle = idleJoints(m_model);
     m_result.choice.joints = m_wanted;
-    m_result.speeds = m_speeds;
+    m_result.speeds = std::move(m_speeds);
     finishCounts();
     return true;
   }
@@ -88,7 +98,8 @@ class Analyzer {
       if (!redundancies) return false;
       m_result.redundancies = std::move(*redundancies);
     }
-    std::vector<char> redundant(static_cast<std::size_t>(m_model.c()), 0);
+    Scratch<1024> scratch;
+    std::pmr::vector<char> redundant(static_cast<std::size_t>(m_model.c()), 0, &scratch);
     for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.mesh] = 1;
     m_result.independentMeshes.reserve(static_cast<std::size_t>(m_result.rank));
     for (int mesh = 0; mesh < m_model.c(); ++mesh) {

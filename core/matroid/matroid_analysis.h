@@ -33,7 +33,6 @@ struct MatroidAnalysis {
   /// numbers.
   std::optional<LiveSolution> solution;
   std::vector<Vector3> linkVelocities;  ///< by link, base frame; with the solution
-  std::vector<Vector3> meshVelocities;  ///< by mesh, Eq. (15); with the solution
 
   /// redundant-mesh, locked, dead-joint, idle-joint, no-meshes, invalid-inputs.
   Diagnostics diagnostics;

@@ -1,6 +1,9 @@
 #include "core/matroid/structure.h"
 
 #include <algorithm>
+#include <memory_resource>
+
+#include "core/base/scratch.h"
 
 namespace geargraph {
 namespace {
@@ -52,7 +55,8 @@ std::optional<Structure> structureOf(const KinematicModel& model, const FusedFie
 std::vector<char> idleJoints(const KinematicModel& model) {
   // A cycle crosses a joint exactly if one end of the mesh is beyond it: then the mesh's key stays in the
   // exclusive-or of all keys there.
-  std::vector<std::uint64_t> keys(static_cast<std::size_t>(model.n()) + 1, 0);
+  Scratch<> scratch;
+  std::pmr::vector<std::uint64_t> keys(static_cast<std::size_t>(model.n()) + 1, 0, &scratch);
   for (int mesh = 0; mesh < model.c(); ++mesh) {
     const DigraphEdge& edge = model.graph().meshEdge(mesh);
     const std::uint64_t key = meshKey(static_cast<std::uint64_t>(mesh));

@@ -42,7 +42,7 @@ template <class Field>
   SparseRows<typename Field::Value> rows;
   rows.reserve(static_cast<std::size_t>(model.c()), 3 * static_cast<std::size_t>(model.c()));
   for (int mesh = 0; mesh < model.c(); ++mesh) {
-    model.addMeshRow(rows, mesh, model.teeth(field));
+    model.addMeshRow(rows, mesh, field);
     rows.endRow();
   }
   return rows;

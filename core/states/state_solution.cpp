@@ -171,9 +171,8 @@ class StateSolver {
     const std::stop_callback forward(m_stop, [&] { enough.request_stop(); });
     const RationalFunctionField bounded(m_ring, kMostTermsOfTheCore, enough);
     const RationalFunctionField field(m_ring);
-    const auto ratio = [&](int mesh, bool tail, int factor) {
-      const RationalFunction value = tail ? RationalFunction::variable(m_ring, mesh) : field.one();
-      return factor < 0 ? -value : value;
+    const auto ratio = [&](int mesh, bool tail) {
+      return tail ? RationalFunction::variable(m_ring, mesh) : field.one();
     };
     const auto symbols = eliminate(bounded, system.rows(m_model, bounded, ratio, left), m_model.n(),
                                    m_model.n() + 1, enough.get_token());

@@ -15,7 +15,8 @@ struct StateSystem {
   std::vector<RelativeSpeed::Part> held;  ///< by row: what engaged couplings keep at 0
   std::optional<RelativeSpeed::Part> drive;
 
-  /// `meshWeights` as in KinematicModel::addMeshRow(); rows whose mark in `left` is not 0 are left out.
+  /// `meshWeights(mesh, tail)`: the field's number for N_tail or N_head of the mesh, as in
+  /// KinematicModel::addMeshRow(); rows whose mark in `left` is not 0 are left out.
   template <class Field, class Weights>
   [[nodiscard]] SparseRows<typename Field::Value> rows(const KinematicModel& model, const Field& field,
                                                        const Weights& meshWeights,
@@ -25,7 +26,7 @@ struct StateSystem {
     std::size_t row = 0;
     for (int mesh = 0; mesh < model.c(); ++mesh, ++row) {
       if (isLeft(row)) continue;
-      model.addMeshRow(result, mesh, meshWeights);
+      model.addMeshRow(result, mesh, field, meshWeights(mesh, true), meshWeights(mesh, false));
       result.endRow();
     }
     for (const RelativeSpeed::Part& part : held) {
@@ -47,8 +48,11 @@ struct StateSystem {
                                                                      const KinematicModel& model,
                                                                      const std::stop_token& stop) {
   const RationalField field;
-  return eliminate(field, system.rows(model, field, model.teeth(field)), model.n(),
-                   model.n() + (system.drive ? 1 : 0), stop);
+  const auto teeth = [&model](int mesh, bool tail) -> Rational {
+    return tail ? model.meshRow(mesh).tailTeeth : model.meshRow(mesh).headTeeth;
+  };
+  return eliminate(field, system.rows(model, field, teeth), model.n(), model.n() + (system.drive ? 1 : 0),
+                   stop);
 }
 
 /// Is the drive's speed a free choice? `x` becomes the motion for the drive at 1 with the free phi at 0.

@@ -180,9 +180,10 @@ class TestMatroidLaws : public QObject {
     for (int i = 0; i < kTrains; i += 3) {
       const Worked worked(train(i));
       const auto cycles = spanningTreeMatrix(worked.graph, worked.tree);
+      const auto velocities = meshVelocities(worked.model, worked.analysis.linkVelocities);
       std::vector<MatrixEntry> row;
       for (int mesh = 0; mesh < worked.model.c(); ++mesh) {
-        Vector3 sum = worked.analysis.meshVelocities[mesh];
+        Vector3 sum = velocities[mesh];
         double size = 1;
         cycles->rowEntries(mesh, row);
         for (const MatrixEntry& entry : row) {
