@@ -1,12 +1,16 @@
 #include "core/matroid/symbolic_solution.h"
 
 #include <algorithm>
+#include <memory_resource>
 #include <utility>
 
+#include "core/base/scratch.h"
 #include "core/matroid/live_solution.h"
 
 namespace geargraph {
 namespace {
+
+constexpr std::size_t kScratch = 32 * 1024;
 
 /// The normalised rows (24) with one unknown per output and one given column per input.
 class RatioSystem {
@@ -34,8 +38,9 @@ class RatioSystem {
   [[nodiscard]] int mesh(int row) const { return m_meshes[static_cast<std::size_t>(row)]; }
 
   /// Its rows at some ratios, by mesh.
-  [[nodiscard]] SparseRows<Fused> rows(const FusedField& field, const std::vector<Fused>& drawn) const {
-    SparseRows<Fused> result;
+  [[nodiscard]] SparseRows<Fused> rows(const FusedField& field, std::span<const Fused> drawn,
+                                       std::pmr::memory_resource& memory) const {
+    SparseRows<Fused> result(&memory);
     result.reserve(m_meshes.size(), m_entries.size());
     for (std::size_t row = 0; row < m_meshes.size(); ++row) {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
@@ -51,11 +56,12 @@ class RatioSystem {
   /// The same over the ratios, without the columns in `left`. Rows that peeling gives a pivot are divided by
   /// it, which is a ratio or 1: their other entries are the coefficients of the solution's lines, negated.
   [[nodiscard]] SparseRows<RationalFunction> rows(const std::vector<char>& left, const Peeling& peeling,
-                                                  const RatioRingPtr& ring) const {
-    std::vector<int> pivots(m_meshes.size(), -1);
+                                                  const RatioRingPtr& ring,
+                                                  std::pmr::memory_resource& memory) const {
+    std::pmr::vector<int> pivots(m_meshes.size(), -1, &memory);
     for (const Pivot& pivot : peeling.first) pivots[pivot.row] = pivot.column;
     for (const Pivot& pivot : peeling.last) pivots[pivot.row] = pivot.column;
-    SparseRows<RationalFunction> result;
+    SparseRows<RationalFunction> result(&memory);
     result.reserve(m_meshes.size(), m_entries.size());
     for (std::size_t row = 0; row < m_meshes.size(); ++row) {
       int sign = 1;
@@ -78,8 +84,9 @@ class RatioSystem {
   }
 
   /// Where the rows without the columns in `left` have entries.
-  [[nodiscard]] SparsePattern pattern(const std::vector<char>& left) const {
-    SparsePattern result;
+  [[nodiscard]] SparsePattern pattern(const std::vector<char>& left,
+                                      std::pmr::memory_resource& memory) const {
+    SparsePattern result(&memory);
     result.starts.reserve(m_meshes.size() + 1);
     result.columns.reserve(m_entries.size());
     for (std::size_t row = 0; row < m_meshes.size(); ++row) {
@@ -111,17 +118,19 @@ std::optional<Zeros> zerosOf(const RatioSystem& ratios, const KinematicModel& mo
                              const std::stop_token& stop) {
   const FusedField field;
   ResidueStream random(field.prime(), 0x726174696f73U);
-  std::vector<Fused> drawn;
+  Scratch<kScratch> scratch;
+  std::pmr::vector<Fused> drawn(&scratch);
   drawn.reserve(static_cast<std::size_t>(model.c()));
   for (int mesh = 0; mesh < model.c(); ++mesh) drawn.push_back({1, random.next()});
   const auto columns = static_cast<std::size_t>(ratios.columns());
-  const auto system = eliminate(field, ratios.rows(field, drawn), ratios.unknowns(), ratios.columns(), stop);
+  const auto system =
+      eliminate(field, ratios.rows(field, drawn, scratch), ratios.unknowns(), ratios.columns(), stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());
   Zeros zeros;
   zeros.all.assign(columns, 1);
   constexpr std::size_t kAtOnce = 4;
-  std::vector<Fused> x;
+  std::pmr::vector<Fused> x(&scratch);
   for (std::size_t first = static_cast<std::size_t>(ratios.unknowns()); first < columns; first += kAtOnce) {
     if (stop.stop_requested()) return std::nullopt;
     const std::size_t width = std::min(kAtOnce, columns - first);
@@ -194,8 +203,9 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   const RationalFunctionField field(solution.ring);
   std::vector<char> left = zeros->all;
   std::fill(left.begin() + ratios.unknowns(), left.end(), 0);
-  Peeling peeling(ratios.pattern(left), ratios.unknowns());
-  auto rows = ratios.rows(left, peeling, solution.ring);
+  Scratch<kScratch> scratch;
+  Peeling peeling(ratios.pattern(left, scratch), ratios.unknowns());
+  auto rows = ratios.rows(left, peeling, solution.ring, scratch);
   const auto system = eliminate(bounded, std::move(rows), std::move(peeling), ratios.unknowns(),
                                 ratios.columns(), enough.get_token());
   if (!system) return std::nullopt;

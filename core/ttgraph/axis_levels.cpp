@@ -1,6 +1,7 @@
 #include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -53,7 +54,7 @@ class Classifier {
 
   struct Key {
     double value = kNoLine;
-    double reach = 0;  ///< of the line's point from the origin
+    double reach = 0;  ///< the line's point is no farther from the origin
   };
   struct Candidate {
     double key = 0;
@@ -77,18 +78,18 @@ class Classifier {
   }
 
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
-  /// view of its foot below the origin, and of the products of its direction. An axis without a line of its
-  /// author's gets the one of its id alone.
+  /// view of its foot below the origin, and of its direction squared. An axis without a line of its author's
+  /// gets none.
   void giveKeys() {
+    constexpr Vector3 kView{0.51, 0.67, 0.54};
     m_keys.resize(m_mechanism.axes.size());
     for (std::size_t axis = 0; axis < m_keys.size(); ++axis) {
       const AxisLine* line = m_lines.axis(static_cast<int>(axis));
       if (line == nullptr || line->automatic) continue;
-      const Vector3& u = line->direction;
-      const Vector3 foot = line->point - dot(line->point, u) * u;
-      m_keys[axis] = {dot(foot, Vector3{0.51, 0.67, 0.54}) + 0.31 * u[0] * u[0] + 0.47 * u[1] * u[1] +
-                          0.83 * u[0] * u[1] + 0.71 * u[1] * u[2] + 0.59 * u[0] * u[2],
-                      length(line->point)};
+      const Vector3& p = line->point;
+      const double seen = dot(line->direction, kView);
+      m_keys[axis] = {dot(p, kView) + seen * (seen - dot(p, line->direction)),
+                      std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])};
     }
   }
 

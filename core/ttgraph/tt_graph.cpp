@@ -57,8 +57,12 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
       continue;
     }
     const GearMesh& pair = mechanism.gearMeshes[at];
-    const std::optional<int> sign =
-        meshSign({lineOf(vertex->tailLevel), lineOf(vertex->headLevel), lines.pitchPoint(mesh), pair.kind});
+    MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind};
+    std::optional<int> sign = pair.kind ? meshSign(pose) : std::nullopt;
+    if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
+      pose.pitchPoint = lines.pitchPoint(mesh);
+      sign = meshSign(pose);
+    }
     if (!sign) {
       m_unsigned.push_back(mesh);
       m_complete = false;
