@@ -1,24 +1,53 @@
 #include "core/base/id.h"
 
+#include <array>
+#include <atomic>
+#include <bit>
+#include <limits>
 #include <mutex>
 #include <shared_mutex>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "core/base/contract.h"
 
 namespace geargraph {
 namespace {
 
-/// Lets the set be asked with a string_view, without making a string.
-struct TextHash {
-  using is_transparent = void;
-  std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
-};
+/// The process's texts by number. They stand in blocks, each twice as large as the one before, and never
+/// move: a text is read without a lock while others are added.
+class AtomTable {
+ public:
+  std::uint32_t numberOf(std::string_view text) {
+    {
+      const std::shared_lock reading(m_mutex);
+      if (const auto found = m_numbers.find(text); found != m_numbers.end()) return found->second;
+    }
+    const std::unique_lock writing(m_mutex);
+    if (const auto found = m_numbers.find(text); found != m_numbers.end()) return found->second;
+    GEARGRAPH_REQUIRE(m_last < std::numeric_limits<std::uint32_t>::max());
+    const std::uint32_t number = ++m_last;
+    std::atomic<std::string*>& block = m_blocks[blockOf(number)];
+    if (block == nullptr) block = new std::string[sizeOf(number)];  // never deleted, as the table is not
+    std::string& stored = block[placeOf(number)];
+    stored = text;
+    m_numbers.emplace(stored, number);
+    return number;
+  }
 
-/// The process's atoms. Nodes of an unordered_set never move, so their addresses are the identities.
-struct AtomTable {
-  std::shared_mutex mutex;
-  std::unordered_set<std::string, TextHash, std::equal_to<>> texts;
+  [[nodiscard]] const std::string& text(std::uint32_t number) const {
+    return m_blocks[blockOf(number)].load(std::memory_order_acquire)[placeOf(number)];
+  }
+
+ private:
+  // Block k holds the numbers 2^k .. 2^(k+1) - 1.
+  static std::size_t blockOf(std::uint32_t number) { return std::bit_width(number) - 1U; }
+  static std::size_t sizeOf(std::uint32_t number) { return std::bit_floor(number); }
+  static std::size_t placeOf(std::uint32_t number) { return number - std::bit_floor(number); }
+
+  std::shared_mutex m_mutex;
+  std::unordered_map<std::string_view, std::uint32_t> m_numbers;
+  std::array<std::atomic<std::string*>, 32> m_blocks{};
+  std::uint32_t m_last = 0;
 };
 
 AtomTable& atomTable() {
@@ -28,23 +57,11 @@ AtomTable& atomTable() {
 
 }  // namespace
 
-Atom::Atom(std::string_view text) {
-  if (text.empty()) return;
-  AtomTable& table = atomTable();
-  {
-    const std::shared_lock reading(table.mutex);
-    if (const auto found = table.texts.find(text); found != table.texts.end()) {
-      m_text = &*found;
-      return;
-    }
-  }
-  const std::unique_lock writing(table.mutex);
-  m_text = &*table.texts.emplace(text).first;
-}
+Atom::Atom(std::string_view text) : m_number(text.empty() ? 0 : atomTable().numberOf(text)) {}
 
 const std::string& Atom::text() const {
   static const std::string empty;
-  return m_text == nullptr ? empty : *m_text;
+  return m_number == 0 ? empty : atomTable().text(m_number);
 }
 
 std::string_view listName(ElementKind kind) {

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 
 namespace geargraph {
 
-/// An immutable text that is stored once per process: two atoms are equal exactly if they are the same
-/// pointer, so ids cost as much as an integer to copy, compare and hash. Texts are never freed; a session
-/// sees few.
+/// An immutable text that is stored once per process: an atom is its number, so ids cost as much as an
+/// integer to copy, compare and hash. Texts are never freed; a session sees few.
 ///
 /// Thread-safe: atoms may be made and compared from any thread.
 class Atom {
@@ -18,16 +18,18 @@ class Atom {
   explicit Atom(std::string_view text);
 
   [[nodiscard]] const std::string& text() const;
-  [[nodiscard]] bool empty() const { return m_text == nullptr; }
-  [[nodiscard]] std::size_t hash() const { return std::hash<const void*>{}(m_text); }
+  [[nodiscard]] bool empty() const { return m_number == 0; }
+  /// The text's number, counted in the order in which the process met them: ids of one list lie close
+  /// together. 0 for the empty one.
+  [[nodiscard]] std::size_t hash() const { return m_number; }
 
-  friend bool operator==(Atom a, Atom b) { return a.m_text == b.m_text; }
-  friend bool operator!=(Atom a, Atom b) { return a.m_text != b.m_text; }
+  friend bool operator==(Atom a, Atom b) { return a.m_number == b.m_number; }
+  friend bool operator!=(Atom a, Atom b) { return a.m_number != b.m_number; }
   /// By text, so that an order does not depend on the run.
-  friend bool operator<(Atom a, Atom b) { return a.m_text != b.m_text && a.text() < b.text(); }
+  friend bool operator<(Atom a, Atom b) { return a.m_number != b.m_number && a.text() < b.text(); }
 
  private:
-  const std::string* m_text = nullptr;
+  std::uint32_t m_number = 0;
 };
 
 /// The stable identity of an element, unique within its list of the document. Tags keep a link's id from

@@ -2,39 +2,47 @@
 
 namespace geargraph {
 
-Digraph::Digraph(const Mechanism& mechanism) : m_turningCount(mechanism.t()), m_nodeOf(mechanism.links) {
+Digraph::Digraph(const Mechanism& mechanism)
+    : m_nodeCount(static_cast<int>(mechanism.links.size())), m_turningCount(mechanism.t()) {
   m_nodes.reserve(mechanism.links.size());
   for (const Link& link : mechanism.links) m_nodes.push_back(link.id);
-  const std::size_t edges = mechanism.turningJoints.size() + mechanism.gearMeshes.size();
-  m_edges.reserve(edges);
-  m_edgeIds.reserve(edges);
-  const auto add = [this](const auto& joint) {
-    m_edges.push_back({m_nodeOf.at(joint.tail), m_nodeOf.at(joint.head)});
-    m_edgeIds.emplace_back(joint.id);
-  };
-  for (const TurningJoint& joint : mechanism.turningJoints) add(joint);
-  for (const GearMesh& mesh : mechanism.gearMeshes) add(mesh);
-  collectTurningEdges(mechanism);
+  m_nodeOf = PositionIndex<LinkTag>(m_nodes);
+  addEdges(mechanism);
+  collectTurningEdges();
 }
 
-void Digraph::collectTurningEdges(const Mechanism& mechanism) {
+void Digraph::addEdges(const Mechanism& mechanism) {
+  const std::size_t joints = mechanism.turningJoints.size();
+  m_edges.reserve(joints + mechanism.gearMeshes.size());
+  m_edgeIds.reserve(joints + mechanism.gearMeshes.size());
+  m_numbers.resize(3 * joints + m_nodes.size() + 1);
+  const auto add = [this](const auto& joint) {
+    m_edges.push_back({m_nodeOf.at(joint.tail), m_nodeOf.at(joint.head)});
+    m_edgeIds.push_back(joint.id.atom());
+  };
   const PositionIndex<AxisTag> axisAt(mechanism.axes);
-  m_axisOf.reserve(mechanism.turningJoints.size());
-  m_start.assign(m_nodes.size() + 1, 0);
+  int* axis = m_numbers.data();
   for (const TurningJoint& joint : mechanism.turningJoints) {
-    const DigraphEdge& edge = m_edges[m_axisOf.size()];
-    m_axisOf.push_back(axisAt.at(joint.axis));
-    ++m_start[static_cast<std::size_t>(edge.tail)];
-    ++m_start[static_cast<std::size_t>(edge.head)];
+    add(joint);
+    *axis++ = axisAt.at(joint.axis);
+  }
+  for (const GearMesh& mesh : mechanism.gearMeshes) add(mesh);
+}
+
+void Digraph::collectTurningEdges() {
+  int* const start = m_numbers.data() + m_turningCount;
+  for (const DigraphEdge& edge : turningEdges()) {
+    ++start[edge.tail];
+    ++start[edge.head];
   }
   // Counting sort: each node's places are filled from their end, so that its edges stand in order.
-  int end = 0;
-  for (int& start : m_start) end = start += end;
-  m_around.resize(2 * m_axisOf.size());
-  for (int joint = t() - 1; joint >= 0; --joint) {
+  int end = m_turningCount + m_nodeCount + 1;
+  for (int node = 0; node < m_nodeCount; ++node) end = start[node] += end;
+  start[m_nodeCount] = end;
+  for (int joint = m_turningCount - 1; joint >= 0; --joint) {
     const DigraphEdge& edge = turningEdge(joint);
-    m_around[static_cast<std::size_t>(--m_start[static_cast<std::size_t>(edge.tail)])] = joint;
-    m_around[static_cast<std::size_t>(--m_start[static_cast<std::size_t>(edge.head)])] = joint;
+    m_numbers[static_cast<std::size_t>(--start[edge.tail])] = joint;
+    m_numbers[static_cast<std::size_t>(--start[edge.head])] = joint;
   }
 }
 

@@ -26,10 +26,10 @@ class Digraph {
   /// @pre the mechanism is well formed
   explicit Digraph(const Mechanism& mechanism);
 
-  [[nodiscard]] int n() const { return static_cast<int>(m_nodes.size()) - 1; }  ///< moving links
-  [[nodiscard]] int t() const { return m_turningCount; }                        ///< turning joints
+  [[nodiscard]] int n() const { return m_nodeCount - 1; }  ///< moving links
+  [[nodiscard]] int t() const { return m_turningCount; }   ///< turning joints
   [[nodiscard]] int c() const { return static_cast<int>(m_edges.size()) - m_turningCount; }  ///< gear meshes
-  [[nodiscard]] int nodeCount() const { return static_cast<int>(m_nodes.size()); }
+  [[nodiscard]] int nodeCount() const { return m_nodeCount; }
   [[nodiscard]] int edgeCount() const { return static_cast<int>(m_edges.size()); }
 
   [[nodiscard]] const DigraphEdge& edge(int ordinal) const {
@@ -45,12 +45,13 @@ class Digraph {
   }
 
   /// By turning joint: the position of its axis in the document.
-  [[nodiscard]] std::span<const int> axisOf() const { return m_axisOf; }
+  [[nodiscard]] std::span<const int> axisOf() const {
+    return std::span(m_numbers).first(static_cast<std::size_t>(m_turningCount));
+  }
   /// The turning edges at a node, ascending.
   [[nodiscard]] std::span<const int> turningEdgesAt(int node) const {
-    const auto at = static_cast<std::size_t>(node);
-    const auto first = static_cast<std::size_t>(m_start[at]);
-    return std::span(m_around).subspan(first, static_cast<std::size_t>(m_start[at + 1]) - first);
+    const int* const start = starts() + node;
+    return {m_numbers.data() + start[0], m_numbers.data() + start[1]};
   }
 
   /// The paper's labels: 0..n of the nodes, n+1..n+t+c of the edges.
@@ -58,21 +59,26 @@ class Digraph {
   [[nodiscard]] int edgeLabel(int ordinal) const { return n() + 1 + ordinal; }
 
   [[nodiscard]] LinkId nodeId(int node) const { return m_nodes[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] ElementId edgeId(int ordinal) const { return m_edgeIds[static_cast<std::size_t>(ordinal)]; }
+  [[nodiscard]] ElementId edgeId(int ordinal) const {
+    return {ordinal < m_turningCount ? ElementKind::turningJoint : ElementKind::gearMesh,
+            m_edgeIds[static_cast<std::size_t>(ordinal)]};
+  }
 
   /// Ordinals by id. @pre the element is in the digraph
   [[nodiscard]] int nodeOf(LinkId link) const { return m_nodeOf.at(link); }
 
  private:
-  void collectTurningEdges(const Mechanism& mechanism);
+  void addEdges(const Mechanism& mechanism);
+  void collectTurningEdges();
+  /// By node, and one behind: where its turning edges begin among m_numbers.
+  [[nodiscard]] const int* starts() const { return m_numbers.data() + m_turningCount; }
 
+  int m_nodeCount = 0;
+  int m_turningCount = 0;
   std::vector<LinkId> m_nodes;
   std::vector<DigraphEdge> m_edges;  ///< turning edges first
-  std::vector<ElementId> m_edgeIds;
-  std::vector<int> m_axisOf;  ///< by joint
-  std::vector<int> m_start;   ///< by node, and one behind: where its turning edges begin in m_around
-  std::vector<int> m_around;
-  int m_turningCount = 0;
+  std::vector<Atom> m_edgeIds;
+  std::vector<int> m_numbers;  ///< the axes by joint, starts(), and the turning edges node by node
   PositionIndex<LinkTag> m_nodeOf;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,7 +46,7 @@ struct TurningJoint {
   friend bool operator==(const TurningJoint&, const TurningJoint&) = default;
 };
 
-enum class MeshKind { external, internal, bevel };
+enum class MeshKind : std::uint8_t { external, internal, bevel };
 [[nodiscard]] std::string_view meshKindName(MeshKind kind);
 
 constexpr int kFewestTeeth = 1;
@@ -59,8 +60,8 @@ struct GearMesh {
   LinkId head;
   int tailTeeth = 20;
   int headTeeth = 20;
-  std::optional<NumberTriple> pitchPoint;
   std::optional<MeshKind> kind;
+  std::optional<NumberTriple> pitchPoint;
   std::optional<Number> faceWidth;
   std::optional<WheelId> tailWheel;
   std::optional<WheelId> headWheel;

@@ -43,6 +43,34 @@ class MechanismTest : public QObject {
     QVERIFY(!Number::fromText("1e400").has_value());  // exact, but beyond every double
   }
 
+  void numbersAreExactHoweverTheyAreWritten() {
+    // Those that a double holds alone, with their text, and those that it does not.
+    for (const char* text :
+         {"0", "-0", "12.5", "-0.1", "1e-3", "0.001", "1e+22", "10000000000000000000000", "9007199254740993",
+          "0.1000000000000000055", "22/7", "4/2", "1e-400", "3.14159"}) {
+      const Number number = Number::fromText(text).value();
+      const Rational exact = Rational::fromText(text).value();
+      QCOMPARE(number.exact(), exact);
+      QCOMPARE(number.value(), exact.toDouble());
+      QCOMPARE(number.text(), std::string(text));
+      QCOMPARE(number.isZero(), exact.isZero());
+      const Number copy = number;  // NOLINT(performance-unnecessary-copy-initialization)
+      QCOMPARE(copy, number);
+      QCOMPARE(copy.text(), std::string(text));
+    }
+    QVERIFY(Number::fromText("22/7")->isFractionText() && !Number::fromText("0.50")->isFractionText());
+  }
+
+  void numbersOfOneValueAndTwoSpellingsDiffer() {
+    for (const auto& [a, b] : {std::pair{"0.5", "0.50"}, {"0.50", "0.5"}, {"1/2", "2/4"}, {"0", "-0"}}) {
+      QVERIFY(Number::fromText(a) != Number::fromText(b));
+    }
+    QVERIFY(Number::fromText("0.50") == Number::fromText("0.50"));
+    QVERIFY(Number(2) == Number::fromText("2") && Number(2) != Number(3) && Number() == Number(0));
+  }
+
+  void numbersAreSmall() { QVERIFY(sizeof(Number) <= 2 * sizeof(double)); }
+
   void labelsFollowTheOrderOfTheDocument() {
     const Mechanism robot = robotTopology();
     QCOMPARE(labelOf(robot, LinkId("4")).value(), std::string("4"));
