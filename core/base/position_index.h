@@ -21,7 +21,7 @@ class PositionIndex {
   PositionIndex() = default;
   /// The positions of elements with a member `id`. @pre ids are unique in the list
   template <class Element>
-    requires requires(const Element& element) { element.id; }
+  requires requires(const Element& element) { element.id; }
   explicit PositionIndex(const std::vector<Element>& list) {
     std::vector<Id<Tag>> ids;
     ids.reserve(list.size());

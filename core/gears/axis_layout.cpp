@@ -45,8 +45,8 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts) 
     for (std::size_t d = 0; d < layouts.size(); ++d) {
       const int top = classes.classes[d].top;
       const int other = classes.classes[c].top;
-      const bool below = classes.classOfLink(*placement.tree, top) == static_cast<int>(c);
-      const bool above = classes.classOfLink(*placement.tree, other) == static_cast<int>(d);
+      const bool below = classes.classOfLink(top) == static_cast<int>(c);
+      const bool above = classes.classOfLink(other) == static_cast<int>(d);
       if (c == d || !(below || above || top == other)) continue;
       const Vector3d across = layout.direction.cross(layouts[d].direction);
       if (across.norm() < 1e-6) continue;

@@ -114,7 +114,7 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
 void BodyPlanner::placeLink(int link) {
   const auto& held = m_heldBy[static_cast<std::size_t>(link)];
   if (held.empty()) return;
-  int home = m_placement.classes->classOfLink(m_tree, link);
+  int home = m_placement.classes->classOfLink(link);
   if (home < 0) home = held.back().first;  // the ground: the last of its axes
   for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -295,7 +295,7 @@ void BodyPlanner::addShaft(int axisClass, int link) {
   shaft.axisClass = axisClass;
   shaft.link = link;
   const double half = layout.width() / 2;
-  const bool turns = m_placement.classes->classOfLink(m_tree, link) == axisClass;
+  const bool turns = m_placement.classes->classOfLink(link) == axisClass;
   const bool holdsWheel = includeWheels(axisClass, link, shaft);
   includeBodies(axisClass, link, shaft);
   const Bearing* nearest = nullptr;  // what holds a wheel that does not turn here
@@ -322,7 +322,7 @@ void BodyPlanner::addShaft(int axisClass, int link) {
 /// rings by the tube between their cup and these.
 void BodyPlanner::addFixedHubs() {
   for (const TrainGear& gear : m_train.gears) {
-    const bool turns = m_placement.classes->classOfLink(m_tree, gear.link) == gear.axisClass;
+    const bool turns = m_placement.classes->classOfLink(gear.link) == gear.axisClass;
     if (turns || isCoaxial(gear.axisClass)) continue;
     if (m_plan.shaftOf(gear.axisClass, gear.link, 0) == nullptr) addShaft(gear.axisClass, gear.link);
   }

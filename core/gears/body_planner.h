@@ -46,7 +46,7 @@ class BodyPlanner {
     }
     for (const int link : links) {
       if (link == 0) continue;
-      const int c = m_placement.classes->classOfLink(m_tree, link);
+      const int c = m_placement.classes->classOfLink(link);
       if (!isCoaxial(c)) addShaft(c, link);
     }
     addFixedHubs();

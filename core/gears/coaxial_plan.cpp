@@ -368,7 +368,7 @@ void CoaxialMaker::setHubs() {
 bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train) {
   const AxisClasses& classes = *placement.classes;
   const JointTree& tree = *placement.tree;
-  const auto isOf = [&](int link) { return classes.classOfLink(tree, link) == axisClass; };
+  const auto isOf = [&](int link) { return classes.classOfLink(link) == axisClass; };
   if (classes.classes[at(axisClass)].top != 0) return false;
   int rings = 0;
   for (const TrainGear& gear : train.gears) {
@@ -377,7 +377,7 @@ bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain
     if (gear.axisClass == axisClass && gear.link != 0 && !isOf(gear.link)) return false;
     const int top = classes.classes[at(gear.axisClass)].top;
     if (gear.axisClass == axisClass || !isOf(top)) continue;
-    if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(tree, gear.link) == gear.axisClass))
+    if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(gear.link) == gear.axisClass))
       return false;
   }
   if (rings < 2) return false;

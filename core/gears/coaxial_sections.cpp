@@ -124,7 +124,6 @@ class SectionMaker {
 
 void SectionMaker::findWheels() {
   const AxisClasses& classes = *m_placement.classes;
-  const JointTree& tree = *m_placement.tree;
   std::map<int, CoaxialPlanets> planets;
   for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
     const TrainGear& gear = m_train.gears[g];
@@ -140,7 +139,7 @@ void SectionMaker::findWheels() {
     wheel.distance = (apart - apart.dot(m_axis.direction) * m_axis.direction).norm();
     const int top = classes.classes[at(c)].top;
     const bool inRing = top == 0 && meshesInside(g);  // the ground is a carrier, too
-    if (classes.classOfLink(tree, top) != m_class && !inRing) {
+    if (classes.classOfLink(top) != m_class && !inRing) {
       m_beside.push_back(wheel);
       continue;
     }

@@ -49,7 +49,7 @@ WheelOrbit orbitOf(int axisClass, const Placement& placement) {
   WheelOrbit orbit;
   orbit.at = wide(line.point);
   orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].top;
-  const int about = classes.classOfLink(*placement.tree, orbit.carrier);
+  const int about = classes.classOfLink(orbit.carrier);
   if (about < 0) return orbit;
   const AxisLine& centre = placement.lineOfClass(about);
   if (!areParallel(wide(line.direction), wide(centre.direction))) return orbit;

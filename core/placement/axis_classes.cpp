@@ -1,9 +1,14 @@
 #include "core/placement/axis_classes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory_resource>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "core/base/triple.h"
 #include "core/placement/tolerance.h"
@@ -20,113 +25,178 @@ int coincide(const AxisLine& a, const AxisLine& b) {
   return dot(a.direction, b.direction) > 0 ? 1 : -1;
 }
 
-/// Sets of joints with the sense of each against its set's root.
-class JointSets {
- public:
-  struct Member {
-    int up = 0;     ///< towards the root, which is its own
-    int sense = 1;  ///< against `up`
-  };
+/// A number that changes little where a line changes little, and not with its direction's sense; its weights
+/// are arbitrary ones that tell drawn lines apart.
+double keyOf(const AxisLine& line) {
+  const Vector3& u = line.direction;
+  const Vector3 foot = line.point - dot(line.point, u) * u;
+  return dot(foot, Vector3{0.7310, 0.5179, 0.4451}) + 0.6133 * u[0] * u[0] + 0.2719 * u[1] * u[1] +
+         0.3557 * u[0] * u[1] + 0.1931 * u[1] * u[2] + 0.4373 * u[2] * u[0];
+}
 
-  explicit JointSets(std::size_t joints) : m_members(joints) {
-    for (std::size_t i = 0; i < joints; ++i) m_members[i].up = static_cast<int>(i);
-  }
-  /// The set's root, and the joint's sense against it.
-  Member find(int joint) {
-    // Hangs all joints between this one and its root on the root itself, from the root down.
-    m_walk.clear();
-    for (int at = joint; m_members[at].up != at; at = m_members[at].up) m_walk.push_back(at);
-    for (std::size_t i = m_walk.size(); i-- > 0;) {
-      Member& member = m_members[m_walk[i]];
-      const Member& up = m_members[member.up];
-      if (up.up == member.up) continue;
-      member = {up.up, member.sense * up.sense};
+/// Finds the classes from the ground outward: of the joints at a link, those on one line are of one class,
+/// that of the joint towards the ground or a new one.
+///
+/// 1. Group the joints at the link by their axes' names.
+/// 2. Join groups whose lines coincide; only lines with close keys can.
+/// 3. Give every group its class.
+/// 4. In the end, number the classes in the order of their first joints, which also give the senses.
+class ClassFinder {
+ public:
+  ClassFinder(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
+      : m_mechanism(mechanism), m_tree(tree), m_lines(lines) {
+    m_axes.reserve(lines.size());
+    double farthest = 0;  // from the origin, squared
+    for (const AxisLine& line : lines) {
+      // The infinite key of a line that is not given is close to no other.
+      m_axes.push_back({line.automatic ? std::numeric_limits<double>::infinity() : keyOf(line)});
+      farthest = std::max(farthest, dot(line.point, line.point));
     }
-    return m_members[joint];
-  }
-  /// `sense`: of b against a. The smaller root stays the root, so that the first joint gives the direction.
-  void unite(int a, int b, int sense) {
-    const Member rootA = find(a);
-    const Member rootB = find(b);
-    if (rootA.up == rootB.up) return;
-    const auto [low, high] = std::minmax(rootA.up, rootB.up);
-    m_members[high] = {low, rootA.sense * rootB.sense * sense};
+    m_closeKeys = 8 * kSameLine * (1 + std::sqrt(farthest));
+    m_found.reserve(tree.joints.size());
   }
 
- private:
-  std::vector<Member> m_members;
-  std::vector<int> m_walk;
-};
-
-/// At each link, joins the joints there that lie on one line.
-class Merger {
- public:
-  Merger(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
-      : m_mechanism(mechanism),
-        m_tree(tree),
-        m_lines(lines),
-        m_sets(tree.joints.size()),
-        m_firstAt(mechanism.axes.size(), -1) {}
-
-  JointSets run(Diagnostics& diagnostics) {
-    for (int link = 0; link < m_tree.graph->nodeCount(); ++link) {
+  /// True where some axis is named by joints of several classes.
+  bool run(AxisClasses& result, Diagnostics& diagnostics) {
+    result.classOf.resize(m_tree.joints.size());
+    result.sense.resize(m_tree.joints.size());
+    for (const int link : m_tree.order) {
       const std::span<const int> joints = m_tree.graph->turningEdgesAt(link);
-      if (joints.size() > 1) joinAt(joints);
+      if (link != 0 && joints.size() == 1) continue;  // its class is known
+      groupByAxis(link, joints);
+      if (m_groups.size() > 1) joinGroups();
+      giveClasses(link, joints, result);
     }
     report(diagnostics);
-    return std::move(m_sets);
+    return number(result);
   }
 
  private:
-  void joinAt(std::span<const int> joints) {
-    m_firstOfAxis.clear();
+  struct AxisMark {
+    double key = 0;
+    int link = -1;   ///< where its joints were met last,
+    int group = -1;  ///< and the number of their group there
+  };
+  /// Joints of one axis at the link being treated.
+  struct Group {
+    int axis = 0;
+    int set = 0;     ///< the first of the groups that it is joined with
+    int sense = 1;   ///< of its axis against that one's
+    int found = -1;  ///< of the first one of a set: its class, and its axis' sense against that class
+    int against = 1;
+  };
+  /// A class before it has its number.
+  struct Found {
+    int top = 0;
+    int depth = 0;
+    int number = -1;
+    int sense = 1;  ///< of its first joint
+  };
+  struct Merged {
+    int first = 0;
+    int second = 0;
+    int sense = 1;
+    auto operator<=>(const Merged&) const = default;
+  };
+
+  void groupByAxis(int link, std::span<const int> joints) {
+    m_groups.clear();
     for (const int joint : joints) {
-      int& first = m_firstAt[m_tree.axisOf[joint]];
-      if (first < 0) {
-        first = joint;
-        m_firstOfAxis.push_back(joint);
-      } else {
-        m_sets.unite(first, joint, 1);
-      }
+      const int position = m_tree.axisOf[joint];
+      AxisMark& axis = m_axes[position];
+      if (axis.link == link) continue;
+      axis.link = link;
+      axis.group = static_cast<int>(m_groups.size());
+      m_groups.push_back({position, axis.group});
     }
-    for (const int joint : m_firstOfAxis) m_firstAt[m_tree.axisOf[joint]] = -1;
-    if (m_firstOfAxis.size() > 1) compareLines();
   }
 
-  /// Compares the lines that may coincide: those whose keys are close. A key does not depend on the
-  /// direction's sense, and its weights are arbitrary numbers that tell drawn lines apart.
-  void compareLines() {
+  void joinGroups() {
+    constexpr int kFew = 6;  // are compared sooner than sorted
+    const int groups = static_cast<int>(m_groups.size());
+    if (groups > kFew) return joinSorted();
+    for (int b = 1; b < groups; ++b) {
+      for (int a = 0; a < b; ++a) {
+        if (std::abs(keyOfGroup(b) - keyOfGroup(a)) < m_closeKeys) joinIfOneLine(a, b);
+      }
+    }
+  }
+
+  void joinSorted() {
     m_keyed.clear();
-    double farthest = 0;  // from the origin, squared
-    for (const int joint : m_firstOfAxis) {
-      const AxisLine& line = m_lines[m_tree.axisOf[joint]];
-      if (line.automatic) continue;
-      const Vector3& u = line.direction;
-      const Vector3 foot = line.point - dot(line.point, u) * u;
-      farthest = std::max(farthest, dot(line.point, line.point));
-      m_keyed.push_back({dot(foot, Vector3{0.7310, 0.5179, 0.4451}) + 0.6133 * u[0] * u[0] +
-                             0.2719 * u[1] * u[1] + 0.3557 * u[0] * u[1] + 0.1931 * u[1] * u[2] +
-                             0.4373 * u[2] * u[0],
-                         joint});
+    for (int group = 0; group < static_cast<int>(m_groups.size()); ++group) {
+      m_keyed.emplace_back(keyOfGroup(group), group);
     }
     std::sort(m_keyed.begin(), m_keyed.end());
-    const double size = 1 + std::sqrt(farthest);
     for (std::size_t i = 0; i < m_keyed.size(); ++i) {
-      for (std::size_t k = i + 1;
-           k < m_keyed.size() && m_keyed[k].first - m_keyed[i].first < 8 * kSameLine * size; ++k) {
-        joinLines(m_keyed[i].second, m_keyed[k].second);
+      for (std::size_t k = i + 1; k < m_keyed.size() && m_keyed[k].first - m_keyed[i].first < m_closeKeys;
+           ++k) {
+        joinIfOneLine(m_keyed[i].second, m_keyed[k].second);
       }
     }
   }
 
-  void joinLines(int a, int b) {
-    const int axisA = m_tree.axisOf[a];
-    const int axisB = m_tree.axisOf[b];
-    const int sense = coincide(m_lines[axisA], m_lines[axisB]);
+  [[nodiscard]] double keyOfGroup(int group) const { return m_axes[m_groups[group].axis].key; }
+
+  void joinIfOneLine(int a, int b) {
+    const auto [low, high] = std::minmax(m_groups[a].axis, m_groups[b].axis);
+    const int sense = coincide(m_lines[low], m_lines[high]);
     if (sense == 0) return;
-    m_sets.unite(a, b, sense);
-    const std::pair<int, int> pair = std::minmax(axisA, axisB);
-    m_merged.push_back({pair.first, pair.second, sense});
+    m_merged.push_back({low, high, sense});
+    const Group one = m_groups[a];
+    const Group other = m_groups[b];
+    if (one.set == other.set) return;
+    for (Group& group : m_groups) {
+      if (group.set != other.set) continue;
+      group.set = one.set;
+      group.sense *= one.sense * other.sense * sense;
+    }
+  }
+
+  void giveClasses(int link, std::span<const int> joints, AxisClasses& result) {
+    const int up = m_tree.joint[link];
+    int depth = 0;
+    if (up >= 0) {
+      const Group& group = groupOf(up);
+      Group& set = m_groups[group.set];
+      set.found = result.classOf[up];
+      set.against = result.sense[up] * group.sense;
+      depth = m_found[set.found].depth + 1;
+    }
+    for (const int joint : joints) {
+      const Group& group = groupOf(joint);
+      Group& set = m_groups[group.set];
+      if (set.found < 0) {
+        set.found = static_cast<int>(m_found.size());
+        m_found.push_back({link, depth});
+      }
+      result.classOf[joint] = set.found;
+      result.sense[joint] = group.sense * set.against;
+    }
+  }
+
+  [[nodiscard]] const Group& groupOf(int joint) const { return m_groups[m_axes[m_tree.axisOf[joint]].group]; }
+
+  bool number(AxisClasses& result) {
+    constexpr int kNone = -1;
+    bool isSplit = false;
+    for (AxisMark& axis : m_axes) axis.group = kNone;  // from now on the class of its joints
+    result.classes.reserve(m_found.size());
+    result.ofLink.resize(m_tree.joint.size(), kNone);
+    for (int joint = 0; joint < static_cast<int>(m_tree.joints.size()); ++joint) {
+      Found& found = m_found[result.classOf[joint]];
+      const int axis = m_tree.axisOf[joint];
+      if (found.number < 0) {
+        found.number = static_cast<int>(result.classes.size());
+        found.sense = result.sense[joint];
+        result.classes.push_back({joint, axis, found.top, found.depth});
+      }
+      result.classOf[joint] = result.ofLink[m_tree.child[joint]] = found.number;
+      result.sense[joint] *= found.sense;
+      const int before = std::exchange(m_axes[axis].group, found.number);
+      isSplit = isSplit || (before != kNone && before != found.number);
+    }
+    return isSplit;
   }
 
   void report(Diagnostics& diagnostics) {
@@ -145,37 +215,21 @@ class Merger {
     }
   }
 
-  struct Merged {
-    int first = 0;
-    int second = 0;
-    int sense = 1;
-    auto operator<=>(const Merged&) const = default;
-  };
-
   const Mechanism& m_mechanism;
   const JointTree& m_tree;
   std::span<const AxisLine> m_lines;
-  JointSets m_sets;
-  std::vector<int> m_firstAt;  ///< by axis: its first joint at the link being treated, or -1
-  std::vector<int> m_firstOfAxis;
-  std::vector<std::pair<double, int>> m_keyed;
-  std::vector<Merged> m_merged;
+  std::array<std::byte, 2048> m_buffer;  // enough for some dozens of joints
+  std::pmr::monotonic_buffer_resource m_scratch{m_buffer.data(), m_buffer.size()};
+  std::pmr::vector<AxisMark> m_axes{&m_scratch};
+  double m_closeKeys = 0;  ///< by how much those of one line may differ
+  std::pmr::vector<Group> m_groups{&m_scratch};
+  std::pmr::vector<std::pair<double, int>> m_keyed{&m_scratch};
+  std::pmr::vector<Found> m_found{&m_scratch};
+  std::pmr::vector<Merged> m_merged{&m_scratch};
 };
-
-/// Is some axis named by joints of several classes?
-bool anySplit(const JointTree& tree, const AxisClasses& classes, std::size_t axes) {
-  std::vector<int> classOfAxis(axes, -1);
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    int& of = classOfAxis[tree.axisOf[j]];
-    if (of >= 0 && of != classes.classOf[j]) return true;
-    of = classes.classOf[j];
-  }
-  return false;
-}
 
 void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisClasses& classes,
                   Diagnostics& diagnostics) {
-  if (!anySplit(tree, classes, mechanism.axes.size())) return;
   std::vector<std::vector<int>> classesOfAxis(mechanism.axes.size());
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     std::vector<int>& list = classesOfAxis[tree.axisOf[j]];
@@ -205,30 +259,8 @@ void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisC
 
 AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
                          Diagnostics& diagnostics) {
-  JointSets sets = Merger(mechanism, tree, lines).run(diagnostics);
-  const int joints = static_cast<int>(tree.joints.size());
-  classOf.resize(tree.joints.size());
-  sense.resize(tree.joints.size());
-  classes.reserve(tree.joints.size());
-  for (int joint = 0; joint < joints; ++joint) {
-    const auto [root, against] = sets.find(joint);  // a root stands before its set's other joints
-    if (root == joint) {
-      classOf[joint] = static_cast<int>(classes.size());
-      classes.push_back({joint, tree.axisOf[joint], -1, 0});
-    } else {
-      classOf[joint] = classOf[root];
-    }
-    sense[joint] = against;
-  }
-  for (const int link : tree.order) {  // parents first: the first parent seen is the top
-    if (link == 0) continue;
-    Class& of = classes[classOf[tree.joint[link]]];
-    if (of.top >= 0) continue;
-    of.top = tree.parent[link];
-    const int above = classOfLink(tree, of.top);
-    of.depth = above < 0 ? 0 : classes[above].depth + 1;
-  }
-  reportSplits(mechanism, tree, *this, diagnostics);
+  const bool isSplit = ClassFinder(mechanism, tree, lines).run(*this, diagnostics);
+  if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);
 }
 
 }  // namespace geargraph

@@ -26,6 +26,7 @@ struct AxisClasses {
   std::vector<Class> classes;  ///< in the order of their first joints
   std::vector<int> classOf;    ///< by joint
   std::vector<int> sense;      ///< by joint: +1 where its axis points as the class's line does, -1 against it
+  std::vector<int> ofLink;     ///< by link: the class of its joint towards the ground; -1 for the ground
 
   /// By links of one axis name, then by lines of different names that coincide at a shared link:
   /// `merged-axes`; joints of one name in several classes: `split-axis`. Cost: O(n) but for joints that share
@@ -36,10 +37,7 @@ struct AxisClasses {
   /// Of a mechanism without a tree: none.
   AxisClasses() = default;
 
-  /// The class of the link's joint towards the ground; -1 for the ground.
-  [[nodiscard]] int classOfLink(const JointTree& tree, int link) const {
-    return link == 0 ? -1 : classOf[tree.joint[link]];
-  }
+  [[nodiscard]] int classOfLink(int link) const { return ofLink[static_cast<std::size_t>(link)]; }
 };
 
 }  // namespace geargraph

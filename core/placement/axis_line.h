@@ -1,12 +1,18 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/base/triple.h"
 #include "core/mechanism/mechanism.h"
 
 namespace geargraph {
+
+[[nodiscard]] inline ExactVector3 toFractions(const NumberTriple& triple) {
+  return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
+}
+[[nodiscard]] inline Vector3 toDoubles(const NumberTriple& triple) {
+  return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
 
 /// A line in fractions; the direction is of any length.
 struct ExactLine {
@@ -17,15 +23,12 @@ struct ExactLine {
 /// Where an axis lies in the reference pose, base frame.
 struct AxisLine {
   Vector3 point{};
-  Vector3 direction{0, 0, 1};               ///< of length 1
-  bool automatic = false;                   ///< point or direction chosen by the program
-  std::shared_ptr<const ExactLine> chosen;  ///< where it was; null for a given line, which the document has
+  Vector3 direction{0, 0, 1};  ///< of length 1
+  bool automatic = false;      ///< point or direction chosen by the program
+  int chosen = -1;  ///< where it was: its place in Placement::chosen; else the document has the line
 };
 
 /// The lines that the document gives, by axis; one that it leaves open stands at the origin and is automatic.
 [[nodiscard]] std::vector<AxisLine> givenLines(const Mechanism& mechanism);
-
-/// The line in fractions: as chosen, or as written in the document.
-[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis);
 
 }  // namespace geargraph

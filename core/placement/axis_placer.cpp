@@ -13,14 +13,6 @@
 namespace geargraph {
 namespace {
 
-ExactVector3 exactOf(const NumberTriple& triple) {
-  return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
-}
-
-Vector3 valuesOf(const NumberTriple& triple) {
-  return {triple[0].value(), triple[1].value(), triple[2].value()};
-}
-
 bool isInternal(const GearMesh& mesh) {
   return mesh.kind == MeshKind::internal;
 }
@@ -52,9 +44,11 @@ class AxisPlacer {
     PlacedAxes axes;
     axes.lines.reserve(m_lines.size());
     for (auto& placed : m_lines) {
-      AxisLine line{placed->point, placed->direction, placed->automatic, nullptr};
-      if (placed->automatic) line.chosen = std::make_shared<const ExactLine>(std::move(placed->exact));
-      axes.lines.push_back(std::move(line));
+      AxisLine& line =
+          axes.lines.emplace_back(AxisLine{placed->point, placed->direction, placed->automatic, -1});
+      if (!placed->automatic) continue;
+      line.chosen = static_cast<int>(axes.chosen.size());
+      axes.chosen.push_back(std::move(placed->exact));
     }
     axes.module = m_module;
     axes.bevelSizes = m_bevels.sizes();
@@ -78,7 +72,7 @@ class AxisPlacer {
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
       const Axis& axis = m_mechanism.axes[i];
       if (axis.point && axis.direction) {
-        setLine(static_cast<int>(i), lineOf(exactOf(*axis.point), exactOf(*axis.direction), false));
+        setLine(static_cast<int>(i), lineOf(toFractions(*axis.point), toFractions(*axis.direction), false));
       }
     }
   }
@@ -173,9 +167,9 @@ class AxisPlacer {
       }
       point[1] = Rational::fromDouble(std::ceil(farthest)) + Rational(50) * m_module;
     }
-    if (element.point) point = exactOf(*element.point);
+    if (element.point) point = toFractions(*element.point);
     setLine(axis,
-            lineOf(point, element.direction ? exactOf(*element.direction) : ExactVector3{0, 0, 1}, true));
+            lineOf(point, element.direction ? toFractions(*element.direction) : ExactVector3{0, 0, 1}, true));
   }
 
   void placeNeighbours(int axis, std::vector<int>& queue) {
@@ -201,12 +195,12 @@ class AxisPlacer {
     const PlacedLine& from = *m_lines[axis];
     const Axis& element = m_mechanism.axes[partner.axis];
     const ExactVector3 outward = spoke(from.exact.direction, index, count);
-    const bool bevel = element.direction ? !isParallel(from.exact.direction, exactOf(*element.direction))
+    const bool bevel = element.direction ? !isParallel(from.exact.direction, toFractions(*element.direction))
                                          : mesh(partner.mesh).kind == MeshKind::bevel;
     ExactVector3 point;
     ExactVector3 direction;
     if (bevel) {
-      direction = element.direction ? exactOf(*element.direction) : outward;
+      direction = element.direction ? toFractions(*element.direction) : outward;
       if (!element.point) {
         apex = m_bevels.place(axis, partner.axis, unit(toDoubles(direction)), m_module.toDouble(), apex);
         point = from.exact.point +
@@ -218,8 +212,8 @@ class AxisPlacer {
       direction = from.exact.direction;
       if (const auto held = heldByTwo(axis, partner)) point = *held;
     }
-    if (element.point) point = exactOf(*element.point);
-    if (element.direction) direction = exactOf(*element.direction);
+    if (element.point) point = toFractions(*element.point);
+    if (element.direction) direction = toFractions(*element.direction);
     setLine(partner.axis, lineOf(point, direction, true));
   }
 
@@ -290,12 +284,6 @@ class AxisPlacer {
 
 }  // namespace
 
-ExactLine exactLine(const Mechanism& mechanism, const AxisLine& line, int axis) {
-  if (line.chosen) return *line.chosen;
-  const Axis& given = mechanism.axes[axis];
-  return {exactOf(*given.point), exactOf(*given.direction)};
-}
-
 std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
   std::vector<AxisLine> lines;
   lines.reserve(mechanism.axes.size());
@@ -303,8 +291,9 @@ std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
     AxisLine& line = lines.emplace_back();
     line.automatic = !axis.point || !axis.direction;
     if (line.automatic) continue;
-    line.point = valuesOf(*axis.point);
-    line.direction = unit(valuesOf(*axis.direction));
+    line.point = toDoubles(*axis.point);
+    const Vector3 direction = toDoubles(*axis.direction);
+    line.direction = dot(direction, direction) == 1 ? direction : unit(direction);
   }
   return lines;
 }
@@ -315,7 +304,7 @@ PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given, c
   const bool open =
       std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });
   if (open) return AxisPlacer(mechanism, tree, classes, words).run();
-  return {std::move(given), kDefaultModule, std::vector<int>(words.size(), kUsualBevelSize)};
+  return {std::move(given), {}, kDefaultModule, {}};
 }
 
 }  // namespace geargraph

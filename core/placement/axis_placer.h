@@ -12,9 +12,11 @@ namespace geargraph {
 constexpr int kDefaultModule = 2;
 
 struct PlacedAxes {
-  std::vector<AxisLine> lines;  ///< by axis of the document
+  std::vector<AxisLine> lines;    ///< by axis of the document
+  std::vector<ExactLine> chosen;  ///< of the automatic ones
   Rational module = kDefaultModule;
-  std::vector<int> bevelSizes;  ///< by mesh: the module of a derived bevel pair, in halves of `module`
+  std::vector<int> bevelSizes;  ///< by mesh: the module of a derived bevel pair, in halves of `module`;
+                                ///< empty: of the usual size
 };
 
 /// Places the axes that the file leaves open.

@@ -138,7 +138,7 @@ bool BevelArranger::meet(const Wheel& wheel, const Wheel& other) const {
   if (wheel.link == other.link) return false;
   if (areNear(wheel.hull, other.hull, m_margin)) return true;
   ClassPath path;
-  path.walk(m_classes, *m_tree, wheel.link, other.link);
+  path.walk(m_classes, wheel.link, other.link);
   for (const int c : path.classes()) {
     if (c == wheel.axisClass || c == other.axisClass) continue;
     const auto& line = m_lines[static_cast<std::size_t>(m_classes.classes[static_cast<std::size_t>(c)].axis)];

@@ -57,6 +57,12 @@ std::string fit(const GearPair<double>& pair, const Vector3& at, int sign) {
   return point ? "the pitch point " + text(*point) : "another tooth count";
 }
 
+Diagnostic onAxis(const Mechanism& mechanism, int mesh, const Vector3& point, bool ofTail) {
+  return finding(mechanism, mesh, Code::pitchPointOnAxis,
+                 "the pitch point " + text(point) + " lies on the axis of the " + (ofTail ? "tail" : "head") +
+                     " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.");
+}
+
 Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
                     const Vector3& point) {
   const bool parallel = positionOf(pair) == LinePosition::parallel;
@@ -143,27 +149,19 @@ Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
                      std::to_string(mechanism.gearMeshes[mesh].tailTeeth) + ".");
 }
 
-std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh,
-                                            const GearPair<double>& pair, MeshGeometry geometry,
-                                            Diagnostics& diagnostics) {
+bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
+                   MeshGeometry& geometry, Diagnostics& diagnostics) {
   const auto refuse = [&](Diagnostic why) {
     diagnostics.push_back(std::move(why));
-    return std::nullopt;
+    return false;
   };
-  const LinePosition position = positionOf(pair);
-  if (position == LinePosition::skew) return refuse(skewAxes(mechanism, mesh, pair));
-
   const Vector3 tail = cross(pair.tailDirection, geometry.pitchPoint - pair.tailPoint);
   const Vector3 head = cross(pair.headDirection, geometry.pitchPoint - pair.headPoint);
   const double tailLength = length(tail);
   const double headLength = length(head);
   const double larger = std::max(tailLength, headLength);
   if (std::min(tailLength, headLength) <= kSameLine * larger) {
-    return refuse(
-        finding(mechanism, mesh, Code::pitchPointOnAxis,
-                "the pitch point " + text(geometry.pitchPoint) + " lies on the axis of the " +
-                    (tailLength <= headLength ? "tail" : "head") +
-                    " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane."));
+    return refuse(onAxis(mechanism, mesh, geometry.pitchPoint, tailLength <= headLength));
   }
   const Vector3 off = cross(tail, head);
   const double slack = kGeometryFits * tailLength * headLength;
@@ -185,9 +183,8 @@ std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh
   if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, geometry));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;
-  if (std::abs(a - b) > kGeometryFits * std::max(a, b))
-    return refuse(wrongTeeth(mechanism, mesh, pair, geometry));
-  return geometry;
+  if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;
+  return refuse(wrongTeeth(mechanism, mesh, pair, geometry));
 }
 
 }  // namespace geargraph

@@ -18,31 +18,34 @@ struct MeshGeometry {
   int carrier = 0;  ///< the transfer vertex
   int tailClass = 0;
   int headClass = 0;
-  MeshKind kind = MeshKind::external;
+  int tailTeeth = 1;
+  int headTeeth = 1;
   /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
   /// the geometry: the sign of r_A . r_B.
   int sign = -1;
-  Vector3 pitchPoint{};
+  BevelSides sides;      ///< of a derived bevel pair
+  int bevelSize = 2;     ///< of a derived bevel pair: its module in halves of the placement's
   bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
+  MeshKind kind = MeshKind::external;
+  Vector3 pitchPoint{};
   /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
   /// direction).
   Vector3 normal{};
   double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
-  BevelSides sides;       ///< of a derived bevel pair
-  int bevelSize = 2;      ///< of a derived bevel pair: its module in halves of the placement's
 };
-
-/// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
-/// both radii are non-zero and parallel). Nothing, and pitch-point-on-axis, pitch-geometry or teeth-geometry
-/// with what was found and what would fit, where it does not fit.
-[[nodiscard]] std::optional<MeshGeometry> checkedGeometry(const Mechanism& mechanism, int mesh,
-                                                          const GearPair<double>& pair, MeshGeometry geometry,
-                                                          Diagnostics& diagnostics);
 
 /// How two lines lie to each other.
 enum class LinePosition { parallel, meeting, skew };
 [[nodiscard]] LinePosition positionOf(const GearPair<double>& pair);
+
+/// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
+/// both radii are non-zero and parallel), which gives normal, radii, sign and kind. False, and
+/// pitch-point-on-axis, pitch-geometry or teeth-geometry with what was found and what would fit, where it
+/// does not fit.
+/// @pre the lines are not skew, `position` is theirs; the geometry has its pitch point
+[[nodiscard]] bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+                                 LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
 
 /// The pitch-geometry finding for axes that neither are parallel nor meet.
 [[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair);

@@ -19,40 +19,44 @@ std::string name(const Mechanism& mechanism, int mesh) {
 }
 
 /// The class that two links share, -1 where there is none. @pre the links differ
-int sharedClass(const AxisClasses& classes, const JointTree& tree, int a, int b) {
-  const int ofA = classes.classOfLink(tree, a);
-  const int ofB = classes.classOfLink(tree, b);
+int sharedClass(const AxisClasses& classes, int a, int b) {
+  const int ofA = classes.classOfLink(a);
+  const int ofB = classes.classOfLink(b);
   if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].top == b)) return ofA;
   return ofB >= 0 && classes.classes[ofB].top == a ? ofB : -1;
 }
 
 /// The two classes of a proper word share one link only, the carrier, which is the top of one of them: of the
 /// tail's or of the head's.
-std::optional<MeshWord> properWord(const AxisClasses& classes, const JointTree& tree, int tail, int head) {
-  for (const int link : {tail, head}) {
-    if (link == 0) continue;
-    const int carrier = classes.classes[classes.classOfLink(tree, link)].top;
-    if (carrier == tail || carrier == head) continue;
-    const int a = sharedClass(classes, tree, tail, carrier);
-    const int b = sharedClass(classes, tree, head, carrier);
-    if (a >= 0 && b >= 0 && a != b) return MeshWord{a, b, carrier};
+std::optional<MeshWord> properWord(const AxisClasses& classes, int tail, int head) {
+  const int ofTail = classes.classOfLink(tail);
+  const int ofHead = classes.classOfLink(head);
+  const auto topOf = [&](int axisClass) { return axisClass < 0 ? -1 : classes.classes[axisClass].top; };
+  const auto canCarry = [&](int link) { return link >= 0 && link != tail && link != head; };
+  if (const int carrier = topOf(ofTail); canCarry(carrier)) {
+    const int shared = sharedClass(classes, head, carrier);
+    if (shared >= 0 && shared != ofTail) return MeshWord{ofTail, shared, carrier};
+  }
+  if (const int carrier = topOf(ofHead); canCarry(carrier)) {
+    const int shared = sharedClass(classes, tail, carrier);
+    if (shared >= 0 && shared != ofHead) return MeshWord{shared, ofHead, carrier};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-void ClassPath::climb(const AxisClasses& classes, const JointTree& tree, int& link, std::vector<int>& word,
+void ClassPath::climb(const AxisClasses& classes, int& link, std::vector<int>& word,
                       std::vector<int>& links) {
-  const int at = classes.classOfLink(tree, link);
+  const int at = classes.classOfLink(link);
   word.push_back(at);
   link = classes.classes[at].top;
   links.push_back(link);
 }
 
-void ClassPath::walk(const AxisClasses& classes, const JointTree& tree, int tail, int head) {
+void ClassPath::walk(const AxisClasses& classes, int tail, int head) {
   const auto depthOf = [&](int link) {
-    const int at = classes.classOfLink(tree, link);
+    const int at = classes.classOfLink(link);
     return at < 0 ? -1 : classes.classes[at].depth;
   };
   m_classes.clear();
@@ -62,15 +66,15 @@ void ClassPath::walk(const AxisClasses& classes, const JointTree& tree, int tail
   int a = tail;
   int b = head;
   while (a != b) {
-    if (classes.classOfLink(tree, a) == classes.classOfLink(tree, b)) {  // they meet along one axis
-      m_classes.push_back(classes.classOfLink(tree, a));
+    if (classes.classOfLink(a) == classes.classOfLink(b)) {  // they meet along one axis
+      m_classes.push_back(classes.classOfLink(a));
       m_changes.push_back(b);
       break;
     }
     const int depthA = depthOf(a);
     const int depthB = depthOf(b);
-    if (depthA >= depthB) climb(classes, tree, a, m_classes, m_changes);
-    if (depthB >= depthA) climb(classes, tree, b, m_headClasses, m_headChanges);
+    if (depthA >= depthB) climb(classes, a, m_classes, m_changes);
+    if (depthB >= depthA) climb(classes, b, m_headClasses, m_headChanges);
   }
   // So far m_changes[i] is the link behind class i; the head's climb has the link before each of its classes.
   m_classes.insert(m_classes.end(), m_headClasses.rbegin(), m_headClasses.rend());
@@ -81,8 +85,8 @@ void ClassPath::walk(const AxisClasses& classes, const JointTree& tree, int tail
 std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
                                  const JointTree& tree, int mesh, ClassPath& path, Diagnostics& diagnostics) {
   const auto [tail, head] = tree.meshes[mesh];
-  if (const auto proper = properWord(classes, tree, tail, head)) return proper;
-  path.walk(classes, tree, tail, head);
+  if (const auto proper = properWord(classes, tail, head)) return proper;
+  path.walk(classes, tail, head);
   Diagnostic finding;
   const GearMesh& element = mechanism.gearMeshes[mesh];
   finding.elements = {element.id, element.tail, element.head};

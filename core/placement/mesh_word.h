@@ -15,23 +15,18 @@ struct MeshWord {
   int carrier = 0;    ///< the link where A changes to B: the transfer vertex
 };
 
-/// The path from one link to another as classes. Kept from mesh to mesh, so that walking allocates nothing.
+/// The path from one link to another as classes. Kept from mesh to mesh, so that few walks allocate.
 class ClassPath {
  public:
-  ClassPath() {
-    constexpr std::size_t kUsual = 4;
-    for (auto* list : {&m_classes, &m_changes, &m_headClasses, &m_headChanges}) list->reserve(kUsual);
-  }
   /// Cost: O(axis classes on the path), whatever its length in joints.
-  void walk(const AxisClasses& classes, const JointTree& tree, int tail, int head);
+  void walk(const AxisClasses& classes, int tail, int head);
 
   [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< each once a stretch
   /// The link between classes i and i + 1.
   [[nodiscard]] int change(std::size_t i) const { return m_changes[i]; }
 
  private:
-  void climb(const AxisClasses& classes, const JointTree& tree, int& link, std::vector<int>& word,
-             std::vector<int>& links);
+  void climb(const AxisClasses& classes, int& link, std::vector<int>& word, std::vector<int>& links);
 
   std::vector<int> m_classes;
   std::vector<int> m_changes;

@@ -7,14 +7,6 @@
 namespace geargraph {
 namespace {
 
-GearPair<double> pairOf(const Mechanism& mechanism, const Placement& placement, int mesh, int tailClass,
-                        int headClass) {
-  const AxisLine& tail = placement.lineOfClass(tailClass);
-  const AxisLine& head = placement.lineOfClass(headClass);
-  const GearMesh& element = mechanism.gearMeshes[mesh];
-  return {tail.point, tail.direction, head.point, head.direction, element.tailTeeth, element.headTeeth};
-}
-
 /// Is the tail's axis the inner one, nearer the ground?
 bool tailIsInner(const Placement& placement, int tailClass, int headClass) {
   const auto& classes = placement.classes->classes;
@@ -40,7 +32,7 @@ class SideChooser {
  private:
   int side(int link, int axisClass, int carrier, int partner, const Vector3& apex, bool inner) {
     const AxisLine& line = m_placement.lineOfClass(axisClass);
-    if (link != 0 && m_placement.classes->classOfLink(*m_placement.tree, link) == axisClass) {
+    if (m_placement.classes->classOfLink(link) == axisClass) {
       const int joint = m_placement.tree->joint[link];
       const AxisLine& own = m_placement.axes[m_placement.tree->axisOf[joint]];
       const double offset = m_mechanism.turningJoints[joint].offset.value();
@@ -60,45 +52,75 @@ class SideChooser {
   SideNumbers m_numbers;
 };
 
-Vector3 valuesOf(const NumberTriple& triple) {
-  return {triple[0].value(), triple[1].value(), triple[2].value()};
-}
+/// Finds what the geometry of meshes comes to.
+class MeshLocator {
+ public:
+  MeshLocator(const Mechanism& mechanism, Placement& placement, std::span<const int> bevelSizes)
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_bevelSizes(bevelSizes),
+        m_module(placement.module.toDouble()),
+        m_sides(mechanism, placement) {}
 
-std::optional<MeshGeometry> located(const Mechanism& mechanism, Placement& placement, int mesh,
-                                    const MeshWord& word, int bevelSize, SideChooser& sides) {
-  const GearMesh& element = mechanism.gearMeshes[mesh];
-  const auto pair = pairOf(mechanism, placement, mesh, word.tailClass, word.headClass);
-  MeshGeometry geometry;
-  geometry.tail = placement.tree->meshes[mesh].tail;
-  geometry.head = placement.tree->meshes[mesh].head;
-  geometry.carrier = word.carrier;
-  geometry.tailClass = word.tailClass;
-  geometry.headClass = word.headClass;
-  geometry.derived = !element.pitchPoint;
-  if (element.pitchPoint) {
-    geometry.pitchPoint = valuesOf(*element.pitchPoint);
-  } else {
-    switch (positionOf(pair)) {
-      case LinePosition::skew:
-        placement.diagnostics.push_back(skewAxes(mechanism, mesh, pair));
-        return std::nullopt;
-      case LinePosition::meeting:
-        geometry.sides = sides.choose(mesh, word, pair);
-        geometry.bevelSize = bevelSize;
-        geometry.pitchPoint =
-            bevelPitchPoint(pair, geometry.sides, placement.module.toDouble() * bevelSize / kUsualBevelSize);
-        break;
-      case LinePosition::parallel:
-        if (element.kind == MeshKind::internal && element.tailTeeth == element.headTeeth) {
-          placement.diagnostics.push_back(equalInternalTeeth(mechanism, mesh));
-          return std::nullopt;
-        }
-        geometry.pitchPoint = parallelPitchPoint(
-            pair, element.kind == MeshKind::internal,
-            tailIsInner(placement, word.tailClass, word.headClass) ? pair.tailPoint : pair.headPoint);
+  /// False, and a finding, where it comes to nothing.
+  bool locate(int mesh, const MeshWord& word, MeshGeometry& geometry) {
+    const GearMesh& element = m_mechanism.gearMeshes[mesh];
+    const AxisLine& tail = m_placement.lineOfClass(word.tailClass);
+    const AxisLine& head = m_placement.lineOfClass(word.headClass);
+    const GearPair<double> pair{tail.point,     tail.direction,    head.point,
+                                head.direction, element.tailTeeth, element.headTeeth};
+    geometry.tail = m_placement.tree->meshes[mesh].tail;
+    geometry.head = m_placement.tree->meshes[mesh].head;
+    geometry.carrier = word.carrier;
+    geometry.tailClass = word.tailClass;
+    geometry.headClass = word.headClass;
+    geometry.tailTeeth = element.tailTeeth;
+    geometry.headTeeth = element.headTeeth;
+    const LinePosition position = positionOf(pair);
+    if (position == LinePosition::skew) return refuse(skewAxes(m_mechanism, mesh, pair));
+    if (element.pitchPoint) {
+      geometry.pitchPoint = toDoubles(*element.pitchPoint);
+    } else if (!derivePitchPoint(mesh, pair, word, position, geometry)) {
+      return refuse(equalInternalTeeth(m_mechanism, mesh));
     }
+    return checkGeometry(m_mechanism, mesh, pair, position, geometry, m_placement.diagnostics);
   }
-  return checkedGeometry(mechanism, mesh, pair, geometry, placement.diagnostics);
+
+ private:
+  bool refuse(Diagnostic why) {
+    m_placement.diagnostics.push_back(std::move(why));
+    return false;
+  }
+
+  /// False where an internal pair has equal teeth.
+  bool derivePitchPoint(int mesh, const GearPair<double>& pair, const MeshWord& word, LinePosition position,
+                        MeshGeometry& geometry) {
+    geometry.derived = true;
+    if (position == LinePosition::meeting) {
+      geometry.sides = m_sides.choose(mesh, word, pair);
+      if (!m_bevelSizes.empty()) geometry.bevelSize = m_bevelSizes[mesh];
+      geometry.pitchPoint =
+          bevelPitchPoint(pair, geometry.sides, m_module * geometry.bevelSize / kUsualBevelSize);
+      return true;
+    }
+    const bool internal = m_mechanism.gearMeshes[mesh].kind == MeshKind::internal;
+    if (internal && pair.tailTeeth == pair.headTeeth) return false;
+    const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+    geometry.pitchPoint = parallelPitchPoint(pair, internal, inner ? pair.tailPoint : pair.headPoint);
+    return true;
+  }
+
+  const Mechanism& m_mechanism;
+  Placement& m_placement;
+  std::span<const int> m_bevelSizes;  ///< by mesh; none where no bevel pair was placed
+  double m_module = 0;
+  SideChooser m_sides;
+};
+
+void take(PlacedAxes& placed, Placement& placement) {
+  placement.axes = std::move(placed.lines);
+  placement.chosen = std::move(placed.chosen);
+  placement.module = std::move(placed.module);
 }
 
 }  // namespace
@@ -113,8 +135,7 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
   if (!tree) {
     placement.meshes.resize(mechanism.gearMeshes.size());
     PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisClasses(), {});
-    placement.axes = std::move(placed.lines);
-    placement.module = std::move(placed.module);
+    take(placed, placement);
     return placement;
   }
   placement.tree = std::move(tree);
@@ -127,28 +148,32 @@ Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree)
         meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
   }
   PlacedAxes placed = placedAxes(mechanism, std::move(given), &*placement.tree, *placement.classes, words);
-  placement.axes = std::move(placed.lines);
-  placement.module = std::move(placed.module);
-  SideChooser sides(mechanism, placement);
+  take(placed, placement);
+  MeshLocator locator(mechanism, placement, placed.bevelSizes);
   placement.meshes.reserve(words.size());
   for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
-    placement.meshes.push_back(
-        words[mesh] ? located(mechanism, placement, mesh, *words[mesh], placed.bevelSizes[mesh], sides)
-                    : std::nullopt);
+    auto& geometry = placement.meshes.emplace_back();
+    if (words[mesh] && !locator.locate(mesh, *words[mesh], geometry.emplace())) geometry.reset();
   }
   return placement;
 }
 
+ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis) {
+  const AxisLine& line = placement.axes[axis];
+  if (line.chosen >= 0) return placement.chosen[line.chosen];
+  const Axis& given = mechanism.axes[axis];
+  return {toFractions(*given.point), toFractions(*given.direction)};
+}
+
 ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
-  return exactLine(mechanism, placement.lineOfClass(axisClass), placement.classes->classes[axisClass].axis);
+  return exactLine(mechanism, placement, placement.classes->classes[axisClass].axis);
 }
 
 std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
                                             int mesh) {
   const MeshGeometry& geometry = *placement.meshes[mesh];
   if (!geometry.derived) {
-    const NumberTriple& point = *mechanism.gearMeshes[mesh].pitchPoint;
-    return ExactVector3{point[0].exact(), point[1].exact(), point[2].exact()};
+    return toFractions(*mechanism.gearMeshes[mesh].pitchPoint);
   }
   const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
   const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);

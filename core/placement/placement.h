@@ -15,6 +15,7 @@ struct Placement {
   std::optional<JointTree> tree;       ///< none where the turning joints are no spanning tree: no meshes then
   std::optional<AxisClasses> classes;  ///< with the tree
   std::vector<AxisLine> axes;          ///< by axis of the document
+  std::vector<ExactLine> chosen;       ///< of the automatic axes, in fractions
   std::vector<std::optional<MeshGeometry>> meshes;  ///< by mesh; none where a diagnostic says why
   Rational module = kDefaultModule;                 ///< that automatic axes and bevel points were placed with
   Diagnostics diagnostics;
@@ -41,6 +42,10 @@ struct Placement {
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism);
 /// The same for a mechanism whose tree is known, none where there is none.
 [[nodiscard]] Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree);
+
+/// Where an axis lies, in fractions: as chosen, or as written in the document.
+/// @pre the placement is the mechanism's
+[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis);
 
 /// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
 [[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,

@@ -48,7 +48,7 @@ class PlanetFinder {
     return c;
   }
 
-  [[nodiscard]] int classOf(int link) const { return m_classes.classOfLink(m_tree, link); }
+  [[nodiscard]] int classOf(int link) const { return m_classes.classOfLink(link); }
 
   /// Axes on a moving link that carry nothing and are not driven.
   void markPlanets() {

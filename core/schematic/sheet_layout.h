@@ -112,7 +112,7 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
 void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement& placement);
 /// The link's own axis of the layout; -1 for the ground.
 [[nodiscard]] inline int axisOfLink(const Placement& placement, int link) {
-  return placement.classes->classOfLink(*placement.tree, link);
+  return placement.classes->classOfLink(link);
 }
 
 }  // namespace geargraph

@@ -39,7 +39,7 @@ std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<cons
 RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int to) {
   const AxisClasses& classes = *placement.classes;
   ClassPath path;
-  path.walk(classes, *placement.tree, from, to);
+  path.walk(classes, from, to);
   RelativeSpeed speed;
   int last = -1;  // the part of the stretch before
   int entry = from;

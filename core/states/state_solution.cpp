@@ -62,9 +62,7 @@ class StateSolver {
     return RelativeSpeed::between(m_placement, first, last);
   }
 
-  [[nodiscard]] int ownClass(int link) const {
-    return m_placement.classes->classOfLink(*m_placement.tree, link);
-  }
+  [[nodiscard]] int ownClass(int link) const { return m_placement.classes->classOfLink(link); }
   /// +1 where the axis of the link's own joint points as the line of the class does.
   [[nodiscard]] int ownSense(int link) const {
     return m_placement.classes
