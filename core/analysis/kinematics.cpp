@@ -73,7 +73,7 @@ LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& g
   if (stop.stop_requested()) return nullptr;
   live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, ReferenceLines(live->placement));
   if (stop.stop_requested()) return nullptr;
-  live->model = KinematicModel::of(mechanism, graph, tree, live->placement);
+  live->model = KinematicModel::of(graph, tree, live->placement);
   if (live->model) {
     live->matroid = analyzeMatroid(mechanism, *live->model, live->placement, stop);
     if (!live->matroid) return nullptr;

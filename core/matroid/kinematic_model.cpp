@@ -2,8 +2,8 @@
 
 namespace geargraph {
 
-std::optional<KinematicModel> KinematicModel::of(const Mechanism& mechanism, DigraphPtr graph,
-                                                 SpanningTreePtr tree, const Placement& placement) {
+std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreePtr tree,
+                                                 const Placement& placement) {
   if (!graph || !tree || !placement.tree) return std::nullopt;
   KinematicModel model;
   const AxisClasses& classes = *placement.classes;
@@ -27,8 +27,8 @@ std::optional<KinematicModel> KinematicModel::of(const Mechanism& mechanism, Dig
     const auto below = [](int link, int top) { return link == top ? 0 : link; };
     model.m_rows.push_back({{below(mesh.tail, tailTop), below(mesh.carrier, tailTop),
                              below(mesh.head, headTop), below(mesh.carrier, headTop)},
-                            mechanism.gearMeshes[m].tailTeeth,
-                            mechanism.gearMeshes[m].headTeeth,
+                            mesh.tailTeeth,
+                            mesh.headTeeth,
                             mesh.sign});
   }
   model.m_graph = std::move(graph);

@@ -37,10 +37,10 @@ class KinematicModel {
   };
 
   /// Nothing where the joints are no spanning tree or a mesh has no geometry.
-  /// @pre graph, tree and placement are the mechanism's
+  /// @pre graph, tree and placement are of one mechanism
   /// Cost: O(n + c).
-  [[nodiscard]] static std::optional<KinematicModel> of(const Mechanism& mechanism, DigraphPtr graph,
-                                                        SpanningTreePtr tree, const Placement& placement);
+  [[nodiscard]] static std::optional<KinematicModel> of(DigraphPtr graph, SpanningTreePtr tree,
+                                                        const Placement& placement);
 
   [[nodiscard]] const Digraph& graph() const { return *m_graph; }
   [[nodiscard]] const SpanningTree& tree() const { return *m_tree; }

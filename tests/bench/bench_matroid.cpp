@@ -32,7 +32,7 @@ void live(benchmark::State& state, Family family) {
   }
   const Worked worked(std::move(train));
   for (auto _ : state) {
-    const auto model = KinematicModel::of(worked.mechanism, worked.graph, worked.tree, worked.placement);
+    const auto model = KinematicModel::of(worked.graph, worked.tree, worked.placement);
     benchmark::DoNotOptimize(analyzeMatroid(worked.mechanism, *model, worked.placement));
   }
   state.counters["E"] = worked.analysis.dof;

@@ -35,7 +35,7 @@ struct Example {
     tree = std::make_shared<const SpanningTree>(SpanningTree::of(*graph).value());
     placement = placementOf(mechanism);
     train = trainOf(mechanism, placement);
-    const auto model = KinematicModel::of(mechanism, graph, tree, placement);
+    const auto model = KinematicModel::of(graph, tree, placement);
     const auto analysis = analyzeMatroid(mechanism, *model, placement);
     rates = solveExact(*model, analysis->choice.joints, analysis->speeds)->rates;
     const auto restless = restlessSpeeds(analysis->choice.joints.size());

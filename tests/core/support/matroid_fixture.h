@@ -33,7 +33,7 @@ struct Worked {
     return std::make_shared<const SpanningTree>(std::move(*tree));
   }
   KinematicModel modelOf() const {
-    auto made = KinematicModel::of(mechanism, graph, tree, placement);
+    auto made = KinematicModel::of(graph, tree, placement);
     if (!made)
       throw std::logic_error(placement.diagnostics.empty() ? "" : placement.diagnostics.front().message);
     return std::move(*made);
