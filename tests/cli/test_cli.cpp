@@ -8,6 +8,7 @@
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
 #include "tests/cli/cli_run.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -18,7 +19,7 @@ using test::run;
 
 namespace {
 
-const QString kRobot = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
+const QString kRobot = QString::fromStdString(test::examplePath("robot"));
 
 /// Rows of fields of plain CSV, without quotes.
 std::vector<std::vector<std::string>> table(const std::string& csv) {

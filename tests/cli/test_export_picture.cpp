@@ -3,9 +3,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/core/support/example_files.h"
+
 namespace {
 
-const QString kRobot = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
+const QString kRobot = QString::fromStdString(geargraph::test::examplePath("robot"));
 
 struct Run {
   int status = -1;
@@ -181,7 +183,8 @@ class TestExportPicture : public QObject {
   }
 
   void whatHasNoTreeIsDrawnAsFarAsItIs() {
-    const QString loose = QStringLiteral(GEARGRAPH_SOURCE_DIR "/tests/golden/files/loose.geargraph");
+    const QString loose =
+        QString::fromStdString(geargraph::test::sourcePath("tests/golden/files/loose.geargraph"));
     const Run made = run({"export", loose, "--to", "svg", "--view", "ttgraph", "-o", "-"});
     QCOMPARE(made.status, 1);
     QVERIFY(made.output.contains("</svg>"));

@@ -6,6 +6,7 @@
 #include "core/meshfile/mesh_reader.h"
 #include "tests/cli/cli_run.h"
 #include "tests/core/meshfile/assembly_check.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -13,13 +14,11 @@ using nlohmann::json;
 
 namespace {
 
-QString example(const QString& name) {
-  return GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph";
-}
+const QString kRobot = QString::fromStdString(examplePath("robot"));
 
 /// `export robot.geargraph --to FORM -o OUT ...`
 Run exported(const QString& form, const QString& out, const QStringList& more = {}) {
-  return run(QStringList{"export", example("robot"), "--to", form, "-o", out} + more);
+  return run(QStringList{"export", kRobot, "--to", form, "-o", out} + more);
 }
 
 QByteArray contents(const QString& path) {
@@ -165,7 +164,7 @@ class TestExportSolids : public QObject {
     QCOMPARE(exported("assembly", out, {"--frames", "11"}).status, 2);
     QCOMPARE(exported("assembly", "-").status, 2);
     QCOMPARE(exported("step", out).status, 2);
-    QCOMPARE(run({"export", example("robot"), "--to", "stl"}).status, 2);
+    QCOMPARE(run({"export", kRobot, "--to", "stl"}).status, 2);
     QVERIFY(QDir(folder.path()).isEmpty());
   }
 

@@ -2,14 +2,13 @@
 // numbers, so that many stay readable and become wrong in every way a drawing can be wrong. It always
 // returns; a mechanism without errors has numbers, and both methods agree.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 #include "core/analysis/analysis.h"
 #include "tests/core/io/support.h"
+#include "tests/core/support/example_files.h"
 #include "tests/fuzz/mutations.h"
 
 using namespace geargraph;
@@ -55,13 +54,8 @@ void check(const std::string& text, Tally& tally) {
 
 int main(int count, char** arguments) {
   const long rounds = count > 1 ? std::atol(arguments[1]) : 1000;
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(GEARGRAPH_SOURCE_DIR "/resources/examples")) {
-    if (entry.path().extension() == ".geargraph") paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end());  // the folder's own order differs from disk to disk
   std::vector<std::string> seeds = {test::kEverything};
-  for (const std::string& path : paths) seeds.push_back(test::contentsOf(path));
+  for (const std::string& name : test::exampleNames()) seeds.push_back(test::exampleText(name));
 
   test::Random random(20240608);
   Tally tally;

@@ -13,6 +13,7 @@
 #include "core/io/json.h"
 #include "core/mechanism/validate.h"
 #include "tests/core/io/support.h"
+#include "tests/core/support/example_files.h"
 #include "tests/fuzz/mutations.h"
 
 using namespace geargraph;
@@ -70,7 +71,7 @@ void checkReader(const std::string& text, long& accepted) {
 int main(int count, char** arguments) {
   const long rounds = count > 1 ? std::atol(arguments[1]) : 1000;
   const std::vector<std::string> seeds = {
-      test::kEverything, test::contentsOf(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph"),
+      test::kEverything, test::exampleText("robot"),
       R"({"format":"geargraph","version":1,"links":[{"id":0},{"id":1}],"turningJoints":[{"id":2,"tail":0,"head":1,"axis":"a"}],"axes":[{"id":"a"}]})"};
   Random random(20240607);
   long accepted = 0;

@@ -1,4 +1,3 @@
-#include <QFile>
 #include <QtTest>
 #include <cmath>
 #include <map>
@@ -10,10 +9,10 @@
 #include "core/gears/gear_solid.h"
 #include "core/gears/train.h"
 #include "core/graph/digraph.h"
-#include "core/io/mechanism_file.h"
 #include "core/pose/forward_kinematics.h"
 #include "core/pose/turning_lines.h"
 #include "core/synthesis/bevel_sets.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/quality/rolling_rates.h"
 
@@ -25,10 +24,7 @@ namespace {
 constexpr double kPlay = 0.15;  // modules: chords of coarse solids may cut in a little
 
 Mechanism example(const QString& name) {
-  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name + ".geargraph");
-  if (!file.open(QIODevice::ReadOnly)) return emptyMechanism();
-  const QByteArray bytes = file.readAll();
-  return readMechanism(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))).value();
+  return test::example(name.toStdString());
 }
 
 /// A part in its own frame, with the triangles under each cell of a grid across z.

@@ -1,4 +1,3 @@
-#include <QFile>
 #include <QtTest>
 #include <cmath>
 #include <memory>
@@ -10,8 +9,8 @@
 #include "core/gears/tooth_pair.h"
 #include "core/gears/train.h"
 #include "core/graph/digraph.h"
-#include "core/io/mechanism_file.h"
 #include "core/pose/forward_kinematics.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/quality/rolling_rates.h"
 #include "tests/quality/section_checker.h"
@@ -72,13 +71,6 @@ class Measured {
 
 GearTrain trainOf(const Mechanism& mechanism) {
   return geargraph::trainOf(mechanism, placementOf(mechanism));
-}
-
-Mechanism robot() {
-  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph"));
-  if (!file.open(QIODevice::ReadOnly)) return emptyMechanism();
-  const QByteArray bytes = file.readAll();
-  return readMechanism(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))).value();
 }
 
 GearTrain spurPair(int a, int b, MeshKind kind, const std::string& distance = {}) {
@@ -293,7 +285,7 @@ class TestTeethMesh : public QObject {
   }
 
   void theRobotMeshes() {
-    const Measured measured(geargraph::trainOf(robot(), placementOf(robot())));
+    const Measured measured(geargraph::trainOf(test::example("robot"), placementOf(test::example("robot"))));
     QCOMPARE(measured.train().meshes.size(), std::size_t(4));
     for (std::size_t m = 0; m < 4; ++m) compareToBars(measured.report(m));
   }
@@ -306,7 +298,7 @@ class TestTeethMesh : public QObject {
   }
   void movingTrainsStayInMesh() {
     QFETCH(bool, isRobot);
-    const Mechanism mechanism = isRobot ? robot() : test::planetary(12, 18, 3);
+    const Mechanism mechanism = isRobot ? test::example("robot") : test::planetary(12, 18, 3);
     const Placement placement = placementOf(mechanism);
     GearTrain train = geargraph::trainOf(mechanism, placement);
     for (TrainGear& gear : train.gears) gear.spec.thinning = 0;

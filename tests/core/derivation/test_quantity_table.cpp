@@ -1,9 +1,8 @@
 #include <QTest>
 
 #include "core/derivation/quantity_table.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 
@@ -14,10 +13,7 @@ class QuantityTableTest : public QObject {
   SnapshotPtr live;
   SnapshotPtr full;
 
-  [[nodiscard]] static Mechanism robot() {
-    const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", kLargestFile);
-    return readMechanism(std::get<std::string>(bytes)).value();
-  }
+  [[nodiscard]] static Mechanism robot() { return test::example("robot"); }
   [[nodiscard]] QuantityTablePtr table(QuantityKind kind, EntryForm form) const {
     return quantityTable(full, kind, form);
   }

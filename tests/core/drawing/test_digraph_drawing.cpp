@@ -1,4 +1,3 @@
-#include <QDir>
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <random>
@@ -9,10 +8,10 @@
 #include "core/drawing/layout.h"
 #include "core/drawing/svg_writer.h"
 #include "core/drawing/text_metrics.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/shift_edits.h"
 #include "tests/core/drawing/drawing_checks.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
@@ -136,7 +135,8 @@ class TestDigraphDrawing : public QObject {
     emphases[LinkId("3")].selected = true;
     emphases[LinkId("6")].hovered = true;
     const std::string drawn = textOf(digraphDrawing(drivenRobot(), robotPositions(), emphases));
-    test::compareWithGolden(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/robot_digraph.txt", drawn);
+    test::compareWithGolden(QString::fromStdString(test::sourcePath("tests/core/drawing/robot_digraph.txt")),
+                            drawn);
   }
 
   void nothingTouchesAnythingInTheRobot() {
@@ -163,20 +163,16 @@ class TestDigraphDrawing : public QObject {
   }
 
   void nothingTouchesAnythingInTheExamples_data() {
-    QTest::addColumn<QString>("file");
-    const QDir examples(GEARGRAPH_SOURCE_DIR "/resources/examples");
-    for (const QFileInfo& file : examples.entryInfoList({"*.geargraph"})) {
-      QTest::newRow(qPrintable(file.completeBaseName())) << file.filePath();
+    QTest::addColumn<QString>("name");
+    for (const std::string& name : test::exampleNames()) {
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
     }
   }
   void nothingTouchesAnythingInTheExamples() {
-    QFETCH(QString, file);
-    QFile stored(file);
-    QVERIFY(stored.open(QIODevice::ReadOnly));
-    const Expected<Mechanism> mechanism = readMechanism(stored.readAll().toStdString());
-    QVERIFY(mechanism.has_value());
-    for (const NodePositions& positions : {completedPositions(*mechanism), layoutOf(*mechanism)}) {
-      const DigraphGeometry geometry = digraphGeometry(*mechanism, positions);
+    QFETCH(QString, name);
+    const Mechanism mechanism = test::example(name.toStdString());
+    for (const NodePositions& positions : {completedPositions(mechanism), layoutOf(mechanism)}) {
+      const DigraphGeometry geometry = digraphGeometry(mechanism, positions);
       QCOMPARE(collisions(geometry) + arrowsOverNodes(geometry), QString());
     }
   }

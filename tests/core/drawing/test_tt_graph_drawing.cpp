@@ -1,14 +1,13 @@
-#include <QDir>
 #include <QtTest>
 
 #include "core/analysis/analysis.h"
 #include "core/drawing/hit_test.h"
 #include "core/drawing/tt_graph_drawing.h"
 #include "core/drawing/tt_graph_layout.h"
-#include "core/io/mechanism_file.h"
 #include "core/io/view_places.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/drawing/drawing_checks.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
@@ -46,21 +45,10 @@ struct Drawn {
   [[nodiscard]] QString collisions() const { return test::collisionsIn(list(test::withNames(mechanism))); }
 };
 
-Mechanism example(const QString& file) {
-  QFile stored(file);
-  if (!stored.open(QIODevice::ReadOnly)) qFatal("cannot read %s", qPrintable(file));
-  return readMechanism(stored.readAll().toStdString()).value();
-}
-
-QString exampleFile(const char* name) {
-  return QString(GEARGRAPH_SOURCE_DIR "/resources/examples/%1.geargraph").arg(name);
-}
-
 void addExamples() {
-  QTest::addColumn<QString>("file");
-  const QDir examples(GEARGRAPH_SOURCE_DIR "/resources/examples");
-  for (const QFileInfo& file : examples.entryInfoList({"*.geargraph"})) {
-    QTest::newRow(qPrintable(file.completeBaseName())) << file.filePath();
+  QTest::addColumn<QString>("name");
+  for (const std::string& name : test::exampleNames()) {
+    QTest::newRow(name.c_str()) << QString::fromStdString(name);
   }
 }
 
@@ -70,12 +58,12 @@ class TestTtGraphDrawing : public QObject {
   Q_OBJECT
  private slots:
   void branchesOfTheRobotAreThoseOfFigure5() {
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     QCOMPARE(robot.lines(TtLine::branch), QString("4-0 a, 5-0 b, 1-0 b, 6-1 c, 2-1 c, 7-2 d, 3-2 e"));
   }
 
   void chordsOfTheRobotAreThoseOfFigure6() {
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     QCOMPARE(robot.lines(TtLine::tailChord), QString("4-0 15′, 5-1 16′′, 6-2 17′′′, 7-2 18′′′′"));
     QCOMPARE(robot.lines(TtLine::headChord), QString("1-0 15′, 2-1 16′′, 7-2 17′′′, 3-2 18′′′′"));
     QCOMPARE(robot.lines(TtLine::open), QString());
@@ -88,17 +76,16 @@ class TestTtGraphDrawing : public QObject {
 
   void examplesAreDrawnAsInTheGoldenTexts_data() { addExamples(); }
   void examplesAreDrawnAsInTheGoldenTexts() {
-    QFETCH(QString, file);
-    const std::string drawn = textOf(Drawn(example(file)).list());
-    test::compareWithGolden(QString(GEARGRAPH_SOURCE_DIR "/tests/core/drawing/ttgraph/%1.txt")
-                                .arg(QFileInfo(file).completeBaseName()),
-                            drawn);
+    QFETCH(QString, name);
+    const std::string drawn = textOf(Drawn(test::example(name.toStdString())).list());
+    const QString folder = QString::fromStdString(test::sourcePath("tests/core/drawing/ttgraph/"));
+    test::compareWithGolden(folder + name + ".txt", drawn);
   }
 
   void nothingTouchesAnythingInTheExamples_data() { addExamples(); }
   void nothingTouchesAnythingInTheExamples() {
-    QFETCH(QString, file);
-    QCOMPARE(Drawn(example(file)).collisions(), QString());
+    QFETCH(QString, name);
+    QCOMPARE(Drawn(test::example(name.toStdString())).collisions(), QString());
   }
 
   void nothingTouchesAnythingInTextbookTrains() {
@@ -125,7 +112,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void rootIsOnTopAndEveryRankHangsBelowTheLast() {
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     const NodePositions places = ttLayout(robot.mechanism, robot.graph());
     const auto y = [&](const char* link) { return places.at(LinkId(link)).y; };
     QCOMPARE(places.at(LinkId("0")), (SheetPoint{0, 0}));
@@ -136,7 +123,7 @@ class TestTtGraphDrawing : public QObject {
 
   void gearsThatTheGraphTiesStandSideBySide() {
     // Ground 0 carries 1, 2, 3; a mesh ties 1 and 3, by way of 3 as the carrier of 4.
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     const NodePositions places = ttLayout(robot.mechanism, robot.graph());
     const double apart = std::abs(places.at(LinkId("5")).x - places.at(LinkId("1")).x);
     const double across = std::abs(places.at(LinkId("4")).x - places.at(LinkId("1")).x);
@@ -144,7 +131,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void draggedNodesStayAndTheOthersMakeRoom() {
-    Mechanism mechanism = example(exampleFile("robot"));
+    Mechanism mechanism = test::example("robot");
     const Drawn before(mechanism);
     const NodePositions laidOut = ttLayout(mechanism, before.graph());
     mechanism = withViewPlaces(mechanism, kTtNodes, {{LinkId("3"), laidOut.at(LinkId("4"))}}).value();
@@ -157,7 +144,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void withoutATreeWhatThereIsIsDrawn() {
-    Mechanism mechanism = example(exampleFile("robot"));
+    Mechanism mechanism = test::example("robot");
     const std::array<ElementId, 1> joint{JointId("12")};
     mechanism = withoutElements(mechanism, joint).value();
     const Drawn drawn(mechanism);
@@ -169,7 +156,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void meshWithoutTransferVertexIsOpen() {
-    Mechanism mechanism = example(exampleFile("robot"));
+    Mechanism mechanism = test::example("robot");
     mechanism = withGearMesh(mechanism, LinkId("4"), LinkId("3")).value();  // over axes a, b, c, e
     const Drawn drawn(mechanism);
     QCOMPARE(drawn.lines(TtLine::open), QString("4-3 19"));
@@ -177,7 +164,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void chordsOfOneMeshAreHitAsThatMesh() {
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     const DisplayList list = robot.list();
     int lines = 0;
     for (const TtLinePlace& line : robot.geometry.lines) {
@@ -190,7 +177,7 @@ class TestTtGraphDrawing : public QObject {
   }
 
   void bothCircuitsOfAMeshHaveTheirColour() {
-    const Drawn robot(example(exampleFile("robot")));
+    const Drawn robot(test::example("robot"));
     Emphases emphases;
     emphases[MeshId("16")].walk = 1;
     emphases[JointId("9")].walk = 1;

@@ -1,5 +1,3 @@
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include "core/analysis/analysis.h"
@@ -9,18 +7,11 @@
 #include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
 #include "core/ttgraph/tt_solution.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/tt_case.h"
 
 namespace geargraph {
 namespace {
-
-const QString kFolder = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/");
-
-std::string contentsOf(const QString& name) {
-  QFile file(kFolder + name + QStringLiteral(".geargraph"));
-  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
-  return file.readAll().toStdString();
-}
 
 /// What an example's notes promise for its own inputs: label of the joint, rate. `findings` are the codes
 /// that the analysis and the gears report.
@@ -70,7 +61,7 @@ const std::vector<Promise>& promises() {
 }
 
 /// The example that is wrong on purpose; it promises nothing but its mistakes.
-const QString kToMend = QStringLiteral("robot-to-mend");
+constexpr const char* kToMend = "robot-to-mend";
 
 QStringList codesOf(const Diagnostics& findings) {
   QStringList codes;
@@ -117,13 +108,10 @@ class ExamplesTest : public QObject {
 
  private slots:
   void everyFileIsPromised() {
-    std::set<QString> files;
-    for (const QString& file : QDir(kFolder).entryList({QStringLiteral("*.geargraph")})) {
-      files.insert(file.section('.', 0, 0));
-    }
-    std::set<QString> promised{kToMend};
-    for (const Promise& promise : promises()) promised.insert(QString::fromLatin1(promise.example));
-    QCOMPARE(files, promised);
+    std::vector<std::string> promised{kToMend};
+    for (const Promise& promise : promises()) promised.emplace_back(promise.example);
+    std::sort(promised.begin(), promised.end());
+    QCOMPARE(test::exampleNames(), promised);
   }
 
   void examplesMoveAsTheirNotesSay_data() {
@@ -135,7 +123,7 @@ class ExamplesTest : public QObject {
   void examplesMoveAsTheirNotesSay() {
     QFETCH(int, index);
     const Promise& promise = promises()[static_cast<std::size_t>(index)];
-    const std::string bytes = contentsOf(QString::fromLatin1(promise.example));
+    const std::string bytes = test::exampleText(promise.example);
     const Expected<Mechanism> read = readMechanism(bytes);
     QVERIFY(read.has_value());
     QCOMPARE(QString::fromStdString(writeMechanism(*read)), QString::fromStdString(bytes));
@@ -171,7 +159,7 @@ class ExamplesTest : public QObject {
   }
 
   void theEightSpeedGearboxHasThePublishedRatios() {
-    const Mechanism gearbox = readMechanism(contentsOf(QStringLiteral("eight-speed-gearbox"))).value();
+    const Mechanism gearbox = test::example("eight-speed-gearbox");
     QCOMPARE(gearbox.states.size(), shifts().size());
     const SnapshotPtr snapshot = analyzed(gearbox);
     for (std::size_t i = 0; i < shifts().size(); ++i) {
@@ -198,7 +186,7 @@ class ExamplesTest : public QObject {
   }
 
   void theRobotToMendIsMendedOneFindingAfterAnother() {
-    const std::string bytes = contentsOf(kToMend);
+    const std::string bytes = test::exampleText(kToMend);
     Mechanism wrong = readMechanism(bytes).value();
     QCOMPARE(QString::fromStdString(writeMechanism(wrong)), QString::fromStdString(bytes));
     QCOMPARE(codesOf(analyzed(wrong)->diagnostics), QStringList{QStringLiteral("turning-loop")});
@@ -215,7 +203,7 @@ class ExamplesTest : public QObject {
     wrong = withInputs(wrong, inputs).value();
     QVERIFY(analyzed(wrong)->diagnostics.empty());
 
-    const Mechanism robot = readMechanism(contentsOf(QStringLiteral("robot"))).value();
+    const Mechanism robot = test::example("robot");
     wrong.name = robot.name;
     wrong.notes = robot.notes;
     QVERIFY(wrong == robot);

@@ -2,19 +2,13 @@
 
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/module_fit.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "tests/core/fitting/fitted_trains.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
 
 namespace {
-
-Mechanism example(const std::string& name) {
-  const std::string path = GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph";
-  return readMechanism(std::get<std::string>(readFile(path, 1 << 20))).value();
-}
 
 /// Only the graph and the teeth.
 Mechanism withoutPlaces(Mechanism mechanism) {

@@ -3,19 +3,12 @@
 
 #include "core/fixes/fixes.h"
 #include "core/gears/train.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
-
-Mechanism example(const std::string& name) {
-  const auto bytes =
-      readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph", kLargestFile);
-  return readMechanism(std::get<std::string>(bytes)).value();
-}
 
 NumberTriple triple(int x, int y, int z) {
   return {Number(x), Number(y), Number(z)};
@@ -79,7 +72,7 @@ class FixesTest : public QObject {
 
  private slots:
   void aLooseLinkIsTiedToTheGround() {
-    provoke(*withLink(example("robot"), {0, 0}));
+    provoke(*withLink(test::example("robot"), {0, 0}));
     QCOMPARE(offered(Code::disconnected), (QStringList{"Tie link 8 to the ground", "Drop link 8"}));
     eachMends(Code::disconnected);
     QCOMPARE(snapshot->mechanism->t(), 8);
@@ -87,7 +80,7 @@ class FixesTest : public QObject {
   }
 
   void loosePartsAreTiedOnceEach() {
-    Mechanism robot = example("robot");
+    Mechanism robot = test::example("robot");
     for (int i = 0; i < 3; ++i) robot = *withLink(std::move(robot), {0, 0});
     robot = *withTurningJoint(std::move(robot), robot.links[8].id, robot.links[9].id);
     provoke(robot);
@@ -97,17 +90,17 @@ class FixesTest : public QObject {
   }
 
   void aSecondBearingIsDropped() {
-    Mechanism robot = example("robot");
+    Mechanism robot = test::example("robot");
     robot.turningJoints.push_back({JointId("x"), LinkId("0"), LinkId("1"), AxisId("b"), Number(90), {}});
     provoke(robot);
     QCOMPARE(offered(Code::turningLoop), (QStringList{"Drop joint 15, a second bearing on axis b",
                                                       "Drop joint 10, a second bearing on axis b"}));
     eachMends(Code::turningLoop);
-    QVERIFY(*snapshot->mechanism == example("robot"));
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
   void aLoopOfSeveralAxesLosesOneOfItsJoints() {
-    Mechanism robot = example("robot");
+    Mechanism robot = test::example("robot");
     robot.turningJoints.push_back({JointId("x"), LinkId("3"), LinkId("6"), AxisId("a"), Number(0), {}});
     provoke(robot);
     QCOMPARE(offered(Code::turningLoop).first(), QString("Drop joint 15"));
@@ -115,35 +108,35 @@ class FixesTest : public QObject {
   }
 
   void teethThatFitThePitchPoint() {
-    provoke(*withTeeth(example("robot"), MeshId("15"), 18, 30));
+    provoke(*withTeeth(test::example("robot"), MeshId("15"), 18, 30));
     QCOMPARE(offered(Code::teethGeometry), (QStringList{"Use 36 teeth on gear 1", "Use 15 teeth on gear 4",
                                                         "Let the pitch point follow from axes and teeth"}));
     eachMends(Code::teethGeometry);
-    QVERIFY(*snapshot->mechanism == example("robot"));
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
   void aWrongKindIsFlipped() {
-    provoke(*withMeshKind(example("robot"), MeshId("15"), MeshKind::internal));
+    provoke(*withMeshKind(test::example("robot"), MeshId("15"), MeshKind::internal));
     QCOMPARE(offered(Code::teethGeometry).first(), QString("Call mesh 15 external"));
     eachMends(Code::teethGeometry);
-    provoke(*withMeshKind(example("robot"), MeshId("16"), MeshKind::external));
+    provoke(*withMeshKind(test::example("robot"), MeshId("16"), MeshKind::external));
     QCOMPARE(offered(Code::pitchGeometry).first(), QString("Call mesh 16 bevel"));
     eachMends(Code::pitchGeometry);
-    QVERIFY(*snapshot->mechanism == example("robot"));
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
 
   void aPitchPointElsewhereIsDerived() {
-    provoke(*withPitchPoint(example("robot"), MeshId("15"), triple(20, -36, 0)));
+    provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(20, -36, 0)));
     QCOMPARE(offered(Code::pitchGeometry).first(), QString("Let the pitch point follow from axes and teeth"));
     eachMends(Code::pitchGeometry);
-    provoke(*withPitchPoint(example("robot"), MeshId("15"), triple(0, 0, 5)));
+    provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(0, 0, 5)));
     QCOMPARE(offered(Code::pitchPointOnAxis).first(),
              QString("Let the pitch point follow from axes and teeth"));
     eachMends(Code::pitchPointOnAxis);
   }
 
   void anInternalPairOfEqualWheelsIsCalledExternal() {
-    Mechanism robot = example("robot");
+    Mechanism robot = test::example("robot");
     GearMesh& mesh = meshOf(robot, "15");
     mesh.headTeeth = mesh.tailTeeth;
     mesh.kind = MeshKind::internal;
@@ -154,16 +147,16 @@ class FixesTest : public QObject {
   }
 
   void aMeshThatCannotBeIsDropped() {
-    provoke(*withGearMesh(example("robot"), LinkId("5"), LinkId("1")));
+    provoke(*withGearMesh(test::example("robot"), LinkId("5"), LinkId("1")));
     QCOMPARE(offered(Code::coaxialMesh), QStringList{"Drop mesh 19"});
     eachMends(Code::coaxialMesh);
-    provoke(*withGearMesh(example("robot"), LinkId("4"), LinkId("3")));
+    provoke(*withGearMesh(test::example("robot"), LinkId("4"), LinkId("3")));
     QCOMPARE(offered(Code::noTransferVertex), QStringList{"Drop mesh 19"});
     eachMends(Code::noTransferVertex);
   }
 
   void aRedundantMeshMayGo() {
-    provoke(example("redundant-planetary"));
+    provoke(test::example("redundant-planetary"));
     const int rank = snapshot->matroid()->rank;
     const auto redundant = snapshot->matroid()->redundancies.size();
     QVERIFY(offered(Code::redundantMesh).first().startsWith("Drop mesh "));
@@ -176,7 +169,7 @@ class FixesTest : public QObject {
     const auto driven = [](std::initializer_list<const char*> joints) {
       std::vector<Input> inputs;
       for (const char* joint : joints) inputs.push_back({JointId(joint), Number(3), {}});
-      return *withInputs(example("robot"), std::move(inputs));
+      return *withInputs(test::example("robot"), std::move(inputs));
     };
     const auto speeds = [this] {
       QStringList texts;
@@ -201,7 +194,7 @@ class FixesTest : public QObject {
   }
 
   void anAxisNamedTwiceIsSplit() {
-    Mechanism robot = *withJointAxis(example("robot"), JointId("13"), AxisId("a"));
+    Mechanism robot = *withJointAxis(test::example("robot"), JointId("13"), AxisId("a"));
     provoke(robot);
     QCOMPARE(offered(Code::splitAxis), QStringList{"Give each its own axis"});
     eachMends(Code::splitAxis);
@@ -209,7 +202,7 @@ class FixesTest : public QObject {
   }
 
   void planetsThatDoNotFitGetOtherTeeth() {
-    provoke(example("cannot-be-assembled"));
+    provoke(test::example("cannot-be-assembled"));
     QVERIFY(finding(Code::assembly));
     const QStringList texts = offered(Code::assembly);
     QVERIFY2(!texts.isEmpty() && texts.first().contains("on the planets"), qPrintable(texts.join(" | ")));
@@ -223,7 +216,7 @@ class FixesTest : public QObject {
   }
 
   void undercutGoesWithMoreTeethOfTheSameRatio() {
-    Mechanism pair = example("spur-pair");
+    Mechanism pair = test::example("spur-pair");
     pair.gearMeshes.front().pitchPoint.reset();
     pair = *withTeeth(std::move(pair), pair.gearMeshes.front().id, 9, 18);
     provoke(pair);
@@ -236,7 +229,7 @@ class FixesTest : public QObject {
   }
 
   void aLockedTrainIsFreed() {
-    provoke(example("locked-train"));
+    provoke(test::example("locked-train"));
     const Code code = finding(Code::locked) ? Code::locked : Code::deadJoint;
     QVERIFY(!offered(code).isEmpty());
     eachMends(code);

@@ -1,5 +1,3 @@
-#include <QDir>
-#include <QFile>
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -7,20 +5,13 @@
 #include "core/gears/gear_solid.h"
 #include "core/gears/phase.h"
 #include "core/gears/train.h"
-#include "core/io/mechanism_file.h"
 #include "tests/core/gears/topology.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
 
 namespace {
-
-Mechanism example(const QString& name) {
-  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name);
-  if (!file.open(QIODevice::ReadOnly)) return emptyMechanism();
-  const QByteArray bytes = file.readAll();
-  return readMechanism(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))).value();
-}
 
 GearTrain trainOf(const Mechanism& mechanism) {
   return geargraph::trainOf(mechanism, placementOf(mechanism));
@@ -67,7 +58,7 @@ class TestTrain : public QObject {
   Q_OBJECT
  private slots:
   void robotHasTheEightWheelsOfFigureOne() {
-    const GearTrain train = trainOf(example("robot.geargraph"));
+    const GearTrain train = trainOf(test::example("robot"));
     QCOMPARE(train.gears.size(), std::size_t(8));
     QCOMPARE(train.meshes.size(), std::size_t(4));
     QVERIFY(train.diagnostics.empty());
@@ -86,7 +77,7 @@ class TestTrain : public QObject {
   }
 
   void everyMovingLinkOfTheRobotHasABody() {
-    const GearTrain train = trainOf(example("robot.geargraph"));
+    const GearTrain train = trainOf(test::example("robot"));
     QCOMPARE(train.bodies.size(), std::size_t(8));
     for (const LinkBody& body : train.bodies) {
       QVERIFY(isStrictlyManifold(*body.solid));
@@ -96,18 +87,17 @@ class TestTrain : public QObject {
 
   /// What a link is exported as: its gears and its body in one file, equal positions welded.
   void everyLinkOfTheExamplesIsAManifold() {
-    const QDir folder(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples"));
-    const QStringList names = folder.entryList({"*.geargraph"});
+    const std::vector<std::string> names = test::exampleNames();
     QVERIFY(names.size() >= 12);
-    for (const QString& name : names) {
-      const GearTrain train = trainOf(example(name));
+    for (const std::string& name : names) {
+      const GearTrain train = trainOf(test::example(name));
       std::map<int, Solid> links;
       for (const TrainGear& gear : train.gears) {
         append(links[gear.link], *gearSolid(gear.spec, kScreenTolerance), gear.pose);
       }
       for (const LinkBody& body : train.bodies) append(links[body.link], *body.solid);
       for (const auto& [link, solid] : links) {
-        QVERIFY2(isStrictlyManifold(solid), qPrintable(QString("%1, link %2").arg(name).arg(link)));
+        QVERIFY2(isStrictlyManifold(solid), qPrintable(QString("%1, link %2").arg(name.c_str()).arg(link)));
       }
     }
   }
@@ -125,7 +115,7 @@ class TestTrain : public QObject {
   /// The long planet of a Ravigneaux set runs through the planes of both suns: one wheel as wide as these,
   /// and in phase with all three that it meshes with.
   void aNamedWheelRunsThroughThePlanesOfItsMeshes() {
-    const GearTrain train = trainOf(example("ravigneaux.geargraph"));
+    const GearTrain train = trainOf(test::example("ravigneaux"));
     QCOMPARE(train.gears.size(), std::size_t{5});
     for (const TrainGear& gear : train.gears) {
       const bool isLong = gear.wheel == WheelId("6'");
@@ -213,8 +203,8 @@ class TestTrain : public QObject {
   }
 
   void trainsAreDeterministic() {
-    const GearTrain a = trainOf(example("robot.geargraph"));
-    const GearTrain b = trainOf(example("robot.geargraph"));
+    const GearTrain a = trainOf(test::example("robot"));
+    const GearTrain b = trainOf(test::example("robot"));
     for (std::size_t i = 0; i < a.bodies.size(); ++i) QVERIFY(*a.bodies[i].solid == *b.bodies[i].solid);
   }
 

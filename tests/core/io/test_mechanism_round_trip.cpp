@@ -3,6 +3,7 @@
 #include "core/io/view_places.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/io/support.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -31,7 +32,7 @@ Mechanism read(const std::string& text) {
 }
 
 Mechanism robot() {
-  return read(contentsOf(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph"));
+  return example("robot");
 }
 
 }  // namespace
@@ -132,7 +133,7 @@ void TestMechanismRoundTrip::textsSurvive() {
 }
 
 void TestMechanismRoundTrip::theRobotsFile_isCanonical() {
-  const std::string file = contentsOf(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
+  const std::string file = exampleText("robot");
   QCOMPARE(QString::fromStdString(writeMechanism(robot())), QString::fromStdString(file));
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/mechanism_file.h"
 #include "core/io/view_members.h"
 #include "tests/core/io/support.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -10,7 +11,7 @@ using namespace geargraph::test;
 namespace {
 
 Mechanism robot() {
-  return readMechanism(contentsOf(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph")).value();
+  return example("robot");
 }
 
 Mechanism wearing(const std::string& shapes) {

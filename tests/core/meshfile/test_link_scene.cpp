@@ -2,11 +2,11 @@
 #include <numbers>
 
 #include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/meshfile/link_scene.h"
 #include "core/meshfile/mesh_reader.h"
 #include "core/pose/turning_lines.h"
 #include "tests/core/meshfile/cogs.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -58,8 +58,7 @@ struct Robot {
 };
 
 Robot paperRobot() {
-  const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", 1 << 20);
-  return Robot(readMechanism(std::get<std::string>(bytes)).value());
+  return Robot(example("robot"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <QtTest>
 #include <numbers>
 
-#include "core/io/file.h"
 #include "core/io/mechanism_file.h"
 #include "core/matroid/exact_solution.h"
 #include "core/matroid/matroid_analysis.h"
@@ -9,6 +8,7 @@
 #include "core/scene/train_stage.h"
 #include "tests/core/meshfile/assembly_check.h"
 #include "tests/core/meshfile/cogs.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -29,7 +29,7 @@ struct Example {
   std::vector<Rational> rates;                 ///< at the document's speeds
   std::vector<std::vector<Rational>> motions;  ///< these, and others that move more meshes
 
-  explicit Example(const std::string& name) : Example(read(name)) {}
+  explicit Example(const std::string& name) : Example(test::example(name)) {}
   explicit Example(Mechanism document) : mechanism(std::move(document)) {
     graph = std::make_shared<const Digraph>(mechanism);
     tree = std::make_shared<const SpanningTree>(SpanningTree::of(*graph).value());
@@ -40,11 +40,6 @@ struct Example {
     rates = solveExact(*model, analysis->choice.joints, analysis->speeds)->rates;
     const auto restless = restlessSpeeds(analysis->choice.joints.size());
     motions = {rates, solveExact(*model, analysis->choice.joints, restless)->rates};
-  }
-
-  static Mechanism read(const std::string& name) {
-    const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/" + name + ".geargraph", 1 << 20);
-    return readMechanism(std::get<std::string>(bytes)).value();
   }
 
   [[nodiscard]] PlacedTrain placed() const { return {mechanism, *tree, placement, train}; }
@@ -140,7 +135,7 @@ class TestTrainFiles : public QObject {
   }
 
   void aLoopThatCannotBeAssembledMissesByWhatTheTrainSays() {
-    const Example misfit(Example::read("cannot-be-assembled"));  // three planets on 20, 20 and 60 teeth
+    const Example misfit(test::example("cannot-be-assembled"));  // three planets on 20, 20 and 60 teeth
     const AssemblyFindings found = findings(misfit.assembly(misfit.rates));
     double residual = 0;
     for (const TrainMesh& mesh : misfit.train.meshes) residual = std::max(residual, std::abs(mesh.residual));

@@ -1,21 +1,13 @@
-#include <QDir>
 #include <QRegularExpression>
 #include <QTest>
 
 #include "core/drawing/digraph_drawing.h"
 #include "core/drawing/layout.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/pages/report_pdf.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
-
-Mechanism exampleOf(const QString& file) {
-  const QString path = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + file;
-  const auto bytes = readFile(path.toStdString(), kLargestFile);
-  return readMechanism(std::get<std::string>(bytes)).value();
-}
 
 Report reportOf(Mechanism mechanism) {
   return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
@@ -81,7 +73,7 @@ class ReportPdfTest : public QObject {
 
  private slots:
   void theRobotsEquationsBearTheirNumbers() {
-    const Mechanism robot = exampleOf("robot.geargraph");
+    const Mechanism robot = test::example("robot");
     const QByteArray pdf = pdfOf(robot);
     QVERIFY(pdf.startsWith("%PDF-1.") && pdf.trimmed().endsWith("%%EOF"));
     const QString letters = lettersOf(contentsOf(pdf));
@@ -100,7 +92,7 @@ class ReportPdfTest : public QObject {
   }
 
   void headingsAreOnThePagesAndInTheOutline() {
-    const Mechanism robot = exampleOf("robot.geargraph");
+    const Mechanism robot = test::example("robot");
     const QByteArray pdf = pdfOf(robot);
     const QString letters = lettersOf(contentsOf(pdf));
     for (const QString& heading : headingsOf(reportOf(robot))) {
@@ -110,28 +102,27 @@ class ReportPdfTest : public QObject {
   }
 
   void noHeadingStandsAtAPagesFootAndEveryPageIsNumbered() {
-    const QDir folder(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples"));
-    const QStringList files = folder.entryList({"*.geargraph"});
-    QVERIFY(files.size() >= 17);
-    for (const QString& file : files) {
-      const Mechanism mechanism = exampleOf(file);
+    const std::vector<std::string> names = test::exampleNames();
+    QVERIFY(names.size() >= 17);
+    for (const std::string& name : names) {
+      const Mechanism mechanism = test::example(name);
       const QList<QByteArray> pages = contentsOf(pdfOf(mechanism));
-      QVERIFY2(pages.size() >= 2, qPrintable(file));
+      QVERIFY2(pages.size() >= 2, name.c_str());
       const QStringList headings = headingsOf(reportOf(mechanism));
       for (qsizetype i = 0; i < pages.size(); ++i) {
         QString letters = lettersOf(pages[i]);
         const QString foot = QStringLiteral("%1/%2").arg(i + 1).arg(pages.size());
-        QVERIFY2(letters.endsWith(foot), qPrintable(file + " " + letters.right(20)));
+        QVERIFY2(letters.endsWith(foot), qPrintable(name.c_str() + (" " + letters.right(20))));
         letters.chop(foot.size());
         for (const QString& heading : headings)
-          QVERIFY2(!letters.endsWith(withoutBlanks(heading)), qPrintable(file + ": " + heading));
+          QVERIFY2(!letters.endsWith(withoutBlanks(heading)), qPrintable(name.c_str() + (": " + heading)));
       }
     }
   }
 
   // Whatever a user writes is text; what no face has is no reason to fail.
   void anyNameIsShown() {
-    Mechanism mechanism = exampleOf("spur-pair.geargraph");
+    Mechanism mechanism = test::example("spur-pair");
     mechanism.name = "a_b & <i>c</i> $d$ (e) 50% \\x \u00fc \u6c49\u5b57 \U0001F600 \u0001 \u007f \uffff";
     mechanism.links[1].name = std::string(400, 'w') + " Zahnrad\xC3\xA4 \xED\xA0\x80 \xFF";
     const QByteArray pdf = pdfOf(mechanism);

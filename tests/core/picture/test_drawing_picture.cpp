@@ -3,17 +3,15 @@
 #include <QtTest>
 
 #include "core/drawing/digraph_drawing.h"
-#include "core/io/mechanism_file.h"
 #include "core/picture/picture.h"
+#include "tests/core/support/example_files.h"
 
 using namespace geargraph;
 
 namespace {
 
 DisplayList robot() {
-  QFile file(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
-  if (!file.open(QIODevice::ReadOnly)) qFatal("no robot");
-  const Mechanism mechanism = readMechanism(file.readAll().toStdString()).value();
+  const Mechanism mechanism = test::example("robot");
   return digraphDrawing(mechanism, mechanism.view.nodes, {});
 }
 

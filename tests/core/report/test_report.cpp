@@ -1,28 +1,17 @@
-#include <QDir>
 #include <QRegularExpression>
 #include <QTest>
 #include <QXmlStreamReader>
 #include <set>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/report/report.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
 namespace geargraph {
 namespace {
 
-Mechanism fileOf(const QString& path) {
-  const auto bytes = readFile(path.toStdString(), kLargestFile);
-  return readMechanism(std::get<std::string>(bytes)).value();
-}
-
 Report reportOf(Mechanism mechanism) {
   return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
-}
-
-QString examplePath(const QString& name) {
-  return QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/%1.geargraph").arg(name);
 }
 
 /// What a formula's number stands beside.
@@ -95,7 +84,7 @@ class ReportTest : public QObject {
  private slots:
   // The paper's own text, with its own numbers.
   void theRobotIsThePaper() {
-    const auto equations = numbered(reportOf(fileOf(examplePath("robot"))));
+    const auto equations = numbered(reportOf(test::example("robot")));
     for (const int number : {1, 2, 3, 4, 5, 6, 16, 17, 18, 20, 21, 23, 24, 25}) {
       QVERIFY2(equations.contains(number), qPrintable(QString::number(number)));
     }
@@ -114,10 +103,9 @@ class ReportTest : public QObject {
   }
 
   void everyExampleIsWrittenInEveryForm() {
-    const QDir folder(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples"));
-    const QStringList files = folder.entryList({"*.geargraph"});
-    QVERIFY(files.size() > 10);
-    for (const QString& file : files) check(reportOf(fileOf(folder.filePath(file))));
+    const std::vector<std::string> names = test::exampleNames();
+    QVERIFY(names.size() > 10);
+    for (const std::string& name : names) check(reportOf(test::example(name)));
   }
 
   void anyTrainIsWritten() {
@@ -128,7 +116,7 @@ class ReportTest : public QObject {
 
   // Views light up an equation with its element.
   void equationsSayWhatTheyAreAbout() {
-    const Report report = reportOf(fileOf(examplePath("robot")));
+    const Report report = reportOf(test::example("robot"));
     std::map<int, std::vector<ElementId>> about;
     for (const ReportBlock& block : report.blocks) {
       const auto* equation = std::get_if<ReportEquation>(&block);
@@ -144,7 +132,7 @@ class ReportTest : public QObject {
 
   // Where a part is missing, what comes before it is there, and no other number is shown.
   void looseLinksHaveAnIncidenceMatrixAndNoMore() {
-    Mechanism mechanism = fileOf(examplePath("robot"));
+    Mechanism mechanism = test::example("robot");
     mechanism.turningJoints.pop_back();
     const Report report = reportOf(std::move(mechanism));
     const auto equations = numbered(report);
@@ -154,7 +142,7 @@ class ReportTest : public QObject {
   }
 
   void whatAUserWritesIsTextInEveryForm() {
-    Mechanism mechanism = fileOf(examplePath("spur-pair"));
+    Mechanism mechanism = test::example("spur-pair");
     mechanism.name = "a_b & <i>c</i> $d$ {e} 50% #1 \\x";
     mechanism.links[1].name = "| pipe\nline `code` ~ ^";
     const Report report = reportOf(std::move(mechanism));

@@ -1,15 +1,13 @@
 // Where the numbers of links stand in 3D pictures: on what is seen of their links, checked by picks.
 
-#include <QDir>
 #include <QTest>
 #include <algorithm>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/render/egl_host.h"
 #include "core/render/label_places.h"
 #include "core/render/stage_view.h"
 #include "core/scene/train_stage.h"
+#include "tests/core/support/example_files.h"
 #include "tests/ui/view3d/toy_stage.h"
 
 using namespace geargraph;
@@ -18,11 +16,9 @@ namespace {
 
 constexpr Viewport kSize{640, 480};
 
-StagePtr exampleStage(const QString& path) {
-  const auto bytes = readFile(path.toStdString(), 1 << 20);
-  auto mechanism = readMechanism(std::get<std::string>(bytes));
+StagePtr exampleStage(const std::string& name) {
   GearCache cache;
-  return trainStage(*analyzeLive(std::make_shared<const Mechanism>(std::move(mechanism).value())), cache);
+  return trainStage(*analyzeLive(std::make_shared<const Mechanism>(test::example(name))), cache);
 }
 
 /// A stage seen from somewhere, with what its picture shows where.
@@ -79,14 +75,14 @@ class TestLabels : public QObject {
 
  private slots:
   void everyNumberSpeaksOfItsLink_data() {
-    QTest::addColumn<QString>("path");
-    const QDir examples(GEARGRAPH_SOURCE_DIR "/resources/examples");
-    for (const QString& name : examples.entryList({"*.geargraph"}, QDir::Files))
-      QTest::newRow(qPrintable(name)) << examples.filePath(name);
+    QTest::addColumn<QString>("name");
+    for (const std::string& name : test::exampleNames()) {
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+    }
   }
   void everyNumberSpeaksOfItsLink() {
-    QFETCH(QString, path);
-    const StagePtr stage = exampleStage(path);
+    QFETCH(QString, name);
+    const StagePtr stage = exampleStage(name.toStdString());
     if (stage == nullptr) return;  // its joints close a loop
     Shown shown(stage);
     for (const double yaw : {-2.2, 0.4, 1.7}) {

@@ -2,18 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/render/motion_curves.h"
 #include "core/scene/train_stage.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
 
 SnapshotPtr example(const char* name) {
-  const auto bytes =
-      readFile(std::string(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name + ".geargraph", 1 << 20);
-  return analyzeLive(std::make_shared<const Mechanism>(readMechanism(std::get<std::string>(bytes)).value()));
+  return analyzeLive(std::make_shared<const Mechanism>(test::example(name)));
 }
 
 const MotionCurve* curve(const std::vector<CurveSheet>& sheets, const std::string& name) {

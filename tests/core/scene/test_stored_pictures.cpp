@@ -6,9 +6,8 @@
 #include "core/drawing/palette.h"
 #include "core/gears/gear_solid.h"
 #include "core/gears/train.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/render/egl_host.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
@@ -24,11 +23,7 @@ struct Wheels {
 
 /// The wheels of an example without webs, shafts and arms: what only their teeth and places decide.
 Wheels wheelsOf(const QString& name) {
-  const std::string path =
-      QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/%1.geargraph").arg(name).toStdString();
-  const auto bytes = readFile(path, 1 << 20);
-  const auto mechanism =
-      std::make_shared<const Mechanism>(readMechanism(std::get<std::string>(bytes)).value());
+  const auto mechanism = std::make_shared<const Mechanism>(test::example(name.toStdString()));
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   Wheels wheels;
   Scene& scene = wheels.scene;
@@ -106,7 +101,8 @@ class TestStoredPictures : public QObject {
   void theTrainsLookAsTheyDid() {
     QFETCH(bool, dark);
     const QString name = QString::fromLatin1(QTest::currentDataTag());
-    const QString path = QStringLiteral(GEARGRAPH_SOURCE_DIR "/tests/core/scene/pictures/%1.png").arg(name);
+    const QString path =
+        QString::fromStdString(test::sourcePath("tests/core/scene/pictures/")) + name + ".png";
     const Scene scene = wheelsOf(name).scene;
     const QImage now = painted(scene, frameOf(scene, dark));
     if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) QVERIFY(now.save(path));

@@ -7,13 +7,12 @@
 
 #include "core/drawing/palette.h"
 #include "core/gears/train.h"
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
 #include "core/render/egl_host.h"
 #include "core/render/stage_lines.h"
 #include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -26,8 +25,7 @@ StagePtr stageOf(const Mechanism& mechanism, GearCache& cache) {
 }
 
 Mechanism paperRobot() {
-  const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", 1 << 20);
-  return readMechanism(std::get<std::string>(bytes)).value();
+  return test::example("robot");
 }
 
 std::vector<Pose> posesAt(const Stage& stage, const std::vector<double>& angles) {

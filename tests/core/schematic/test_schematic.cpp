@@ -1,13 +1,12 @@
-#include <QDir>
 #include <QtTest>
 #include <set>
 
 #include "core/drawing/hit_test.h"
 #include "core/drawing/text_metrics.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/pins.h"
 #include "core/schematic/schematic.h"
 #include "tests/core/drawing/drawing_checks.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
 
@@ -15,21 +14,8 @@ using namespace geargraph;
 
 namespace {
 
-const QString kExamples = QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/");
-const QString kExpected = QStringLiteral(GEARGRAPH_SOURCE_DIR "/tests/core/schematic/expected/");
-
 Mechanism example(const QString& name) {
-  QFile file(kExamples + name + QStringLiteral(".geargraph"));
-  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
-  return readMechanism(file.readAll().toStdString()).value();
-}
-
-QStringList exampleNames() {
-  QStringList names;
-  for (const QString& file : QDir(kExamples).entryList({QStringLiteral("*.geargraph")})) {
-    names << file.section('.', 0, 0);
-  }
-  return names;
+  return test::example(name.toStdString());
 }
 
 QString nameOf(const ElementId& element) {
@@ -154,11 +140,14 @@ class TestSchematic : public QObject {
  private slots:
   void examplesAreDrawnAsInTheGoldenText_data() {
     QTest::addColumn<QString>("name");
-    for (const QString& name : exampleNames()) QTest::newRow(qPrintable(name)) << name;
+    for (const std::string& name : test::exampleNames()) {
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+    }
   }
   void examplesAreDrawnAsInTheGoldenText() {
     QFETCH(QString, name);
-    test::compareWithGolden(kExpected + name + QStringLiteral(".txt"),
+    const QString folder = QString::fromStdString(test::sourcePath("tests/core/schematic/expected/"));
+    test::compareWithGolden(folder + name + QStringLiteral(".txt"),
                             textOf(schematicDrawing(schematicGeometry(example(name)), {})));
   }
 

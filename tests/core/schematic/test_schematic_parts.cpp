@@ -1,23 +1,15 @@
-#include <QFile>
 #include <QtTest>
 
-#include "core/io/mechanism_file.h"
 #include "core/schematic/arm_router.h"
 #include "core/schematic/drawn_part.h"
 #include "core/schematic/radial_system.h"
 #include "core/schematic/stacker.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
 
 namespace {
-
-Mechanism example(const QString& name) {
-  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name +
-             QStringLiteral(".geargraph"));
-  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
-  return readMechanism(file.readAll().toStdString()).value();
-}
 
 struct Laid {
   DrawnPart part;
@@ -122,7 +114,7 @@ class TestSchematicParts : public QObject {
   }
 
   void axesInOnePlaneLieAsInSpace() {
-    const Laid laid(example("robot"));
+    const Laid laid(test::example("robot"));
     QVERIFY(!laid.layout.parallel);
     for (const SheetAxis& axis : laid.layout.axes) {
       QVERIFY(!axis.turned);
@@ -134,15 +126,15 @@ class TestSchematicParts : public QObject {
   }
 
   void aPlanetaryTrainIsCutInHalf() {
-    const Laid laid(example("planetary-ring-held"));
+    const Laid laid(test::example("planetary-ring-held"));
     QVERIFY(laid.layout.parallel && laid.layout.axes[0].half && !laid.layout.axes[1].half);
     QVERIFY(laid.layout.axes[1].origin.y < laid.layout.axes[0].origin.y);
-    const Laid pair(example("spur-pair"));
+    const Laid pair(test::example("spur-pair"));
     QVERIFY(!pair.layout.axes[0].half && !pair.layout.axes[1].half);
   }
 
   void shaftsOnOneAxisAreNested() {
-    Laid laid(example("simpson"));
+    Laid laid(test::example("simpson"));
     Stacker stacker(laid.part, laid.placement, laid.layout);
     stacker.search();
     stacker.squeeze();
@@ -158,16 +150,16 @@ class TestSchematicParts : public QObject {
   }
 
   void equalPlanetsNeedTheSameWheelsAndCarrier() {
-    QCOMPARE(drawnPart(example("redundant-planetary")).planets.at(0).count, 5);
-    QVERIFY(drawnPart(example("ravigneaux")).planets.empty());
-    QVERIFY(drawnPart(example("simpson")).planets.empty());
-    Mechanism mechanism = example("three-planets");
+    QCOMPARE(drawnPart(test::example("redundant-planetary")).planets.at(0).count, 5);
+    QVERIFY(drawnPart(test::example("ravigneaux")).planets.empty());
+    QVERIFY(drawnPart(test::example("simpson")).planets.empty());
+    Mechanism mechanism = test::example("three-planets");
     mechanism.gearMeshes[2].headTeeth = 17;
     QCOMPARE(drawnPart(mechanism).planets.at(0).count, 2);
   }
 
   void labelsAreThoseOfTheWholeMechanism() {
-    const DrawnPart part = drawnPart(example("three-planets"));
+    const DrawnPart part = drawnPart(test::example("three-planets"));
     QCOMPARE(part.linkLabels, (std::vector<int>{0, 1, 2, 3}));
     QCOMPARE(part.jointLabels, (std::vector<int>{6, 7, 8}));
     QCOMPARE(part.meshLabels, (std::vector<int>{11, 12}));

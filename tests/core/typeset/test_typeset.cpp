@@ -1,12 +1,10 @@
-#include <QDir>
 #include <QTest>
 #include <cmath>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/report/report.h"
 #include "core/typeset/tex_reader.h"
 #include "core/typeset/typeset.h"
+#include "tests/core/support/example_files.h"
 
 namespace geargraph {
 namespace {
@@ -71,10 +69,8 @@ QString faultOf(const FormulaBox& box) {
   return {};
 }
 
-Report reportOf(const QString& path) {
-  const auto bytes = readFile(path.toStdString(), kLargestFile);
-  return derivationReport(
-      analyze(std::make_shared<const Mechanism>(readMechanism(std::get<std::string>(bytes)).value())));
+Report reportOf(Mechanism mechanism) {
+  return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
 }
 
 void compare(double measured, double expected) {
@@ -261,9 +257,8 @@ class TypesetTest : public QObject {
   }
 
   void everyFormulaOfEveryExampleIsSet() {
-    const QDir folder(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples"));
-    const QStringList files = folder.entryList({"*.geargraph"});
-    QVERIFY(files.size() >= 17);
+    const std::vector<std::string> names = test::exampleNames();
+    QVERIFY(names.size() >= 17);
     int formulas = 0;
     const auto check = [&](const std::string& tex, FormulaPlace place) {
       const ReadFormula read = readTex(tex);
@@ -273,8 +268,8 @@ class TypesetTest : public QObject {
       QVERIFY2(faultOf(box).isEmpty(), (qPrintable(faultOf(box)) + std::string(": ") + tex).c_str());
       ++formulas;
     };
-    for (const QString& file : files) {
-      for (const ReportBlock& block : reportOf(folder.filePath(file)).blocks) {
+    for (const std::string& name : names) {
+      for (const ReportBlock& block : reportOf(test::example(name)).blocks) {
         if (const auto* equation = std::get_if<ReportEquation>(&block))
           check(equation->tex, FormulaPlace::ownLine);
         if (const auto* paragraph = std::get_if<ReportParagraph>(&block)) {

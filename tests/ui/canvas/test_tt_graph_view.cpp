@@ -1,6 +1,6 @@
 #include "core/analysis/analysis.h"
-#include "core/io/mechanism_file.h"
 #include "core/io/view_places.h"
+#include "tests/core/support/example_files.h"
 #include "tests/ui/canvas/view_driver.h"
 #include "ui/canvas/context_menu.h"
 #include "ui/canvas/tt_graph_view.h"
@@ -12,9 +12,7 @@ using namespace geargraph;
 namespace {
 
 Mechanism robot() {
-  QFile file(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph");
-  if (!file.open(QIODevice::ReadOnly)) qFatal("no robot");
-  return readMechanism(file.readAll().toStdString()).value();
+  return test::example("robot");
 }
 
 /// A T-T graph view that gets the analysis of every document at once.

@@ -5,8 +5,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/theme/application_theme.h"
@@ -19,8 +18,7 @@ SnapshotPtr snapshotOf(Mechanism mechanism) {
 }
 
 Mechanism robot() {
-  const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", kLargestFile);
-  return readMechanism(std::get<std::string>(bytes)).value();
+  return test::example("robot");
 }
 
 }  // namespace

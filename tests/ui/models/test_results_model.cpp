@@ -1,9 +1,8 @@
 #include <QAbstractItemModelTester>
 #include <QTest>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "tests/core/support/example_files.h"
 #include "ui/models/results_model.h"
 
 namespace geargraph {
@@ -11,8 +10,7 @@ namespace {
 
 /// The paper's robot, driven as its Eq. (25) has it.
 Mechanism drivenRobot() {
-  const auto bytes = readFile(GEARGRAPH_SOURCE_DIR "/resources/examples/robot.geargraph", kLargestFile);
-  return readMechanism(std::get<std::string>(bytes)).value();
+  return test::example("robot");
 }
 
 }  // namespace

@@ -1,24 +1,16 @@
-#include <QFile>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QtTest>
 
 #include "core/fitting/axis_drag.h"
 #include "core/fitting/fitted_edits.h"
-#include "core/io/mechanism_file.h"
 #include "core/mechanism/edits.h"
+#include "tests/core/support/example_files.h"
 #include "ui/schematic/schematic_view.h"
 
 using namespace geargraph;
 
 namespace {
-
-Mechanism example(const QString& name) {
-  QFile file(QStringLiteral(GEARGRAPH_SOURCE_DIR "/resources/examples/") + name +
-             QStringLiteral(".geargraph"));
-  if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(file.fileName()));
-  return readMechanism(file.readAll().toStdString()).value();
-}
 
 struct Driver {
   Document document;
@@ -85,7 +77,7 @@ class TestSchematicView : public QObject {
   Q_OBJECT
  private slots:
   void theDocumentIsDrawnAndFitsTheWindow() {
-    Driver driver(example("robot"));
+    Driver driver(test::example("robot"));
     QVERIFY(!driver.view.displayList().marks.empty());
     const QRect window = driver.view.viewport()->rect();
     for (const Mark& mark : driver.view.picture().marks) {
@@ -95,7 +87,7 @@ class TestSchematicView : public QObject {
   }
 
   void aClickSelectsAndTheSelectionIsSeen() {
-    Driver driver(example("robot"));
+    Driver driver(test::example("robot"));
     for (const ElementId& element : {ElementId(LinkId("7")), ElementId(JointId("13")),
                                      ElementId(MeshId("17")), ElementId(AxisId("d"))}) {
       QVERIFY(!driver.isLit(element));
@@ -108,7 +100,7 @@ class TestSchematicView : public QObject {
   }
 
   void hoveringInAnotherViewLightsItUpHere() {
-    Driver driver(example("three-planets"));
+    Driver driver(test::example("three-planets"));
     driver.selection.hover(ElementId(LinkId("5")));
     QVERIFY(driver.isLit(LinkId("3")));  // the planet that is drawn for all three
     driver.selection.unhover();
@@ -116,7 +108,7 @@ class TestSchematicView : public QObject {
   }
 
   void anEditIsDrawnAndAnotherNameIsNot() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     QSignalSpy spy(&driver.view, &SchematicView::drawn);
     driver.document.apply(
         {"Rename", [](const Mechanism& m) { return withName(m, LinkId("1"), "pinion"); }, 0});
@@ -133,7 +125,7 @@ class TestSchematicView : public QObject {
   }
 
   void menusOfferWhatCanBeDone() {
-    Driver driver(example("robot"));
+    Driver driver(test::example("robot"));
     const std::unique_ptr<QMenu> ofJoint(driver.view.contextMenuAt(driver.label(JointId("13"))));
     QVERIFY(entries(*ofJoint).contains("Drive it"));
     const std::unique_ptr<QMenu> ofAxis(driver.view.contextMenuAt(driver.label(AxisId("d"))));
@@ -144,7 +136,7 @@ class TestSchematicView : public QObject {
   }
 
   void aMenuMovesABevelToTheOtherSideOfItsApex() {
-    Driver driver(example("robot"));
+    Driver driver(test::example("robot"));
     const auto signOf17 = [&driver] { return placementOf(*driver.document.mechanism()).meshes[2]->sign; };
     const int was = signOf17();
     const std::unique_ptr<QMenu> menu(driver.view.contextMenuAt(driver.label(MeshId("17"))));
@@ -158,7 +150,7 @@ class TestSchematicView : public QObject {
   }
 
   void aDoubleClickOnAnAxisShowsItsJoint() {
-    Driver driver(example("robot"));
+    Driver driver(test::example("robot"));
     QSignalSpy spy(&driver.view, &SchematicView::propertiesWanted);
     QTest::mouseDClick(driver.view.viewport(), Qt::LeftButton, {}, driver.label(AxisId("d")));
     QCOMPARE(spy.count(), 1);
@@ -203,7 +195,7 @@ class TestSchematicView : public QObject {
   }
 
   void aDraggedAxisTakesItsModuleAlongAndTeethAreOffered() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     const MechanismPtr before = driver.document.mechanism();
     const AxisReach was = driver.dragAxis();
     // Live: the module has followed, the teeth have not, and it is one step.
@@ -227,7 +219,7 @@ class TestSchematicView : public QObject {
   }
 
   void escapeLeavesTheOfferAndTheAxisWhereItIs() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     const AxisReach was = driver.dragAxis();
     const Mechanism dropped = *driver.document.mechanism();
     driver.drop();
@@ -242,7 +234,7 @@ class TestSchematicView : public QObject {
   }
 
   void escapeInADragPutsTheAxisBack() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     const MechanismPtr before = driver.document.mechanism();
     driver.dragAxis();
     QTest::keyClick(&driver.view, Qt::Key_Escape);
@@ -253,7 +245,7 @@ class TestSchematicView : public QObject {
   }
 
   void whatCannotFollowIsSaidAndTheLastPictureStays() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     driver.document.replace(*withPinned(*driver.document.mechanism(), driver.axis(), true), "test.geargraph");
     driver.wait();
     const Mechanism before = *driver.document.mechanism();
@@ -269,7 +261,7 @@ class TestSchematicView : public QObject {
   }
 
   void escapeGivesADragUp() {
-    Driver driver(example("spur-pair"));
+    Driver driver(test::example("spur-pair"));
     driver.view.setTool(ToolKind::link);
     QTest::mousePress(driver.view.viewport(), Qt::LeftButton, {}, {10, 10});
     QTest::keyClick(&driver.view, Qt::Key_Escape);
