@@ -71,10 +71,13 @@ QString StatusLine::text() const {
 
 void StatusLine::renewMessage() {
   const bool refused = !m_refusal.isEmpty();
-  m_message->setText(text());
-  m_message->setToolTip(refused ? text() : QString());
   QPalette colors = palette();
   const Theme theme = themeOf(colors);
+  const std::tuple message(text(), refused, theme);
+  if (m_shown == message) return;
+  m_shown = message;
+  m_message->setText(text());
+  m_message->setToolTip(refused ? text() : QString());
   colors.setColor(QPalette::WindowText, qColor(refused ? ColorRole::error : ColorRole::secondary, theme));
   m_message->setPalette(colors);
   m_icon->setVisible(refused);

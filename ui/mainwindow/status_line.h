@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QStatusBar>
+#include <optional>
+#include <tuple>
 
 #include "core/analysis/analysis.h"
 #include "ui/selection/selection.h"
+#include "ui/theme/application_theme.h"
 
 class QLabel;
 class QToolButton;
@@ -43,6 +46,7 @@ class StatusLine : public QStatusBar {
   QString m_hint;
   QString m_refusal;
   QString m_note;
+  std::optional<std::tuple<QString, bool, Theme>> m_shown;  ///< the message, refused, in which colours
   QToolButton* m_links;
   QToolButton* m_joints;
   QToolButton* m_meshes;

@@ -64,7 +64,8 @@ void MainWindow::makeDocks() {
   QDockWidget* problems = addDock("dock.problems", tr("Problems"), m_problems);
   m_view3d = new View3D(m_selection, this);
   addDock("dock.view3d", tr("3D"), m_view3d);
-  addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults());
+  QDockWidget* results = addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults());
+  connect(results, &QDockWidget::visibilityChanged, m_results, &ResultsPanel::setAwake);
   m_gearbox = new GearboxPanel(m_document, m_selection, this);
   addDock("dock.gearbox", tr("Gearbox"), m_gearbox);
   addDock("dock.properties", tr("Properties"), m_properties);

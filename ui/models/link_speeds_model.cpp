@@ -5,6 +5,15 @@
 namespace geargraph {
 
 void LinkSpeedsModel::setSnapshot(const SnapshotPtr& snapshot) {
+  const auto rows = [](const SnapshotPtr& of) {
+    const MatroidAnalysis* matroid = of ? of->matroid() : nullptr;
+    return matroid != nullptr && matroid->solution ? of->mechanism->n() : 0;
+  };
+  if (rows(snapshot) == rowCount()) {
+    m_snapshot = snapshot;
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnTotal - 1));
+    return;
+  }
   beginResetModel();
   m_snapshot = snapshot;
   endResetModel();

@@ -11,6 +11,19 @@ QString withPrintedMinus(QString text) {
   return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
+/// Do both have the same inputs and outputs, under the same labels?
+bool sameHeadings(const AnalysisSnapshot& a, const AnalysisSnapshot& b) {
+  const MatroidAnalysis *one = a.matroid(), *other = b.matroid();
+  if (one == nullptr || other == nullptr || !one->solution || !other->solution) return false;
+  if (one->solution->inputs != other->solution->inputs || one->solution->outputs != other->solution->outputs)
+    return false;
+  const auto& before = a.mechanism->turningJoints;
+  const auto& after = b.mechanism->turningJoints;
+  return a.mechanism->n() == b.mechanism->n() &&
+         std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                    [](const TurningJoint& x, const TurningJoint& y) { return x.id == y.id; });
+}
+
 }  // namespace
 
 QString printedNumber(double value) {
@@ -23,7 +36,13 @@ QString printedFraction(const Rational& value) {
   return withPrintedMinus(QString::fromStdString(text));
 }
 
+// The rows and columns of a drag stay: then nothing that shows them is laid out anew.
 void ResultsModel::setSnapshot(const SnapshotPtr& snapshot) {
+  if (m_snapshot && snapshot && sameHeadings(*m_snapshot, *snapshot)) {
+    m_snapshot = snapshot;
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    return;
+  }
   beginResetModel();
   m_snapshot = snapshot;
   endResetModel();

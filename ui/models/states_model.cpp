@@ -1,5 +1,7 @@
 #include "ui/models/states_model.h"
 
+#include <utility>
+
 #include "ui/models/results_model.h"
 
 namespace geargraph {
@@ -24,6 +26,7 @@ void StatesModel::setMechanism(const MechanismPtr& mechanism) {
   }
   beginResetModel();
   m_mechanism = mechanism;
+  m_rows = rowsNow();
   endResetModel();
 }
 
@@ -31,7 +34,38 @@ void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
   const bool isFirstStep = snapshot && !snapshot->isComplete && !snapshot->states;
   if (isFirstStep && m_snapshot && m_snapshot->states) return;
   m_snapshot = snapshot;
-  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  const std::vector<Row> before = std::exchange(m_rows, rowsNow());
+  if (m_rows == before) return;
+  for (int row = 0; row < rowCount(); ++row) tellChange(row, before[static_cast<std::size_t>(row)]);
+  emit computed();
+}
+
+// Cell by cell: a drag changes some ratios, and of the table only these are painted again.
+void StatesModel::tellChange(int row, const Row& before) {
+  const Row& now = m_rows[static_cast<std::size_t>(row)];
+  if (now.isRunning != before.isRunning) {
+    emit dataChanged(index(row, 0), index(row, columnCount() - 1));
+    return;
+  }
+  for (std::size_t tail = 0; tail < now.tails.size(); ++tail) {
+    const bool isRatio = tail == static_cast<std::size_t>(Tail::ratio);
+    if (now.tails[tail] == before.tails[tail] && (!isRatio || now.isRemark == before.isRemark)) continue;
+    const QModelIndex cell = index(row, couplingCount() + 1 + static_cast<int>(tail));
+    emit dataChanged(cell, cell);
+  }
+}
+
+std::vector<StatesModel::Row> StatesModel::rowsNow() const {
+  std::vector<Row> rows(static_cast<std::size_t>(rowCount()));
+  for (int row = 0; row < rowCount(); ++row) {
+    Row& shown = rows[static_cast<std::size_t>(row)];
+    for (std::size_t tail = 0; tail < shown.tails.size(); ++tail)
+      shown.tails[tail] = tailText(row, static_cast<Tail>(tail));
+    shown.isRunning = runs(row);
+    const StateSolution* solution = solutionAt(row);
+    shown.isRemark = solution == nullptr || !solution->ratio;
+  }
+  return rows;
 }
 
 int StatesModel::couplingCount() const {
@@ -53,7 +87,7 @@ const StateSolution* StatesModel::solutionAt(int row) const {
   return &(*m_snapshot->states)[static_cast<std::size_t>(row)];
 }
 
-bool StatesModel::isRunning(int row) const {
+bool StatesModel::runs(int row) const {
   const StateSolution* state = solutionAt(row);
   const bool isExact = m_snapshot && m_snapshot->solved && m_snapshot->solved->exact;
   if (state == nullptr || !state->isSolved() || !isExact) return false;
@@ -116,13 +150,12 @@ QString StatesModel::tailText(int row, Tail tail) const {
 QString StatesModel::textOf(int row, int column) const {
   if (column == 0) return shown(m_mechanism->states[static_cast<std::size_t>(row)].name);
   if (couplingAt(column) >= 0) return {};
-  return tailText(row, static_cast<Tail>(column - couplingCount() - 1));
+  return m_rows[static_cast<std::size_t>(row)].tails[static_cast<std::size_t>(column - couplingCount() - 1)];
 }
 
 QVariant StatesModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const int row = index.row();
-  const StateSolution* solution = solutionAt(row);
   switch (role) {
     case Qt::DisplayRole:
       return textOf(row, index.column());
@@ -138,13 +171,15 @@ QVariant StatesModel::data(const QModelIndex& index, int role) const {
     case RunningRole:
       return isRunning(row);
     case RemarkRole:
-      return isTail(index.column(), Tail::ratio) && (solution == nullptr || !solution->ratio);
-    case Qt::ToolTipRole:
+      return isTail(index.column(), Tail::ratio) && m_rows[static_cast<std::size_t>(row)].isRemark;
+    case Qt::ToolTipRole: {
+      const StateSolution* solution = solutionAt(row);
       if (solution != nullptr && !solution->diagnostics.empty())
         return shown(solution->diagnostics.front().message);
       if (isTail(index.column(), Tail::ratio) && solution != nullptr && solution->symbolicRatio)
         return tr("In the gear ratios: %1").arg(shown(solution->symbolicRatio->toText()));
       return {};
+    }
     default:
       return {};
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <array>
 
 #include "core/analysis/analysis.h"
 
@@ -36,7 +37,7 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] bool isTail(int column, Tail tail) const;
   /// Null until the snapshot of these states is there.
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
-  [[nodiscard]] bool isRunning(int row) const;
+  [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -50,8 +51,20 @@ class StatesModel : public QAbstractTableModel {
 
  signals:
   void renamed(int row, const QString& name);
+  void computed();  ///< what a snapshot has changed is told: the tails of some rows
 
  private:
+  /// What is shown of a state beside the document's own names and dots.
+  struct Row {
+    std::array<QString, static_cast<std::size_t>(Tail::count)> tails;
+    bool isRunning = false;
+    bool isRemark = false;
+    friend bool operator==(const Row&, const Row&) = default;
+  };
+
+  [[nodiscard]] std::vector<Row> rowsNow() const;
+  void tellChange(int row, const Row& before);
+  [[nodiscard]] bool runs(int row) const;
   [[nodiscard]] QString textOf(int row, int column) const;
   [[nodiscard]] QString ratioText(int row) const;
   [[nodiscard]] QString tailText(int row, Tail tail) const;
@@ -59,6 +72,7 @@ class StatesModel : public QAbstractTableModel {
 
   MechanismPtr m_mechanism;
   SnapshotPtr m_snapshot;
+  std::vector<Row> m_rows;
 };
 
 }  // namespace geargraph

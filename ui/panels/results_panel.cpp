@@ -54,7 +54,8 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_verdict->setWordWrap(true);
   m_patience.setSingleShot(true);
   m_patience.setInterval(kPatience);
-  connect(&m_patience, &QTimer::timeout, this, &ResultsPanel::paintVerdict);
+  connect(&m_patience, &QTimer::timeout, this, &ResultsPanel::renew);
+  m_symbols->setObjectName(QStringLiteral("formulas"));
   m_symbols->setProperty("look", "control");
   m_symbols->setToolTip(tr("Coefficients as formulas in the gear ratios, or as fractions"));
   connect(m_symbols, &QToolButton::clicked, this, [this] {
@@ -105,6 +106,7 @@ void ResultsPanel::makeTable() {
       emit menuWanted(m_model->outputAt(index.row()), m_table->viewport()->mapToGlobal(at));
     }
   });
+  connect(m_model, &QAbstractItemModel::modelReset, this, [this] { m_fitted.clear(); });
   const auto repaint = [this] { m_table->viewport()->update(); };
   connect(m_selection, &Selection::hoverChanged, m_table, repaint);
   connect(m_selection, &Selection::selectionChanged, m_table, repaint);
@@ -168,6 +170,7 @@ QLayout* ResultsPanel::makeStrip() {
 void ResultsPanel::setAbsolute(bool absolute) {
   m_absolute = absolute;
   m_frame->setText(absolute ? tr("absolute speeds") : tr("relative speeds"));
+  if (absolute) m_linkModel->setSnapshot(m_snapshot);
   renew();
 }
 
@@ -251,8 +254,19 @@ void ResultsPanel::setSnapshot(const SnapshotPtr& snapshot) {
     m_patience.start();
   }
   m_model->setSnapshot(snapshot);
-  m_linkModel->setSnapshot(snapshot);
+  if (m_absolute) m_linkModel->setSnapshot(snapshot);
   renew();
+}
+
+void ResultsPanel::setAwake(bool awake) {
+  m_isAwake = awake;
+  if (awake && m_isBehind) renew();
+}
+
+/// The results of the first step of an analysis are there, and those of the second will be in a moment: what
+/// only they can tell stays as it is.
+bool ResultsPanel::isWaiting() const {
+  return m_snapshot && !m_snapshot->isComplete && m_patience.isActive();
 }
 
 void ResultsPanel::hoverRow(const QModelIndex& index) {
@@ -264,6 +278,8 @@ void ResultsPanel::hoverRow(const QModelIndex& index) {
 }
 
 void ResultsPanel::renew() {
+  m_isBehind = !m_isAwake;
+  if (m_isBehind) return;
   const bool solved = m_model->columnCount() > 0;
   m_empty->setText(whyNone());
   const bool hasLinks = m_absolute && m_linkModel->rowCount() > 0;
@@ -272,11 +288,18 @@ void ResultsPanel::renew() {
     m_links->resizeColumnsToContents();
     m_links->horizontalHeader()->setStretchLastSection(false);
   }
-  m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
+  if (!isWaiting() || m_absolute) m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
+  renewNote();
+  fitColumns();
+  paintVerdict();
+}
+
+void ResultsPanel::renewNote() {
   QString note;
   const MatroidAnalysis* matroid = m_snapshot ? m_snapshot->matroid() : nullptr;
-  if (solved && matroid != nullptr && !matroid->inputsGiven && m_model->inputCount() > 0) {
+  if (m_model->columnCount() > 0 && matroid != nullptr && !matroid->inputsGiven &&
+      m_model->inputCount() > 0) {
     QStringList joints;
     for (int i = 0; i < m_model->inputCount(); ++i)
       joints << m_model->headerData(i + 1, Qt::Horizontal).toString();
@@ -286,8 +309,6 @@ void ResultsPanel::renew() {
   }
   m_note->setText(note);
   m_note->setVisible(!note.isEmpty());
-  fitColumns();
-  paintVerdict();
 }
 
 void ResultsPanel::fitColumns() {
@@ -296,14 +317,19 @@ void ResultsPanel::fitColumns() {
   const auto* delegate = static_cast<const ResultsDelegate*>(m_table->itemDelegate());
   const int rows = std::min(m_model->rowCount(), kRowsMeasured);
   int all = 0;
+  std::vector<int> widths;
   for (int column = 0; column < columns; ++column) {
     int width = 64;
     for (int row = 0; row < rows; ++row) {
       width = std::max(width, delegate->widthOf(m_model->index(row, column), m_table->font()));
     }
-    all += width = std::min(width, 420);
-    m_table->horizontalHeader()->resizeSection(column, width);
+    all += widths.emplace_back(std::min(width, 420));
   }
+  widths.push_back(m_table->viewport()->width());
+  if (widths == m_fitted) return;  // every section that is resized paints the table again
+  for (int column = 0; column < columns; ++column)
+    m_table->horizontalHeader()->resizeSection(column, widths[static_cast<std::size_t>(column)]);
+  m_fitted = std::move(widths);
   // Long formulas push what is looked for out of sight: then it stands before them.
   QHeaderView* header = m_table->horizontalHeader();
   const int now = columns - 1;
@@ -313,26 +339,34 @@ void ResultsPanel::fitColumns() {
 }
 
 QString ResultsPanel::verdict() const {
-  return m_verdict->text();
+  const auto now = verdictNow();
+  return now ? now->first : m_verdict->text();
+}
+
+std::optional<std::pair<QString, ColorRole>> ResultsPanel::verdictNow() const {
+  const auto& solved = m_snapshot ? m_snapshot->solved : SolvedKinematicsPtr();
+  const int count = m_model->rowCount();
+  if (solved && solved->agreement && count > 0) {
+    const Agreement& agreement = *solved->agreement;
+    if (!agreement.equal) {
+      return std::pair(tr("The two methods differ at %1 joints. Please report this document.")
+                           .arg(agreement.joints.size()),
+                       ColorRole::error);
+    }
+    return std::pair(count == 1
+                         ? tr("Matroid method = T–T graph method, exactly")
+                         : tr("Matroid method = T–T graph method, exactly, for all %1 joints").arg(count),
+                     ColorRole::fine);
+  }
+  const bool isUnderWay = m_snapshot && count > 0 && !m_snapshot->isComplete;
+  if (isUnderWay && isWaiting()) return std::nullopt;
+  return std::pair(isUnderWay ? tr("Solving exactly, by both methods …") : QString(), ColorRole::secondary);
 }
 
 void ResultsPanel::paintVerdict() {
-  const auto& solved = m_snapshot ? m_snapshot->solved : SolvedKinematicsPtr();
-  ColorRole role = ColorRole::secondary;
-  QString text;
-  if (solved && solved->agreement && m_model->rowCount() > 0) {
-    const Agreement& agreement = *solved->agreement;
-    role = agreement.equal ? ColorRole::fine : ColorRole::error;
-    const auto count = m_model->rowCount();
-    text = agreement.equal
-               ? (count == 1 ? tr("Matroid method = T–T graph method, exactly")
-                             : tr("Matroid method = T–T graph method, exactly, for all %1 joints").arg(count))
-               : tr("The two methods differ at %1 joints. Please report this document.")
-                     .arg(agreement.joints.size());
-  } else if (m_snapshot && m_model->rowCount() > 0 && !m_snapshot->isComplete) {
-    if (m_patience.isActive()) return;
-    text = tr("Solving exactly, by both methods …");
-  }
+  const auto now = verdictNow();
+  if (!now) return;
+  const auto& [text, role] = *now;
   const Theme theme = themeOf(palette());
   QColor ground = qColor(role, theme);
   ground.setAlphaF(0.10F);

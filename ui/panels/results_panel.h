@@ -2,10 +2,13 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <optional>
+#include <utility>
 
 #include "ui/models/link_speeds_model.h"
 #include "ui/models/results_model.h"
 #include "ui/selection/selection.h"
+#include "ui/theme/application_theme.h"
 
 class QFrame;
 class QLabel;
@@ -31,6 +34,8 @@ class ResultsPanel : public QWidget {
   /// The absolute velocities of the links instead of the relative ones of the joints.
   void setAbsolute(bool absolute);
   void setUnit(const SpeedUnit& unit);
+  /// Asleep, behind another panel, it takes the results up but lays nothing out until it is seen again.
+  void setAwake(bool awake);
 
  signals:
   /// These joints are to be driven (ordinals of the snapshot's digraph), the motion staying as it is.
@@ -53,8 +58,12 @@ class ResultsPanel : public QWidget {
   void hoverHead(int section);
   void hoverRow(const QModelIndex& index);
   void renew();
+  void renewNote();
   void fitColumns();
   void paintVerdict();
+  /// What there is to be said of the two methods; nothing while the last word stays for a moment.
+  [[nodiscard]] std::optional<std::pair<QString, ColorRole>> verdictNow() const;
+  [[nodiscard]] bool isWaiting() const;
   [[nodiscard]] QString whyNone() const;
 
   Selection* m_selection;
@@ -67,6 +76,9 @@ class ResultsPanel : public QWidget {
   QToolButton* m_unit;
   QToolButton* m_motors;
   bool m_absolute = false;
+  bool m_isAwake = true;
+  bool m_isBehind = false;    ///< what is shown is not renewed yet
+  std::vector<int> m_fitted;  ///< widths of columns; the last is that of the table
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
   QLabel* m_empty;

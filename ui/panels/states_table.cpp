@@ -133,41 +133,50 @@ StatesTable::StatesTable(StatesModel* model, QWidget* parent)
   setContextMenuPolicy(Qt::CustomContextMenu);
   m_heads->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(model, &QAbstractItemModel::modelReset, this, &StatesTable::fitColumns);
-  connect(model, &QAbstractItemModel::dataChanged, this, &StatesTable::fitColumns);
+  connect(model, &StatesModel::computed, this, &StatesTable::fitColumns);
+}
+
+int StatesTable::advance(Face face, const QString& text) const {
+  constexpr int kMostKept = 4096;
+  if (m_measured != font() || m_advances.size() > kMostKept) m_advances.clear();
+  m_measured = font();
+  const QPair key(static_cast<int>(face), text);
+  const auto known = m_advances.constFind(key);
+  if (known != m_advances.constEnd()) return *known;
+  QFont own = font();
+  if (face == Face::bold) own.setBold(true);
+  if (face == Face::small) own.setPixelSize(smallPixels() - 1);
+  return *m_advances.insert(key, QFontMetrics(own).horizontalAdvance(text));
 }
 
 int StatesTable::widthOf(int column) const {
   constexpr int kRowsMeasured = 200;
-  QFont small = font();
-  small.setPixelSize(smallPixels() - 1);
-  QFont bold = font();
-  bold.setBold(true);
   const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };
   if (m_model->couplingAt(column) >= 0) {
-    return std::max({36, 10 + QFontMetrics(bold).horizontalAdvance(head(Qt::DisplayRole)),
-                     8 + QFontMetrics(small).horizontalAdvance(head(Qt::UserRole))});
+    return std::max(
+        {36, 10 + advance(Face::bold, head(Qt::DisplayRole)), 8 + advance(Face::small, head(Qt::UserRole))});
   }
   const bool isBold = column == 0 || m_model->isTail(column, StatesModel::Tail::ratio);
-  const QFontMetrics metrics(isBold ? bold : font());
-  int width = QFontMetrics(font()).horizontalAdvance(head(Qt::DisplayRole));
+  int width = advance(Face::plain, head(Qt::DisplayRole));
   for (int row = 0; row < std::min(m_model->rowCount(), kRowsMeasured); ++row) {
-    width = std::max(width, metrics.horizontalAdvance(m_model->index(row, column).data().toString()));
+    width = std::max(
+        width, advance(isBold ? Face::bold : Face::plain, m_model->index(row, column).data().toString()));
   }
   const bool atEdge = column == 0 || column == m_model->columnCount() - 1;
   return std::min(width + 12 + (atEdge ? kMargin : 0), 220);
 }
 
+// A section is given its size once, and only another one: every change paints all that is right of it.
 void StatesTable::fitColumns() {
   int rest = viewport()->width();
-  for (int column = 0; column < m_model->columnCount(); ++column) {
-    const int width = widthOf(column);
-    m_heads->resizeSection(column, width);
-    rest -= width;
-  }
+  std::vector<int> widths;
+  for (int column = 0; column < m_model->columnCount(); ++column)
+    rest -= widths.emplace_back(widthOf(column));
   // What is left over parts the numbers from the dots.
-  if (rest > 0 && m_model->columnCount() > 0) {
-    const int links = m_model->couplingCount() + 1;
-    m_heads->resizeSection(links, m_heads->sectionSize(links) + rest);
+  if (rest > 0 && !widths.empty()) widths[static_cast<std::size_t>(m_model->couplingCount()) + 1] += rest;
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    const int width = widths[static_cast<std::size_t>(column)];
+    if (m_heads->sectionSize(column) != width) m_heads->resizeSection(column, width);
   }
 }
 

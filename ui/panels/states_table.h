@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHash>
 #include <QHeaderView>
 #include <QStyledItemDelegate>
 #include <QTableView>
@@ -49,10 +50,17 @@ class StatesTable : public QTableView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// How text is set: in the table's face, bold, or small.
+  enum class Face { plain, bold, small };
+
   [[nodiscard]] int widthOf(int column) const;
+  /// The text's width in a face; measured once.
+  [[nodiscard]] int advance(Face face, const QString& text) const;
 
   StatesModel* m_model;
   StatesHeader* m_heads;
+  mutable QHash<QPair<int, QString>, int> m_advances;
+  mutable QFont m_measured;  ///< the font of m_advances
 };
 
 }  // namespace geargraph

@@ -1,5 +1,6 @@
 #include "ui/view3d/playback_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -45,6 +46,7 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   m_scrub->setFocusPolicy(Qt::NoFocus);
   m_scrub->setToolTip(tr("Drag through one period of the motion"));
   m_time->setObjectName("view3dTime");
+  m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 2, 6, 6);
   row->setSpacing(2);
@@ -117,10 +119,15 @@ void PlaybackBar::setDark(bool dark) {
   refresh();
 }
 
+// Another icon is set where it is another: the bar lies on the picture, which is painted with it.
 void PlaybackBar::refresh() {
-  m_play->setIcon(icon(m_playback->isPlaying() ? QStringLiteral("pause") : QStringLiteral("play"),
-                       ColorRole::accent, m_dark ? Theme::dark : Theme::light));
-  m_play->setToolTip(m_playback->isPlaying() ? tr("Pause (Space)") : tr("Play (Space)"));
+  const std::pair wanted(m_playback->isPlaying(), m_dark);
+  if (m_icon != wanted) {
+    m_icon = wanted;
+    m_play->setIcon(icon(wanted.first ? QStringLiteral("pause") : QStringLiteral("play"), ColorRole::accent,
+                         m_dark ? Theme::dark : Theme::light));
+    m_play->setToolTip(wanted.first ? tr("Pause (Space)") : tr("Play (Space)"));
+  }
   showTime();
 }
 
@@ -129,8 +136,25 @@ void PlaybackBar::showTime() {
   const QSignalBlocker quiet(m_scrub);
   m_scrub->setValue(
       static_cast<int>(std::lround(kSteps * (time - span() * std::floor(time / span())) / span())));
-  m_time->setText(m_playback->period() > 0 ? tr("%1 s / %2 s").arg(seconds(time), seconds(span()))
-                                           : tr("%1 s").arg(seconds(time)));
+  const QString longest = timeText(span());
+  if (longest != m_longest) {
+    m_longest = longest;
+    m_time->setText(longest);
+    m_time->setFixedSize(m_time->sizeHint());  // else every tick would lay out the window anew
+  }
+  m_time->setText(timeText(time));
+}
+
+QString PlaybackBar::timeText(double time) const {
+  return m_playback->period() > 0 ? tr("%1 s / %2 s").arg(seconds(time), seconds(span()))
+                                  : tr("%1 s").arg(seconds(time));
+}
+
+void PlaybackBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange && event->type() != QEvent::StyleChange) return;
+  m_longest.clear();
+  showTime();
 }
 
 }  // namespace geargraph

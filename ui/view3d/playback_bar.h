@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <utility>
 
 #include "ui/view3d/playback.h"
 
@@ -23,7 +25,11 @@ class PlaybackBar : public QWidget {
   void setDark(bool dark);
   void refresh();  ///< after another period
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  [[nodiscard]] QString timeText(double time) const;
   void showTime();
   void showSpeed();
   void makeSpeedMenu();
@@ -31,9 +37,11 @@ class PlaybackBar : public QWidget {
 
   Playback* m_playback;
   bool m_dark = false;
+  std::optional<std::pair<bool, bool>> m_icon;  ///< of which state: playing, dark
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
+  QString m_longest;  ///< text that the label of the time has room for
   QToolButton* m_speed;
 };
 

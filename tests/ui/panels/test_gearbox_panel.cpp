@@ -1,8 +1,10 @@
 #include <QAbstractItemModelTester>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <set>
 
 #include "core/mechanism/edits.h"
 #include "tests/core/support/gearboxes.h"
@@ -61,6 +63,33 @@ class GearboxPanelTest : public QObject {
     QCOMPARE(text(8, StatesModel::Tail::step), QString());
     QVERIFY(panel->model().index(0, 1).data(StatesModel::EngagedRole).toBool());
     QVERIFY(!panel->model().index(0, 4).data(StatesModel::EngagedRole).toBool());
+  }
+
+  /// What a step of a drag leaves as it is, is not painted again: names, dots, links, and equal ratios.
+  void onlyRatiosThatChangeAreTold() {
+    QSignalSpy told(&panel->model(), &QAbstractItemModel::dataChanged);
+    settle();
+    QCOMPARE(told.count(), 0);
+    const auto ratios = [&] {
+      QStringList all;
+      for (int row = 0; row < panel->model().rowCount(); ++row) all << text(row, StatesModel::Tail::ratio);
+      return all;
+    };
+    const QStringList before = ratios();
+    const MeshId mesh("25");
+    const GearMesh& drawn = *document->mechanism()->find(mesh);
+    const int tail = drawn.tailTeeth, head = drawn.headTeeth + 2;
+    document->apply({"teeth", [=](const Mechanism& m) { return withTeeth(m, mesh, tail, head); }, 0});
+    settle();
+    const QStringList after = ratios();
+    QVERIFY(before != after);
+    std::set<int> rows;
+    for (const QList<QVariant>& change : told) {
+      const QModelIndex cell = change[0].toModelIndex();
+      QCOMPARE(change[1].toModelIndex(), cell);
+      if (panel->model().isTail(cell.column(), StatesModel::Tail::ratio)) rows.insert(cell.row());
+    }
+    for (int row = 0; row < before.size(); ++row) QCOMPARE(rows.contains(row), before[row] != after[row]);
   }
 
   /// The first step of an analysis has no ratios yet: those before stay, until the second brings its own.

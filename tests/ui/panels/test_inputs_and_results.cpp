@@ -1,10 +1,14 @@
 #include <QAbstractItemModelTester>
 #include <QHeaderView>
+#include <QLabel>
 #include <QMenu>
+#include <QSignalSpy>
+#include <QStackedWidget>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
 
+#include "core/mechanism/edits.h"
 #include "tests/core/support/trains.h"
 #include "ui/models/freedom_text.h"
 #include "ui/panels/inputs_panel.h"
@@ -157,6 +161,50 @@ class InputsAndResultsTest : public QObject {
       QVERIFY(header->sectionViewportPosition(now) + header->sectionSize(now) <= table->viewport()->width());
       QCOMPARE(header->visualIndex(now), width > 1000 ? now : 1);
     }
+  }
+
+  /// The first step of the analysis of a drag's next speed.
+  SnapshotPtr dragASpeed() {
+    document->apply({"speed",
+                     [](const Mechanism& before) {
+                       std::vector<Input> driven = *before.inputs;
+                       driven.front().speed = Number(5);
+                       return withInputs(before, driven);
+                     },
+                     0});
+    return analyzeLive(document->mechanism(), document->revision());
+  }
+
+  /// A step of a drag brings other numbers under the same heads, first live and then exact.
+  void aDragLaysNothingOutAnew() {
+    QSignalSpy resets(&results->model(), &QAbstractItemModel::modelReset);
+    QSignalSpy changes(&results->model(), &QAbstractItemModel::dataChanged);
+    const QString before = cell(0, 4);
+    auto* formulas = results->findChild<QToolButton*>(QStringLiteral("formulas"));
+    QVERIFY(!formulas->isHidden());
+    results->setSnapshot(dragASpeed());
+    QVERIFY(!formulas->isHidden());
+    settle();
+    QVERIFY(!formulas->isHidden());
+    QCOMPARE(resets.count(), 0);
+    QCOMPARE(changes.count(), 2);
+    QVERIFY(cell(0, 4) != before);
+  }
+
+  void asleepItKnowsTheResultsAndShowsThemWhenItIsSeen() {
+    auto* pages = results->findChild<QStackedWidget*>();
+    auto* verdict = results->findChild<QLabel*>(QStringLiteral("verdict"));
+    QVERIFY(!verdict->text().isEmpty());
+    const int page = pages->currentIndex();
+    results->setAwake(false);
+    document->replace(emptyMechanism(), {});
+    settle();
+    QCOMPARE(results->verdict(), QString());
+    QCOMPARE(pages->currentIndex(), page);
+    QVERIFY(!verdict->text().isEmpty());
+    results->setAwake(true);
+    QVERIFY(pages->currentIndex() != page);
+    QVERIFY(verdict->text().isEmpty());
   }
 
   void nothingSolvedIsNotCalledEqual() {
