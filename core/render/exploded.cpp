@@ -122,8 +122,8 @@ std::vector<Eigen::Vector3d> separations(const Stage& stage) {
 
 void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part,
                std::span<Pose> poses) {
-  GEARGRAPH_REQUIRE(poses.size() == scene.instances.size() && poses.size() == separations.size());
   if (part == 0) return;
+  GEARGRAPH_REQUIRE(poses.size() == scene.instances.size() && poses.size() == separations.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Matrix3d turned = poses[i].linear() * scene.instances[i].pose.linear().transpose();
     poses[i].pretranslate(part * (turned * separations[i]));

@@ -15,7 +15,7 @@ namespace geargraph {
 [[nodiscard]] std::vector<Eigen::Vector3d> separations(const Stage& stage);
 
 /// The poses with a part (0..1) of the separations, turned along with the instances. Identity: at 0 nothing
-/// changes. @pre one pose and one separation an instance
+/// changes, and no separations are looked at. @pre one pose and else one separation an instance
 void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part,
                std::span<Pose> poses);
 

@@ -45,16 +45,12 @@ GLuint GlProgram::compiled(GLenum stage, const char* source) {
   return shader;
 }
 
-GlSolid::GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint32_t> edges,
-                 const GlInstances& instances)
-    : m_gl(gl) {
+GlSolid::GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances) : m_gl(gl) {
   m_triangleIndices = static_cast<GLsizei>(3 * solid.triangles.size());
-  m_edgeIndices = static_cast<GLsizei>(edges.size());
   const auto vertexBytes = static_cast<GLsizeiptr>(solid.positions.size() * sizeof(Float3));
   const auto triangleBytes = static_cast<GLsizeiptr>(solid.triangles.size() * sizeof(Triangle));
-  const auto edgeBytes = static_cast<GLsizeiptr>(edges.size_bytes());
   gl.GenVertexArrays(1, &m_vertexArray);
-  gl.GenBuffers(2, m_buffers);
+  gl.GenBuffers(3, m_buffers);
   gl.BindVertexArray(m_vertexArray);
   gl.BindBuffer(GL_ARRAY_BUFFER, m_buffers[0]);
   gl.BufferData(GL_ARRAY_BUFFER, 2 * vertexBytes, nullptr, GL_STATIC_DRAW);
@@ -65,9 +61,7 @@ GlSolid::GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint3
   gl.EnableVertexAttribArray(1);
   gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, offset(static_cast<std::size_t>(vertexBytes)));
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_buffers[1]);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, triangleBytes + edgeBytes, nullptr, GL_STATIC_DRAW);
-  gl.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, triangleBytes, solid.triangles.data());
-  gl.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, triangleBytes, edgeBytes, edges.data());
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, triangleBytes, solid.triangles.data(), GL_STATIC_DRAW);
   gl.BindBuffer(GL_ARRAY_BUFFER, instances.buffer());
   for (GLuint column = 0; column < 6; ++column) {  // four of the matrix, colour, accent
     const GLuint place = 2 + column;
@@ -81,16 +75,24 @@ GlSolid::GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint3
 
 GlSolid::~GlSolid() {
   m_gl.DeleteVertexArrays(1, &m_vertexArray);
-  m_gl.DeleteBuffers(2, m_buffers);
+  m_gl.DeleteBuffers(3, m_buffers);
+}
+
+void GlSolid::setEdges(std::span<const std::uint32_t> edges) {
+  m_edgeIndices = static_cast<GLsizei>(edges.size());
+  m_gl.BindVertexArray(m_vertexArray);
+  m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_buffers[2]);
+  m_gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(edges.size_bytes()), edges.data(),
+                  GL_STATIC_DRAW);
+  m_gl.BindVertexArray(0);
 }
 
 void GlSolid::draw(Part part, std::size_t count) const {
-  const std::size_t behindTriangles = static_cast<std::size_t>(m_triangleIndices) * sizeof(std::uint32_t);
   const bool isEdges = part == Part::edges;
   m_gl.BindVertexArray(m_vertexArray);
+  m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_buffers[isEdges ? 2 : 1]);
   m_gl.DrawElementsInstanced(isEdges ? GL_LINES : GL_TRIANGLES, isEdges ? m_edgeIndices : m_triangleIndices,
-                             GL_UNSIGNED_INT, isEdges ? offset(behindTriangles) : nullptr,
-                             static_cast<GLsizei>(count));
+                             GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(count));
   m_gl.BindVertexArray(0);
 }
 

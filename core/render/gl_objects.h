@@ -59,27 +59,28 @@ class GlInstances {
   GLuint m_buffer = 0;
 };
 
-/// A solid on the graphics card: vertices, triangles and feature edges, uploaded once, painted at as many
-/// places at once as there are instances.
+/// A solid on the graphics card: vertices, triangles and, once they are given, feature edges; painted at as
+/// many places at once as there are instances.
 class GlSolid {
  public:
   enum class Part { triangles, edges };
 
-  GlSolid(const GlApi& gl, const Solid& solid, std::span<const std::uint32_t> edges,
-          const GlInstances& instances);
+  GlSolid(const GlApi& gl, const Solid& solid, const GlInstances& instances);
   ~GlSolid();
   GlSolid(const GlSolid&) = delete;
   GlSolid& operator=(const GlSolid&) = delete;
 
-  /// The first `count` of the instances that are set.
+  [[nodiscard]] bool hasEdges() const { return m_edgeIndices >= 0; }
+  void setEdges(std::span<const std::uint32_t> edges);
+  /// The first `count` of the instances that are set. @pre edges, where they are painted, have been given
   void draw(Part part, std::size_t count) const;
 
  private:
   const GlApi& m_gl;
   GLuint m_vertexArray = 0;
-  GLuint m_buffers[2] = {0, 0};  ///< vertices, indices
+  GLuint m_buffers[3] = {0, 0, 0};  ///< vertices, indices of triangles, of edges
   GLsizei m_triangleIndices = 0;
-  GLsizei m_edgeIndices = 0;
+  GLsizei m_edgeIndices = -1;  ///< -1: not given yet
 };
 
 /// A framebuffer of its own: colours as a texture (or with several samples a pixel), depth and

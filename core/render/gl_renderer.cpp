@@ -41,7 +41,7 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] bool isSoftware() const override { return m_software; }
   [[nodiscard]] int maximumSide() const override { return m_maximumSide; }
 
-  void setScene(const Scene& scene) override;
+  void setScene(const Scene& scene) override { m_solids.setScene(scene); }
   void draw(const Frame& frame, unsigned framebuffer) override;
   [[nodiscard]] Image picture(const Frame& frame) override;
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y) override;
@@ -67,7 +67,8 @@ class GlRenderer final : public Renderer {
   }
   /// Visits what may be seen through this clip matrix and is shown in this way.
   template <class Visit>
-  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, Visit visit);
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+                    Visit visit);
   /// Paints a part of the same, equal solids in one go: `look` gives what differs, or nothing to leave one
   /// out.
   template <class Look>
@@ -75,7 +76,7 @@ class GlRenderer final : public Renderer {
                Look look);
   /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
   [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
-                                        double radius);
+                                        GlSolid::Part part);
   void beginSection(const Frame& frame);
   void drawFaces(const Frame& frame, Showing wanted, float alpha);
   void drawCaps(const Frame& frame);
@@ -100,8 +101,7 @@ class GlRenderer final : public Renderer {
 
   GlSolidStore m_solids{*m_gl, m_passes.instances()};
   const Scene& m_scene = m_solids.scene();
-  Bounds m_bounds;
-  std::vector<Ball> m_balls;  ///< by solid
+  const Bounds& m_bounds = m_solids.bounds();
   struct Batch {
     const GlSolid* solid = nullptr;
     bool isOpen = false;
@@ -117,31 +117,27 @@ class GlRenderer final : public Renderer {
   GlTarget m_mask{*m_gl, GlTarget::Colours::coverage, false};
 };
 
-void GlRenderer::setScene(const Scene& scene) {
-  m_solids.setScene(scene);
-  m_bounds = boundsOf(scene);
-  m_balls.clear();
-  for (const auto& solid : scene.solids) m_balls.push_back(Ball::about(boundsOf(*solid)));
-}
-
 const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
-                                    double radius) {
-  const double nearest = (middle - frame.camera.eye()).dot(frame.camera.forward()) - radius;
+                                    GlSolid::Part part) {
+  const double nearest =
+      (middle - frame.camera.eye()).dot(frame.camera.forward()) - m_solids.ballOf(shape).radius;
   const double pixelsAtTarget = m_solids.unitOf(shape) / frame.camera.millimetresPerPixel(frame.viewport);
   return m_solids.get(
-      shape, pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance()));
+      shape, pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance()),
+      part);
 }
 
 template <class Visit>
-void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, Visit visit) {
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted,
+                              GlSolid::Part part, Visit visit) {
   const Frustum frustum(clip);
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
     if (showing(frame, i) != wanted) continue;
     const std::size_t shape = m_scene.instances[i].solid;
-    const Ball& ball = m_balls[shape];
+    const Ball& ball = m_solids.ballOf(shape);
     const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
     if (!frustum.mayShow(middle, ball.radius)) continue;
-    visit(i, detailed(frame, shape, middle, ball.radius));
+    visit(i, detailed(frame, shape, middle, part));
   }
 }
 
@@ -151,7 +147,7 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showin
                          Look look) {
   m_batches.clear();
   m_batchOf.clear();
-  eachInstance(frame, clip, wanted, [&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, clip, wanted, part, [&](std::size_t i, const GlSolid& solid) {
     const std::optional<SolidInstance> instance = look(i);
     if (!instance) return;
     const bool isOpen = m_scene.instances[i].isOpen;
@@ -286,8 +282,9 @@ void GlRenderer::drawCaps(const Frame& frame) {
   const Eigen::Vector3d right = section.normal.unitOrthogonal();
   m_gl->Enable(GL_STENCIL_TEST);
   int count = 0;
-  eachInstance(frame, through * view, Showing::solid, [&](std::size_t i, const GlSolid& solid) {
-    const Ball& ball = m_balls[m_scene.instances[i].solid];
+  constexpr auto kTriangles = GlSolid::Part::triangles;
+  eachInstance(frame, through * view, Showing::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
+    const Ball& ball = m_solids.ballOf(m_scene.instances[i].solid);
     const Eigen::Vector3d centre = pose(frame, i) * ball.centre;
     const double above = section.normal.dot(centre) - section.offset;
     if (std::abs(above) > ball.radius || m_scene.instances[i].isOpen) return;

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "core/render/frustum.h"
 #include "core/render/gl_passes.h"
 #include "core/render/scene.h"
 
@@ -15,9 +16,13 @@ class GlSolidStore {
 
   /// Takes up the scene. Solids that the last scene had as well stay where they are.
   void setScene(const Scene& scene);
-  /// A solid of the scene in the detail for this many pixels to the unit of its levels; taken up when it is
-  /// asked for first.
-  [[nodiscard]] const GlSolid& get(std::size_t solid, double pixels);
+  /// A solid of the scene in the detail for this many pixels to the unit of its levels; taken up, and its
+  /// edges found, when they are asked for first.
+  [[nodiscard]] const GlSolid& get(std::size_t solid, double pixels, GlSolid::Part part);
+  /// About all instances in their poses, as boundsOf() says; and about each solid in its own frame. What the
+  /// last scene had as well is not looked at again.
+  [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
+  [[nodiscard]] const Ball& ballOf(std::size_t solid) const { return m_balls[solid]; }
   /// The unit of the solid's levels, mm; 0 where it has no levels.
   [[nodiscard]] double unitOf(std::size_t solid) const {
     return solid < m_scene.levels.size() ? m_scene.levels[solid].unit : 0;
@@ -25,10 +30,15 @@ class GlSolidStore {
   [[nodiscard]] const Scene& scene() const { return m_scene; }
 
  private:
+  void measure(const Scene& scene);
+
   const GlApi& m_gl;
   const GlInstances& m_instances;
   Scene m_scene;  ///< keeps the solids alive, so that their addresses stay theirs
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
+  std::vector<Eigen::AlignedBox3d> m_boxes;  ///< by solid
+  std::vector<Ball> m_balls;
+  Bounds m_bounds;
 };
 
 }  // namespace geargraph

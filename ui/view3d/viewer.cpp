@@ -38,11 +38,9 @@ void Viewer::setStage(StagePtr stage) {
   const StagePtr before = std::exchange(m_stage, std::move(stage));
   m_seen = {};
   m_separations.clear();
-  m_bounds = {};
+  m_bounds.reset();
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) m_seen.poses.push_back(instance.pose);
-    m_separations = separations(*m_stage);
-    m_bounds = boundsOf(m_stage->scene);
   }
   if (!instance(m_view.ridden)) m_view.ridden.reset();
   if (m_gesture == Gesture::turn) m_gesture = Gesture::none;  // what was held is gone
@@ -129,6 +127,7 @@ std::optional<std::size_t> Viewer::instance(const std::optional<ElementId>& link
 void Viewer::place() {
   if (m_stage == nullptr) return;
   if (m_stage->place) m_view.turned.resize(m_stage->inputSpeeds.size(), 0);
+  if (m_view.pulledApart > 0 && m_separations.empty()) m_separations = separations(*m_stage);
   m_seen = seenPoses(*m_stage, m_view, m_separations);
   m_floor = floorOf(m_stage->scene, m_separations, m_view.pulledApart);
   renewMarks();
@@ -266,7 +265,9 @@ void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
 }
 
 std::optional<CutPlane> Viewer::cut() const {
-  return cutPlane(m_bounds, m_seen.poses, m_view.section);
+  if (!m_view.section || m_stage == nullptr) return std::nullopt;
+  if (!m_bounds) m_bounds = boundsOf(m_stage->scene);
+  return cutPlane(*m_bounds, m_seen.poses, m_view.section);
 }
 
 Frame Viewer::frame(bool quick) const {

@@ -135,8 +135,9 @@ class Viewer : public QObject {
   StageView m_view;
   SeenPoses m_seen;
   std::optional<double> m_floor;  ///< where it is not that of the scene
-  std::vector<Eigen::Vector3d> m_separations;
-  Bounds m_bounds;  ///< of the scene, pulled apart as far as it goes
+  // Both look at every vertex: worked out where they are needed, not at every step of a drag.
+  std::vector<Eigen::Vector3d> m_separations;  ///< of the stage once it has been pulled apart; else empty
+  mutable std::optional<Bounds> m_bounds;      ///< of the scene once it has been cut
   ViewOptions m_options;
   std::vector<Highlight> m_emphasis;
   std::vector<Showing> m_showing;
