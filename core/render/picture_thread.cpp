@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace geargraph {
@@ -45,25 +46,42 @@ void PictureThread::run(const std::stop_token& quit, std::promise<Diagnostics> s
   m_host.reset();
 }
 
+// A question goes before pictures, what is ordered before what may follow, and that before rehearsals.
 void PictureThread::work(const std::stop_token& quit) {
   while (true) {
     std::unique_lock lock(m_mutex);
     m_isPainting = false;
-    if (!m_next) m_idle.notify_all();
-    m_wake.wait(lock, quit, [this] { return m_next || m_question; });
+    if (!m_next && !m_mapDue) m_idle.notify_all();
+    m_wake.wait(lock, quit, [this] { return hasWork(); });
     std::optional<Question> question = std::exchange(m_question, std::nullopt);
     if (question) {
       lock.unlock();
-      show(question->frame->stage());
-      question->answer.set_value(m_host->pick(question->frame->frame(), question->x, question->y));
+      answer(*std::move(question));
       continue;
     }
     if (quit.stop_requested()) return;
-    PictureOrder order = *std::exchange(m_next, std::nullopt);
-    m_isPainting = true;
-    lock.unlock();
-    m_deliver(paint(std::move(order)));
+    std::optional<PictureOrder> due = std::exchange(m_mapDue, std::nullopt);
+    m_isPainting = m_next || due;
+    if (m_next) {
+      PictureOrder order = *std::exchange(m_next, std::nullopt);
+      if (order.cells && order.mapMayFollow) m_mapDue = order;
+      lock.unlock();
+      m_deliver(paint(std::move(order)));
+    } else if (due) {
+      lock.unlock();
+      m_deliver(mapOf(*std::move(due)));
+    } else {
+      const PictureOrder rehearsal = std::move(m_rehearsals.front());
+      m_rehearsals.pop_front();
+      lock.unlock();
+      if (rehearsal.frame->stage() == m_stage) static_cast<void>(paint(rehearsal));
+    }
   }
+}
+
+void PictureThread::answer(Question question) {
+  show(question.frame->stage());
+  question.answer.set_value(m_host->pick(question.frame->frame(), question.x, question.y));
 }
 
 void PictureThread::show(const StagePtr& stage) {
@@ -78,10 +96,19 @@ PaintedPicture PictureThread::paint(PictureOrder order) {
   show(order.frame->stage());
   PaintedPicture picture;
   picture.image = m_host->picture(scaled(order.frame->frame(), order.scale));
-  if (order.cells) picture.seen = m_host->seen(order.frame->frame(), order.cells->width, order.cells->height);
+  if (order.cells && !order.mapMayFollow) picture.seen = mapOf(order).seen;
   picture.order = std::move(order);
   picture.cost = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return picture;
+}
+
+PaintedPicture PictureThread::mapOf(PictureOrder order) {
+  show(order.frame->stage());
+  PaintedPicture map;
+  map.seen = m_host->seen(order.frame->frame(), order.cells->width, order.cells->height);
+  map.order = std::move(order);
+  map.isMapAlone = true;
+  return map;
 }
 
 void PictureThread::order(PictureOrder order) {
@@ -94,7 +121,16 @@ void PictureThread::order(PictureOrder order) {
 
 void PictureThread::finish() {
   std::unique_lock lock(m_mutex);
-  m_idle.wait(lock, [this] { return !m_next && !m_isPainting; });
+  m_idle.wait(lock, [this] { return !m_next && !m_mapDue && !m_isPainting; });
+}
+
+void PictureThread::rehearse(std::vector<PictureOrder> orders) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_rehearsals.insert(m_rehearsals.end(), std::make_move_iterator(orders.begin()),
+                        std::make_move_iterator(orders.end()));
+  }
+  m_wake.notify_one();
 }
 
 std::optional<Hit> PictureThread::pick(const KeptFramePtr& frame, double x, double y) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "core/render/egl_host.h"
 #include "core/render/kept_frame.h"
@@ -20,6 +22,9 @@ struct PictureOrder {
   double scale = 1;
   /// Cells of the map of what is seen that is wanted with it.
   std::optional<Viewport> cells;
+  /// The map need not come with the picture, so that this is there sooner: it is delivered after it, alone,
+  /// unless the next order is there by then.
+  bool mapMayFollow = false;
 };
 
 /// The picture of an order. An empty image where the driver had no room.
@@ -27,7 +32,8 @@ struct PaintedPicture {
   PictureOrder order;
   Image image;
   std::optional<SeenMap> seen;
-  double cost = 0;  ///< ms that the thread has worked on it, waiting for the driver's own threads too
+  bool isMapAlone = false;  ///< the picture has been delivered before
+  double cost = 0;          ///< ms that the thread has worked on it, waiting for the driver's own threads too
 };
 
 /// Paints pictures beside the screen, on a thread of its own: where the processor has to paint, the window
@@ -51,6 +57,10 @@ class PictureThread {
   [[nodiscard]] bool isSoftware() const { return m_isSoftware; }
 
   void order(PictureOrder order);
+  /// Paints these one by one whenever there is nothing else to do, and delivers nothing: so that a driver
+  /// compiles what it needs for them before somebody waits. An order or a question waits for one of them.
+  /// Those of another stage than the last that was ordered are dropped.
+  void rehearse(std::vector<PictureOrder> orders);
   /// Returns when all that was ordered has been delivered.
   void finish();
   /// Renderer::pick(), before any picture that has not been begun. Waits for the answer.
@@ -68,6 +78,9 @@ class PictureThread {
   void run(const std::stop_token& quit, std::promise<Diagnostics> started);
   void work(const std::stop_token& quit);
   [[nodiscard]] PaintedPicture paint(PictureOrder order);
+  [[nodiscard]] PaintedPicture mapOf(PictureOrder order);
+  void answer(Question question);
+  [[nodiscard]] bool hasWork() const { return m_next || m_question || m_mapDue || !m_rehearsals.empty(); }
   void show(const StagePtr& stage);
 
   Deliver m_deliver;
@@ -80,10 +93,12 @@ class PictureThread {
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
   std::condition_variable m_idle;
-  std::optional<PictureOrder> m_next;  ///< guarded by m_mutex
-  std::optional<Question> m_question;  ///< guarded by m_mutex
-  bool m_isPainting = false;           ///< guarded by m_mutex
-  std::jthread m_thread;               ///< last: it is stopped before what it uses goes
+  std::optional<PictureOrder> m_next;     ///< guarded by m_mutex
+  std::optional<Question> m_question;     ///< guarded by m_mutex
+  std::optional<PictureOrder> m_mapDue;   ///< whose map has still to follow; guarded by m_mutex
+  std::deque<PictureOrder> m_rehearsals;  ///< guarded by m_mutex
+  bool m_isPainting = false;              ///< guarded by m_mutex
+  std::jthread m_thread;                  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph

@@ -4,6 +4,7 @@
 #include <QLinearGradient>
 #include <QPaintEngine>
 #include <QPainter>
+#include <algorithm>
 #include <utility>
 
 #include "ui/view3d/overlay.h"
@@ -11,10 +12,18 @@
 namespace geargraph {
 namespace {
 
-// A quick look that takes longer than this (ms) becomes a coarse one, with half the pixels of a side and
-// without edges, which takes 0.4 of the time; and it becomes a full one again well before that would.
+// A quick look that takes longer than this (ms) is followed by a simpler one, and one that takes less by a
+// finer one: a step makes about one and a half times the time.
 constexpr double kSlow = 20;
-constexpr double kQuick = 6;
+constexpr double kQuick = 9;
+constexpr int kSimplest = 2;
+
+/// How much simpler a quick look is: without edges, and then with half the pixels of a side too. What shows
+/// the pixels is the last that is given up: most of a train's time goes into its triangles and its lines.
+void simplify(Frame& frame, double& scale, int steps) {
+  if (steps >= 1) frame.look.edges = false;
+  if (steps >= 2) scale = 0.5;
+}
 
 QColor colorOf(const Rgb& rgb) {
   return QColor::fromRgbF(rgb.red, rgb.green, rgb.blue);
@@ -79,23 +88,51 @@ void ImageCanvas::orderSoon() {
 void ImageCanvas::order(bool quick) {
   m_willOrder = false;
   Frame frame = m_viewer->frame(quick);
-  const bool isCoarse = quick && m_isCoarse;
-  if (isCoarse) frame.look.edges = false;
+  double scale = 1;
+  if (quick) simplify(frame, scale, m_simpler);
   m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), frame);
   if (quick) m_quick = m_ordered;
-  PictureOrder order{m_ordered, isCoarse ? 0.5 : 1, {}};
+  PictureOrder order{m_ordered, scale, {}};
+  // A map that has been overtaken once is not put off again.
+  order.mapMayFollow = quick && !m_owesMap && !m_labels->areNew();
   m_owesMap = m_pace.takeMap() || m_owesMap;
   if (m_owesMap) order.cells = labelCells(m_viewer->viewport(), m_viewer->pixelRatio());
   m_thread->order(std::move(order));
 }
 
+// The first pictures of a movement would wait for the driver to compile what only quick looks need; it does
+// when the first picture at rest is there, step by step: the ground, faces, lines, the rest. So small a
+// picture costs nothing else.
+void ImageCanvas::rehearse() {
+  if (std::exchange(m_hasRehearsed, true) || m_viewer->stage() == nullptr) return;
+  Frame frame = m_viewer->frame(true);
+  std::vector<Showing> showing(frame.poses.size(), Showing::hidden);
+  frame.showing = showing;
+  frame.viewport = {16, 16};
+  frame.look.edges = frame.look.triad = false;
+  std::vector<PictureOrder> orders;
+  const auto add = [&] {
+    orders.push_back({std::make_shared<const KeptFrame>(m_viewer->stage(), frame), 1, {}});
+  };
+  add();
+  showing.assign(showing.size(), Showing::solid);
+  add();
+  frame.look.edges = true;
+  add();
+  frame.look.triad = true;
+  add();
+  orders.back().cells = frame.viewport;
+  m_thread->rehearse(std::move(orders));
+}
+
 void ImageCanvas::deliver(PaintedPicture picture) {
-  Shown shown{picture.order.frame, screenImage(picture), std::move(picture.seen), picture.cost};
+  std::optional<Shown> shown;
+  if (!picture.isMapAlone) shown = {picture.order.frame, screenImage(picture), picture.cost};
+  const StagePtr& stage = picture.order.frame->stage();
   {
     const std::lock_guard lock(m_mutex);
-    // A map holds for later pictures too: one that nobody has looked at yet is not lost with its picture.
-    if (m_delivered && !shown.seen) shown.seen = std::move(m_delivered->seen);
-    m_delivered = std::move(shown);
+    if (shown) m_delivered = std::move(shown);
+    if (picture.seen && stage) m_deliveredMap = {*std::move(picture.seen), stage->scene.instances.size()};
   }
   QMetaObject::invokeMethod(this, &ImageCanvas::takeUp, Qt::QueuedConnection);
 }
@@ -105,11 +142,19 @@ void ImageCanvas::takeUp() {
   {
     const std::lock_guard lock(m_mutex);
     delivered = std::exchange(m_delivered, std::nullopt);
+    if (m_deliveredMap) {
+      m_map = std::exchange(m_deliveredMap, std::nullopt);
+      m_owesMap = false;
+    }
   }
   if (!delivered) return;
-  if (delivered->seen) m_owesMap = false;
   m_viewer->setPictureCost(delivered->cost);
-  if (delivered->frame == m_quick) m_isCoarse = delivered->cost > (m_isCoarse ? kQuick : kSlow);
+  if (delivered->frame == m_quick) {
+    if (delivered->cost > kSlow) m_simpler = std::min(m_simpler + 1, kSimplest);
+    if (delivered->cost < kQuick) m_simpler = std::max(m_simpler - 1, 0);
+  } else {
+    rehearse();
+  }
   m_shown = std::move(*delivered);
   m_isPainted = false;
   update();
@@ -158,7 +203,10 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
     return painter.drawText(rect().adjusted(12, 10, -12, -10), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
   }
-  if (!std::exchange(m_isPainted, true)) m_pace.shown();
+  if (!std::exchange(m_isPainted, true)) {
+    m_pace.shown();
+    addOverlay();
+  }
   if (size != QSizeF(this->size())) {
     const double factor = height() / size.height();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -166,12 +214,26 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     painter.scale(factor, factor);
   }
   painter.drawImage(QPointF(), m_shown.image);
+}
+
+// Into the picture, once: what stands on it, buttons and a clock, has it painted again and again. A map holds
+// for later pictures too, of a train with the same parts.
+void ImageCanvas::addOverlay() {
   const KeptFrame& kept = *m_shown.frame;
   if (kept.stage() == nullptr) return;
-  const std::optional<SeenMap> seen = std::exchange(m_shown.seen, std::nullopt);
   const Frame& frame = kept.frame();
-  const LabelGround ground{*kept.stage(),  frame.poses,      frame.showing,          frame.camera,
-                           frame.viewport, frame.pixelRatio, seen ? &*seen : nullptr};
+  const std::optional<Map> map = std::exchange(m_map, std::nullopt);
+  const bool fits = map && map->parts == kept.stage()->scene.instances.size();
+  if (map && !fits) m_owesMap = true;
+  const LabelGround ground{*kept.stage(),
+                           frame.poses,
+                           frame.showing,
+                           frame.camera,
+                           frame.viewport,
+                           frame.pixelRatio,
+                           fits ? &map->seen : nullptr};
+  QPainter painter(&m_shown.image);
+  painter.setFont(font());
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
 }
 

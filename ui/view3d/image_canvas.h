@@ -42,17 +42,22 @@ class ImageCanvas : public QWidget {
   struct Shown {
     KeptFramePtr frame;
     QImage image;  ///< in the screen's own format
-    std::optional<SeenMap> seen;
     double cost = 0;
+  };
+  struct Map {
+    SeenMap seen;
+    std::size_t parts = 0;  ///< instances of its stage
   };
 
   /// Orders the picture of the moment once the event that changes it is over.
   void orderSoon();
   void order(bool quick);
+  void rehearse();
   void deliver(PaintedPicture picture);  ///< on the painting thread
   void takeUp();
   [[nodiscard]] bool isOnScreen(const QPainter& painter) const;
   void paintGround(QPainter& painter) const;
+  void addOverlay();
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
 
   Viewer* m_viewer;
@@ -63,12 +68,15 @@ class ImageCanvas : public QWidget {
   bool m_willOrder = false;
   bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken
   bool m_isPainted = false;  ///< what is shown is on the screen
-  bool m_isCoarse = false;   ///< quick looks have fewer pixels and no edges
+  int m_simpler = 0;         ///< steps that quick looks are made simpler
+  bool m_hasRehearsed = false;
   KeptFramePtr m_ordered;
-  KeptFramePtr m_quick;  ///< the last quick look that was ordered
-  Shown m_shown;
+  KeptFramePtr m_quick;      ///< the last quick look that was ordered
+  Shown m_shown;             ///< labels and scale bar are in the image once it is painted
+  std::optional<Map> m_map;  ///< that labels have not been placed by yet
   std::mutex m_mutex;
   std::optional<Shown> m_delivered;         ///< guarded by m_mutex
+  std::optional<Map> m_deliveredMap;        ///< guarded by m_mutex
   std::unique_ptr<PictureThread> m_thread;  ///< last: it is stopped before what it uses goes
 };
 

@@ -80,6 +80,55 @@ class TestPictureThread : public QObject {
     QCOMPARE(std::pair(seen.columns, seen.rows), std::pair(kSize.width, kSize.height));
   }
 
+  void aMapMayFollowItsPicture() {
+    const StagePtr stage = test::toyStage();
+    const KeptFramePtr frame = toyAt(stage, 0.7);
+    Studio studio;
+    studio.thread->order({frame, 1, Viewport{8, 5}, true});
+    studio.thread->finish();
+    QCOMPARE(studio.pictures.size(), std::size_t{2});
+    QVERIFY(!studio.pictures[0].isMapAlone && !studio.pictures[0].seen);
+    QCOMPARE(studio.pictures[0].image.width, kSize.width);
+    const auto host = std::move(EglHost::create()).value();
+    host->setScene(stage->scene);
+    QVERIFY(studio.pictures[1].isMapAlone && studio.pictures[1].image.rgba.empty());
+    QCOMPARE(studio.pictures[1].order.frame, frame);
+    QVERIFY(studio.pictures[1].seen->numbers == host->seen(frame->frame(), 8, 5).numbers);
+  }
+
+  /// Whoever is ordered while the picture is painted does not wait for the map behind it.
+  void aMapThatMayFollowGivesWayToTheNextOrder() {
+    const StagePtr stage = test::toyStage();
+    const KeptFramePtr first = toyAt(stage, 0), second = toyAt(stage, 1);
+    std::vector<PaintedPicture> pictures;
+    std::unique_ptr<PictureThread> thread;
+    thread = std::move(PictureThread::start([&](PaintedPicture picture) {
+               if (picture.order.frame == first) thread->order({second, 1, {}});
+               pictures.push_back(std::move(picture));
+             })).value();
+    thread->order({first, 1, Viewport{8, 5}, true});
+    thread->finish();
+    QCOMPARE(pictures.size(), std::size_t{2});
+    QCOMPARE(pictures[1].order.frame, second);
+    QVERIFY(!pictures[0].seen && !pictures[1].seen);
+  }
+
+  void rehearsalsDeliverNothingAndLeaveNoTrace() {
+    const StagePtr stage = test::toyStage();
+    const KeptFramePtr frame = toyAt(stage, 0.7), other = toyAt(stage, 2);
+    Studio studio;
+    studio.thread->order({frame, 1, {}});
+    studio.thread->rehearse({{other, 0.1, {}}, {other, 0.5, Viewport{4, 4}}, {other, 1, {}, true}});
+    studio.thread->finish();
+    const ScreenPoint onBox = frame->frame().camera.project({0, 0, 30}, kSize);
+    for (int i = 0; i < 6; ++i) QVERIFY(studio.thread->pick(frame, onBox.x, onBox.y));
+    studio.thread->order({frame, 1, {}});
+    studio.thread->finish();
+    QCOMPARE(studio.pictures.size(), std::size_t{2});
+    QVERIFY(studio.pictures[0].image.rgba == studio.pictures[1].image.rgba);
+    QVERIFY(!studio.pictures[0].seen && !studio.pictures[1].seen);
+  }
+
   void anotherStageIsTakenUp() {
     const KeptFramePtr nothing =
         std::make_shared<const KeptFrame>(nullptr, toyAt(test::toyStage(), 0)->frame());

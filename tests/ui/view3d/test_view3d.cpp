@@ -62,6 +62,18 @@ struct Shown {
   }
 };
 
+/// Events of a kind that an object gets.
+struct Counter : QObject {
+  int count = 0;
+  QEvent::Type type;
+
+  Counter(QObject* watched, QEvent::Type counted) : type(counted) { watched->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == type) ++count;
+    return false;
+  }
+};
+
 const Eigen::Vector3d kOnBox(0, 0, 30), kOnFirst(0, -36, 4), kOnSecond(0, 36, 4);
 
 int distance(const QColor& a, const QColor& b) {
@@ -94,6 +106,21 @@ class TestView3D : public QObject {
     QTRY_VERIFY(shown.view.isUpToDate());
     shown.view.setStage(nullptr);
     QTRY_VERIFY(shown.view.isUpToDate());
+  }
+
+  /// The buttons and the clock on the picture are painted with it, and the window is laid out with the clock.
+  void aStepOfADragPaintsThePictureOnceAndLaysNothingOut() {
+    Shown shown;
+    QTRY_VERIFY(shown.view.isUpToDate());
+    QCoreApplication::sendPostedEvents();
+    Counter paints(shown.canvas(), QEvent::Paint), layouts(&shown.view, QEvent::LayoutRequest);
+    shown.view.setStage(test::toyStage());
+    shown.view.playback().setTime(3);
+    QTRY_VERIFY(shown.view.isUpToDate());
+    QCoreApplication::processEvents();
+    QCOMPARE(shown.view.findChild<QLabel*>("view3dTime")->text(), QString("3.0 s / 4.0 s"));
+    QCOMPARE(layouts.count, 0);
+    QVERIFY2(paints.count <= 2, qPrintable(QString::number(paints.count)));  // clock, picture
   }
 
   void theGrabbedWindowShowsTheTrain() {
