@@ -7,7 +7,9 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/theme/icons.h"
 
@@ -16,9 +18,10 @@ namespace {
 
 constexpr int kSteps = 2000;
 constexpr double kSpanWithoutPeriod = 60;  // s
+constexpr double kMostTenths = 99.9;       // s: longer times are told in seconds
 
 QString seconds(double value) {
-  return QString::number(value, 'f', value < 99.95 ? 1 : 0);
+  return QString::number(value, 'f', value < kMostTenths + 0.05 ? 1 : 0);
 }
 
 /// "1/4×", "2×"; backwards with a minus.
@@ -136,13 +139,17 @@ void PlaybackBar::showTime() {
   const QSignalBlocker quiet(m_scrub);
   m_scrub->setValue(
       static_cast<int>(std::lround(kSteps * (time - span() * std::floor(time / span())) / span())));
-  const QString longest = timeText(span());
-  if (longest != m_longest) {
-    m_longest = longest;
+  // Of a fixed size, that grows with what it has to show: else every tick would lay out the window anew.
+  const QString longest = timeText(std::min(span(), kMostTenths));
+  const bool isOther = std::exchange(m_longest, longest) != longest;
+  QSize room = m_time->minimumSize();
+  if (isOther) {
     m_time->setText(longest);
-    m_time->setFixedSize(m_time->sizeHint());  // else every tick would lay out the window anew
+    room = m_time->sizeHint();
   }
   m_time->setText(timeText(time));
+  const QSize wanted = room.expandedTo(m_time->sizeHint());
+  if (m_time->minimumSize() != wanted) m_time->setFixedSize(wanted);
 }
 
 QString PlaybackBar::timeText(double time) const {

@@ -41,7 +41,7 @@ class PlaybackBar : public QWidget {
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
-  QString m_longest;  ///< text that the label of the time has room for
+  QString m_longest;  ///< text of this period that the label of the time has room for
   QToolButton* m_speed;
 };
 

@@ -258,6 +258,20 @@ class TestView3D : public QObject {
     QCOMPARE(shown.view.findChild<QLabel*>("view3dTime")->text(), QString("3.0 s / 4.0 s"));
   }
 
+  void everyTimeHasRoomInTheBar() {
+    for (const double period : {4.0, 339.0, 0.0}) {
+      Shown shown;
+      Playback& playback = shown.view.playback();
+      playback.setPeriod(period);
+      auto* clock = shown.view.findChild<QLabel*>("view3dTime");
+      for (const double time : {0.0, 3.9, 88.8, 188.8, 12345.0, 2.0}) {
+        if (period > 0 && time >= period) continue;
+        playback.setTime(time);
+        QVERIFY2(clock->minimumWidth() >= clock->sizeHint().width(), qPrintable(clock->text()));
+      }
+    }
+  }
+
   void whatIsSeenAndPickedFollowsTheTime() {
     Shown shown(test::toyStage(0));
     shown.view.showFrom(StandardView::right);
