@@ -76,6 +76,7 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
         .arg(kMostStageLinks)
         .arg(snapshot.mechanism->n());
   }
+  if (snapshot.kinematics && snapshot.mechanism->c() > 0) return View3D::waitingText();
   return MainWindow::tr("The gears appear when a mesh joins two of the links: G, then drag.");
 }
 

@@ -5,6 +5,7 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/view3d/overlay.h"
@@ -18,11 +19,14 @@ constexpr double kSlow = 20;
 constexpr double kQuick = 9;
 constexpr int kSimplest = 2;
 
-/// How much simpler a quick look is: without edges, and then with half the pixels of a side too. What shows
-/// the pixels is the last that is given up: most of a train's time goes into its triangles and its lines.
+constexpr double kFewPixels = 1e5;  // the simplest look has no more, as far as half of each side allows
+
+/// How much simpler a quick look is: without edges, and then with fewer pixels too. What shows the pixels is
+/// the last that is given up: most of a train's time goes into its triangles and its lines.
 void simplify(Frame& frame, double& scale, int steps) {
   if (steps >= 1) frame.look.edges = false;
-  if (steps >= 2) scale = 0.5;
+  const double pixels = static_cast<double>(frame.viewport.width) * frame.viewport.height;
+  if (steps >= 2) scale = std::clamp(std::sqrt(kFewPixels / pixels), 0.5, 1.0);
 }
 
 QColor colorOf(const Rgb& rgb) {
@@ -199,10 +203,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
   }
   const QSizeF size = QSizeF(m_shown.image.size()) / m_shown.image.devicePixelRatio();
   if (size != QSizeF(this->size())) paintGround(painter);
-  if (m_shown.image.isNull()) {
-    painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
-    return painter.drawText(rect().adjusted(12, 10, -12, -10), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
-  }
+  if (m_shown.image.isNull()) return paintWords(painter, isWaiting() ? m_waitingText : m_problem);
   if (!std::exchange(m_isPainted, true)) {
     m_pace.shown();
     addOverlay();
@@ -214,6 +215,22 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     painter.scale(factor, factor);
   }
   painter.drawImage(QPointF(), m_shown.image);
+  painter.resetTransform();
+  if (isWaiting()) paintWords(painter, m_waitingText);
+}
+
+// The first picture of a train may have to wait for the driver: an empty ground would say that there is none.
+bool ImageCanvas::isWaiting() const {
+  const auto hasBodies = [](const StagePtr& stage) {
+    return stage != nullptr && !stage->scene.instances.empty();
+  };
+  return m_thread != nullptr && hasBodies(m_viewer->stage()) &&
+         (m_shown.frame == nullptr || !hasBodies(m_shown.frame->stage()));
+}
+
+void ImageCanvas::paintWords(QPainter& painter, const QString& text) const {
+  painter.setPen(m_dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
+  painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
 // Into the picture, once: what stands on it, buttons and a clock, has it painted again and again. A map holds

@@ -30,6 +30,8 @@ class ImageCanvas : public QWidget {
   [[nodiscard]] QString rendererName() const;
   [[nodiscard]] bool isSoftware() const { return m_thread != nullptr && m_thread->isSoftware(); }
   void setDark(bool dark) { m_dark = dark; }
+  /// Shown while there are bodies, but no picture of any yet.
+  void setWaitingText(const QString& text) { m_waitingText = text; }
   /// Is the picture of the moment on the screen?
   [[nodiscard]] bool isUpToDate() const;
 
@@ -58,12 +60,15 @@ class ImageCanvas : public QWidget {
   [[nodiscard]] bool isOnScreen(const QPainter& painter) const;
   void paintGround(QPainter& painter) const;
   void addOverlay();
+  [[nodiscard]] bool isWaiting() const;
+  void paintWords(QPainter& painter, const QString& text) const;
   [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
 
   Viewer* m_viewer;
   LabelLayer* m_labels;
   PicturePace m_pace;
   QString m_problem;
+  QString m_waitingText;
   bool m_dark = false;
   bool m_willOrder = false;
   bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken

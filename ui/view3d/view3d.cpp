@@ -138,6 +138,7 @@ void View3D::Private::useImage(const QString& why) {
     return useGl();
   }
   image->setDark(dark);
+  image->setWaitingText(waitingText());
   place(image);
   image->show();
   tellWhatPaints(image->isSoftware(), why);

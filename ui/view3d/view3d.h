@@ -74,6 +74,8 @@ class View3D : public QWidget {
   [[nodiscard]] bool isImage() const;
   /// An image is painted while the window does other work: is that of the moment on the screen?
   [[nodiscard]] bool isUpToDate() const;
+  /// What stands in the view until the first picture of a train is there.
+  [[nodiscard]] static QString waitingText() { return tr("The gears are being made …"); }
 
  public slots:
   void fit();

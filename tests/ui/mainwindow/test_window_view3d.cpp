@@ -1,5 +1,6 @@
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,6 +50,20 @@ class WindowView3DTest : public QObject {
     open(robotExamplePath());
   }
   void cleanup() { window.reset(); }
+
+  /// What has its meshes is not asked for one while its stage is made.
+  void aTrainThatIsOnItsWaySaysSo() {
+    window->document().replace(emptyMechanism(), {});
+    QTRY_VERIFY(window->isSettled());
+    QStringList words;
+    connect(&window->analysis(), &AnalysisService::snapshotReady, window.get(), [&] {
+      for (auto* label : window->view3d().findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text().contains("gears")) words += label->text();
+      }
+    });
+    open(robotExamplePath());
+    QCOMPARE(words.front(), View3D::waitingText());
+  }
 
   void theCameraComesBackWithTheDocument() {
     QVERIFY(!viewCamera(readDocument(saved("untouched.geargraph"))->view));

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -121,6 +122,37 @@ class TestView3D : public QObject {
     QCOMPARE(shown.view.findChild<QLabel*>("view3dTime")->text(), QString("3.0 s / 4.0 s"));
     QCOMPARE(layouts.count, 0);
     QVERIFY2(paints.count <= 2, qPrintable(QString::number(paints.count)));  // clock, picture
+  }
+
+  /// Between a train and its first picture the view does not look as if there were none.
+  void untilTheFirstPictureIsThereTheViewSaysSo() {
+    Shown shown(nullptr);
+    if (!shown.view.isImage()) return;  // painted at once
+    QTRY_VERIFY(shown.view.isUpToDate());
+    const auto middle = [&] {
+      shown.canvas()->repaint();
+      const QPixmap screen = shown.view.screen()->grabWindow(shown.view.winId());
+      return screen.toImage().copy(220, 180, 200, 60);
+    };
+    const auto hasWords = [&](const QImage& image) {
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          if (image.pixelColor(x, y).lightness() < 170) return true;
+        }
+      }
+      return false;
+    };
+    shown.view.setEmptyText({});
+    QVERIFY(!hasWords(middle()));
+    shown.view.setStage(test::toyStage());
+    QVERIFY(!shown.view.isUpToDate());
+    const QImage waiting = middle();
+    QVERIFY(hasWords(waiting));
+    QTRY_VERIFY(shown.view.isUpToDate());
+    QVERIFY(middle() != waiting);
+    shown.view.setStage(nullptr);
+    QTRY_VERIFY(shown.view.isUpToDate());
+    QVERIFY(!hasWords(middle()));
   }
 
   void theGrabbedWindowShowsTheTrain() {
