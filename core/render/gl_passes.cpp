@@ -15,7 +15,9 @@ constexpr double kShadowReach = 0.45;  // of the scene's radius: at this height 
 GlPasses::GlPasses(const GlApi& gl)
     : m_gl(gl),
       m_gradient(gl, shaders::kFullVertex, shaders::kGradientFragment),
-      m_lit(gl, shaders::kSolidVertex, shaders::kSolidFragment),
+      m_lit(gl, shaders::kSolidVertex, (std::string(shaders::kLight) + shaders::kSolidFragment).c_str()),
+      m_litByVertex(gl, (std::string(shaders::kLight) + shaders::kByVertexVertex).c_str(),
+                    shaders::kByVertexFragment),
       m_flat(gl, shaders::kSolidVertex, shaders::kFlatFragment),
       m_disc(gl, shaders::kDiscVertex, shaders::kDiscFragment),
       m_shadow(gl, shaders::kShadowVertex, shaders::kShadowFragment),
@@ -32,8 +34,8 @@ GlPasses::GlPasses(const GlApi& gl)
 }
 
 std::string GlPasses::log() const {
-  return m_gradient.log() + m_lit.log() + m_flat.log() + m_disc.log() + m_shadow.log() + m_blur.log() +
-         m_halo.log() + m_overlayProgram.log() + m_cap.log();
+  return m_gradient.log() + m_lit.log() + m_litByVertex.log() + m_flat.log() + m_disc.log() + m_shadow.log() +
+         m_blur.log() + m_halo.log() + m_overlayProgram.log() + m_cap.log();
 }
 
 void GlPasses::set(GLint uniform, const Eigen::Matrix4d& matrix) const {
@@ -131,13 +133,21 @@ void GlPasses::cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projectio
   m_gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void GlPasses::beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const {
+void GlPasses::beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool byVertex) const {
+  const auto up = [&](GLint uniform) {
+    m_gl.Uniform3f(uniform, static_cast<float>(view(0, 2)), static_cast<float>(view(1, 2)),
+                   static_cast<float>(view(2, 2)));
+  };
+  if (byVertex) {
+    m_litByVertex.use();
+    set(m_litByVertex.uniform("u_projection"), projection);
+    return up(m_litByVertex.uniform("u_up"));
+  }
   m_lit.use();
   set(m_at.litProjection, projection);
   m_gl.Uniform1f(m_lit.uniform("u_nearer"), 1);
   m_gl.Uniform4f(m_at.litSection, m_section[0], m_section[1], m_section[2], m_section[3]);
-  m_gl.Uniform3f(m_at.litUp, static_cast<float>(view(0, 2)), static_cast<float>(view(1, 2)),
-                 static_cast<float>(view(2, 2)));
+  up(m_at.litUp);
 }
 
 void GlPasses::beginFlat(const Eigen::Matrix4d& projection, float nearer) const {

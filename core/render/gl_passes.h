@@ -54,7 +54,8 @@ class GlPasses {
   void cap(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, const CapSquare& square,
            const Rgb& colour, bool leansLeft) const;
 
-  void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection) const;
+  /// `byVertex`: Look::litByVertex, for closed solids without a section.
+  void beginLit(const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection, bool byVertex) const;
   void beginFlat(const Eigen::Matrix4d& projection, float nearer) const;
   /// Between beginShadow (the matrix leads to the world then), beginLit or beginFlat and what follows.
   void draw(const GlSolid& solid, GlSolid::Part part, std::span<const SolidInstance> instances) const;
@@ -78,7 +79,8 @@ class GlPasses {
   const GlApi& m_gl;
   GlOverlay m_overlay{m_gl};
   GlInstances m_instances{m_gl};
-  GlProgram m_gradient, m_lit, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram, m_cap;
+  GlProgram m_gradient, m_lit, m_litByVertex, m_flat, m_disc, m_shadow, m_blur, m_halo, m_overlayProgram,
+      m_cap;
   Eigen::Vector4f m_section{0, 0, 0, 1};
   GlTarget m_shadowImage{m_gl, GlTarget::Colours::coverage, false};
   GlTarget m_blurredImage{m_gl, GlTarget::Colours::coverage, false};

@@ -254,7 +254,10 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
   const bool isDrawing = frame.look.faces == Faces::hiddenLine;
-  m_passes.beginLit(view, projection(frame));
+  const auto isOpen = [](const Instance& instance) { return instance.isOpen; };
+  m_passes.beginLit(view, projection(frame),
+                    frame.look.litByVertex && !frame.section &&
+                        std::none_of(m_scene.instances.begin(), m_scene.instances.end(), isOpen));
   drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::triangles,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             const Highlight state = emphasis(frame, i);

@@ -28,7 +28,8 @@ struct Look {
   bool edges = true;
   bool contactShadow = true;
   bool triad = true;
-  int samples = 4;  ///< of antialiasing; 1 is none
+  int samples = 4;           ///< of antialiasing; 1 is none
+  bool litByVertex = false;  ///< the light between the corners of a face is a mean of theirs: nearly the same
 
   [[nodiscard]] static Look light();
   [[nodiscard]] static Look dark();

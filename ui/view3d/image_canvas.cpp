@@ -21,10 +21,13 @@ constexpr int kSimplest = 2;
 
 constexpr double kFewPixels = 1e5;  // the simplest look has no more, as far as half of each side allows
 
-/// How much simpler a quick look is: without edges, and then with fewer pixels too. What shows the pixels is
-/// the last that is given up: most of a train's time goes into its triangles and its lines.
+/// How much simpler a quick look is: without edges and simply lit, and then with fewer pixels too. What shows
+/// the pixels is the last that is given up: most of a train's time goes into its triangles and its lines.
 void simplify(Frame& frame, double& scale, int steps) {
-  if (steps >= 1) frame.look.edges = false;
+  if (steps >= 1) {
+    frame.look.edges = false;
+    frame.look.litByVertex = true;
+  }
   const double pixels = static_cast<double>(frame.viewport.width) * frame.viewport.height;
   if (steps >= 2) scale = std::clamp(std::sqrt(kFewPixels / pixels), 0.5, 1.0);
 }
@@ -120,6 +123,8 @@ void ImageCanvas::rehearse() {
   };
   add();
   showing.assign(showing.size(), Showing::solid);
+  add();
+  frame.look.litByVertex = true;
   add();
   frame.look.edges = true;
   add();

@@ -116,6 +116,32 @@ class TestPicture : public QObject {
     }
   }
 
+  /// And where the inside of a solid may be seen, it is that by pixel.
+  void lightByVertexIsNearlyThatByPixel() {
+    Scene scene = groupScene();
+    Frame frame = frameOf(scene, bare());
+    const auto painted = [&](bool byVertex) {
+      m_host->setScene(scene);
+      frame.look.litByVertex = byVertex;
+      return m_host->picture(frame);
+    };
+    const Image fine = painted(false), quick = painted(true);
+    double apartInAll = 0, most = 0;
+    for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
+      const double difference = std::abs(int(fine.rgba[i]) - int(quick.rgba[i]));
+      apartInAll += difference;
+      most = std::max(most, difference);
+    }
+    QVERIFY(most > 0);
+    QVERIFY2(most < 24, qPrintable(QString::number(most)));
+    QVERIFY(apartInAll / static_cast<double>(fine.rgba.size()) < 0.5);
+    frame.section = CutPlane{};
+    QVERIFY(painted(false).rgba == painted(true).rgba);
+    frame.section.reset();
+    scene.instances.front().isOpen = true;
+    QVERIFY(painted(false).rgba == painted(true).rgba);
+  }
+
   void aFlippedNormalIsSeen() {
     Solid cube = boxSolid({-10, -10, -10}, {10, 10, 10});
     for (Float3& normal : cube.normals) {
