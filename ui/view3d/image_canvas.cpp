@@ -5,7 +5,6 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "ui/view3d/overlay.h"
@@ -19,17 +18,14 @@ constexpr double kSlow = 20;
 constexpr double kQuick = 9;
 constexpr int kSimplest = 2;
 
-constexpr double kFewPixels = 1e5;  // the simplest look has no more, as far as half of each side allows
-
-/// How much simpler a quick look is: without edges and simply lit, and then with fewer pixels too. What shows
-/// the pixels is the last that is given up: most of a train's time goes into its triangles and its lines.
+/// How much simpler a quick look is: without edges and simply lit, and then with half the pixels of a side
+/// too. What shows the pixels is the last that is given up: most of the time goes into triangles and lines.
 void simplify(Frame& frame, double& scale, int steps) {
   if (steps >= 1) {
     frame.look.edges = false;
     frame.look.litByVertex = true;
   }
-  const double pixels = static_cast<double>(frame.viewport.width) * frame.viewport.height;
-  if (steps >= 2) scale = std::clamp(std::sqrt(kFewPixels / pixels), 0.5, 1.0);
+  if (steps >= 2) scale = 0.5;
 }
 
 QColor colorOf(const Rgb& rgb) {
