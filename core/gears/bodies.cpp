@@ -229,7 +229,12 @@ Solid lathed(std::span<const Circle> meridian, double tolerance) {
   for (const Circle& c : meridian) largest = std::max(largest, c.radius);
   std::vector<Circle> closed(meridian.begin(), meridian.end());
   if (!(closed.front().radius == 0 && closed.back().radius == 0)) closed.push_back(closed.front());
-  builder.addLathe(closed, circleCount(largest, tolerance), 0);
+  const int count = circleCount(largest, tolerance);
+  const std::size_t most = 2 * (closed.size() - 1) * static_cast<std::size_t>(count);
+  solid.positions.reserve(most);
+  solid.normals.reserve(most);
+  solid.triangles.reserve(most);
+  builder.addLathe(closed, count, 0);
   return solid;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/base/contract.h"
 #include "core/gears/sampling.h"
@@ -23,23 +24,43 @@ std::uint32_t ShellBuilder::addVertex(const Eigen::Vector3d& position, const Eig
   return static_cast<std::uint32_t>(m_solid.positions.size() - 1);
 }
 
-Loop ShellBuilder::addCircle(const Circle& circle, int count, double start, const Eigen::Vector2d& normal) {
-  Loop loop;
-  if (circle.radius == 0) {
-    loop.vertices.push_back(addVertex({0, 0, circle.height}, {0, 0, normal.y() < 0 ? -1.0 : 1.0}));
-    loop.angles.push_back(start);
-    return loop;
-  }
-  loop.vertices.reserve(static_cast<std::size_t>(count));
-  loop.angles.reserve(static_cast<std::size_t>(count));
+const std::vector<ShellBuilder::Turn>& ShellBuilder::turnsOf(int count, double start) {
+  if (static_cast<std::size_t>(count) == m_turns.size() && start == m_start) return m_turns;
+  m_turns.resize(static_cast<std::size_t>(count));
+  m_start = start;
   for (int i = 0; i < count; ++i) {
     const double angle = start + 2 * pi * i / count;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    loop.vertices.push_back(addVertex({circle.radius * c, circle.radius * s, circle.height},
-                                      {normal.x() * c, normal.x() * s, normal.y()}));
-    loop.angles.push_back(angle);
+    m_turns[static_cast<std::size_t>(i)] = {angle, std::cos(angle), std::sin(angle)};
   }
+  return m_turns;
+}
+
+std::uint32_t ShellBuilder::write(const Circle& circle, const std::vector<Turn>& turns,
+                                  const Eigen::Vector2d& normal) {
+  const std::size_t first = m_solid.positions.size();
+  if (circle.radius == 0) {
+    return addVertex({0, 0, circle.height}, {0, 0, normal.y() < 0 ? -1.0 : 1.0});
+  }
+  m_solid.positions.resize(first + turns.size());
+  m_solid.normals.resize(first + turns.size());
+  Float3* position = m_solid.positions.data() + first;
+  Float3* direction = m_solid.normals.data() + first;
+  for (const Turn& t : turns) {
+    *position++ = narrow({circle.radius * t.c, circle.radius * t.s, circle.height});
+    *direction++ = narrow({normal.x() * t.c, normal.x() * t.s, normal.y()});
+  }
+  return static_cast<std::uint32_t>(first);
+}
+
+Loop ShellBuilder::addCircle(const Circle& circle, int count, double start, const Eigen::Vector2d& normal) {
+  const std::vector<Turn>& turns = turnsOf(count, start);
+  const std::uint32_t first = write(circle, turns, normal);
+  Loop loop;
+  if (circle.radius == 0) return {{first}, {start}};
+  loop.vertices.resize(turns.size());
+  loop.angles.reserve(turns.size());
+  std::iota(loop.vertices.begin(), loop.vertices.end(), first);
+  for (const Turn& t : turns) loop.angles.push_back(t.angle);
   return loop;
 }
 
@@ -70,19 +91,40 @@ void ShellBuilder::sew(const Loop& a, const Loop& b) {
   }
 }
 
+void ShellBuilder::sewAlike(std::uint32_t a, bool poleA, std::uint32_t b, bool poleB, std::uint32_t count) {
+  std::vector<Triangle>& triangles = m_solid.triangles;
+  const std::size_t first = triangles.size();
+  triangles.resize(first + count * (poleA || poleB ? 1U : 2U));
+  Triangle* out = triangles.data() + first;
+  const std::size_t second = m_inward ? 2 : 1, third = 3 - second;
+  const auto put = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    (*out)[0] = x;
+    (*out)[second] = y;
+    (*out)[third] = z;
+    ++out;
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = i + 1 == count ? 0 : i + 1;
+    if (!poleA) put(a + i, a + next, poleB ? b : b + i);
+    if (!poleB) put(poleA ? a : a + next, b + next, b + i);
+  }
+}
+
 Eigen::Vector2d ShellBuilder::normalOf(const Circle& a, const Circle& b) const {
   const Eigen::Vector2d normal = Eigen::Vector2d(b.height - a.height, a.radius - b.radius).normalized();
   return m_inward ? -normal : normal;
 }
 
 void ShellBuilder::addLathe(std::span<const Circle> circles, int count, double start) {
+  const std::vector<Turn>& turns = turnsOf(count, start);
   for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
     const Circle& a = circles[i];
     const Circle& b = circles[i + 1];
     if (a == b || (a.radius == 0 && b.radius == 0)) continue;
     const Eigen::Vector2d normal = normalOf(a, b);
-    const Loop from = addCircle(a, count, start, normal);
-    sew(from, addCircle(b, count, start, normal));
+    const std::uint32_t from = write(a, turns, normal);
+    const std::uint32_t to = write(b, turns, normal);
+    sewAlike(from, a.radius == 0, to, b.radius == 0, static_cast<std::uint32_t>(count));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -55,8 +56,23 @@ class ShellBuilder {
   [[nodiscard]] bool inward() const { return m_inward; }
 
  private:
+  /// A place of a circle of `count` vertices.
+  struct Turn {
+    double angle = 0;
+    double c = 1;
+    double s = 0;
+  };
+  /// The places of the circles of `count` vertices from `start`: those of a body are mostly the same.
+  const std::vector<Turn>& turnsOf(int count, double start);
+  /// Adds the vertices of a circle, one for a point of the axis; the first of them.
+  std::uint32_t write(const Circle& circle, const std::vector<Turn>& turns, const Eigen::Vector2d& normal);
+  /// What sew() makes of two circles of `count` vertices, or of one and a pole.
+  void sewAlike(std::uint32_t a, bool poleA, std::uint32_t b, bool poleB, std::uint32_t count);
+
   Solid& m_solid;
   bool m_inward;
+  std::vector<Turn> m_turns;
+  double m_start = 0;  ///< angle of the first of them
 };
 
 /// Number of vertices that keeps a circle within the tolerance (a length), at least 12.

@@ -29,11 +29,19 @@ Eigen::AlignedBox3d boundsOf(const Solid& solid) {
 }
 
 void append(Solid& whole, const Solid& part, const Eigen::Isometry3d& placed) {
-  const auto first = static_cast<std::uint32_t>(whole.positions.size());
-  for (const Float3& p : part.positions) whole.positions.push_back(narrow(placed * wide(p)));
-  for (const Float3& n : part.normals) whole.normals.push_back(narrow(placed.linear() * wide(n)));
-  for (const Triangle& t : part.triangles)
-    whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const std::size_t vertices = whole.positions.size(), triangles = whole.triangles.size();
+  const auto first = static_cast<std::uint32_t>(vertices);
+  whole.positions.resize(vertices + part.positions.size());
+  whole.normals.resize(vertices + part.normals.size());
+  whole.triangles.resize(triangles + part.triangles.size());
+  for (std::size_t i = 0; i < part.positions.size(); ++i) {
+    whole.positions[vertices + i] = narrow(placed * wide(part.positions[i]));
+    whole.normals[vertices + i] = narrow(placed.linear() * wide(part.normals[i]));
+  }
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    const Triangle& t = part.triangles[i];
+    whole.triangles[triangles + i] = {t[0] + first, t[1] + first, t[2] + first};
+  }
 }
 
 Solid moved(const Solid& solid, const Eigen::Isometry3d& placed) {
