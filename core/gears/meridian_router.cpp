@@ -28,11 +28,12 @@ std::size_t at(int i) {
 class Round {
  public:
   /// Landings and rows are dearer by chance, by up to `spread`: other rounds choose others.
-  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, MeridianSearch& search, unsigned seed,
-        double spread)
+  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, const MeridianOwners& owners,
+        const std::vector<std::vector<int>>& wheels, MeridianSearch& search, unsigned seed, double spread)
       : m_grid(grid),
         m_nets(nets),
-        m_owner(grid.owner),
+        m_owners(owners),
+        m_wheels(wheels),
         m_routes(nets.size()),
         m_search(search),
         m_random(seed),
@@ -68,28 +69,24 @@ class Round {
     return sources;
   }
   void claim(int net, int cell) {
-    if (m_owner[at(cell)] == net && m_grid.owner[at(cell)] != net) return;
-    m_owner[at(cell)] = net;
+    if (m_owners.of(cell) == net && m_grid.owner[at(cell)] != net) return;
+    m_owners.give(cell, net);
     m_routes[at(net)].cells.push_back(cell);
   }
   void take(int net, const MeridianLanding& landing) {
     for (const int c : landing.cells) claim(net, c);
-    const auto [first, end] = landing.keptFree;
-    std::fill(m_owner.begin() + first, m_owner.begin() + end, MeridianGrid::kBlocked);
-  }
-  [[nodiscard]] bool open(int net, int cell) const {
-    return m_owner[at(cell)] == MeridianGrid::kFree || m_owner[at(cell)] == net;
+    m_owners.block(landing.keptFree);
   }
   [[nodiscard]] bool open(int net, const MeridianLanding& landing) const {
-    const auto isFree = [](int owner) { return owner == MeridianGrid::kFree; };
-    const auto [first, end] = landing.keptFree;
-    return std::all_of(landing.cells.begin(), landing.cells.end(), [&](int c) { return open(net, c); }) &&
-           std::all_of(m_owner.begin() + first, m_owner.begin() + end, isFree);
+    return std::all_of(landing.cells.begin(), landing.cells.end(),
+                       [&](int c) { return m_owners.isOpen(c, net); }) &&
+           m_owners.isFree(landing.keptFree);
   }
 
   const MeridianGrid& m_grid;
   const std::vector<MeridianNet>& m_nets;
-  std::vector<int> m_owner;
+  MeridianOwners m_owners;
+  const std::vector<std::vector<int>>& m_wheels;  ///< by net: cells where its wheels lie
   std::vector<MeridianRoute> m_routes;
   MeridianSearch& m_search;
   std::minstd_rand m_random;
@@ -132,7 +129,9 @@ int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& 
   for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
   findEnds(net, landings);
   if (m_ends.empty()) return -1;
-  m_search.begin(net, m_owner, m_rowExtra, sources, m_places);
+  const bool canBeFound =
+      m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells}, m_rowExtra, sources, m_places);
+  if (!canBeFound) return -1;
   using Way = std::pair<double, int>;  // what it costs, its end
   std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
   while (!m_search.isDone() || !ways.empty()) {
@@ -210,8 +209,14 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
   std::iota(order.begin(), order.end(), 0);
   std::minstd_rand random(1);
   MeridianSearch search(grid);
+  const MeridianBits bits(grid);
+  const MeridianOwners owners(grid, bits);
+  std::vector<std::vector<int>> wheels(nets.size());
+  for (std::size_t cell = 0; cell < grid.owner.size(); ++cell) {
+    if (grid.owner[cell] >= 0) wheels[at(grid.owner[cell])].push_back(static_cast<int>(cell));
+  }
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets, search, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
+    Round round(grid, nets, owners, wheels, search, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
     const int failed = round.lay(order);
     if (failed < 0) return round.take();
     if (i % 4 == 3) {  // out of the circles that moving one forward runs in

@@ -6,8 +6,7 @@
 namespace geargraph {
 namespace {
 
-constexpr double kFar = 1e300;
-constexpr double kShut = -1;
+constexpr double kFar = MeridianOwners::kFar;
 constexpr double kMostLots = 4096;
 
 std::size_t at(int i) {
@@ -16,8 +15,51 @@ std::size_t at(int i) {
 
 }  // namespace
 
+MeridianBits::MeridianBits(const MeridianGrid& grid)
+    : m_perColumn((at(grid.rows) + 63) / 64), m_words(at(grid.columns) * m_perColumn) {
+  m_places.reserve(grid.owner.size());
+  for (std::size_t column = 0; column < at(grid.columns); ++column) {
+    for (std::size_t row = 0; row < at(grid.rows); ++row) {
+      const std::size_t word = column * m_perColumn + row / 64;
+      m_places.push_back({static_cast<std::uint32_t>(word), static_cast<int>(row % 64)});
+    }
+  }
+}
+
+MeridianOwners::MeridianOwners(const MeridianGrid& grid, const MeridianBits& bits)
+    : m_bits(&bits), m_owner(grid.owner), m_free(bits.words(), 0), m_costs(grid.owner.size(), kShut) {
+  for (int cell = 0; cell < static_cast<int>(m_owner.size()); ++cell) {
+    if (of(cell) == MeridianGrid::kFree) set(cell, MeridianGrid::kFree);
+  }
+}
+
+void MeridianOwners::set(int cell, int owner) {
+  const bool isFree = owner == MeridianGrid::kFree;
+  const std::uint64_t bit = m_bits->bitOf(cell);
+  std::uint64_t& word = m_free[m_bits->wordOf(cell)];
+  m_owner[at(cell)] = owner;
+  m_costs[at(cell)] = isFree ? kFar : kShut;
+  word = isFree ? word | bit : word & ~bit;
+}
+
+bool MeridianOwners::isFree(const MeridianRun& run) const {
+  for (int cell = run.first; cell < run.end;) {  // word by word
+    const int place = m_bits->placeOf(cell);
+    const int count = std::min(run.end - cell, 64 - place);
+    const std::uint64_t mask = (~std::uint64_t{0} >> (64 - count)) << place;
+    if ((m_free[m_bits->wordOf(cell)] & mask) != mask) return false;
+    cell += count;
+  }
+  return true;
+}
+
 MeridianSearch::MeridianSearch(const MeridianGrid& grid)
-    : m_grid(grid), m_rowFactor(at(grid.rows)), m_columnAhead(at(grid.columns)), m_rowAhead(at(grid.rows)) {
+    : m_grid(grid),
+      m_rowFactor(at(grid.rows)),
+      m_columnAhead(at(grid.columns)),
+      m_rowAhead(at(grid.rows)),
+      m_plates(grid.plates.begin(), grid.plates.end()),
+      m_perColumn((at(grid.rows) + 63) / 64) {
   if (grid.width.empty() || grid.rowCost.empty()) return;
   const auto [narrowest, widest] = std::minmax_element(grid.width.begin(), grid.width.end());
   const double cheapest = *std::min_element(grid.rowCost.begin(), grid.rowCost.end());
@@ -59,42 +101,125 @@ void MeridianSearch::makeLots(const Places& sources) {
     dearest = std::max({dearest, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
   const double span = std::max(2 * dearest, high - low);
   m_perStep = std::min(1 / m_cheapest, kMostLots / span);
-  const std::size_t count = std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2);
-  if (m_lots.size() < count) m_lots.resize(count);
-  for (auto& some : m_lots) some.clear();
+  m_lots.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
+  m_fronts.clear();
   m_waiting = 0;
   m_lot = sources.empty() ? 0 : lotOf(low);
 }
 
-void MeridianSearch::begin(int net, const std::vector<int>& owner, std::span<const double> rowExtra,
-                           const Places& sources, const Places& ends) {
+namespace {
+
+/// Bits from those of `some` on, as far as those of `open` are set one beside the other.
+std::uint64_t filled(std::uint64_t some, std::uint64_t open) {
+  std::uint64_t up = open, down = open;
+  for (int step = 1; step < 64; step *= 2) {
+    some |= (up & (some << step)) | (down & (some >> step));
+    up &= up << step;
+    down &= down >> step;
+  }
+  return some;
+}
+
+}  // namespace
+
+/// From the joined cells of a column to those that hang together with them in it.
+void MeridianSearch::fill(std::size_t column) {
+  std::uint64_t* const joined = m_joined.data() + column * m_perColumn;
+  const std::uint64_t* const open = m_open.data() + column * m_perColumn;
+  for (std::size_t w = 0; w < m_perColumn; ++w) {
+    if (w > 0) joined[w] |= open[w] & (joined[w - 1] >> 63);
+    if (joined[w] != 0 && joined[w] != open[w]) joined[w] = filled(joined[w], open[w]);
+  }
+  for (std::size_t w = m_perColumn - 1; w-- > 0;) {
+    const std::uint64_t more = open[w] & ~joined[w] & (joined[w + 1] << 63);
+    if (more != 0) joined[w] = filled(joined[w] | more, open[w]);
+  }
+}
+
+/// From the joined cells of a column to those beside them, in it and in its neighbours: is any of these new?
+bool MeridianSearch::spread(std::size_t column) {
+  if (m_isSpread[column] != 0) return false;
+  m_isSpread[column] = 1;
+  if (m_plates[column] != 0) fill(column);
+  const std::size_t first = column * m_perColumn;
+  bool isNew = false;
+  const auto join = [&](std::size_t beside) {
+    for (std::size_t w = 0; w < m_perColumn; ++w) {
+      std::uint64_t& there = m_joined[beside * m_perColumn + w];
+      const std::uint64_t more = m_joined[first + w] & m_open[beside * m_perColumn + w] & ~there;
+      if (more == 0) continue;
+      there |= more;
+      m_isSpread[beside] = 0;
+      isNew = true;
+    }
+  };
+  if (column > 0) join(column - 1);
+  if (column + 1 < m_isSpread.size()) join(column + 1);
+  return isNew;
+}
+
+/// A search that finds nothing goes through all cells there are; whether anything can be found, a few words
+/// of bits tell.
+bool MeridianSearch::isJoined(const MeridianBits& bits, const Places& sources, const Places& ends) {
+  m_joined.assign(m_open.size(), 0);
+  m_isSpread.assign(at(m_grid.columns), 1);
+  for (const auto& [cell, cost] : sources) {
+    const std::size_t word = bits.wordOf(cell);
+    m_joined[word] |= bits.bitOf(cell) & m_open[word];
+    m_isSpread[word / m_perColumn] = 0;
+  }
+  const auto isReached = [&] {
+    return std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
+      return (m_joined[bits.wordOf(end.first)] & bits.bitOf(end.first)) != 0;
+    });
+  };
+  const std::size_t columns = m_isSpread.size();
+  for (bool isNew = true; isNew;) {
+    isNew = false;
+    for (std::size_t c = 0; c < columns; ++c) isNew = spread(c) || isNew;
+    for (std::size_t c = columns; c-- > 0;) isNew = spread(c) || isNew;
+    if (isReached()) return true;
+  }
+  return false;
+}
+
+bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
+                           std::span<const double> rowExtra, const Places& sources, const Places& ends) {
+  const MeridianBits& bits = owners.bits();
+  m_open = owners.freeBits();
+  for (const auto& cells : own) {
+    for (const int cell : cells) m_open[bits.wordOf(cell)] |= bits.bitOf(cell);
+  }
+  if (!isJoined(bits, sources, ends)) return false;
+  m_cost = owners.costs();
+  for (const auto& cells : own) {
+    for (const int cell : cells) m_cost[at(cell)] = kFar;
+  }
   for (int r = 0; r < m_grid.rows; ++r) m_rowFactor[at(r)] = 1 + m_grid.rowCost[at(r)] + rowExtra[at(r)];
   lookAhead(ends);
   makeLots(sources);
-  m_from.resize(owner.size());
-  m_cost.resize(owner.size());
-  for (std::size_t c = 0; c < owner.size(); ++c)
-    m_cost[c] = owner[c] == MeridianGrid::kFree || owner[c] == net ? kFar : kShut;
+  m_from.resize(m_cost.size());
   for (const auto& [cell, cost] : sources) {
     if (cost >= m_cost[at(cell)]) continue;
     m_cost[at(cell)] = cost;
     m_from[at(cell)] = -1;
     push(cost, cell, m_grid.columnOf(cell));
   }
+  return true;
 }
 
 const std::vector<int>& MeridianSearch::settleLot() {
   m_settled.clear();
-  while (lot(m_lot).empty()) ++m_lot;
-  auto& fronts = lot(m_lot);
-  for (std::size_t i = 0; i < fronts.size(); ++i) {  // more may come
-    const Front front = fronts[i];
+  while (lot(m_lot) < 0) ++m_lot;
+  int& first = lot(m_lot);
+  while (first >= 0) {  // more may come
+    const Front front = m_fronts[at(first)];
+    first = front.next;
+    --m_waiting;
     if (front.cost > m_cost[at(front.cell)]) continue;  // it was reached more cheaply before
     m_settled.push_back(front.cell);
     relax(front);
   }
-  m_waiting -= fronts.size();
-  fronts.clear();
   ++m_lot;
   return m_settled;
 }
@@ -118,7 +243,7 @@ void MeridianSearch::relax(const Front& front) {
   const double along = m_grid.width[at(front.column)] * m_rowFactor[at(row)];
   if (front.column > 0) reach(front, front.cell - m_grid.rows, front.column - 1, along);
   if (front.column + 1 < m_grid.columns) reach(front, front.cell + m_grid.rows, front.column + 1, along);
-  if (!m_grid.plates[at(front.column)]) return;
+  if (m_plates[at(front.column)] == 0) return;
   if (row > 0) reach(front, front.cell - 1, front.column, m_grid.rowCost[at(row)]);
   if (row + 1 < m_grid.rows) reach(front, front.cell + 1, front.column, m_grid.rowCost[at(row)]);
 }

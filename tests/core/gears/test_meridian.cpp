@@ -152,7 +152,12 @@ class TestMeridian : public QObject {
       const auto nearest = *std::min_element(
           ends.begin(), ends.end(), [&](const auto& a, const auto& b) { return total(a) < total(b); });
       MeridianSearch search(grid);
-      search.begin(0, grid.owner, rowExtra, sources, ends);
+      const MeridianBits bits(grid);
+      const bool isReached = std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
+        return costs[static_cast<std::size_t>(end.first)] < kUnreached;
+      });
+      QCOMPARE(search.begin(MeridianOwners(grid, bits), {}, rowExtra, sources, ends), isReached);
+      if (!isReached) continue;
       while (!search.isDone() && !search.isBeyond(total(nearest))) (void)search.settleLot();
       if (costs[static_cast<std::size_t>(nearest.first)] == kUnreached) continue;
       ++found;
@@ -168,6 +173,57 @@ class TestMeridian : public QObject {
       }
     }
     QVERIFY(found > 30);
+  }
+
+  /// Columns of several words of bits: a way is known of ahead where steps lead from the source to the end.
+  void whetherAWayLeadsThereIsKnownAhead() {
+    std::mt19937 random(7);
+    int reached = 0;
+    for (int round = 0; round < 300; ++round) {
+      MeridianGrid grid = freeGrid(4, 150);
+      for (int& owner : grid.owner) {
+        if (random() % 20 == 0) owner = MeridianGrid::kBlocked;
+      }
+      for (std::size_t c = 0; c < 4; ++c) grid.plates[c] = random() % 3 > 0;
+      const int source = static_cast<int>(random() % 600), end = static_cast<int>(random() % 600);
+      const std::vector<int> own{source};
+      std::vector<bool> seen(600, false);
+      std::vector<int> waiting{source};
+      while (!waiting.empty()) {
+        const int cell = waiting.back();
+        waiting.pop_back();
+        if (seen[static_cast<std::size_t>(cell)]) continue;
+        seen[static_cast<std::size_t>(cell)] = true;
+        for (const int next : {cell - 1, cell + 1, cell - 150, cell + 150}) {
+          if (next >= 0 && next < 600 && stepPrice(grid, std::vector<double>(150, 0), cell, next))
+            waiting.push_back(next);
+        }
+      }
+      const MeridianBits bits(grid);
+      MeridianSearch search(grid);
+      const bool found = search.begin(MeridianOwners(grid, bits), {own}, std::vector<double>(150, 0),
+                                      {{source, 0}}, {{end, 0}});
+      QCOMPARE(found, seen[static_cast<std::size_t>(end)]);
+      reached += found ? 1 : 0;
+    }
+    QVERIFY(reached > 50 && reached < 250);
+  }
+
+  void freeRunsAreLookedAtWordByWord() {
+    MeridianGrid grid = freeGrid(2, 150);
+    grid.owner[static_cast<std::size_t>(grid.cell(1, 128))] = 0;
+    const MeridianBits bits(grid);
+    MeridianOwners owners(grid, bits);
+    QVERIFY(owners.isFree(grid.above(0, 0)));
+    QVERIFY(!owners.isFree(grid.above(1, 5)) && !owners.isFree(grid.above(1, 128)));
+    QVERIFY(owners.isFree(grid.above(1, 129)));
+    QVERIFY(owners.isFree({grid.cell(1, 3), grid.cell(1, 128)}));
+    QVERIFY(owners.isFree({grid.cell(1, 128), grid.cell(1, 128)}));  // nothing
+    owners.block({grid.cell(0, 60), grid.cell(0, 70)});
+    QVERIFY(!owners.isFree({grid.cell(0, 69), grid.cell(0, 72)}) && owners.isFree(grid.above(0, 70)));
+    owners.give(grid.cell(0, 100), 3);
+    QVERIFY(owners.isOpen(grid.cell(0, 100), 3) && !owners.isOpen(grid.cell(0, 100), 2));
+    QVERIFY(!owners.isFree(grid.above(0, 70)));
   }
 
   void whatIsBlockedIsNotEntered() {
