@@ -29,6 +29,7 @@ struct Eye {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 1;
   double hole = 0;  ///< radius, 0: none
+  friend bool operator==(const Eye&, const Eye&) = default;
 };
 
 /// A flat arm: the hull of two round eyes, of thickness from z = `from` to `to`, with their holes.

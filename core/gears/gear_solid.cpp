@@ -98,23 +98,27 @@ std::size_t GearCache::KeyHash::operator()(const Key& key) const {
   return seed;
 }
 
-Expected<std::shared_ptr<const Solid>> GearCache::solid(const GearSpec& spec, double tolerance) {
-  const Key key{spec, tolerance};
-  {
-    const std::lock_guard lock(m_mutex);
-    const auto found = m_solids.find(key);
-    if (found != m_solids.end()) {
-      found->second.used = ++m_calls;
-      return found->second.solid;
-    }
-  }
-  Expected<Solid> made = gearSolid(spec, tolerance);
-  if (!made) return made.error();
-  auto shared = std::make_shared<const Solid>(std::move(made).value());
+Expected<std::shared_ptr<const DeferredSolid>> GearCache::deferred(const GearSpec& spec, double tolerance) {
   const std::lock_guard lock(m_mutex);
-  m_solids[key] = {shared, ++m_calls};
+  const Key key{spec, tolerance};
+  const auto found = m_solids.find(key);
+  if (found != m_solids.end()) {
+    found->second.used = ++m_calls;
+    return found->second.solid;
+  }
+  Diagnostics wrong = specDiagnostics(spec);
+  if (!wrong.empty()) return wrong;
+  auto added =
+      std::make_shared<const DeferredSolid>([spec, tolerance] { return gearSolid(spec, tolerance).value(); });
+  m_solids[key] = {added, ++m_calls};
   if (m_solids.size() > m_capacity) dropOldest();
-  return shared;
+  return added;
+}
+
+Expected<std::shared_ptr<const Solid>> GearCache::solid(const GearSpec& spec, double tolerance) {
+  auto found = deferred(spec, tolerance);
+  if (!found) return found.error();
+  return (*found)->solid();
 }
 
 std::size_t GearCache::size() const {

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/expected.h"
+#include "core/gears/deferred_solid.h"
 #include "core/gears/gear_spec.h"
 #include "core/gears/solid.h"
 
@@ -34,6 +35,9 @@ class GearCache {
 
   /// The solid for these parameters, made on the first call.
   [[nodiscard]] Expected<std::shared_ptr<const Solid>> solid(const GearSpec& spec, double tolerance);
+  /// The same solid for later: made when it is asked for, if it ever is.
+  [[nodiscard]] Expected<std::shared_ptr<const DeferredSolid>> deferred(const GearSpec& spec,
+                                                                        double tolerance);
 
   [[nodiscard]] std::size_t size() const;
 
@@ -47,7 +51,7 @@ class GearCache {
     std::size_t operator()(const Key& key) const;
   };
   struct Entry {
-    std::shared_ptr<const Solid> solid;
+    std::shared_ptr<const DeferredSolid> solid;
     std::size_t used = 0;  ///< number of the last call that asked for it
   };
 

@@ -29,6 +29,15 @@ std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& 
   return names;
 }
 
+/// Wheels in their shape, each where it has room.
+TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement) {
+  TrainWheels wheels = wheelsOf(mechanism, placement);
+  shapeWheels(mechanism, wheels);
+  stackWheels(wheels, placement);
+  shortenFaces(wheels, placement);
+  return wheels;
+}
+
 PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>& frames) {
   std::vector<PhaseWheel> wheels;
   for (const TrainWheel& w : train.wheels) {
@@ -91,12 +100,17 @@ Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement
 
 }  // namespace
 
+GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies) {
+  if (!placement.tree || !placement.classes) return {};
+  GearTrain train = toothed(mechanism, placedWheels(mechanism, placement));
+  addBodies(mechanism, placement, train, &bodies);
+  train.diagnostics.clear();
+  return train;
+}
+
 GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
   if (!placement.tree || !placement.classes) return {};
-  TrainWheels wheels = wheelsOf(mechanism, placement);
-  shapeWheels(mechanism, wheels);
-  stackWheels(wheels, placement);
-  shortenFaces(wheels, placement);
+  const TrainWheels wheels = placedWheels(mechanism, placement);
   GearTrain train = toothed(mechanism, wheels);
   addBodies(mechanism, placement, train);
   Diagnostics findings = findingsOf(mechanism, placement, train, {});

@@ -73,6 +73,12 @@ struct GearTrain {
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
 
+class BodyCache;
+
+/// The same for a picture: nothing is said of it, and bodies that an edit leaves as they are stay the same
+/// solids.
+[[nodiscard]] GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies);
+
 /// The diagnostics of trainOf() alone, without making bodies, for the analysis; of trains of many wheels
 /// (150) without those about the room of wheels and bodies. Those found so far where `stop` was requested
 /// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "core/gears/bodies.h"
 #include "core/gears/body_clashes.h"
 #include "core/gears/body_plan.h"
+#include "core/gears/body_recipe.h"
 #include "core/gears/body_shapes.h"
 #include "core/gears/gear_body.h"
 #include "core/gears/train_findings.h"
@@ -25,9 +25,10 @@ constexpr int kCageBars = 5;
 class BodyBuilder {
  public:
   BodyBuilder(const BodyPlan& plan, const GearTrain& train, std::size_t links)
-      : m_plan(plan), m_train(train), m_solids(links) {}
+      : m_plan(plan), m_train(train), m_recipes(links) {}
 
-  std::vector<Solid> build() {
+  /// By link.
+  std::vector<BodyRecipe> build() {
     for (const ShaftPlan& shaft : m_plan.shafts) addShaft(shaft);
     addArms();
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
@@ -45,21 +46,26 @@ class BodyBuilder {
         }
       }
     }
-    return std::move(m_solids);
+    return std::move(m_recipes);
   }
 
  private:
-  Solid& of(int link) { return m_solids[static_cast<std::size_t>(link)]; }
+  template <class Shape>
+  void add(int link, Shape shape, const AxisLayout& layout, const Eigen::Isometry3d& placed) {
+    m_recipes[static_cast<std::size_t>(link)].push_back(
+        {std::move(shape), kBodyTolerance * layout.module, placed});
+  }
   [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] static Eigen::Isometry3d line(const AxisLayout& layout) {
+    return frameAlong(layout.point, layout.direction);
+  }
   [[nodiscard]] Eigen::Isometry3d frame(int c, double coordinate, const Vector3d& towards) const {
     return frameAlong(axis(c).at(coordinate), axis(c).direction, towards);
   }
-  [[nodiscard]] static double tolerance(const AxisLayout& layout) { return kBodyTolerance * layout.module; }
 
   void addShaft(const ShaftPlan& shaft) {
     const AxisLayout& layout = axis(shaft.axisClass);
-    append(of(shaft.link), tube(shaft.outer, shaft.inner, shaft.low, shaft.high, tolerance(layout)),
-           frameAlong(layout.point, layout.direction));
+    add(shaft.link, TubePart{shaft.outer, shaft.inner, shaft.low, shaft.high}, layout, line(layout));
   }
 
   /// An arm in the plane of the bearing has its eye there already, at either end.
@@ -82,9 +88,8 @@ class BodyBuilder {
     const double side = bearing.at < (held->low + held->high) / 2 ? -1 : 1;
     const double near = side < 0 ? held->low - 0.2 * layout.gap() : held->high + 0.2 * layout.gap();
     const double far = near + side * 0.5 * layout.width();
-    append(of(bearing.parent),
-           tube(held->outer, 0.5 * pin->outer, std::min(near, far), std::max(near, far), tolerance(layout)),
-           frameAlong(layout.point, layout.direction));
+    add(bearing.parent, TubePart{held->outer, 0.5 * pin->outer, std::min(near, far), std::max(near, far)},
+        layout, line(layout));
   }
 
   void addBearing(int c, const Bearing& bearing) {
@@ -92,8 +97,7 @@ class BodyBuilder {
     const double hole = holeFor(m_plan, c, bearing.at, bearing.parent);
     const double half = layout.width() / 2;
     const double outer = hole + bearing.wall * eyeWall(layout);
-    append(of(bearing.parent), tube(outer, hole, bearing.at - half, bearing.at + half, tolerance(layout)),
-           frameAlong(layout.point, layout.direction));
+    add(bearing.parent, TubePart{outer, hole, bearing.at - half, bearing.at + half}, layout, line(layout));
     if (bearing.parent == 0) addFlange(c, bearing.at, hole, outer);
   }
 
@@ -109,7 +113,7 @@ class BodyBuilder {
 
   const BodyPlan& m_plan;
   const GearTrain& m_train;
-  std::vector<Solid> m_solids;
+  std::vector<BodyRecipe> m_recipes;
 };
 
 /// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
@@ -132,10 +136,8 @@ void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
     feet.push_back({distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)), foot, 0.45 * foot});
   }
   const double seat = hole + 0.4 * (outer - hole);  // within the bearing's wall
-  append(of(0),
-         spider({{0, 0}, outer + 0.1 * module, seat}, feet, std::min(near, far), std::max(near, far),
-                tolerance(layout)),
-         frameAlong(layout.point, layout.direction));
+  const Eye hub{{0, 0}, outer + 0.1 * module, seat};
+  add(0, SpiderPart{hub, std::move(feet), std::min(near, far), std::max(near, far)}, layout, line(layout));
 }
 
 /// A collar about the shaft, with feet.
@@ -146,8 +148,7 @@ void BodyBuilder::addStub(const StubPlan& stub) {
   const double half = 0.45 * layout.width();
   const double hole = 0.5 * (shaft->inner + shaft->outer);
   const double outer = shaft->outer + eyeWall(layout);
-  append(of(0), tube(outer, hole, stub.at - half, stub.at + half, tolerance(layout)),
-         frameAlong(layout.point, layout.direction));
+  add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
   addFlange(stub.axisClass, stub.at, hole, outer);
 }
 
@@ -191,16 +192,16 @@ void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
     if (end.centre.norm() > std::abs(hub.radius - end.radius) + 1e-6 * from.module) ends.push_back(end);
   }
   const double half = 0.5 * from.width();
-  append(of(first.link), spider(hub, ends, -half, half, tolerance(from)),
-         frame(first.from, first.level, Vector3d::UnitX()));
+  add(first.link, SpiderPart{hub, std::move(ends), -half, half}, from,
+      frame(first.from, first.level, Vector3d::UnitX()));
 }
 
 void BodyBuilder::addPost(const ArmPlan& plan) {
   const AxisLayout& from = axis(plan.from);
   const std::optional<Post> post = postOf(m_plan, plan);
   if (!post) return;
-  append(of(plan.link), tube(post->radius, 0, -0.45 * from.width(), post->reach, tolerance(from)),
-         frameAlong(post->foot, post->way));
+  add(plan.link, TubePart{post->radius, 0, -0.45 * from.width(), post->reach}, from,
+      frameAlong(post->foot, post->way));
 }
 
 /// The plate beside the ring's face and the wall that joins them.
@@ -222,22 +223,22 @@ void BodyBuilder::addCup(const CupPlan& cup) {
   std::vector<Circle> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},
                                {root, nearSide}, {root, face},    {rim, face}};
   if (cup.side < 0) std::reverse(meridian.begin(), meridian.end());
-  append(of(gear.link), lathed(meridian, tolerance(layout)), frameAlong(layout.point, layout.direction));
+  add(gear.link, LathePart{std::move(meridian)}, layout, line(layout));
 }
 
 void BodyBuilder::addLathe(const LathePlan& plan) {
   const AxisLayout& layout = axis(plan.axisClass);
   for (const std::vector<Circle>& meridian : plan.meridians)
-    append(of(plan.link), lathed(meridian, tolerance(layout)), frameAlong(layout.point, layout.direction));
+    add(plan.link, LathePart{meridian}, layout, line(layout));
 }
 
 void BodyBuilder::addCage(const CagePlan& plan) {
   const AxisLayout& layout = axis(plan.axisClass);
   const double half = std::clamp(1.5 * layout.module / plan.outer, 0.12, 0.4);
-  const Solid bar = tubeSector(plan.outer, plan.inner, plan.low, plan.high, half, tolerance(layout));
+  const BarPart bar{plan.outer, plan.inner, plan.low, plan.high, half};
   for (int i = 0; i < kCageBars; ++i) {
     const Eigen::AngleAxisd turn(2 * std::numbers::pi * i / kCageBars, Vector3d::UnitZ());
-    append(of(plan.link), bar, frameAlong(layout.point, layout.direction) * turn);
+    add(plan.link, bar, layout, line(layout) * turn);
   }
 }
 
@@ -289,7 +290,7 @@ Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placeme
   return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
 }
 
-void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train) {
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train, BodyCache* cache) {
   const BodyPlan plan = planBodies(mechanism, placement, train);
   const Diagnostics blocked = blockedFindings(mechanism, plan);
   train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
@@ -298,10 +299,12 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
     GearSpec& spec = train.gears[gear].spec;
     spec.hub = std::max(diameter, 1.2 * spec.bore);
   }
-  std::vector<Solid> solids = BodyBuilder(plan, train, mechanism.links.size()).build();
-  for (std::size_t link = 0; link < solids.size(); ++link) {
-    if (solids[link].empty()) continue;
-    train.bodies.push_back({static_cast<int>(link), std::make_shared<const Solid>(std::move(solids[link]))});
+  const std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
+  for (std::size_t link = 0; link < recipes.size(); ++link) {
+    if (recipes[link].empty()) continue;
+    auto solid =
+        cache != nullptr ? cache->solid(recipes[link]) : std::make_shared<const Solid>(madeBy(recipes[link]));
+    train.bodies.push_back({static_cast<int>(link), std::move(solid)});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/gears/body_recipe.h"
 #include "core/gears/train.h"
 
 namespace geargraph {
@@ -8,8 +9,10 @@ namespace geargraph {
 constexpr double kBodyTolerance = 0.02;
 
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
-/// What finds no way past others is an `interference` of the train.
-void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train);
+/// What finds no way past others is an `interference` of the train. `cache`: keeps solids from one edit to
+/// the next.
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
+               BodyCache* cache = nullptr);
 
 /// The findings of addBodies() alone: bodies are planned but not made. Of no use when `stop` was requested
 /// meanwhile. Cost: planBodies().

@@ -59,7 +59,7 @@ Car carOf(const Scene& scene, const std::vector<std::size_t>& instances, const E
   car.instances = instances;
   for (const std::size_t i : instances) {
     const Instance& instance = scene.instances[i];
-    const Eigen::AlignedBox3d box = boundsOf(*scene.solids[instance.solid]);
+    const Eigen::AlignedBox3d box = scene.boxOf(instance.solid);
     if (box.isEmpty()) continue;
     const Eigen::Vector3d along = instance.pose.linear().transpose() * direction;
     const double half = 0.5 * along.cwiseAbs().dot(box.sizes());

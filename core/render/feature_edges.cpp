@@ -57,9 +57,19 @@ struct Edge {
   std::uint64_t points = 0;
   std::uint32_t low = 0;
   std::uint32_t high = 0;
+  std::uint32_t next = kNone;  ///< of the same list
   bool single = true;
   bool crease = false;
 };
+
+/// How many corners of triangles lie at a point.
+std::vector<std::uint32_t> cornersAt(const std::vector<std::uint32_t>& point, const Solid& solid) {
+  std::vector<std::uint32_t> corners(point.size(), 0);
+  for (const Triangle& triangle : solid.triangles) {
+    for (const std::uint32_t corner : triangle) ++corners[point[corner]];
+  }
+  return corners;
+}
 
 float cosine(const Float3& a, const Float3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -70,19 +80,22 @@ float cosine(const Float3& a, const Float3& b) {
 std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease) {
   const auto flattest = static_cast<float>(std::cos(crease));
   const std::vector<std::uint32_t> point = welded(solid);
-  Finder finder(3 * solid.triangles.size());
-  std::vector<Edge> edges;  // in the order of first meeting
+  const std::vector<std::uint32_t> corners = cornersAt(point, solid);
+  std::vector<std::uint32_t> first(point.size(), kNone);  // by point: the list of its edges
+  std::vector<Edge> edges;                                // in the order of first meeting
   edges.reserve(3 * solid.triangles.size() / 2 + 1);
   for (const Triangle& triangle : solid.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       std::uint32_t low = triangle[corner], high = triangle[(corner + 1) % 3];
       if (point[low] > point[high]) std::swap(low, high);
       const std::uint64_t points = (std::uint64_t{point[low]} << 32) | point[high];
-      const auto next = static_cast<std::uint32_t>(edges.size());
-      const std::uint32_t found =
-          finder.find(points, next, [&](std::uint32_t other) { return edges[other].points == points; });
-      if (found == next) {
-        edges.push_back({points, low, high});
+      // In the list of the end where fewer edges meet: the hub of a fan has a long one.
+      std::uint32_t& list = first[corners[point[high]] < corners[point[low]] ? point[high] : point[low]];
+      std::uint32_t found = list;
+      while (found != kNone && edges[found].points != points) found = edges[found].next;
+      if (found == kNone) {
+        edges.push_back({points, low, high, list});
+        list = static_cast<std::uint32_t>(edges.size()) - 1;
         continue;
       }
       Edge& edge = edges[found];
@@ -96,18 +109,6 @@ std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease) {
     if (edge.single || edge.crease) lines.insert(lines.end(), {edge.low, edge.high});
   }
   return lines;
-}
-
-std::shared_ptr<const std::vector<std::uint32_t>> FeatureEdges::find(
-    const std::shared_ptr<const Solid>& solid) {
-  Known& known = m_known[solid.get()];
-  if (known.solid.lock() != solid)
-    known = {solid, std::make_shared<const std::vector<std::uint32_t>>(featureEdges(*solid))};
-  return known.edges;
-}
-
-void FeatureEdges::forgetOthers() {
-  std::erase_if(m_known, [](const auto& entry) { return entry.second.solid.expired(); });
 }
 
 }  // namespace geargraph

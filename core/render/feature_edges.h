@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "core/gears/solid.h"
@@ -16,21 +14,5 @@ namespace geargraph {
 /// Shape    two vertex indices a line.
 /// Cost     O(triangles), once a solid.
 [[nodiscard]] std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease = 0.4);
-
-/// Feature edges of solids, kept as long as the solids are. Not for two threads at once.
-class FeatureEdges {
- public:
-  [[nodiscard]] std::shared_ptr<const std::vector<std::uint32_t>> find(
-      const std::shared_ptr<const Solid>& solid);
-  /// Drops those of solids that are gone.
-  void forgetOthers();
-
- private:
-  struct Known {
-    std::weak_ptr<const Solid> solid;
-    std::shared_ptr<const std::vector<std::uint32_t>> edges;
-  };
-  std::unordered_map<const Solid*, Known> m_known;
-};
 
 }  // namespace geargraph

@@ -34,9 +34,9 @@ void GlSolidStore::setScene(const Scene& scene) {
     if (place == nullptr && held != m_solids.end()) place = std::move(held->second);
   }
   for (const DetailLevels& level : scene.levels) {
-    for (const auto& solid : {level.far, level.close}) {
-      const auto held = m_solids.find(solid.get());
-      if (held != m_solids.end() && held->second) solids[solid.get()] = std::move(held->second);
+    for (const Solid* solid : {level.far.get(), level.close ? level.close->made() : nullptr}) {
+      const auto held = m_solids.find(solid);
+      if (held != m_solids.end() && held->second) solids[solid] = std::move(held->second);
     }
   }
   m_solids = std::move(solids);

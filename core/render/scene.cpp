@@ -11,13 +11,14 @@ const std::shared_ptr<const Solid>& DetailLevels::chosen(const std::shared_ptr<c
                                                          double pixels) const {
   constexpr double kInvisible = 1.0 / 3;  // of a pixel
   if (far && farError * pixels <= kInvisible) return far;
-  if (close && error * pixels > kInvisible) return close;
+  if (close && error * pixels > kInvisible) return close->solid();
   return own;
 }
 
 std::vector<Eigen::Vector3d> cornersOf(const Scene& scene) {
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const auto& solid : scene.solids) boxes.push_back(boundsOf(*solid));
+  boxes.reserve(scene.solids.size());
+  for (std::size_t solid = 0; solid < scene.solids.size(); ++solid) boxes.push_back(scene.boxOf(solid));
   std::vector<Eigen::Vector3d> corners;
   for (const Instance& instance : scene.instances) {
     const Eigen::AlignedBox3d& box = boxes[instance.solid];

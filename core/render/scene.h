@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/id.h"
+#include "core/gears/deferred_solid.h"
 #include "core/gears/solid.h"
 
 namespace geargraph {
@@ -43,12 +44,12 @@ struct Instance {
 struct DetailLevels {
   double unit = 0;  ///< mm: a gear's module
   std::shared_ptr<const Solid> far;
-  std::shared_ptr<const Solid> close;
-  double error = 0;     ///< of the scene's own solid, in units
-  double farError = 0;  ///< of the coarser one
+  std::shared_ptr<const DeferredSolid> close;  ///< few look so close: made when somebody does
+  double error = 0;                            ///< of the scene's own solid, in units
+  double farError = 0;                         ///< of the coarser one
 
   /// Which to paint where a unit has this many pixels: the coarsest whose chords stay within a third of a
-  /// pixel of the exact form, else the finest.
+  /// pixel of the exact form, else the finest. Cost: that of the finest, when it is chosen first.
   [[nodiscard]] const std::shared_ptr<const Solid>& chosen(const std::shared_ptr<const Solid>& own,
                                                            double pixels) const;
 };
@@ -61,6 +62,12 @@ struct Scene {
   std::vector<DetailLevels> levels = {};  ///< by solid, as far as there are any
   /// Feature edges that were found ahead, on another thread; the renderer finds the others.
   std::unordered_map<const Solid*, std::shared_ptr<const std::vector<std::uint32_t>>> edges = {};
+  /// Boxes about the solids in their own frames, found ahead too: by solid, as far as there are any.
+  std::vector<Eigen::AlignedBox3d> boxes = {};
+
+  [[nodiscard]] Eigen::AlignedBox3d boxOf(std::size_t solid) const {
+    return solid < boxes.size() ? boxes[solid] : geargraph::boundsOf(*solids[solid]);
+  }
 };
 
 struct Bounds {

@@ -76,7 +76,7 @@ std::optional<CutPlane> cutPlane(const Bounds& bounds, std::span<const Pose> pos
 
 std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part) {
   if (part == 0 || scene.instances.empty()) return std::nullopt;
-  Scene apart{scene.solids, scene.instances};
+  Scene apart = scene;
   for (std::size_t i = 0; i < separations.size(); ++i)
     apart.instances[i].pose.pretranslate(part * separations[i]);
   return boundsOf(apart).box.min().z();

@@ -70,7 +70,7 @@ std::optional<Eigen::Vector2d> reachOf(const Stage& stage, std::span<const int> 
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links[i] != link) continue;
     const Instance& instance = stage.scene.instances[i];
-    const Eigen::AlignedBox3d box = boundsOf(*stage.scene.solids[instance.solid]);
+    const Eigen::AlignedBox3d box = stage.scene.boxOf(instance.solid);
     if (box.isEmpty()) continue;
     const Eigen::Vector3d along = instance.pose.linear().transpose() * line.direction;
     const double middle = line.direction.dot(instance.pose * box.center() - line.point);

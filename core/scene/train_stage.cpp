@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/drawing/palette.h"
+#include "core/gears/body_recipe.h"
 #include "core/gears/train_parts.h"
 #include "core/io/view_members.h"
 #include "core/pose/link_twists.h"
@@ -33,8 +34,8 @@ Eigen::Vector3d middleOf(const GearSpec& spec) {
 class StageBuilder {
  public:
   StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache,
-               const ShapeSource* shapes)
-      : m_mechanism(mechanism), m_placement(placement), m_cache(cache), m_shapes(shapes) {}
+               const ShapeSource* shapes, StageMemory* memory)
+      : m_mechanism(mechanism), m_placement(placement), m_cache(cache), m_shapes(shapes), m_memory(memory) {}
 
   std::shared_ptr<Stage> build();
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
@@ -51,6 +52,7 @@ class StageBuilder {
   const Placement& m_placement;
   GearCache& m_cache;
   const ShapeSource* m_shapes;
+  StageMemory* m_memory;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
   std::vector<std::optional<std::size_t>> m_instanceOfGear;
@@ -81,7 +83,7 @@ void StageBuilder::addLevels(std::size_t solid, const GearSpec& spec) {
   level.error = kScreenTolerance;
   level.farError = kFarTolerance;
   level.far = *m_cache.solid(spec, kFarTolerance);
-  if (m_mechanism.c() <= kMostCloseMeshes) level.close = *m_cache.solid(spec, kExportTolerance);
+  if (m_mechanism.c() <= kMostCloseMeshes) level.close = *m_cache.deferred(spec, kExportTolerance);
 }
 
 // The link's number stands beside its largest wheel.
@@ -160,7 +162,9 @@ void StageBuilder::addLabels() {
 }
 
 std::shared_ptr<Stage> StageBuilder::build() {
-  const GearTrain train = trainOf(m_mechanism, m_placement);
+  BodyCache once;
+  const GearTrain train =
+      shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once);
   m_labelOf.resize(m_mechanism.links.size());
   m_instanceOfGear.resize(train.gears.size());
   // Gears that cannot be made are left out; the train's diagnostics say why.
@@ -173,6 +177,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
   }
   for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) addShapes(link);
   addLabels();
+  if (m_memory != nullptr) m_memory->facts().addTo(m_stage->scene);
   m_stage->unit = m_mechanism.unit;
   addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
   return m_stage;
@@ -242,27 +247,19 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
   return joints;
 }
 
-/// Of what a window shows of a train as a whole: wheels from afar, and all else.
-void addEdges(Scene& scene, FeatureEdges& edges) {
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-    const bool isWheel = i < scene.levels.size() && scene.levels[i].far;
-    const auto& shown = isWheel ? scene.levels[i].far : scene.solids[i];
-    scene.edges[shown.get()] = edges.find(shown);
-  }
-  edges.forgetOthers();
-}
-
 }  // namespace
 
+StageMemory::StageMemory() : m_bodies(std::make_unique<BodyCache>()) {}
+StageMemory::~StageMemory() = default;
+
 StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
-                    FeatureEdges* edges) {
+                    StageMemory* memory) {
   const Mechanism& mechanism = *snapshot.mechanism;
   if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
   const Placement& placement = snapshot.kinematics->placement;
   const SpanningTree& tree = *snapshot.tree;
-  StageBuilder builder(mechanism, placement, cache, shapes);
+  StageBuilder builder(mechanism, placement, cache, shapes, memory);
   const std::shared_ptr<Stage> stage = builder.build();
-  if (edges != nullptr) addEdges(stage->scene, *edges);
   const auto motion = jointMotion(snapshot);
   if (!motion) return stage;
   std::vector<Pose> reference;

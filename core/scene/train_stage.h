@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include "core/analysis/analysis.h"
 #include "core/gears/gear_solid.h"
-#include "core/render/feature_edges.h"
+#include "core/render/solid_facts.h"
 #include "core/render/stage.h"
 #include "core/scene/shape_cache.h"
 
@@ -10,6 +12,22 @@ namespace geargraph {
 
 /// Larger trains get no 3D picture: their teeth would fill the memory, and nobody could tell them apart.
 constexpr int kMostStageLinks = 2'000;
+
+class BodyCache;
+
+/// What is kept from one edit to the next beside the solids of wheels. Not for two threads at once.
+class StageMemory {
+ public:
+  StageMemory();
+  ~StageMemory();
+
+  [[nodiscard]] BodyCache& bodies() { return *m_bodies; }
+  [[nodiscard]] SolidFacts& facts() { return m_facts; }
+
+ private:
+  std::unique_ptr<BodyCache> m_bodies;
+  SolidFacts m_facts;
+};
 
 /// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the
 /// links, turning with the inputs. What the document leaves open is placed automatically; meshes that no
@@ -22,12 +40,12 @@ constexpr int kMostStageLinks = 2'000;
 /// Placement and motion are those of the snapshot's live part; nothing is solved again.
 /// Cost: O(n + t + c), and what new solids cost.
 ///
-/// `edges`: keeps feature edges from one edit to the next; with it the scene brings those of what a window
-/// paints, so that the thread of the window need not look for them.
+/// `memory`: keeps bodies and what is known of solids; with it the scene brings what follows from them
+/// (SolidFacts).
 ///
 /// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
 /// them is said in Stage::notes.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,
-                                  const ShapeSource* shapes = nullptr, FeatureEdges* edges = nullptr);
+                                  const ShapeSource* shapes = nullptr, StageMemory* memory = nullptr);
 
 }  // namespace geargraph

@@ -32,7 +32,7 @@ void StageService::request(const SnapshotPtr& snapshot, const std::filesystem::p
 void StageService::make(const Request& request, const std::stop_token& stop) {
   const ShapeSource shapes{m_shapes, request.folder, stop};
   const StagePtr stage =
-      trainStage(*request.snapshot, m_cache, request.folder.empty() ? nullptr : &shapes, &m_edges);
+      trainStage(*request.snapshot, m_cache, request.folder.empty() ? nullptr : &shapes, &m_memory);
   QMetaObject::invokeMethod(
       this, [this, stage, number = request.number] { arrived(stage, number); }, Qt::QueuedConnection);
 }

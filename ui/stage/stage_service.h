@@ -43,7 +43,7 @@ class StageService : public QObject {
   std::filesystem::path m_folder;
   StagePtr m_stage;
   GearCache m_cache{1024};  ///< of the worker's thread; three details a wheel, and the last edits'
-  FeatureEdges m_edges;
+  StageMemory m_memory;
   ShapeCache m_shapes;
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };

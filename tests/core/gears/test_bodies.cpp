@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/gears/bodies.h"
+#include "core/gears/body_recipe.h"
 #include "tests/core/gears/topology.h"
 
 using namespace geargraph;
@@ -28,6 +29,54 @@ class TestBodies : public QObject {
   void shaftsAndTubesAreClosed() {
     compareShell(tube(3, 0, -5, 12, 0.01), 0);
     compareShell(tube(4, 2.5, 0, 3, 0.01), 1);
+  }
+
+  /// Parts beside each other, each where it was put.
+  void recipesMakeWhatTheirPartsSay() {
+    const Eigen::Isometry3d there = frameAlong({1, 2, 3}, {0, 1, 0});
+    const Eye hub{{0, 0}, 4, 2};
+    const std::vector<Eye> ends{{{20, 0}, 3, 1}, {{-10, 18}, 3, 1}};
+    const std::vector<Circle> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
+    Solid expected = tube(3, 1, -5, 12, 0.01);
+    append(expected, spider(hub, ends, -1, 1, 0.02), there);
+    append(expected, lathed(ring, 0.01));
+    for (int i = 0; i < 2; ++i) append(expected, tubeSector(10, 9, -2, 5, 0.3, 0.01), there);
+    const BarPart bar{10, 9, -2, 5, 0.3};
+    const BodyRecipe recipe{{TubePart{3, 1, -5, 12}, 0.01, Eigen::Isometry3d::Identity()},
+                            {SpiderPart{hub, ends, -1, 1}, 0.02, there},
+                            {LathePart{ring}, 0.01, Eigen::Isometry3d::Identity()},
+                            {bar, 0.01, there},
+                            {bar, 0.01, there}};
+    QVERIFY(madeBy(recipe) == expected);
+  }
+
+  void equalRecipesGetOneSolid() {
+    BodyCache cache(2);
+    const auto recipe = [](double length) {
+      return BodyRecipe{{TubePart{3, 1, 0, length}, 0.01, Eigen::Isometry3d::Identity()}};
+    };
+    const auto first = cache.solid(recipe(4));
+    QCOMPARE(cache.solid(recipe(4)), first);
+    const auto second = cache.solid(recipe(5));
+    QVERIFY(*second == madeBy(recipe(5)));
+    QCOMPARE(cache.solid(recipe(4)), first);
+    QVERIFY(cache.solid(recipe(6)) != first);  // drops that of 5, the oldest
+    QCOMPARE(cache.solid(recipe(4)), first);
+    QVERIFY(cache.solid(recipe(5)) != second);
+  }
+
+  void aRecipeIsEveryNumberOfItsParts() {
+    const BodyRecipe recipe{
+        {SpiderPart{{{0, 0}, 4, 2}, {{{20, 0}, 3, 1}}, -1, 1}, 0.01, Eigen::Isometry3d::Identity()}};
+    std::vector<BodyRecipe> others(5, recipe);
+    std::get<SpiderPart>(others[0][0].shape).ends[0].hole = 1.5;
+    std::get<SpiderPart>(others[1][0].shape).hub.centre.y() = 1e-9;
+    others[2][0].tolerance = 0.02;
+    others[3][0].placed.translation().x() = 1;
+    others[4].push_back(recipe[0]);
+    BodyCache cache;
+    const auto solid = cache.solid(recipe);
+    for (const BodyRecipe& other : others) QVERIFY(cache.solid(other) != solid);
   }
 
   void barsOfCagesAreClosed() {

@@ -1,5 +1,7 @@
 #include <QtTest>
+#include <array>
 #include <cmath>
+#include <thread>
 
 #include "core/gears/gear_solid.h"
 #include "core/gears/half_tooth.h"
@@ -225,6 +227,29 @@ class TestGearSolid : public QObject {
     static_cast<void>(cache.solid(gear(0, 21, 0, 5), 0.01));  // drops the one of 0.002, the oldest
     QCOMPARE(cache.size(), std::size_t(2));
     QVERIFY(*first == *cache.solid(gear(0, 20, 0, 5), 0.01));
+  }
+
+  void aDeferredSolidIsMadeWhenSomebodyAsks() {
+    GearCache cache;
+    const auto later = cache.deferred(gear(0, 20, 0, 5), 0.01).value();
+    QVERIFY(later->made() == nullptr);
+    const auto solid = later->solid();
+    QCOMPARE(later->made(), solid.get());
+    QVERIFY(*solid == *gearSolid(gear(0, 20, 0, 5), 0.01));
+    QCOMPARE(cache.solid(gear(0, 20, 0, 5), 0.01).value(), solid);  // not made again
+    QCOMPARE(cache.deferred(gear(0, 20, 0, 5), 0.01).value(), later);
+    QVERIFY(!cache.deferred(gear(0, 20, 0, 36), 0.01).has_value());
+  }
+
+  void threadsThatAskTogetherGetTheSameSolid() {
+    GearCache cache;
+    const auto later = cache.deferred(gear(0, 20, 0, 5), 0.01).value();
+    std::array<std::shared_ptr<const Solid>, 4> got;
+    {
+      std::vector<std::jthread> threads;
+      for (auto& each : got) threads.emplace_back([&each, &later] { each = later->solid(); });
+    }
+    for (const auto& each : got) QCOMPARE(each.get(), later->made());
   }
 
   void impossibleGearsAreRefusedWithASentence_data() {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/gears/body_recipe.h"
 #include "core/gears/gear_solid.h"
 #include "core/gears/phase.h"
 #include "core/gears/train.h"
@@ -206,6 +207,29 @@ class TestTrain : public QObject {
     const GearTrain a = trainOf(test::example("robot"));
     const GearTrain b = trainOf(test::example("robot"));
     for (std::size_t i = 0; i < a.bodies.size(); ++i) QVERIFY(*a.bodies[i].solid == *b.bodies[i].solid);
+  }
+
+  /// The same gears and bodies; what another edit leaves as it is stays the same solid.
+  void aTrainToShowIsTheSameTrain() {
+    const Mechanism mechanism = test::example("eight-speed-gearbox");
+    const Placement placement = placementOf(mechanism);
+    const GearTrain train = trainOf(mechanism);
+    BodyCache cache;
+    const GearTrain shown = shownTrain(mechanism, placement, cache);
+    QCOMPARE(shown.gears.size(), train.gears.size());
+    for (std::size_t i = 0; i < train.gears.size(); ++i) {
+      QCOMPARE(shown.gears[i].spec, train.gears[i].spec);
+      QVERIFY(shown.gears[i].pose.matrix() == train.gears[i].pose.matrix());
+    }
+    QCOMPARE(shown.bodies.size(), train.bodies.size());
+    const GearTrain again = shownTrain(mechanism, placement, cache);
+    for (std::size_t i = 0; i < train.bodies.size(); ++i) {
+      QVERIFY(*shown.bodies[i].solid == *train.bodies[i].solid);
+      QCOMPARE(again.bodies[i].solid, shown.bodies[i].solid);
+    }
+    const Mechanism tight = test::example("cannot-be-assembled");
+    QVERIFY(!trainOf(tight).diagnostics.empty());
+    QVERIFY(shownTrain(tight, placementOf(tight), cache).diagnostics.empty());
   }
 
   /// Whatever a random train of nested carriers looks like, every mesh engages, or its loop is reported.

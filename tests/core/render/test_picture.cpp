@@ -326,7 +326,7 @@ class TestPicture : public QObject {
     Scene scene = cubeScene();
     DetailLevels levels;
     levels.far = box(6);
-    levels.close = box(10.5);
+    levels.close = std::make_shared<const DeferredSolid>([&box] { return *box(10.5); });
     levels.error = 0.01;
     levels.farError = 0.03;
     Frame frame = frameOf(scene, bare());

@@ -16,7 +16,7 @@ class TestSolids : public QObject {
     const auto solid = [] { return std::make_shared<const Solid>(boxSolid({0, 0, 0}, {1, 1, 1})); };
     DetailLevels levels;
     levels.far = solid();
-    levels.close = solid();
+    levels.close = std::make_shared<const DeferredSolid>([&] { return *solid(); });
     levels.error = 0.01;
     levels.farError = 0.03;
     const auto own = solid();
@@ -24,7 +24,7 @@ class TestSolids : public QObject {
     QCOMPARE(levels.chosen(own, 11), levels.far);
     QCOMPARE(levels.chosen(own, 12), own);
     QCOMPARE(levels.chosen(own, 33), own);
-    QCOMPARE(levels.chosen(own, 34), levels.close);
+    QCOMPARE(levels.chosen(own, 34), levels.close->solid());
     levels.close = nullptr;
     QCOMPARE(levels.chosen(own, 500), own);
     levels.far = nullptr;

@@ -110,15 +110,16 @@ class TestTrainStage : public QObject {
       ++wheels;
       QVERIFY(std::abs(level.unit - 2) < 1e-9);
       QVERIFY(level.far->triangles.size() < stage->scene.solids[i]->triangles.size());
-      QVERIFY(level.close->triangles.size() > stage->scene.solids[i]->triangles.size());
+      QVERIFY(level.close->made() == nullptr);  // until somebody looks so close
+      QVERIFY(level.close->solid()->triangles.size() > stage->scene.solids[i]->triangles.size());
     }
     QCOMPARE(wheels, std::size_t{8});
     QCOMPARE(cache.size(), std::size_t{24});
   }
 
-  void featureEdgesComeWithTheSceneAndStayFromOneEditToTheNext() {
+  void whatFollowsFromSolidsComesWithTheSceneAndStaysFromOneEditToTheNext() {
     GearCache cache;
-    FeatureEdges known;
+    StageMemory known;
     const auto snapshot = analyzeLive(std::make_shared<const Mechanism>(paperRobot()));
     const StagePtr first = trainStage(*snapshot, cache, nullptr, &known);
     const StagePtr second = trainStage(*snapshot, cache, nullptr, &known);
@@ -126,6 +127,10 @@ class TestTrainStage : public QObject {
     QCOMPARE(*first->scene.edges.at(far.get()), featureEdges(*far));
     QCOMPARE(second->scene.edges.at(far.get()), first->scene.edges.at(far.get()));  // the same list
     QCOMPARE(first->scene.edges.size(), first->scene.solids.size());
+    QCOMPARE(first->scene.boxes.size(), first->scene.solids.size());
+    for (std::size_t i = 0; i < first->scene.solids.size(); ++i)
+      QVERIFY(first->scene.boxes[i].isApprox(boundsOf(*first->scene.solids[i]), 0));
+    QCOMPARE(second->scene.solids, first->scene.solids);         // bodies too
     QVERIFY(stageOf(paperRobot(), cache)->scene.edges.empty());  // a single picture finds its own
   }
 

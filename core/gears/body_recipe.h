@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "core/gears/bodies.h"
+#include "core/gears/solid.h"
+
+namespace geargraph {
+
+// The parts that bodies are made of, as the numbers that the functions of bodies.h take.
+
+struct TubePart {
+  double outer = 0;
+  double inner = 0;
+  double from = 0;
+  double to = 0;
+  friend bool operator==(const TubePart&, const TubePart&) = default;
+};
+
+struct LathePart {
+  std::vector<Circle> meridian;
+  friend bool operator==(const LathePart&, const LathePart&) = default;
+};
+
+struct SpiderPart {
+  Eye hub;
+  std::vector<Eye> ends;
+  double from = 0;
+  double to = 0;
+  friend bool operator==(const SpiderPart&, const SpiderPart&) = default;
+};
+
+/// tubeSector()
+struct BarPart {
+  double outer = 0;
+  double inner = 0;
+  double from = 0;
+  double to = 0;
+  double half = 0;
+  friend bool operator==(const BarPart&, const BarPart&) = default;
+};
+
+struct BodyPart {
+  std::variant<TubePart, LathePart, SpiderPart, BarPart> shape;
+  double tolerance = 0;
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();  ///< its own frame to the body's
+
+  friend bool operator==(const BodyPart& a, const BodyPart& b) {
+    return a.shape == b.shape && a.tolerance == b.tolerance && a.placed.matrix() == b.placed.matrix();
+  }
+};
+
+/// All that the solid of a body depends on: equal recipes give equal solids, bit by bit.
+using BodyRecipe = std::vector<BodyPart>;
+
+/// The parts beside each other in one solid. Cost: O(triangles).
+[[nodiscard]] Solid madeBy(const BodyRecipe& recipe);
+
+/// Solids by their recipes, so that a body which an edit leaves as it is stays the same solid. Oldest out
+/// when more than `capacity` are held; what a caller still holds stays alive. Not for two threads at once.
+class BodyCache {
+ public:
+  explicit BodyCache(std::size_t capacity = 256) : m_capacity(capacity) {}
+
+  [[nodiscard]] std::shared_ptr<const Solid> solid(const BodyRecipe& recipe);
+
+ private:
+  struct Hash {
+    std::size_t operator()(const BodyRecipe& recipe) const;
+  };
+  struct Entry {
+    std::shared_ptr<const Solid> solid;
+    std::size_t used = 0;  ///< number of the last call that asked for it
+  };
+
+  std::unordered_map<BodyRecipe, Entry, Hash> m_solids;
+  std::size_t m_capacity;
+  std::size_t m_calls = 0;
+};
+
+}  // namespace geargraph
