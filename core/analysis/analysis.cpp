@@ -79,13 +79,15 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
   if (!withStates) return nullptr;
   auto snapshot = std::make_shared<AnalysisSnapshot>(*withStates);
   snapshot->isComplete = true;
+  const MatroidAnalysis* matroid = live->matroid();
+  if (matroid != nullptr && matroid->solution && !hasErrors(live->diagnostics)) {
+    snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
+    if (!snapshot->solved) return nullptr;
+  }
+  // Last: by now whoever draws the bodies has found the ways that these findings ask for, too.
   append(snapshot->diagnostics, toothFindings(*live, stop));
   if (stop.stop_requested()) return nullptr;
-  const MatroidAnalysis* matroid = live->matroid();
-  if (matroid == nullptr || !matroid->solution || hasErrors(live->diagnostics)) return snapshot;
-  snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
-  if (!snapshot->solved) return nullptr;
-  append(snapshot->diagnostics, snapshot->solved->diagnostics);
+  if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);
   return snapshot;
 }
 

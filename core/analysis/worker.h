@@ -1,17 +1,19 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 
 #include "core/analysis/analysis.h"
 #include "core/base/request_worker.h"
 
 namespace geargraph {
 
-/// Analyses mechanisms on one thread of its own; the newest request wins. A request that is overtaken is
+/// Analyses mechanisms on threads of its own; the newest request wins. A request that is overtaken is
 /// stopped, and its snapshot is never delivered. Each request is answered twice: the live part as soon as it
-/// is there, then the complete snapshot.
+/// is there, then the complete snapshot, for which the processors work when they have nothing else to do.
 ///
-/// `deliver` is called on the worker's thread. It is not called again once the destructor has returned.
+/// `deliver` is called on the worker's threads, never on two at once. It is not called again once the
+/// destructor has returned.
 class AnalysisWorker {
  public:
   using Deliver = std::function<void(SnapshotPtr)>;
@@ -26,10 +28,21 @@ class AnalysisWorker {
     std::uint64_t revision = 0;
   };
 
-  void answer(Request request, const std::stop_token& stop);
+  /// A snapshot, and whether a newer request has overtaken it.
+  struct Step {
+    SnapshotPtr snapshot;
+    std::stop_token overtaken;
+  };
+
+  void answer(Request request, const std::stop_token& overtaken);
+  void complete(const Step& live);
+  /// False where there is nothing to deliver, or no more.
+  bool deliver(const Step& step);
 
   Deliver m_deliver;
-  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
+  std::mutex m_delivering;
+  RequestWorker<Step> m_second;    ///< behind what it uses: it is stopped before that goes
+  RequestWorker<Request> m_first;  ///< behind the second, which it sets to work
 };
 
 }  // namespace geargraph

@@ -8,7 +8,12 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/background.h"
+
 namespace geargraph {
+
+/// How soon somebody waits for work: at once, or only when all else is done.
+enum class Urgency { prompt, background };
 
 /// Works off requests on one thread of its own; the newest wins. A request that is overtaken before its turn
 /// is dropped, one under way is asked to stop through its token.
@@ -18,11 +23,15 @@ namespace geargraph {
 template <class Request>
 class RequestWorker {
  public:
-  /// Called on the worker's thread, for one request at a time.
+  /// Called on the worker's thread, for one request at a time. A newer request asks to stop what is done for
+  /// this one elsewhere, too: as long as there is none, its token stays quiet, also when the call is over.
   using Work = std::function<void(Request request, const std::stop_token& stop)>;
 
-  explicit RequestWorker(Work work)
-      : m_work(std::move(work)), m_thread([this](const std::stop_token& quit) { run(quit); }) {}
+  explicit RequestWorker(Work work, Urgency urgency = Urgency::prompt)
+      : m_work(std::move(work)), m_thread([this, urgency](const std::stop_token& quit) {
+          if (urgency == Urgency::background) workInBackground();
+          run(quit);
+        }) {}
   ~RequestWorker() {
     m_thread.request_stop();
     const std::lock_guard lock(m_mutex);

@@ -36,6 +36,10 @@ class Mailbox {
     m_arrived.wait(lock, [&] { return m_last && m_last->revision == revision; });
     return m_last;
   }
+  void waitForSecondStep(std::uint64_t revision) {
+    std::unique_lock lock(m_mutex);
+    m_arrived.wait(lock, [&] { return m_last && m_last->revision == revision && m_last->isComplete; });
+  }
   std::vector<std::uint64_t> revisions() {
     const std::lock_guard lock(m_mutex);
     return m_revisions;
@@ -67,6 +71,17 @@ void newestRequestIsAnswered() {
   check(revisions.size() < 200, "overtaken requests are dropped");
 }
 
+/// However quick the live part is, the second step of the newest request follows.
+void everyLastRequestIsCompleted() {
+  Mailbox mailbox;
+  AnalysisWorker worker([&](SnapshotPtr snapshot) { mailbox.put(std::move(snapshot)); });
+  for (std::uint64_t revision = 1; revision < 300; ++revision) {
+    worker.request(mechanismOf(revision, 2), revision);
+    mailbox.waitForSecondStep(revision);
+  }
+  check(mailbox.revisions().size() == 2 * 299, "every request is answered twice");
+}
+
 void destructionInTheMiddleOfWorkIsQuiet() {
   std::mt19937_64 random(7);
   for (int round = 0; round < 50; ++round) {
@@ -92,6 +107,7 @@ void destructionInTheMiddleOfWorkIsQuiet() {
 
 int main() {
   geargraph::newestRequestIsAnswered();
+  geargraph::everyLastRequestIsCompleted();
   geargraph::destructionInTheMiddleOfWorkIsQuiet();
   std::printf("%d failures\n", geargraph::failures);
   return geargraph::failures == 0 ? 0 : 1;

@@ -8,6 +8,11 @@
 
 #include "core/base/request_worker.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace geargraph {
 namespace {
 
@@ -51,6 +56,32 @@ void theNewestRequestStopsTheOneUnderWayAndDropsTheOthers() {
   check(done == std::vector<int>{7}, "the newest request is worked off");
 }
 
+void whatGoesOnElsewhereIsAskedToStopToo() {
+  std::promise<std::stop_token> token;
+  RequestWorker<int> worker([&](int request, const std::stop_token& stop) {
+    if (request == 0) token.set_value(stop);
+  });
+  worker.request(0);
+  const std::stop_token stop = token.get_future().get();
+  check(!stop.stop_requested(), "it goes on while nothing newer is wanted");
+  worker.request(1);
+  check(stop.stop_requested(), "a newer request asks it to stop, whether or not the call is over");
+}
+
+#ifdef __linux__
+void workInTheBackgroundTakesWhatIsLeft() {
+  std::promise<int> priority;
+  RequestWorker<int> worker(
+      [&](int, const std::stop_token&) {
+        priority.set_value(getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())));
+      },
+      Urgency::background);
+  worker.request(0);
+  const int own = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+  check(own == 19 || priority.get_future().get() > own, "a lower priority than this thread's");
+}
+#endif
+
 void overtakenRequestsAreDropped() {
   std::promise<void> begun;
   std::promise<void> go;
@@ -93,6 +124,10 @@ void theDestructorStopsTheWorkUnderWayAndBeginsNoMore() {
 
 int main() {
   geargraph::theNewestRequestStopsTheOneUnderWayAndDropsTheOthers();
+  geargraph::whatGoesOnElsewhereIsAskedToStopToo();
+#ifdef __linux__
+  geargraph::workInTheBackgroundTakesWhatIsLeft();
+#endif
   geargraph::overtakenRequestsAreDropped();
   geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
   std::printf("%d failures\n", geargraph::failures);
