@@ -30,13 +30,16 @@ Eigen::AlignedBox3d boundsOf(const Solid& solid) {
 
 void append(Solid& whole, const Solid& part, const Eigen::Isometry3d& placed) {
   const std::size_t vertices = whole.positions.size(), triangles = whole.triangles.size();
+  const std::size_t normals = whole.normals.size();  // a solid from a file may have none
   const auto first = static_cast<std::uint32_t>(vertices);
   whole.positions.resize(vertices + part.positions.size());
-  whole.normals.resize(vertices + part.normals.size());
+  whole.normals.resize(normals + part.normals.size());
   whole.triangles.resize(triangles + part.triangles.size());
   for (std::size_t i = 0; i < part.positions.size(); ++i) {
     whole.positions[vertices + i] = narrow(placed * wide(part.positions[i]));
-    whole.normals[vertices + i] = narrow(placed.linear() * wide(part.normals[i]));
+  }
+  for (std::size_t i = 0; i < part.normals.size(); ++i) {
+    whole.normals[normals + i] = narrow(placed.linear() * wide(part.normals[i]));
   }
   for (std::size_t i = 0; i < part.triangles.size(); ++i) {
     const Triangle& t = part.triangles[i];
