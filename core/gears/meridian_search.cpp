@@ -58,8 +58,7 @@ MeridianSearch::MeridianSearch(const MeridianGrid& grid)
       m_rowFactor(at(grid.rows)),
       m_columnAhead(at(grid.columns)),
       m_rowAhead(at(grid.rows)),
-      m_plates(grid.plates.begin(), grid.plates.end()),
-      m_perColumn((at(grid.rows) + 63) / 64) {
+      m_plates(grid.plates.begin(), grid.plates.end()) {
   if (grid.width.empty() || grid.rowCost.empty()) return;
   const auto [narrowest, widest] = std::minmax_element(grid.width.begin(), grid.width.end());
   const double cheapest = *std::min_element(grid.rowCost.begin(), grid.rowCost.end());
@@ -186,6 +185,7 @@ bool MeridianSearch::isJoined(const MeridianBits& bits, const Places& sources, c
 bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
                            std::span<const double> rowExtra, const Places& sources, const Places& ends) {
   const MeridianBits& bits = owners.bits();
+  m_perColumn = bits.perColumn();
   m_open = owners.freeBits();
   for (const auto& cells : own) {
     for (const int cell : cells) m_open[bits.wordOf(cell)] |= bits.bitOf(cell);

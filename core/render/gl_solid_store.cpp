@@ -6,27 +6,15 @@
 
 namespace geargraph {
 
-void GlSolidStore::measure(const Scene& scene) {
-  std::map<const Solid*, std::size_t> known;
-  for (std::size_t i = 0; i < m_scene.solids.size(); ++i) known.emplace(m_scene.solids[i].get(), i);
-  std::vector<Eigen::AlignedBox3d> boxes;
+void GlSolidStore::measure() {
+  for (std::size_t i = m_scene.boxes.size(); i < m_scene.solids.size(); ++i)
+    m_scene.boxes.push_back(m_scene.boxOf(i));
   m_balls.clear();
-  for (const auto& solid : scene.solids) {
-    const auto place = known.find(solid.get());
-    boxes.push_back(place == known.end() ? boundsOf(*solid) : m_boxes[place->second]);
-    m_balls.push_back(Ball::about(boxes.back()));
-  }
-  m_boxes = std::move(boxes);
-  m_bounds = {};
-  for (const Instance& instance : scene.instances) {
-    const Eigen::AlignedBox3d& box = m_boxes[instance.solid];
-    for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner)
-      m_bounds.box.extend(instance.pose * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-  }
+  for (const Eigen::AlignedBox3d& box : m_scene.boxes) m_balls.push_back(Ball::about(box));
+  m_bounds = boundsOf(m_scene);
 }
 
 void GlSolidStore::setScene(const Scene& scene) {
-  measure(scene);
   std::map<const Solid*, std::unique_ptr<GlSolid>> solids;
   for (const auto& solid : scene.solids) {
     std::unique_ptr<GlSolid>& place = solids[solid.get()];
@@ -41,6 +29,7 @@ void GlSolidStore::setScene(const Scene& scene) {
   }
   m_solids = std::move(solids);
   m_scene = scene;
+  measure();
 }
 
 const GlSolid& GlSolidStore::get(std::size_t solid, double pixels, GlSolid::Part part) {

@@ -19,8 +19,8 @@ class GlSolidStore {
   /// A solid of the scene in the detail for this many pixels to the unit of its levels; taken up, and its
   /// edges found, when they are asked for first.
   [[nodiscard]] const GlSolid& get(std::size_t solid, double pixels, GlSolid::Part part);
-  /// About all instances in their poses, as boundsOf() says; and about each solid in its own frame. What the
-  /// last scene had as well is not looked at again.
+  /// About all instances in their poses, as boundsOf() says; and about each solid in its own frame. Boxes
+  /// that the scene does not bring are found once.
   [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
   [[nodiscard]] const Ball& ballOf(std::size_t solid) const { return m_balls[solid]; }
   /// The unit of the solid's levels, mm; 0 where it has no levels.
@@ -30,14 +30,13 @@ class GlSolidStore {
   [[nodiscard]] const Scene& scene() const { return m_scene; }
 
  private:
-  void measure(const Scene& scene);
+  void measure();
 
   const GlApi& m_gl;
   const GlInstances& m_instances;
   Scene m_scene;  ///< keeps the solids alive, so that their addresses stay theirs
   std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
-  std::vector<Eigen::AlignedBox3d> m_boxes;  ///< by solid
-  std::vector<Ball> m_balls;
+  std::vector<Ball> m_balls;  ///< by solid
   Bounds m_bounds;
 };
 
