@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/drawing/emphasis.h"
+#include "core/schematic/arm_router.h"
 #include "core/schematic/section_symbols.h"
 
 namespace geargraph {
@@ -182,6 +183,7 @@ class CouplingPlacer {
     };
     std::optional<Found> best;
     double least = 1e300;
+    m_lanes.follow(m_section.lines);
     for (const auto& [holder, reacher] : {std::pair(one, other), std::pair(other, one)}) {
       const std::vector<Plates> places = placesAt(holder, kBeyondPlate, kMostTried);
       std::vector<SheetPoint> ends;
@@ -190,7 +192,7 @@ class CouplingPlacer {
         ends.push_back(plates.at(kPlateGap + kBeyondPlate));
         prices.push_back(plates.cost);
       }
-      const auto course = ArmRouter(m_section.lines, ends).route(reacher, ends, prices);
+      const auto course = ArmRouter(m_lanes.gridWith(ends), m_section.lines).route(reacher, ends, prices);
       if (!course) continue;
       const Plates& plates = places[course->target];
       const double cost = plates.cost + course->length + 300 * course->crossings;
@@ -219,6 +221,7 @@ class CouplingPlacer {
   const SheetLayout& m_layout;
   Section& m_section;
   ObstacleGrid m_taken;
+  ArmLanes m_lanes;
   ElementId m_coupling;
 };
 

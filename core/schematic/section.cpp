@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/drawing/emphasis.h"
+#include "core/schematic/arm_router.h"
 #include "core/schematic/section_symbols.h"
 
 namespace geargraph {

@@ -5,7 +5,7 @@
 
 #include "core/drawing/display_list.h"
 #include "core/drawing/obstacle_grid.h"
-#include "core/schematic/arm_router.h"
+#include "core/schematic/arm_grid.h"
 #include "core/schematic/shaft_plan.h"
 
 namespace geargraph {

@@ -1,11 +1,12 @@
-// The solids of a train while a tooth count is dragged, on the thread that makes them: all that a step of the
-// drag asks of it. Every count is new, so that no answer is in a cache.
+// The solids and the schematic of a train while a tooth count is dragged, each on the thread that makes it:
+// all that a step of the drag asks of it. Every count is new, so that no answer is in a cache.
 
 #include <benchmark/benchmark.h>
 
 #include "core/base/contract.h"
 #include "core/fitting/fitted_edits.h"
 #include "core/scene/train_stage.h"
+#include "core/schematic/schematic.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
@@ -44,8 +45,20 @@ void stageOfADrag(benchmark::State& state, const char* name, const char* mesh, i
   }
 }
 
+void schematicOfADrag(benchmark::State& state, const char* name, const char* mesh, int least) {
+  const std::vector<SnapshotPtr> drag = dragOf(name, MeshId(mesh), least, kSteps);
+  std::size_t step = 0;
+  for (auto _ : state) {
+    const SchematicGeometry geometry = schematicGeometry(*drag[step++ % drag.size()]->mechanism);
+    benchmark::DoNotOptimize(schematicDrawing(geometry, {}));
+  }
+}
+
 BENCHMARK_CAPTURE(stageOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(schematicOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(schematicOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
