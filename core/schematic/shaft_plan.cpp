@@ -106,11 +106,12 @@ void Stacker::squeeze() {
     wheel.barFrom.x = wheel.low - kBarHalf;
     wheel.barTo.x = wheel.high + kBarHalf;
   }
+  standUp();
 }
 
 void Stacker::addShafts(ShaftPlan& plan, int axis) const {
-  const std::vector<int> links = linksOn(axis);
-  const std::vector<Column> columns = columnsOn(axis);
+  const std::vector<int>& links = linksOn(axis);
+  const std::vector<Column>& columns = columnsOn(axis);
   std::vector<SheetShaft> shafts;
   for (const int link : links) {
     const Range range = rangeOf(axis, link);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <set>
 
 namespace geargraph {
@@ -34,6 +34,7 @@ Stacker::Stacker(const DrawnPart& part, const Placement& placement, SheetLayout&
   addCups();
   addBearings();
   indexByAxis();
+  standUp();
 }
 
 void Stacker::indexByAxis() {
@@ -174,9 +175,6 @@ void Stacker::addBearings() {
   }
 }
 
-double& Stacker::atOf(const Item& item) {
-  return item.isCup ? m_cups[at(item.index)].at : m_bearings[at(item.index)].at;
-}
 double Stacker::atOf(const Item& item) const {
   return item.isCup ? m_cups[at(item.index)].at : m_bearings[at(item.index)].at;
 }
@@ -185,7 +183,7 @@ int Stacker::axisOf(const Item& item) const {
                     : m_bearings[at(item.index)].axis;
 }
 
-std::vector<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
+Stacker::Few<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
   const int axis = axisOf(item);
   const double x = atOf(item);
   if (item.isCup) {
@@ -197,165 +195,90 @@ std::vector<Stacker::Piece> Stacker::piecesOf(const Item& item) const {
   }
   const SheetBearing& bearing = m_bearings[at(item.index)];
   const double reach = kBearingGap + (bearing.parent == 0 ? kHatching + 3 : 3);
-  std::vector<Piece> pieces{
-      {boxOn(axis, x - kBearingHalf - 1, x + kBearingHalf + 1, -reach, reach), -1 - bearing.joint}};
+  Few<Piece> pieces(
+      {boxOn(axis, x - kBearingHalf - 1, x + kBearingHalf + 1, -reach, reach), -1 - bearing.joint});
   if (bearing.straightArm) {
     const SheetAxis& home = m_layout.axes[at(axisOfLink(m_placement, bearing.parent))];
     const SheetPoint end = m_layout.axes[at(axis)].at(x, 0);
     const SheetPoint start = home.at(home.coordinateOf(end), 0);
     const SheetPoint way = unit(end - start);
     const Extent line = Extent::spanning(start, end - (reach + 2) * way);
-    pieces.push_back({line.grown(kArmHalf), bearing.parent});
+    pieces.add({line.grown(kArmHalf), bearing.parent});
   }
   return pieces;
 }
 
-template <class Visit>
-void Stacker::forColumns(int axis, const Visit& visit) const {
-  const OnAxis& on = m_on[at(axis)];
-  for (const int w : on.wheels) {
-    const SheetWheel& wheel = m_layout.wheels[at(w)];
-    if (!wheel.isRing() && !isInFrame(wheel)) visit(Column{wheel.at, wheel.link, wheel.link != 0});
-  }
-  for (const int k : on.cups) {
-    const SheetCup& cup = m_cups[at(k)];
-    visit(Column{cup.at, m_layout.wheels[at(cup.wheel)].link, true});
-  }
-  for (const int joint : on.bearings) {
-    const SheetBearing& bearing = m_bearings[at(joint)];
-    visit(Column{bearing.at, bearing.child, m_reachesAcross[at(bearing.child)]});
-  }
-  for (const int joint : on.arms) {
-    const SheetBearing& bearing = m_bearings[at(joint)];
-    const SheetPoint end = m_layout.axes[at(bearing.axis)].at(bearing.at, 0);
-    visit(Column{m_layout.axes[at(axis)].coordinateOf(end), bearing.parent, true});
-  }
+/// On the axis from which a straight arm holds a bearing.
+Stacker::Column Stacker::armColumn(const SheetBearing& bearing) const {
+  const SheetAxis& home = m_layout.axes[at(axisOfLink(m_placement, bearing.parent))];
+  const SheetPoint end = m_layout.axes[at(bearing.axis)].at(bearing.at, 0);
+  return {home.coordinateOf(end), bearing.parent, true};
 }
 
-std::vector<Stacker::Column> Stacker::columnsOn(int axis) const {
-  std::vector<Column> columns;
-  forColumns(axis, [&](const Column& column) { columns.push_back(column); });
-  return columns;
-}
-
-/// Does the link turn about the axis?
-bool Stacker::isOwn(int axis, int link) const {
-  return link != 0 && axisOfLink(m_placement, link) == axis;
-}
-
-Stacker::Range Stacker::rangeOf(int axis, int link) const {
-  Range range;
-  forColumns(axis, [&](const Column& column) {
-    if (column.link == link) range.include(column.at, column.at);
-  });
-  const bool own = isOwn(axis, link);
-  for (const int joint : m_on[at(axis)].bearings) {
-    const SheetBearing& bearing = m_bearings[at(joint)];
-    if (bearing.child == link) {
-      range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
-      if (bearing.driven) {
-        const double end = bearing.at + kDrivenEnd * freeEndOf(bearing);
-        range.include(end, end);
-      }
+/// Lists the columns on all axes anew.
+void Stacker::standUp() {
+  std::vector<std::size_t> ofCup(m_cups.size()), ofBearing(m_bearings.size()), ofArm(m_bearings.size());
+  for (OnAxis& on : m_on) {
+    on.columns.clear();
+    for (const int w : on.wheels) {
+      const SheetWheel& wheel = m_layout.wheels[at(w)];
+      if (!wheel.isRing() && !isInFrame(wheel)) on.columns.push_back({wheel.at, wheel.link, wheel.link != 0});
     }
-    if (bearing.parent == link && own) range.include(bearing.at, bearing.at);
-  }
-  if (!own && !range.isEmpty()) range.include(range.low - 12, range.high + 12);
-  return range;
-}
-
-/// The end of the child's shaft beside which it holds nothing.
-double Stacker::freeEndOf(const SheetBearing& bearing) const {
-  double sum = 0;
-  forColumns(bearing.axis, [&](const Column& column) {
-    if (column.link == bearing.child) sum += column.at - bearing.at;
-  });
-  return sum < 0 ? 1 : -1;
-}
-
-std::vector<Stacker::OnShaft> Stacker::shaftsOn(int axis) const {
-  const std::vector<int>& links = linksOn(axis);
-  std::vector<OnShaft> shafts(links.size());
-  for (std::size_t i = 0; i < links.size(); ++i) shafts[i].link = links[i];
-  const auto find = [&](int link) -> OnShaft* {
-    const auto found = std::lower_bound(links.begin(), links.end(), link);
-    return found == links.end() || *found != link ? nullptr
-                                                  : &shafts[static_cast<std::size_t>(found - links.begin())];
-  };
-  forColumns(axis, [&](const Column& column) {
-    OnShaft* shaft = find(column.link);
-    if (shaft == nullptr) return;
-    shaft->columns.push_back(column.at);
-    shaft->range.include(column.at, column.at);
-  });
-  for (const int joint : m_on[at(axis)].bearings) {
-    const SheetBearing& bearing = m_bearings[at(joint)];
-    OnShaft& child = *find(bearing.child);
-    child.range.include(bearing.at - kShaftEnd, bearing.at + kShaftEnd);
-    if (bearing.driven) {
-      const double sum = std::accumulate(child.columns.begin(), child.columns.end(), 0.0) -
-                         static_cast<double>(child.columns.size()) * bearing.at;
-      const double end = bearing.at + kDrivenEnd * (sum < 0 ? 1 : -1);
-      child.range.include(end, end);
+    for (const int k : on.cups) {
+      ofCup[at(k)] = on.columns.size();
+      on.columns.push_back({m_cups[at(k)].at, m_layout.wheels[at(m_cups[at(k)].wheel)].link, true});
     }
-    OnShaft* parent = find(bearing.parent);
-    if (parent != nullptr && isOwn(axis, bearing.parent)) parent->range.include(bearing.at, bearing.at);
-  }
-  for (OnShaft& shaft : shafts) {
-    if (!isOwn(axis, shaft.link) && !shaft.range.isEmpty())
-      shaft.range.include(shaft.range.low - 12, shaft.range.high + 12);
-    std::sort(shaft.columns.begin(), shaft.columns.end());
-  }
-  return shafts;
-}
-
-/// How many things on an axis cannot get past a shaft of another link, whichever of the two is hollow, as far
-/// as one of the two links is among these: the others do not change while an item is moved.
-int Stacker::conflictsOn(int axis, const std::vector<int>& moved) const {
-  const std::vector<OnShaft> shafts = shaftsOn(axis);
-  const auto isMoved = [&](const OnShaft& shaft) {
-    return std::find(moved.begin(), moved.end(), shaft.link) != moved.end();
-  };
-  const auto inside = [](const OnShaft& inner, const OnShaft& outer) {
-    const auto first = std::upper_bound(inner.columns.begin(), inner.columns.end(), outer.range.low - 5);
-    const auto last = std::lower_bound(first, inner.columns.end(), outer.range.high + 5);
-    return static_cast<int>(last - first);
-  };
-  int conflicts = 0;
-  for (const OnShaft& shaft : shafts) {
-    if (!isMoved(shaft)) continue;
-    for (const OnShaft& other : shafts) {
-      if (&other == &shaft || (isMoved(other) && other.link < shaft.link)) continue;
-      conflicts += std::min(inside(shaft, other), inside(other, shaft));
+    for (const int joint : on.bearings) {
+      const SheetBearing& bearing = m_bearings[at(joint)];
+      ofBearing[at(joint)] = on.columns.size();
+      on.columns.push_back({bearing.at, bearing.child, m_reachesAcross[at(bearing.child)]});
     }
+    for (const int joint : on.arms) {
+      ofArm[at(joint)] = on.columns.size();
+      on.columns.push_back(armColumn(m_bearings[at(joint)]));
+    }
+    for (Column& column : on.columns) column.shaft = shaftOn(on, column.link);
   }
-  return conflicts;
+  for (Item& item : m_items) {
+    item.column = item.isCup ? ofCup[at(item.index)] : ofBearing[at(item.index)];
+    if (!item.isCup) item.arm = ofArm[at(item.index)];
+  }
 }
 
-/// Shafts that get longer or shorter with an item, as (axis, range).
-std::vector<std::pair<int, Stacker::Range>> Stacker::tubesTouchedBy(const Item& item) const {
+void Stacker::put(const Item& item, double to) {
+  m_on[at(axisOf(item))].columns[item.column].at = to;
+  if (item.isCup) {
+    m_cups[at(item.index)].at = to;
+    return;
+  }
+  SheetBearing& bearing = m_bearings[at(item.index)];
+  bearing.at = to;
+  if (!bearing.straightArm) return;
+  m_on[at(axisOfLink(m_placement, bearing.parent))].columns[item.arm].at = armColumn(bearing).at;
+}
+
+/// Shafts that get longer or shorter with an item.
+Stacker::Few<Stacker::Tube> Stacker::tubesTouchedBy(const Item& item) const {
   const int axis = axisOf(item);
-  if (item.isCup) return {{axis, rangeOf(axis, m_layout.wheels[at(m_cups[at(item.index)].wheel)].link)}};
+  const auto tube = [this](int on, int link) { return Tube{on, link, rangeOf(on, link)}; };
+  if (item.isCup) return tube(axis, m_layout.wheels[at(m_cups[at(item.index)].wheel)].link);
   const SheetBearing& bearing = m_bearings[at(item.index)];
-  std::vector<std::pair<int, Range>> tubes{{axis, rangeOf(axis, bearing.child)}};
-  if (bearing.straightArm) {
-    const int home = axisOfLink(m_placement, bearing.parent);
-    tubes.emplace_back(home, rangeOf(home, bearing.parent));
-  }
+  Few<Tube> tubes(tube(axis, bearing.child));
+  if (bearing.straightArm) tubes.add(tube(axisOfLink(m_placement, bearing.parent), bearing.parent));
   return tubes;
 }
 
 /// Links whose shafts and columns go with an item.
-std::vector<int> Stacker::movedBy(const Item& item) const {
-  if (item.isCup) return {m_layout.wheels[at(m_cups[at(item.index)].wheel)].link};
+Stacker::Few<int> Stacker::movedBy(const Item& item) const {
+  if (item.isCup) return m_layout.wheels[at(m_cups[at(item.index)].wheel)].link;
   const SheetBearing& bearing = m_bearings[at(item.index)];
   return {bearing.child, bearing.parent};
 }
 
 /// Short shafts, bearings near what they hold.
-double Stacker::compactness(const Item& item, const std::vector<std::pair<int, Range>>& tubes) const {
+double Stacker::compactness(const Item& item, const Few<Tube>& tubes) const {
   double sum = item.insistence * std::min(std::abs(atOf(item) - item.wanted), 150.0);
-  for (const auto& [axis, range] : tubes) sum += 0.1 * (range.high - range.low);
+  for (const Tube& tube : tubes) sum += 0.1 * (tube.range.high - tube.range.low);
   if (item.isCup) sum += 0.05 * std::abs(atOf(item) - item.wanted);
   return sum;
 }
@@ -376,9 +299,9 @@ double Stacker::enclosure(const SheetBearing& bearing) const {
     if (other.top < 0) continue;
     if (std::abs(sine) < 1e-6) {
       if (std::abs(on.heightOf(other.origin)) > 1) continue;
-      forColumns(static_cast<int>(a), [&](const Column& column) {
+      for (const Column& column : m_on[a].columns) {
         if (column.closes) count(on.coordinateOf(other.at(column.at, 0)), 1);
-      });
+      }
       continue;
     }
     count(dot(other.origin - on.origin, turned(other.along)) / sine, 2);  // what crosses is in the middle
@@ -389,25 +312,46 @@ double Stacker::enclosure(const SheetBearing& bearing) const {
 Stacker::Scene Stacker::sceneWithout(std::size_t item) const {
   Scene scene;
   scene.pieces = m_fixed;
-  scene.axisOf.assign(m_fixed.size(), -1);
   for (std::size_t i = 0; i < m_items.size(); ++i) {
     if (i == item) continue;
     for (const Piece& piece : piecesOf(m_items[i])) {
       scene.pieces.push_back(piece);
-      scene.axisOf.push_back(axisOf(m_items[i]));
+      scene.standing.push_back({piece, axisOf(m_items[i])});
     }
   }
   for (const SheetBearing& bearing : m_bearings) {
     const Range range = rangeOf(bearing.axis, bearing.child);
-    scene.tubes.push_back({boxOn(bearing.axis, range.low, range.high, -2, 2), bearing.child, bearing.axis});
+    scene.shafts.push_back({boxOn(bearing.axis, range.low, range.high, -2, 2), bearing.child, bearing.axis});
   }
   return scene;
+}
+
+/// Of a scene, what the item can get in the way of at one of these places.
+void Stacker::keepInReach(Scene& scene, const Item& item, const std::vector<double>& candidates) {
+  constexpr double kBeyond = 2 * kDrivenEnd;  // a shaft's free end may change
+  const double now = atOf(item);
+  const auto [least, most] = std::minmax_element(candidates.begin(), candidates.end());
+  std::optional<Extent> ofPieces;
+  std::optional<Extent> ofTubes;
+  const auto include = [](std::optional<Extent>& all, const Extent& box) {
+    all = all ? all->united(box) : box;
+  };
+  for (const double place : {std::min(*least, now), std::max(*most, now)}) {
+    put(item, place);
+    for (const Piece& piece : piecesOf(item)) include(ofPieces, piece.box.grown(1));
+    for (const Tube& tube : tubesTouchedBy(item))
+      include(ofTubes, boxOn(tube.axis, tube.range.low - kBeyond, tube.range.high + kBeyond, -3, 3));
+  }
+  put(item, now);
+  std::erase_if(scene.pieces, [&](const Piece& piece) { return !piece.box.meets(*ofPieces); });
+  std::erase_if(scene.shafts, [&](const Scene::Shaft& shaft) { return !shaft.box.meets(*ofPieces); });
+  std::erase_if(scene.standing, [&](const Scene::Standing& one) { return !one.piece.box.meets(*ofTubes); });
 }
 
 /// What stands in one place, arms across shafts on other axes, and shafts that cannot be nested. No part of
 /// it is negative, so it need not be known to the end where it has come to what is too much.
 double Stacker::cost(const Item& item, const Scene& scene, double tooMuch) const {
-  const std::vector<std::pair<int, Range>> tubes = tubesTouchedBy(item);
+  const Few<Tube> tubes = tubesTouchedBy(item);
   double sum = compactness(item, tubes);
   if (sum >= tooMuch) return sum;
   if (!item.isCup) sum += enclosure(m_bearings[at(item.index)]);
@@ -416,22 +360,18 @@ double Stacker::cost(const Item& item, const Scene& scene, double tooMuch) const
     for (const Piece& other : scene.pieces) {
       if (own.owner != other.owner && own.box.meets(other.box)) sum += kCrossing;
     }
-    for (const Scene::Tube& tube : scene.tubes) {
-      if (tube.axis != axis && own.owner != tube.link && own.box.meets(tube.box)) sum += kCrossing;
+    for (const Scene::Shaft& shaft : scene.shafts) {
+      if (shaft.axis != axis && own.owner != shaft.link && own.box.meets(shaft.box)) sum += kCrossing;
     }
     if (sum >= tooMuch) return sum;
   }
-  for (const auto& [tubeAxis, range] : tubes) {
-    const Extent tube = boxOn(tubeAxis, range.low, range.high, -2, 2);
-    const int link = item.isCup ? m_layout.wheels[at(m_cups[at(item.index)].wheel)].link
-                                : (tubeAxis == axis ? m_bearings[at(item.index)].child
-                                                    : m_bearings[at(item.index)].parent);
-    for (std::size_t k = m_fixed.size(); k < scene.pieces.size(); ++k) {
-      const Piece& piece = scene.pieces[k];
-      if (scene.axisOf[k] != tubeAxis && piece.owner != link && piece.box.meets(tube)) sum += kCrossing;
+  for (const Tube& tube : tubes) {
+    const Extent box = boxOn(tube.axis, tube.range.low, tube.range.high, -2, 2);
+    for (const auto& [piece, on] : scene.standing) {
+      if (on != tube.axis && piece.owner != tube.link && piece.box.meets(box)) sum += kCrossing;
     }
     if (sum >= tooMuch) return sum;
-    sum += 1.3 * kCrossing * conflictsOn(tubeAxis, movedBy(item));
+    sum += 1.3 * kCrossing * conflictsOn(tube.axis, movedBy(item));
   }
   return sum;
 }
@@ -472,19 +412,20 @@ void Stacker::search(const std::stop_token& stop) {
     for (std::size_t i = 0; i < m_items.size(); ++i) {
       if (stop.stop_requested()) return;
       const Item& item = m_items[i];
-      const Scene scene = sceneWithout(i);
-      double& place = atOf(item);
-      double best = place;
+      const std::vector<double> candidates = candidatesOf(item);
+      Scene scene = sceneWithout(i);
+      keepInReach(scene, item, candidates);
+      double best = atOf(item);
       double least = cost(item, scene, std::numeric_limits<double>::infinity());
-      for (const double candidate : candidatesOf(item)) {
-        place = candidate;
+      for (const double candidate : candidates) {
+        put(item, candidate);
         const double found = cost(item, scene, least - 1e-6);
         if (found >= least - 1e-6) continue;
         least = found;
         best = candidate;
         changed = true;
       }
-      place = best;
+      put(item, best);
     }
     if (!changed) return;
   }
