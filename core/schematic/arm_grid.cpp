@@ -79,6 +79,38 @@ double stretchBeside(double least, double most, double a, double b) {
   return std::max(std::min(std::max(a, b), length) - std::max(std::min(a, b), 0.0), 0.0);
 }
 
+/// Bounds of the square of the distance between a line and an edge, those across and along the sheet being
+/// added: most often they tell already what the edge costs.
+struct Bounds {
+  double least = 0;   ///< of the box about the line
+  double ofFrom = 0;  ///< of its ends
+  double ofTo = 0;
+
+  Bounds() = default;
+  Bounds(double low, double high, double from, double to) {
+    const auto square = [](double v) { return v * v; };
+    least = square(gapBetween(low, high, from, to));
+    ofFrom = square(gapBetween(low, high, from, from));
+    ofTo = square(gapBetween(low, high, to, to));
+  }
+  friend Bounds operator+(Bounds a, const Bounds& b) {
+    a.least += b.least;
+    a.ofFrom += b.ofFrom;
+    a.ofTo += b.ofTo;
+    return a;
+  }
+  /// A square that costs the same as the true one.
+  [[nodiscard]] std::optional<double> ifClear() const {
+    constexpr double kRounding = 1e-6;
+    const double most = std::min(ofFrom, ofTo);
+    for (const double limit : {kTouch * kTouch, kNear * kNear}) {
+      if (most < limit - kRounding) return most;
+      if (least < limit + kRounding) return std::nullopt;
+    }
+    return least;
+  }
+};
+
 struct Toll {
   double touch = kCrossing;  ///< on the line
   double near = kCrowded;    ///< beside it
@@ -156,15 +188,20 @@ class Charger {
     const auto& [xs, ys] = m_grid;
     const SheetPoint along = unit(line.to - line.from);
     const bool runsAlong = std::abs(level ? along.y : along.x) < 0.3;
+    const std::size_t right = level ? 1 : 0, down = level ? 0 : 1;
+    m_bounds.resize(m_grid.columns());
+    for (std::size_t c = range.left; c < range.right; ++c)
+      m_bounds[c] = Bounds(xs[c], xs[c + right], line.from.x, line.to.x);
     for (std::size_t r = range.top; r < range.bottom; ++r) {
+      const Bounds ofRow(ys[r], ys[r + down], line.from.y, line.to.y);
+      double* const tolls = (level ? m_tolls.level : m_tolls.upright).data() + r * m_grid.columns();
       for (std::size_t c = range.left; c < range.right; ++c) {
-        const SheetPoint from{xs[c], ys[r]};
-        const SheetPoint to = level ? SheetPoint{xs[c + 1], ys[r]} : SheetPoint{xs[c], ys[r + 1]};
+        const SheetPoint from{xs[c], ys[r]}, to{xs[c + right], ys[r + down]};
         const double stretch = !runsAlong ? 0
                                : level    ? stretchBeside(from.x, to.x, line.from.x, line.to.x)
                                           : stretchBeside(from.y, to.y, line.from.y, line.to.y);
-        (level ? m_tolls.level : m_tolls.upright)[r * m_grid.columns() + c] +=
-            Toll::along(stretch).at(squareApart(line, from, to));
+        const std::optional<double> clear = (m_bounds[c] + ofRow).ifClear();
+        tolls[c] += Toll::along(stretch).at(clear ? *clear : squareApart(line, from, to));
       }
     }
   }
@@ -173,6 +210,7 @@ class Charger {
   ArmTolls& m_tolls;
   std::vector<double> m_square;  ///< by column: of the distance along the rows
   std::vector<Toll> m_toll;      ///< by column
+  std::vector<Bounds> m_bounds;  ///< by column: along the rows
 };
 
 }  // namespace
@@ -241,14 +279,14 @@ ArmGrid ArmLanes::gridWith(const std::vector<SheetPoint>& ends) const {
   return {merged(std::move(exactX), m_x.wished, apart), merged(std::move(exactY), m_y.wished, apart)};
 }
 
-ArmTolls armTolls(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
-  ArmTolls tolls{std::vector<double>(grid.nodes()), std::vector<double>(grid.nodes())};
-  if (grid.nodes() == 0) return tolls;
-  Charger charger(grid, tolls);
+void ArmTolls::charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link) {
+  level.assign(grid.nodes(), 0);
+  upright.assign(grid.nodes(), 0);
+  if (grid.nodes() == 0) return;
+  Charger charger(grid, *this);
   for (const LinkLine& line : lines) {
     if (line.link != link) charger.charge(line);
   }
-  return tolls;
 }
 
 }  // namespace geargraph

@@ -54,14 +54,14 @@ class ArmLanes {
   Asked m_y;
 };
 
-/// What it costs an arm beside its length to run along the edges of a grid.
+/// What it costs an arm of a link beside its length to run along the edges of a grid: for crossing lines of
+/// others, and for running beside them.
 struct ArmTolls {
   std::vector<double> level;    ///< by node: the edge to the right
   std::vector<double> upright;  ///< by node: the edge down
-};
 
-/// An arm of a link pays for crossing lines of others, and for running beside them. What comes to an edge is
-/// added up in the order of the lines. Cost: O(lines + (line, edge near it)).
-[[nodiscard]] ArmTolls armTolls(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
+  /// What comes to an edge is added up in the order of the lines. Cost: O(lines + (line, edge near it)).
+  void charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
+};
 
 }  // namespace geargraph

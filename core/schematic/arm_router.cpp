@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/schematic/arm_search.h"
-
 namespace geargraph {
 namespace {
 
@@ -35,6 +33,11 @@ std::vector<SheetPoint> bendsOf(const ArmGrid& grid, const std::vector<std::size
 ArmRouter::ArmRouter(std::vector<LinkLine> lines, const std::vector<SheetPoint>& ends)
     : m_grid(gridOf(lines, ends)), m_lines(std::move(lines)) {}
 
+void ArmRouter::begin(ArmGrid grid, const std::vector<LinkLine>& lines) {
+  m_grid = std::move(grid);
+  m_lines = lines;
+}
+
 ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int link) const {
   Course course;
   course.points = std::move(points);
@@ -51,17 +54,17 @@ ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int l
 
 std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets,
                                                   const std::vector<double>& prices) {
-  const ArmTolls tolls = armTolls(m_grid, m_lines, link);
-  ArmSearch search(m_grid, tolls);
+  m_tolls.charge(m_grid, m_lines, link);
+  m_search.begin(m_grid, m_tolls);
   for (const LinkLine& line : m_lines) {
     if (line.link != link || line.hold < 0) continue;
-    for (const std::size_t node : m_grid.nodesOn(line)) search.addStart(node, line.hold);
+    for (const std::size_t node : m_grid.nodesOn(line)) m_search.addStart(node, line.hold);
   }
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto node = m_grid.nodeAt(targets[t]);
-    if (node) search.addTarget(*node, prices.empty() ? 0 : prices[t], t);
+    if (node) m_search.addTarget(*node, prices.empty() ? 0 : prices[t], t);
   }
-  const std::optional<ArmSearch::Way> way = search.cheapest();
+  const std::optional<ArmSearch::Way> way = m_search.cheapest();
   if (!way) return std::nullopt;
   Course course = courseThrough(bendsOf(m_grid, way->nodes), link);
   course.target = way->target;

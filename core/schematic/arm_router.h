@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/schematic/arm_grid.h"
+#include "core/schematic/arm_search.h"
 
 namespace geargraph {
 
@@ -8,9 +8,12 @@ namespace geargraph {
 /// across lines of other links only where there is no way round.
 class ArmRouter {
  public:
-  ArmRouter(ArmGrid grid, std::vector<LinkLine> lines) : m_grid(std::move(grid)), m_lines(std::move(lines)) {}
+  ArmRouter() = default;
   /// `ends`: places that courses will have to begin or end at, beside the lines' own ends.
   ArmRouter(std::vector<LinkLine> lines, const std::vector<SheetPoint>& ends);
+
+  /// As if it were new, but for the memory it has.
+  void begin(ArmGrid grid, const std::vector<LinkLine>& lines);
 
   struct Course {
     std::vector<SheetPoint> points;
@@ -31,6 +34,8 @@ class ArmRouter {
 
   ArmGrid m_grid;
   std::vector<LinkLine> m_lines;
+  ArmTolls m_tolls;
+  ArmSearch m_search;
 };
 
 }  // namespace geargraph

@@ -15,18 +15,21 @@ constexpr std::size_t kAbreast = 4;  ///< rows at a time, since each waits for i
 
 }  // namespace
 
-ArmSearch::ArmSearch(const ArmGrid& grid, const ArmTolls& tolls)
-    : m_grid(grid),
-      m_tolls(tolls),
-      m_level(grid.nodes(), kFar),
-      m_upright(grid.nodes(), kFar),
-      m_start(grid.nodes(), kFar),
-      m_pending(grid.rows()) {}
+void ArmSearch::begin(const ArmGrid& grid, const ArmTolls& tolls) {
+  m_grid = &grid;
+  m_tolls = &tolls;
+  m_level.assign(grid.nodes(), kFar);
+  m_upright.assign(grid.nodes(), kFar);
+  m_start.assign(grid.nodes(), kFar);
+  m_pending.assign(grid.rows(), {});
+  m_targets.clear();
+  m_most = kFar;
+}
 
 void ArmSearch::addStart(std::size_t node, double hold) {
   if (hold >= m_start[node]) return;
   m_start[node] = m_level[node] = m_upright[node] = hold;
-  m_pending[node / m_grid.columns()] = {true, true, true};
+  m_pending[node / m_grid->columns()] = {true, true, true};
 }
 
 void ArmSearch::addTarget(std::size_t node, double price, std::size_t number) {
@@ -40,14 +43,14 @@ void ArmSearch::addTarget(std::size_t node, double price, std::size_t number) {
 
 /// As if nothing were in the way.
 void ArmSearch::lookAhead() {
-  m_columnAhead.assign(m_grid.columns(), kFar);
-  m_rowAhead.assign(m_grid.rows(), kFar);
+  m_columnAhead.assign(m_grid->columns(), kFar);
+  m_rowAhead.assign(m_grid->rows(), kFar);
   for (const Target& target : m_targets) {
-    const SheetPoint place = m_grid.place(target.node);
-    for (std::size_t c = 0; c < m_grid.columns(); ++c)
-      m_columnAhead[c] = std::min(m_columnAhead[c], std::abs(m_grid.xs[c] - place.x) + target.price);
-    for (std::size_t r = 0; r < m_grid.rows(); ++r)
-      m_rowAhead[r] = std::min(m_rowAhead[r], std::abs(m_grid.ys[r] - place.y));
+    const SheetPoint place = m_grid->place(target.node);
+    for (std::size_t c = 0; c < m_grid->columns(); ++c)
+      m_columnAhead[c] = std::min(m_columnAhead[c], std::abs(m_grid->xs[c] - place.x) + target.price);
+    for (std::size_t r = 0; r < m_grid->rows(); ++r)
+      m_rowAhead[r] = std::min(m_rowAhead[r], std::abs(m_grid->ys[r] - place.y));
   }
 }
 
@@ -62,7 +65,7 @@ void ArmSearch::narrow() {
 /// Along all rows that have it pending.
 void ArmSearch::goLevel() {
   m_rows.clear();
-  for (std::size_t r = 0; r < m_grid.rows(); ++r) {
+  for (std::size_t r = 0; r < m_grid->rows(); ++r) {
     if (m_pending[r].level) m_rows.push_back(r);
   }
   for (std::size_t i = 0; i < m_rows.size(); i += kAbreast)
@@ -70,7 +73,7 @@ void ArmSearch::goLevel() {
 }
 
 void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
-  const std::size_t columns = m_grid.columns();
+  const std::size_t columns = m_grid->columns();
   struct Row {
     double* level;
     const double* upright;
@@ -82,7 +85,7 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
   for (std::size_t k = 0; k < kAbreast; ++k) {
     const std::size_t r = rows[std::min(k, count - 1)];  // the last one again does no harm
     const std::size_t first = r * columns;
-    each[k] = {m_level.data() + first, m_upright.data() + first, m_tolls.level.data() + first,
+    each[k] = {m_level.data() + first, m_upright.data() + first, m_tolls->level.data() + first,
                m_most - m_rowAhead[r], false};
   }
   const auto step = [&](Row& row, std::size_t from, std::size_t to, double length, double toll) {
@@ -95,11 +98,11 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
     row.level[to] = std::min(cost, known);
   };
   for (std::size_t c = 0; c + 1 < columns; ++c) {
-    const double length = m_grid.xs[c + 1] - m_grid.xs[c];
+    const double length = m_grid->xs[c + 1] - m_grid->xs[c];
     for (Row& row : each) step(row, c, c + 1, length, row.tolls[c]);
   }
   for (std::size_t c = columns - 1; c > 0; --c) {
-    const double length = m_grid.xs[c] - m_grid.xs[c - 1];
+    const double length = m_grid->xs[c] - m_grid->xs[c - 1];
     for (Row& row : each) step(row, c, c - 1, length, row.tolls[c - 1]);
   }
   for (std::size_t k = 0; k < count; ++k) {
@@ -114,7 +117,7 @@ void ArmSearch::alongRows(const std::size_t* rows, std::size_t count) {
 /// would be a detour.
 void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, const double* tolls,
                            bool Pending::*onward) {
-  const std::size_t columns = m_grid.columns();
+  const std::size_t columns = m_grid->columns();
   const double* const level = m_level.data() + from * columns;
   const double* const upright = m_upright.data() + from * columns;
   const double* const other = m_level.data() + to * columns;
@@ -138,7 +141,7 @@ void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, cons
 /// The state before this one on its cheapest way; none at its start. Of several it is the cheapest, then the
 /// first.
 std::optional<std::size_t> ArmSearch::before(std::size_t state) const {
-  const std::size_t node = state / 2, columns = m_grid.columns();
+  const std::size_t node = state / 2, columns = m_grid->columns();
   const std::size_t column = node % columns, row = node / columns;
   if (m_start[node] == costOf(state)) return std::nullopt;
   std::optional<std::size_t> best;
@@ -153,22 +156,22 @@ std::optional<std::size_t> ArmSearch::before(std::size_t state) const {
     }
   };
   if (state % 2 == 0) {
-    if (column > 0) consider(node - 1, m_grid.xs[column] - m_grid.xs[column - 1], m_tolls.level[node - 1]);
+    if (column > 0) consider(node - 1, m_grid->xs[column] - m_grid->xs[column - 1], m_tolls->level[node - 1]);
     if (column + 1 < columns)
-      consider(node + 1, m_grid.xs[column + 1] - m_grid.xs[column], m_tolls.level[node]);
+      consider(node + 1, m_grid->xs[column + 1] - m_grid->xs[column], m_tolls->level[node]);
   } else {
     if (row > 0)
-      consider(node - columns, m_grid.ys[row] - m_grid.ys[row - 1], m_tolls.upright[node - columns]);
-    if (row + 1 < m_grid.rows())
-      consider(node + columns, m_grid.ys[row + 1] - m_grid.ys[row], m_tolls.upright[node]);
+      consider(node - columns, m_grid->ys[row] - m_grid->ys[row - 1], m_tolls->upright[node - columns]);
+    if (row + 1 < m_grid->rows())
+      consider(node + columns, m_grid->ys[row + 1] - m_grid->ys[row], m_tolls->upright[node]);
   }
   return best;
 }
 
 void ArmSearch::goAcross() {
-  const std::size_t last = m_grid.rows() - 1, columns = m_grid.columns();
-  const auto length = [&](std::size_t row) { return m_grid.ys[row + 1] - m_grid.ys[row]; };
-  const auto tolls = [&](std::size_t row) { return m_tolls.upright.data() + row * columns; };
+  const std::size_t last = m_grid->rows() - 1, columns = m_grid->columns();
+  const auto length = [&](std::size_t row) { return m_grid->ys[row + 1] - m_grid->ys[row]; };
+  const auto tolls = [&](std::size_t row) { return m_tolls->upright.data() + row * columns; };
   for (std::size_t r = 0; r < last; ++r) {
     if (m_pending[r].down) acrossRows(r, r + 1, length(r), tolls(r), &Pending::down);
   }
@@ -185,7 +188,7 @@ std::optional<ArmSearch::End> ArmSearch::cheapestEnd() const {
   for (const Target& target : m_targets) {
     for (const std::size_t state : {2 * target.node, 2 * target.node + 1}) {
       const double cost = costOf(state);
-      const std::size_t rank = target.price == 0 ? state : 2 * m_grid.nodes() + target.number;
+      const std::size_t rank = target.price == 0 ? state : 2 * m_grid->nodes() + target.number;
       const End end{cost + target.price, rank, cost, state, target.number};
       if (cost < kFar && (!best || end < *best)) best = end;
     }

@@ -14,7 +14,8 @@ namespace geargraph {
 /// courses have bends, and comes to the same numbers as every other search.
 class ArmSearch {
  public:
-  ArmSearch(const ArmGrid& grid, const ArmTolls& tolls);
+  /// Forgets everything but what memory it has. Both have to live as long as it is asked.
+  void begin(const ArmGrid& grid, const ArmTolls& tolls);
 
   /// It costs so much to begin at a node.
   void addStart(std::size_t node, double hold);
@@ -64,8 +65,8 @@ class ArmSearch {
   }
   [[nodiscard]] std::optional<std::size_t> before(std::size_t state) const;
 
-  const ArmGrid& m_grid;
-  const ArmTolls& m_tolls;
+  const ArmGrid* m_grid = nullptr;
+  const ArmTolls* m_tolls = nullptr;
   std::vector<double> m_level;    ///< by node: cost of the ways that reach it level
   std::vector<double> m_upright;  ///< and upright
   std::vector<double> m_start;    ///< by node

@@ -192,7 +192,8 @@ class CouplingPlacer {
         ends.push_back(plates.at(kPlateGap + kBeyondPlate));
         prices.push_back(plates.cost);
       }
-      const auto course = ArmRouter(m_lanes.gridWith(ends), m_section.lines).route(reacher, ends, prices);
+      m_router.begin(m_lanes.gridWith(ends), m_section.lines);
+      const auto course = m_router.route(reacher, ends, prices);
       if (!course) continue;
       const Plates& plates = places[course->target];
       const double cost = plates.cost + course->length + 300 * course->crossings;
@@ -222,6 +223,7 @@ class CouplingPlacer {
   Section& m_section;
   ObstacleGrid m_taken;
   ArmLanes m_lanes;
+  ArmRouter m_router;
   ElementId m_coupling;
 };
 
