@@ -1,15 +1,10 @@
-#include "core/render/gl_renderer.h"
+#include "core/render/gl_renderer_class.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "core/render/frustum.h"
-#include "core/render/gl_objects.h"
-#include "core/render/gl_passes.h"
-#include "core/render/gl_solid_store.h"
 #include "core/render/mark_lines.h"
 #include "core/render/triad.h"
 
@@ -24,98 +19,7 @@ constexpr float kCoveredMark = 0.25F;    // how much of a line is seen through a
 constexpr double kHatches = 90;          // lines across the scene
 constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
-class GlRenderer final : public Renderer {
- public:
-  explicit GlRenderer(std::unique_ptr<GlApi> gl) : m_gl(std::move(gl)), m_passes(*m_gl) {
-    m_name = reinterpret_cast<const char*>(m_gl->GetString(GL_RENDERER));  // NOLINT
-    m_software = isSoftwareRenderer(m_name);
-    m_gl->GetIntegerv(GL_MAX_SAMPLES, &m_maximumSamples);
-    GLint renderbuffer = 0, texture = 0;
-    m_gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    m_gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-    m_maximumSide = std::min(renderbuffer, texture);
-  }
-
-  [[nodiscard]] std::string log() const { return m_passes.log(); }
-  [[nodiscard]] const std::string& name() const override { return m_name; }
-  [[nodiscard]] bool isSoftware() const override { return m_software; }
-  [[nodiscard]] int maximumSide() const override { return m_maximumSide; }
-
-  void setScene(const Scene& scene) override { m_solids.setScene(scene); }
-  void draw(const Frame& frame, unsigned framebuffer) override;
-  [[nodiscard]] Image picture(const Frame& frame) override;
-  [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y) override;
-  [[nodiscard]] SeenMap seen(const Frame& frame, int columns, int rows) override;
-
- private:
-  [[nodiscard]] const Pose& pose(const Frame& frame, std::size_t instance) const {
-    return frame.poses.empty() ? m_scene.instances[instance].pose : frame.poses[instance];
-  }
-  [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
-    return frame.camera.projection(frame.viewport, m_bounds.centre(), 2.5 * m_bounds.radius());
-  }
-  /// From the cube of -1..1 that the picture shows.
-  [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
-    return (projection(frame) * frame.camera.view().matrix()).inverse();
-  }
-  [[nodiscard]] Disc disc(const Frame& frame) const;
-  [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
-    return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
-  }
-  [[nodiscard]] static Showing showing(const Frame& frame, std::size_t instance) {
-    return frame.showing.empty() ? Showing::solid : frame.showing[instance];
-  }
-  /// Visits what may be seen through this clip matrix and is shown in this way.
-  template <class Visit>
-  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-                    Visit visit);
-  /// Paints a part of the same, equal solids in one go: `look` gives what differs, or nothing to leave one
-  /// out.
-  template <class Look>
-  void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-               Look look);
-  /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
-  [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
-                                        GlSolid::Part part);
-  void beginSection(const Frame& frame);
-  void drawFaces(const Frame& frame, Showing wanted, float alpha);
-  void drawCaps(const Frame& frame);
-  void drawGhosts(const Frame& frame);
-  void drawMarks(const Frame& frame);
-
-  void drawGround(const Frame& frame);
-  void drawShadow(const Frame& frame);
-  void drawSolids(const Frame& frame);
-  void drawEdges(const Frame& frame, Showing wanted, float part);
-  void drawTriad(const Frame& frame);
-  void drawHalo(const Frame& frame, unsigned framebuffer);
-  /// What readNumbers() reads, into the bound framebuffer; `cut`: which part of the picture.
-  void drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut);
-
-  std::unique_ptr<GlApi> m_gl;
-  GlPasses m_passes;
-  std::string m_name;
-  bool m_software = false;
-  int m_maximumSide = 0;
-  GLint m_maximumSamples = 1;
-
-  GlSolidStore m_solids{*m_gl, m_passes.instances()};
-  const Scene& m_scene = m_solids.scene();
-  const Bounds& m_bounds = m_solids.bounds();
-  struct Batch {
-    const GlSolid* solid = nullptr;
-    bool isOpen = false;
-    std::vector<SolidInstance> instances;
-  };
-  std::vector<Batch> m_batches;  ///< of the pass that is painted, in the order of the scene
-  std::map<std::pair<const GlSolid*, bool>, std::size_t> m_batchOf;
-
-  GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
-  GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
-  GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};  ///< of a pick
-  GlTarget m_cells{*m_gl, GlTarget::Colours::rgba, true};    ///< of a map
-  GlTarget m_mask{*m_gl, GlTarget::Colours::coverage, false};
-};
+}  // namespace
 
 const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
                                     GlSolid::Part part) {
@@ -125,42 +29,6 @@ const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const
   return m_solids.get(
       shape, pixelsAtTarget * frame.camera.distance() / std::max(nearest, 1e-3 * frame.camera.distance()),
       part);
-}
-
-template <class Visit>
-void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted,
-                              GlSolid::Part part, Visit visit) {
-  const Frustum frustum(clip);
-  for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
-    if (showing(frame, i) != wanted) continue;
-    const std::size_t shape = m_scene.instances[i].solid;
-    const Ball& ball = m_solids.ballOf(shape);
-    const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
-    if (!frustum.mayShow(middle, ball.radius)) continue;
-    visit(i, detailed(frame, shape, middle, part));
-  }
-}
-
-// The order of the scene decides, not that of addresses: the same scene gives the same picture.
-template <class Look>
-void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
-                         Look look) {
-  m_batches.clear();
-  m_batchOf.clear();
-  eachInstance(frame, clip, wanted, part, [&](std::size_t i, const GlSolid& solid) {
-    const std::optional<SolidInstance> instance = look(i);
-    if (!instance) return;
-    const bool isOpen = m_scene.instances[i].isOpen;
-    const auto [place, isNew] = m_batchOf.try_emplace({&solid, isOpen}, m_batches.size());
-    if (isNew) m_batches.push_back({&solid, isOpen, {}});
-    m_batches[place->second].instances.push_back(*instance);
-  });
-  const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
-  for (const Batch& batch : m_batches) {
-    if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
-    m_passes.draw(*batch.solid, part, batch.instances);
-    if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);
-  }
 }
 
 // As wide as the train stands in its reference pose, and a little more for the carriers that will swing out.
@@ -174,17 +42,77 @@ Disc GlRenderer::disc(const Frame& frame) const {
 }
 
 void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
+  if (!paint(frame)) return;
+  resolve(frame.viewport, framebuffer);
+  drawHalo(frame, framebuffer);
+  m_gl->Disable(GL_BLEND);
+  m_gl->UseProgram(0);
+}
+
+bool GlRenderer::paint(const Frame& frame) {
   const Viewport& size = frame.viewport;
-  const int samples = std::clamp(frame.look.samples, 1, static_cast<int>(m_maximumSamples));
-  if (!m_sampled.ensure(size.width, size.height, samples)) return;
+  if (!m_sampled.ensure(size.width, size.height, samplesOf(frame))) return false;
   if (frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
-  m_sampled.bind();
-  m_gl->ClearColor(0, 0, 0, 0);
-  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  m_gl->Enable(GL_BLEND);
   m_gl->BlendEquation(GL_FUNC_ADD);
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  drawGround(frame);
+  if (paintLayer(frame)) {
+    Frame rest = frame;
+    rest.showing = m_still.rest();
+    paintParts(rest);
+  } else {
+    m_sampled.bind();
+    drawBackground(frame);
+    drawDisc(frame);
+    paintParts(frame);
+  }
+  drawMarks(frame);
+  m_gl->Disable(GL_DEPTH_TEST);
+  if (frame.look.triad) drawTriad(frame);
+  return true;
+}
+
+// Only where the processor paints: a card is quicker than any copy.
+bool GlRenderer::paintLayer(const Frame& frame) {
+  const bool isVeiled =
+      std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) != frame.showing.end();
+  if (!m_software || samplesOf(frame) > 1 || frame.look.contactShadow || frame.section || isVeiled)
+    return false;
+  const auto& [width, height] = frame.viewport;
+  std::vector<StillParts::Part> parts;
+  for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+    const Instance& instance = m_scene.instances[i];
+    const bool hasLevels = instance.solid < m_scene.levels.size();
+    parts.push_back({m_scene.solids[instance.solid],
+                     hasLevels ? m_scene.levels[instance.solid] : DetailLevels{}, pose(frame, i),
+                     instance.colour, emphasis(frame, i), showing(frame, i)});
+  }
+  const StillParts::Layer layer =
+      m_still.next({width, height, frame.pixelRatio, frame.camera, frame.look, isLitByVertex(frame),
+                    projection(frame) * frame.camera.view().matrix()},
+                   std::move(parts));
+  if (layer == StillParts::Layer::none || !m_layer.ensure(width, height)) return false;
+  if (layer == StillParts::Layer::anew || m_still.hasAdded()) {
+    m_layer.bind();
+    if (layer == StillParts::Layer::anew) drawBackground(frame);
+    Frame added = frame;
+    added.showing = m_still.added();
+    paintParts(added);
+  }
+  m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_layer.framebuffer());
+  m_gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, m_sampled.framebuffer());
+  m_gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height,
+                        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+  // Behind all parts wherever it is seen, the disc need not be in the layer: it follows the train's size.
+  m_sampled.bind();
+  m_gl->Enable(GL_DEPTH_TEST);
+  m_gl->DepthMask(GL_FALSE);
+  drawDisc(frame);
+  m_gl->DepthMask(GL_TRUE);
+  return true;
+}
+
+void GlRenderer::paintParts(const Frame& frame) {
+  m_gl->Enable(GL_BLEND);
   m_gl->Enable(GL_DEPTH_TEST);
   m_gl->DepthFunc(GL_LEQUAL);
   m_gl->Enable(GL_CULL_FACE);
@@ -194,26 +122,40 @@ void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
   drawGhosts(frame);
   m_passes.endSection();
   m_gl->Disable(GL_CULL_FACE);
-  drawMarks(frame);
-  m_gl->Disable(GL_DEPTH_TEST);
-  if (frame.look.triad) drawTriad(frame);
+}
+
+void GlRenderer::resolve(const Viewport& size, unsigned framebuffer) {
   m_gl->BindFramebuffer(GL_READ_FRAMEBUFFER, m_sampled.framebuffer());
   m_gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   m_gl->BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
                         GL_NEAREST);
-  drawHalo(frame, framebuffer);
   m_gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  m_gl->Disable(GL_BLEND);
-  m_gl->UseProgram(0);
 }
 
-void GlRenderer::drawGround(const Frame& frame) {
+void GlRenderer::drawBackground(const Frame& frame) {
+  m_gl->ClearColor(0, 0, 0, 0);
+  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   m_gl->Disable(GL_DEPTH_TEST);
   m_gl->Disable(GL_CULL_FACE);
+  m_gl->Disable(GL_BLEND);
   if (!frame.look.transparent) m_passes.gradient(frame.look.groundTop, frame.look.groundBottom);
+}
+
+void GlRenderer::drawDisc(const Frame& frame) {
+  m_gl->Disable(GL_CULL_FACE);
+  m_gl->Enable(GL_BLEND);
   const Disc ground = disc(frame);
   if (m_scene.instances.empty() || frame.camera.eye().z() < ground.z) return;
   m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.look);
+}
+
+// The range of depths stays while the train changes a little, so that what is kept of it holds.
+void GlRenderer::setScene(const Scene& scene) {
+  m_solids.setScene(scene);
+  const double radius = m_bounds.radius();
+  const bool holds = (m_bounds.centre() - m_depths.centre).norm() + 2 * radius <= m_depths.radius &&
+                     m_depths.radius <= 4 * radius;
+  if (!holds) m_depths = {m_bounds.centre(), 2.5 * radius};
 }
 
 void GlRenderer::drawShadow(const Frame& frame) {
@@ -249,15 +191,19 @@ void GlRenderer::drawSolids(const Frame& frame) {
   if (frame.look.edges || frame.look.faces != Faces::shaded) drawEdges(frame, Showing::solid, 1);
 }
 
+bool GlRenderer::isLitByVertex(const Frame& frame) const {
+  const auto isOpen = [](const Instance& instance) { return instance.isOpen; };
+  return frame.look.litByVertex && !frame.section &&
+         std::none_of(m_scene.instances.begin(), m_scene.instances.end(), isOpen);
+}
+
 void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
   m_gl->Enable(GL_POLYGON_OFFSET_FILL);
   m_gl->PolygonOffset(1, 1);
+  if (alpha == 1) m_gl->Disable(GL_BLEND);  // which reads every pixel before it writes it
   const bool isDrawing = frame.look.faces == Faces::hiddenLine;
-  const auto isOpen = [](const Instance& instance) { return instance.isOpen; };
-  m_passes.beginLit(view, projection(frame),
-                    frame.look.litByVertex && !frame.section &&
-                        std::none_of(m_scene.instances.begin(), m_scene.instances.end(), isOpen));
+  m_passes.beginLit(view, projection(frame), isLitByVertex(frame));
   drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::triangles,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             const Highlight state = emphasis(frame, i);
@@ -272,6 +218,7 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
             instance.accent = {accent.red, accent.green, accent.blue, tint};
             return instance;
           });
+  m_gl->Enable(GL_BLEND);
   m_gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -395,8 +342,14 @@ Image GlRenderer::picture(const Frame& frame) {
   cut.viewport.width = std::clamp(frame.viewport.width, 1, m_maximumSide);
   cut.viewport.height = std::clamp(frame.viewport.height, 1, m_maximumSide);
   const auto [width, height] = cut.viewport;
-  if (!m_picture.ensure(width, height)) return {};
-  draw(cut, m_picture.framebuffer());
+  // Without samples there is nothing to resolve: it is read from where it was painted.
+  const bool isPlain = samplesOf(cut) == 1;
+  if (!isPlain && !m_picture.ensure(width, height)) return {};
+  if (!paint(cut)) return {};
+  if (!isPlain) resolve(cut.viewport, m_picture.framebuffer());
+  drawHalo(cut, isPlain ? m_sampled.framebuffer() : m_picture.framebuffer());
+  m_gl->Disable(GL_BLEND);
+  m_gl->UseProgram(0);
   Image image{
       width, height,
       std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
@@ -405,67 +358,6 @@ Image GlRenderer::picture(const Frame& frame) {
   turnUpright(image);
   return image;
 }
-
-void GlRenderer::drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut) {
-  const Eigen::Matrix4d through = projection(frame);
-  const Eigen::Matrix4d view = frame.camera.view().matrix();
-  m_gl->Disable(GL_BLEND);
-  m_gl->Enable(GL_DEPTH_TEST);
-  m_gl->DepthFunc(GL_LEQUAL);
-  frame.section ? m_gl->Disable(GL_CULL_FACE)
-                : m_gl->Enable(GL_CULL_FACE);  // of a cut solid the inside shows
-  m_gl->ClearColor(0, 0, 0, 0);
-  m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  if (frame.section) beginSection(frame);
-  m_passes.beginFlat(cut * through, 1);
-  m_gl->Enable(GL_STENCIL_TEST);  // ghosts only where there is nothing else
-  m_gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  for (const Showing wanted : {Showing::solid, Showing::ghost}) {
-    wanted == Showing::solid ? m_gl->StencilFunc(GL_ALWAYS, 1, 255) : m_gl->StencilFunc(GL_EQUAL, 0, 255);
-    drawAll(frame, cut * through * view, wanted, GlSolid::Part::triangles,
-            [&](std::size_t i) -> std::optional<SolidInstance> {
-              return instanceAt(view * pose(frame, i).matrix(),
-                                colourOfNumber(static_cast<std::uint32_t>(i + 1)));
-            });
-  }
-  m_gl->Disable(GL_STENCIL_TEST);
-  m_passes.endSection();
-  m_gl->Disable(GL_CULL_FACE);
-  m_gl->Disable(GL_DEPTH_TEST);
-}
-
-// The picture is cut to three by three pixels round the place before anything is painted, so a pick costs the
-// vertices and hardly a pixel.
-std::optional<Hit> GlRenderer::pick(const Frame& frame, double x, double y) {
-  constexpr int kSide = 3;
-  const double width = frame.viewport.width, height = frame.viewport.height;
-  if (!(x >= 0 && x < width && y >= 0 && y < height) || !m_numbers.ensure(kSide, kSide)) return std::nullopt;
-  Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
-  cut(0, 0) = width / kSide;
-  cut(1, 1) = height / kSide;
-  cut(0, 3) = (width - 2 * (std::floor(x) + 0.5)) / kSide;
-  cut(1, 3) = (2 * (std::floor(y) + 0.5) - height) / kSide;
-  m_numbers.bind();
-  drawNumbers(frame, cut);
-  const auto place = readNumbers(*m_gl, kSide, kSide).nearestToMiddle();
-  if (!place) return std::nullopt;
-  const Eigen::Vector3d onScreen(2 * (std::floor(x) + 0.5 + place->right) / width - 1,
-                                 1 - 2 * (std::floor(y) + 0.5 - place->up) / height, 2.0 * place->depth - 1);
-  const Eigen::Vector4d met = toWorld(frame) * onScreen.homogeneous();
-  const std::size_t instance = place->number - 1;
-  return Hit{instance, m_scene.instances[instance].element, met.hnormalized()};
-}
-
-SeenMap GlRenderer::seen(const Frame& frame, int columns, int rows) {
-  if (!m_cells.ensure(columns, rows)) return {};
-  m_cells.bind();
-  drawNumbers(frame, Eigen::Matrix4d::Identity());
-  NumberedPixels pixels = readNumbers(*m_gl, columns, rows);
-  pixels.turnUpright();
-  return {columns, rows, std::move(pixels.numbers), std::move(pixels.depths), toWorld(frame)};
-}
-
-}  // namespace
 
 bool isSoftwareRenderer(std::string_view name) {
   constexpr std::array<std::string_view, 4> kProcessors{"llvmpipe", "softpipe", "SWR", "Software Rasterizer"};

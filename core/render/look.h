@@ -35,6 +35,7 @@ struct Look {
   [[nodiscard]] static Look dark();
   /// The same without what software rendering is slow at: antialiasing and the contact shadow.
   [[nodiscard]] Look cheaper() const;
+  friend bool operator==(const Look&, const Look&) = default;
 };
 
 }  // namespace geargraph

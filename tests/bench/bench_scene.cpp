@@ -1,10 +1,12 @@
 // The solids and the schematic of a train while a tooth count is dragged, each on the thread that makes it:
-// all that a step of the drag asks of it. Every count is new, so that no answer is in a cache.
+// all that a step of the drag asks of it. Every count is new, so that no answer is in a cache. And the quick
+// look at the solids.
 
 #include <benchmark/benchmark.h>
 
 #include "core/base/contract.h"
 #include "core/fitting/fitted_edits.h"
+#include "core/render/egl_host.h"
 #include "core/scene/train_stage.h"
 #include "core/schematic/schematic.h"
 #include "tests/core/support/example_files.h"
@@ -54,12 +56,53 @@ void schematicOfADrag(benchmark::State& state, const char* name, const char* mes
   }
 }
 
+/// The quick look at the new solids of a step, in the size that the 3D view has in a window of 1366x768:
+/// upload, paint, read back. `simpler`: as where the processor is slow.
+void quickLookOfADrag(benchmark::State& state, const char* name, const char* mesh, int least, bool simpler) {
+  auto host = EglHost::create();
+  if (!host) return state.SkipWithError("no OpenGL");
+  GearCache cache(1024);
+  StageMemory memory;
+  std::vector<StagePtr> stages;
+  for (const SnapshotPtr& snapshot : dragOf(name, MeshId(mesh), least, kSteps))
+    stages.push_back(trainStage(*snapshot, cache, nullptr, &memory));
+  Frame frame;
+  frame.viewport = {560, 307};
+  frame.look = Look::light().cheaper();
+  frame.look.edges = !simpler;
+  frame.look.litByVertex = simpler;
+  frame.camera = Camera::home().fitted(outlineOf(stages.front()->scene), frame.viewport, 0.13);
+  std::size_t step = 0;
+  const auto look = [&] {
+    (*host)->setScene(stages[step++ % stages.size()]->scene);
+    benchmark::DoNotOptimize((*host)->picture(frame));
+  };
+  look();
+  for (auto _ : state) look();
+}
+
 BENCHMARK_CAPTURE(stageOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(schematicOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(schematicOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(quickLookOfADrag, robot, "robot", "15", 18, false)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(quickLookOfADrag, robot_simpler, "robot", "15", 18, true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(quickLookOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20, false)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(quickLookOfADrag, eight_speed_gearbox_simpler, "eight-speed-gearbox", "25", 20, true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace geargraph
