@@ -199,14 +199,14 @@ Rgb colourOfNumber(std::uint32_t number) {
   return {byte(0), byte(8), byte(16)};
 }
 
-void turnUpright(Image& image) {
+void turnUpright(Image& image, bool isOpaque) {
   const std::size_t row = 4 * static_cast<std::size_t>(image.width);
   for (int y = 0; y < image.height / 2; ++y) {
     const auto upper = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
     const auto lower = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (image.height - 1 - y);
     std::swap_ranges(upper, upper + static_cast<std::ptrdiff_t>(row), lower);
   }
-  for (std::size_t pixel = 0; pixel < image.rgba.size(); pixel += 4) {
+  for (std::size_t pixel = 0; !isOpaque && pixel < image.rgba.size(); pixel += 4) {
     const unsigned alpha = image.rgba[pixel + 3];
     if (alpha == 0 || alpha == 255) continue;
     for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -96,8 +96,9 @@ class GlPasses {
 /// A colour that holds a number, for NumberedPixels.
 [[nodiscard]] Rgb colourOfNumber(std::uint32_t number);
 
-/// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not.
-void turnUpright(Image& image);
+/// OpenGL's rows run upwards and its colours are multiplied by their alpha; a picture's are not. `isOpaque`:
+/// no alpha is less than 1.
+void turnUpright(Image& image, bool isOpaque);
 
 /// The numbers of instances (plus 1; 0 is the ground) and the depths in some pixels, row by row.
 struct NumberedPixels {

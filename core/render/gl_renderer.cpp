@@ -355,7 +355,7 @@ Image GlRenderer::picture(const Frame& frame) {
       std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   m_gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
   m_gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  turnUpright(image);
+  turnUpright(image, !frame.look.transparent);
   return image;
 }
 

@@ -4,7 +4,6 @@
 #include <QLinearGradient>
 #include <QPaintEngine>
 #include <QPainter>
-#include <algorithm>
 #include <utility>
 
 #include "ui/view3d/overlay.h"
@@ -12,20 +11,14 @@
 namespace geargraph {
 namespace {
 
-// A quick look that takes longer than this (ms) is followed by a simpler one, and one that takes less by a
-// finer one: a step makes about one and a half times the time.
-constexpr double kSlow = 20;
-constexpr double kQuick = 9;
-constexpr int kSimplest = 2;
+constexpr double kFewerPixels = 0.7;  // of a side: half of all
 
-/// How much simpler a quick look is: without edges and simply lit, and then with half the pixels of a side
-/// too. What shows the pixels is the last that is given up: most of the time goes into triangles and lines.
-void simplify(Frame& frame, double& scale, int steps) {
-  if (steps >= 1) {
+void simplify(Frame& frame, double& scale, int level) {
+  if (level >= 1) {
     frame.look.edges = false;
     frame.look.litByVertex = true;
   }
-  if (steps >= 2) scale = 0.5;
+  if (level >= 2) scale = kFewerPixels;
 }
 
 QColor colorOf(const Rgb& rgb) {
@@ -37,8 +30,12 @@ QColor colorOf(const Rgb& rgb) {
 QImage screenImage(const PaintedPicture& picture) {
   const Frame& frame = picture.order.frame->frame();
   const Image& pixels = picture.image;
-  QImage image = QImage(pixels.rgba.data(), pixels.width, pixels.height, QImage::Format_RGBA8888)
-                     .convertToFormat(QImage::Format_RGB32);
+  QImage image(pixels.width, pixels.height, QImage::Format_RGB32);
+  const std::uint8_t* from = pixels.rgba.data();
+  for (int y = 0; y < image.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));  // NOLINT
+    for (int x = 0; x < image.width(); ++x, from += 4) line[x] = qRgb(from[0], from[1], from[2]);
+  }
   const QSize whole(frame.viewport.width, frame.viewport.height);
   if (picture.order.scale < 1) image = image.scaled(whole, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   image.setDevicePixelRatio(frame.pixelRatio);
@@ -92,7 +89,8 @@ void ImageCanvas::order(bool quick) {
   m_willOrder = false;
   Frame frame = m_viewer->frame(quick);
   double scale = 1;
-  if (quick) simplify(frame, scale, m_simpler);
+  if (quick) simplify(frame, scale, m_look.level());
+  if (quick) m_isStep = m_ordered == nullptr || m_ordered->stage() != m_viewer->stage();
   m_ordered = std::make_shared<const KeptFrame>(m_viewer->stage(), frame);
   if (quick) m_quick = m_ordered;
   PictureOrder order{m_ordered, scale, {}};
@@ -155,8 +153,7 @@ void ImageCanvas::takeUp() {
   if (!delivered) return;
   m_viewer->setPictureCost(delivered->cost);
   if (delivered->frame == m_quick) {
-    if (delivered->cost > kSlow) m_simpler = std::min(m_simpler + 1, kSimplest);
-    if (delivered->cost < kQuick) m_simpler = std::max(m_simpler - 1, 0);
+    m_look.took(delivered->cost, m_isStep);
   } else {
     rehearse();
   }

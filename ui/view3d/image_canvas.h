@@ -7,6 +7,7 @@
 
 #include "core/render/picture_thread.h"
 #include "ui/view3d/label_layer.h"
+#include "ui/view3d/look_level.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
@@ -73,7 +74,8 @@ class ImageCanvas : public QWidget {
   bool m_willOrder = false;
   bool m_owesMap = false;    ///< a map that is due has not come yet: its picture may have been overtaken
   bool m_isPainted = false;  ///< what is shown is on the screen
-  int m_simpler = 0;         ///< steps that quick looks are made simpler
+  bool m_isStep = false;     ///< the last quick look that was ordered is the first of its stage
+  LookLevel m_look;
   bool m_hasRehearsed = false;
   KeptFramePtr m_ordered;
   KeptFramePtr m_quick;      ///< the last quick look that was ordered

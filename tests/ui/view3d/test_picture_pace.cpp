@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/ui/view3d/toy_stage.h"
+#include "ui/view3d/look_level.h"
 #include "ui/view3d/picture_pace.h"
 
 using namespace geargraph;
@@ -59,6 +60,46 @@ class TestPicturePace : public QObject {
     QVERIFY(hand.pace.takeMap());
     hand.labels.setShown(LabelKind::link, false);
     QVERIFY(!hand.pace.takeMap());
+  }
+
+  void slowQuickLooksGetSimplerStepByStep() {
+    LookLevel look;
+    for (const auto& [milliseconds, level] :
+         {std::pair{90, 0}, {21, 0}, {21, 1}, {90, 1}, {21, 1}, {21, 2}, {90, 2}, {90, 2}, {90, 2}}) {
+      look.took(milliseconds, false);
+      QCOMPARE(look.level(), level);
+    }
+  }
+
+  void oneSlowPictureAloneChangesNothing() {
+    LookLevel look;
+    for (const double milliseconds : {15.0, 90.0, 15.0, 90.0, 15.0}) look.took(milliseconds, false);
+    QCOMPARE(look.level(), 0);
+  }
+
+  void onlySeveralQuickOnesMakeThemFinerAgain() {
+    LookLevel look;
+    for (int picture = 0; picture < 3; ++picture) look.took(30, false);
+    QCOMPARE(look.level(), 1);
+    for (int picture = 0; picture < 8; ++picture) {
+      QCOMPARE(look.level(), 1);
+      look.took(5, false);
+    }
+    QCOMPARE(look.level(), 1);  // the first of a level does not count
+    look.took(5, false);
+    QCOMPARE(look.level(), 0);
+  }
+
+  void whereSolidsAreNewLessTimeIsLeft() {
+    LookLevel steps, turns;
+    for (int picture = 0; picture < 3; ++picture) {
+      steps.took(12, true);
+      turns.took(12, false);
+    }
+    QCOMPARE(steps.level(), 1);
+    QCOMPARE(turns.level(), 0);
+    for (int picture = 0; picture < 20; ++picture) steps.took(5, true);
+    QCOMPARE(steps.level(), 1);  // with edges it would take the 12 ms again
   }
 };
 
