@@ -250,6 +250,8 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
   until([&] { return window.isSettled(); });
   Stand::paint();
   until([&] { return window.view3d().isUpToDate(); });
+  window.showDrawing(QStringLiteral("schematic"));  // behind another tab it would wait
+  until([&] { return window.isSettled(); });
   std::map<std::string, double> parts;
   QElapsedTimer clock;
   const auto lap = [&](const char* part) {

@@ -276,7 +276,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 }
 
 bool MainWindow::isSettled() const {
-  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isUpToDate() &&
+  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isSettled() &&
          m_digraph->isSettled();
 }
 

@@ -13,6 +13,7 @@
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/schematic/schematic_view.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view3d.h"
 
@@ -98,7 +99,10 @@ void MainWindow::exportPicture(const PictureWish& wish, const QString& path) {
     if (each->objectName() != wish.view) continue;
     DrawingPicture picture = wish.picture;
     picture.title = m_document->mechanism()->name;
-    writePicture(pictureOf(each->picture(), picture), path);
+    const DisplayList list = each->picture();
+    const QString why = m_schematic->whyNoPicture();
+    if (each == m_schematic && !why.isEmpty()) return m_status->showRefusal(why);
+    writePicture(pictureOf(list, picture), path);
   }
 }
 

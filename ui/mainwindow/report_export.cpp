@@ -14,6 +14,7 @@
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/schematic/schematic_view.h"
 
 namespace geargraph {
 namespace {
@@ -65,6 +66,8 @@ void MainWindow::exportDerivation(const QString& path) {
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
   }
+  const QString why = m_schematic->whyNoPicture();
+  if (!why.isEmpty()) return m_status->showRefusal(why);
   const auto run = [=](const PictureJobs::Progress&, const std::stop_token&) {
     if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {
       const Expected<std::string> pages =

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QObject>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 
 #include "core/base/request_worker.h"
 #include "core/schematic/schematic.h"
@@ -19,6 +22,8 @@ class SchematicService : public QObject {
   explicit SchematicService(QObject* parent = nullptr);
 
   void request(const MechanismPtr& mechanism);
+  /// Waits for the answer to the newest request, if it comes soon enough: drawn() is then told at once.
+  void await(std::chrono::milliseconds most);
   /// Has the newest request been answered?
   [[nodiscard]] bool isUpToDate() const { return m_arrived == m_wanted; }
 
@@ -36,7 +41,14 @@ class SchematicService : public QObject {
 
   quint64 m_wanted = 0;
   quint64 m_arrived = 0;
-  MechanismPtr m_mechanism;         ///< of the newest request
+  MechanismPtr m_mechanism;  ///< of the newest request
+  struct Answer {
+    SchematicPtr schematic;
+    quint64 number = 0;
+  };
+  std::mutex m_mutex;
+  std::condition_variable m_answered;
+  Answer m_answer;                  ///< the last one; guarded by m_mutex
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 

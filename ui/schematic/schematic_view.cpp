@@ -26,7 +26,24 @@ SchematicView::SchematicView(Document* document, Selection* selection, QWidget* 
 }
 
 void SchematicView::rebuild() {
-  m_service->request(document().mechanism());
+  m_behind = !isVisible();
+  if (!m_behind) m_service->request(document().mechanism());
+}
+
+void SchematicView::catchUp() {
+  constexpr std::chrono::milliseconds kMoment{100};
+  if (std::exchange(m_behind, false)) m_service->request(document().mechanism());
+  m_service->await(kMoment);
+}
+
+void SchematicView::showEvent(QShowEvent* event) {
+  DrawingView::showEvent(event);
+  if (!m_behind) return;
+  catchUp();
+  if (isUpToDate()) return;
+  m_schematic.reset();  // nobody is shown what the document was long ago
+  m_sheet->show([](const Emphases&) { return DisplayList{}; });
+  updateMessage();
 }
 
 void SchematicView::showDrawing(const SchematicPtr& schematic) {
@@ -38,6 +55,10 @@ void SchematicView::showDrawing(const SchematicPtr& schematic) {
   if (m_fitNext || isFitted()) fit();
   m_fitNext = false;
   emit drawn();
+}
+
+QString SchematicView::whyNoPicture() const {
+  return isUpToDate() ? QString() : tr("The schematic is still being laid out. Try again in a moment.");
 }
 
 QString SchematicView::message() const {

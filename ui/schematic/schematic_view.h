@@ -7,7 +7,8 @@
 namespace geargraph {
 
 /// The functional schematic of the document [AU, Figs. 1 and 3]. The program lays it out, on a thread of its
-/// own, whenever the document changes; until then the last drawing stands.
+/// own, whenever the document changes; until then the last drawing stands. One that nobody sees waits until
+/// it is shown, or until its picture() is asked for.
 ///
 /// The tools draw in it: Link a shaft, on an axis that is there or on a new one; Turning joint a shaft that a
 /// link carries; Gear mesh two wheels in mesh, or a wheel and a ring. Select drags axes: the module follows
@@ -20,7 +21,11 @@ class SchematicView : public DrawingView {
   SchematicView(Document* document, Selection* selection, QWidget* parent = nullptr);
 
   /// Is the document as it is now drawn?
-  [[nodiscard]] bool isUpToDate() const { return m_service->isUpToDate(); }
+  [[nodiscard]] bool isUpToDate() const { return !m_behind && isSettled(); }
+  /// Has all that was to be laid out been drawn? While nobody sees it that may be less than the document.
+  [[nodiscard]] bool isSettled() const { return m_service->isUpToDate(); }
+  /// Why picture() was not that of the document as it is now, as a sentence; empty where it was.
+  [[nodiscard]] QString whyNoPicture() const;
   void setTool(ToolKind tool) override;
 
  signals:
@@ -29,6 +34,9 @@ class SchematicView : public DrawingView {
 
  protected:
   void rebuild() override;
+  /// Waits no longer than a moment: isUpToDate() tells whether that was long enough.
+  void catchUp() override;
+  void showEvent(QShowEvent* event) override;
   void forgetDocument() override { m_fitNext = true; }
   [[nodiscard]] QString message() const override;
   void adjustMenu(ContextActions& actions, SheetPoint at) override;
@@ -70,6 +78,7 @@ class SchematicView : public DrawingView {
   section_tool::State m_state;
   std::optional<AxisDrag> m_drag;
   bool m_fitNext = true;  ///< the next drawing is another document's
+  bool m_behind = false;  ///< the document has changed since, while nobody saw it
 };
 
 }  // namespace geargraph

@@ -64,6 +64,21 @@ class DrawingsTest : public QObject {
     QVERIFY(!window->showDrawing("nothing"));
   }
 
+  // A drawing in a tab behind waits, but nobody's file has an old one.
+  void anExportedSchematicIsThatOfTheDocument() {
+    const auto schematic = [this](const QString& name) {
+      return exported(wish("schematic", PictureForm::svg), name);
+    };
+    const QByteArray before = schematic("before.svg");
+    window->selection().select({LinkId("3")});
+    window->actions().remove->trigger();
+    const QByteArray behind = schematic("behind.svg");
+    QVERIFY(!behind.isEmpty() && behind != before);
+    QVERIFY(window->showDrawing("schematic"));
+    QTRY_VERIFY(window->isSettled());
+    QCOMPARE(schematic("shown.svg"), behind);
+  }
+
   // A page with the three drawings as they are in the window, and both methods' last equations.
   void theDerivationIsAFile() {
     QVERIFY(window->actions().exportDerivation->isEnabled());

@@ -6,6 +6,7 @@
 #include "core/fitting/fitted_edits.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
 #include "ui/schematic/schematic_view.h"
 
 using namespace geargraph;
@@ -122,6 +123,52 @@ class TestSchematicView : public QObject {
          0});
     driver.wait();
     QVERIFY(textOf(driver.view.picture()) != before);
+  }
+
+  void whatNobodySeesIsLaidOutWhenItIsShown() {
+    Driver driver(test::example("eight-speed-gearbox"));
+    QSignalSpy spy(&driver.view, &SchematicView::drawn);
+    const auto drag = [&driver](int teeth) {
+      driver.document.apply({"Teeth",
+                             [teeth](const Mechanism& m) {
+                               return withTeethFitted(m, MeshId("25"), m.find(MeshId("25"))->tailTeeth,
+                                                      teeth);
+                             },
+                             0});
+    };
+    driver.view.hide();
+    for (const int teeth : {24, 25, 26}) drag(teeth);
+    QVERIFY(driver.view.isSettled() && !driver.view.isUpToDate());  // there is nothing to wait for
+    QVERIFY(!driver.view.whyNoPicture().isEmpty());
+    const std::string before = textOf(driver.view.displayList());
+    driver.view.show();
+    QVERIFY(driver.view.isUpToDate());  // at once, without an event
+    QVERIFY(textOf(driver.view.displayList()) != before);
+    QCOMPARE(spy.count(), 1);
+    QTest::qWait(0);
+    QCOMPARE(spy.count(), 1);  // and not again
+  }
+
+  void thePictureOfWhatNobodySeesIsThatOfTheDocument() {
+    Driver driver(test::example("spur-pair"));
+    driver.view.hide();
+    driver.document.apply({"Teeth", [](const Mechanism& m) { return withTeeth(m, MeshId("5"), 21, 29); }, 0});
+    const std::string hidden = textOf(driver.view.picture());
+    QVERIFY(driver.view.whyNoPicture().isEmpty());
+    const Driver shown(*driver.document.mechanism());
+    QCOMPARE(hidden, textOf(shown.view.displayList()));
+  }
+
+  /// A drawing that takes longer than a moment is not the last document's meanwhile, and no picture is made.
+  void ofALargeTrainThatNobodySawNothingOldIsShown() {
+    Driver driver(test::example("robot"));
+    driver.view.hide();
+    driver.document.replace(test::randomTrain(1, 45, 20), "large.geargraph");
+    driver.view.show();
+    QVERIFY(!driver.view.isUpToDate() && !driver.view.whyNoPicture().isEmpty());
+    QVERIFY(driver.view.displayList().marks.empty());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.view.isUpToDate(), 60'000);
+    QVERIFY(!driver.view.displayList().marks.empty());
   }
 
   void menusOfferWhatCanBeDone() {
