@@ -271,6 +271,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
     emit d->viewer.moving();
     d->viewer.setTime(seconds);
   });
+  connect(&d->playback, &Playback::playingChanged, &d->viewer, &Viewer::setRunning);
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
   connect(&d->viewer, &Viewer::optionsChanged, this, [this] {
     d->onOptionsChanged();

@@ -258,10 +258,13 @@ void Viewer::setLook(const Look& look) {
   emit viewChanged();
 }
 
+// In motion a train stands elsewhere than when it was fitted: a bar that comes or goes above the view would
+// make it jump. Another width is somebody's wish.
 void Viewer::setViewport(const Viewport& viewport, double pixelRatio) {
+  const bool sameWidth = viewport.width == m_viewport.width;
   m_viewport = viewport;
   m_pixelRatio = pixelRatio;
-  if (!m_fitted || !m_isCameraChosen) fitNow();
+  if (!m_fitted || !(m_isCameraChosen || (m_isRunning && sameWidth))) fitNow();
 }
 
 std::optional<CutPlane> Viewer::cut() const {

@@ -47,6 +47,8 @@ class Viewer : public QObject {
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Poses for this time: all inputs run at their speeds from where hands have put them.
   void setTime(double seconds);
+  /// The clock runs: a view that gets lower or higher does not fit the train anew.
+  void setRunning(bool running) { m_isRunning = running; }
   /// Angles that hands have added to the inputs, rad.
   [[nodiscard]] const std::vector<double>& turnedByHand() const { return m_view.turned; }
   void setTurnedByHand(std::vector<double> angles);
@@ -145,6 +147,7 @@ class Viewer : public QObject {
   Viewport m_viewport;
   double m_pixelRatio = 1;
   bool m_fitted = false;  ///< the first size a stage is seen in fits it, and every size of an unchosen camera
+  bool m_isRunning = false;
   bool m_isAnew = false;  ///< the next stage is that of another document
   bool m_isCameraChosen = false;
   std::optional<Camera> m_opening;  ///< where that document wants to be seen from

@@ -90,6 +90,24 @@ class ViewerTest : public QObject {
     QVERIFY(viewer.camera() == chosen);
   }
 
+  void aViewThatGetsLowerLeavesATrainInMotionWhereItIs() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setStage(test::toyStage());
+    viewer.setViewport({640, 420}, 1);
+    const Camera fitted = viewer.camera();
+    viewer.setRunning(true);
+    viewer.setTime(0.3);
+    viewer.setViewport({640, 380}, 1);
+    QVERIFY(viewer.camera() == fitted);
+    viewer.setViewport({500, 380}, 1);
+    QVERIFY(viewer.camera() != fitted);
+    viewer.setRunning(false);
+    const Camera narrower = viewer.camera();
+    viewer.setViewport({500, 250}, 1);
+    QVERIFY(viewer.camera() != narrower);
+  }
+
   void anotherDocumentIsFittedOrSeenFromWhereItSays() {
     Selection selection;
     Viewer viewer(&selection);
