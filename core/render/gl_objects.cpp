@@ -135,7 +135,9 @@ bool GlTarget::ensure(int width, int height, int samples) {
     m_gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                  m_renderbuffers[1]);
   }
-  return m_gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  const bool isComplete = m_gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (!isComplete) release();  // the next call tries again
+  return isComplete;
 }
 
 void GlTarget::bind() const {

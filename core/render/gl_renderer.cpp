@@ -78,6 +78,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
   if (!m_software || samplesOf(frame) > 1 || frame.look.contactShadow || frame.section || isVeiled)
     return false;
   const auto& [width, height] = frame.viewport;
+  if (!m_layer.ensure(width, height)) return false;
   std::vector<StillParts::Part> parts;
   for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
     const Instance& instance = m_scene.instances[i];
@@ -90,7 +91,7 @@ bool GlRenderer::paintLayer(const Frame& frame) {
       m_still.next({width, height, frame.pixelRatio, frame.camera, frame.look, isLitByVertex(frame),
                     projection(frame) * frame.camera.view().matrix()},
                    std::move(parts));
-  if (layer == StillParts::Layer::none || !m_layer.ensure(width, height)) return false;
+  if (layer == StillParts::Layer::none) return false;
   if (layer == StillParts::Layer::anew || m_still.hasAdded()) {
     m_layer.bind();
     if (layer == StillParts::Layer::anew) drawBackground(frame);
@@ -102,9 +103,11 @@ bool GlRenderer::paintLayer(const Frame& frame) {
   m_gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, m_sampled.framebuffer());
   m_gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height,
                         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
-  // Behind all parts wherever it is seen, the disc need not be in the layer: it follows the train's size.
+  // The disc follows the train's size, and is behind all parts: painted where there are none, it need not be
+  // in the layer.
   m_sampled.bind();
   m_gl->Enable(GL_DEPTH_TEST);
+  m_gl->DepthFunc(GL_LEQUAL);
   m_gl->DepthMask(GL_FALSE);
   drawDisc(frame);
   m_gl->DepthMask(GL_TRUE);

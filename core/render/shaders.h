@@ -106,7 +106,8 @@ flat in vec4 v_colour;
 out vec4 o_colour;
 void main() { o_colour = v_colour; })";
 
-/// The disc on the ground: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w.
+/// The disc on the ground: a square in the plane z = u_disc.z about (x, y), of half side u_disc.w. As deep as
+/// what is behind everything, so that it can be painted after parts too.
 inline constexpr const char* kDiscVertex = R"(
 uniform mat4 u_modelView;
 uniform mat4 u_projection;
@@ -116,6 +117,7 @@ void main() {
   v_place = vec2(gl_VertexID & 1, gl_VertexID >> 1);
   vec3 point = vec3(u_disc.xy + (2.0 * v_place - 1.0) * u_disc.w, u_disc.z);
   gl_Position = u_projection * (u_modelView * vec4(point, 1.0));
+  gl_Position.z = gl_Position.w;
 })";
 
 inline constexpr const char* kDiscFragment = R"(

@@ -160,6 +160,7 @@ class TestStillParts : public QObject {
         [&] { frame.look = Look::dark().cheaper(), frame.look.edges = false; },
         [&] { frame.camera = frame.camera.orbited(9, 4); },
         [&] { scene.instances[0].colour = Rgb::fromHex(kGreen); },
+        [&] { frame.floor = 0; },  // parts have swung below it
         [&] { frame.section = CutPlane{}; },
         [&] { frame.section.reset(); }};
     for (std::size_t step = 0; step < steps.size(); ++step) {
