@@ -124,7 +124,11 @@ struct Toll {
 class Charger {
  public:
   Charger(const ArmGrid& grid, ArmTolls& tolls)
-      : m_grid(grid), m_tolls(tolls), m_square(grid.columns()), m_toll(grid.columns()) {}
+      : m_grid(grid),
+        m_tolls(tolls),
+        m_square(grid.columns()),
+        m_touch(grid.columns()),
+        m_near(grid.columns()) {}
 
   void charge(const LinkLine& line) {
     const Extent box = Extent::spanning(line.from, line.to).grown(kNear);
@@ -158,13 +162,15 @@ class Charger {
     for (std::size_t c = range.left; c < range.right; ++c) {
       const double gap = gapBetween(xs[c], xs[c + 1], line.from.x, line.to.x);
       m_square[c] = gap * gap;
-      m_toll[c] = isLevel ? Toll::along(stretchBeside(xs[c], xs[c + 1], line.from.x, line.to.x)) : Toll{};
+      const double stretch = isLevel ? stretchBeside(xs[c], xs[c + 1], line.from.x, line.to.x) : 0;
+      m_touch[c] = Toll::along(stretch).touch;
+      m_near[c] = Toll::along(stretch).near;
     }
     for (std::size_t r = range.top; r < range.bottom; ++r) {
       const double gap = gapBetween(ys[r], ys[r], line.from.y, line.to.y);
       double* const tolls = m_tolls.level.data() + r * m_grid.columns();
       for (std::size_t c = range.left; c < range.right; ++c)
-        tolls[c] += m_toll[c].at(m_square[c] + gap * gap);
+        tolls[c] += Toll{m_touch[c], m_near[c]}.at(m_square[c] + gap * gap);
     }
   }
 
@@ -209,7 +215,8 @@ class Charger {
   const ArmGrid& m_grid;
   ArmTolls& m_tolls;
   std::vector<double> m_square;  ///< by column: of the distance along the rows
-  std::vector<Toll> m_toll;      ///< by column
+  std::vector<double> m_touch;   ///< by column: the tolls on a line and beside it
+  std::vector<double> m_near;
   std::vector<Bounds> m_bounds;  ///< by column: along the rows
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace geargraph {
@@ -122,18 +123,21 @@ void ArmSearch::acrossRows(std::size_t from, std::size_t to, double length, cons
   const double* const upright = m_upright.data() + from * columns;
   const double* const other = m_level.data() + to * columns;
   double* const next = m_upright.data() + to * columns;
+  const double* const ahead = m_columnAhead.data();
   const double most = m_most - m_rowAhead[to];
-  std::int64_t isNew = 0;
+  std::int64_t signs = 0;  // of all differences: so several columns are done at a time
   for (std::size_t c = 0; c < columns; ++c) {
     const double bent = level[c] + length + kBend + tolls[c];
     const double straight = upright[c] + length + tolls[c];
-    const double cost = std::min(bent, straight);
-    const double worth = std::min({next[c], most - m_columnAhead[c], other[c] + kOther});
-    isNew |= static_cast<std::int64_t>(cost < worth);
-    next[c] = std::min(cost, next[c]);
+    const double cost = bent < straight ? bent : straight;
+    const double known = next[c], within = most - ahead[c], useful = other[c] + kOther;
+    const double least = within < useful ? within : useful;
+    const double worth = known < least ? known : least;
+    signs |= std::bit_cast<std::int64_t>(cost - worth);
+    next[c] = cost < known ? cost : known;
   }
   m_pending[from].*onward = false;
-  if (isNew == 0) return;
+  if (signs >= 0) return;  // nothing got cheaper
   m_pending[to].*onward = true;
   m_pending[to].level = true;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <limits>
 
 #include "core/schematic/arm_grid.h"
 
@@ -29,7 +28,7 @@ class ArmSearch {
   [[nodiscard]] std::optional<Way> cheapest();
 
  private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  static constexpr double kFar = 1e300;  ///< what comes to it is still that, and from itself it is 0 away
   struct Target {
     std::size_t node = 0;
     double price = 0;

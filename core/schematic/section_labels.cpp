@@ -29,6 +29,21 @@ double typeScale(const Section& section) {
   return std::clamp(over, 1.0, kLargestType);
 }
 
+constexpr int kDirections = 24;
+
+/// Unit vectors all round, in the order in which they are tried.
+const std::array<SheetPoint, kDirections>& directions() {
+  static const auto all = [] {
+    std::array<SheetPoint, kDirections> ways;
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
+      ways[static_cast<std::size_t>(k)] = {std::cos(angle), -std::sin(angle)};
+    }
+    return ways;
+  }();
+  return all;
+}
+
 /// Finds places that are free and takes them.
 class LabelPlacer {
  public:
@@ -62,14 +77,11 @@ class LabelPlacer {
  private:
   [[nodiscard]] std::optional<Place> find(const std::vector<SheetPoint>& anchors, double halfWidth,
                                           double halfHeight, bool mayCover) const {
-    constexpr int kDirections = 24;
     constexpr double kStep = 4;
     constexpr double kFarthest = 400;
     for (double away = 5 * m_scale; away < kFarthest * m_scale; away += kStep) {
       for (const SheetPoint anchor : anchors) {
-        for (int k = 0; k < kDirections; ++k) {
-          const double angle = 2 * std::numbers::pi * (k * 7 % kDirections) / kDirections;
-          const SheetPoint way{std::cos(angle), -std::sin(angle)};
+        for (const SheetPoint way : directions()) {
           const double support = std::min(halfWidth / std::max(std::abs(way.x), 1e-9),
                                           halfHeight / std::max(std::abs(way.y), 1e-9));
           const Extent box{anchor + (away + support) * way, halfWidth, halfHeight};
