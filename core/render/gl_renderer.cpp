@@ -1,10 +1,11 @@
-#include "core/render/gl_renderer_class.h"
+#include "core/render/gl_renderer.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/render/gl_renderer_class.h"
 #include "core/render/mark_lines.h"
 #include "core/render/triad.h"
 
