@@ -8,7 +8,6 @@
 #include <mutex>
 #include <numeric>
 #include <queue>
-#include <random>
 #include <utility>
 
 #include "core/gears/meridian_search.h"
@@ -16,7 +15,9 @@
 namespace geargraph {
 namespace {
 
-constexpr double kSpread = 15;  // columns' widths
+constexpr double kOfOthers = 20;  // shared by the landings of a group: what their cells cost other nets
+constexpr double kWished = 10;    // the same of a cell that stood in a net's way, for every time it did
+constexpr double kTaken = 50;     // a cell that another net lies in, where a net looks for what is in its way
 
 using Places = MeridianSearch::Places;
 
@@ -24,20 +25,76 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// One round: nets are laid in an order, each by shortest ways among what is left.
+/// What cells cost a net in addition.
+class Extras {
+ public:
+  explicit Extras(std::size_t cells) : m_costs(cells, 0), m_sums(cells + 1, 0) {}
+
+  [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
+  [[nodiscard]] double of(const MeridianLanding& landing) const {
+    double sum = m_sums[at(landing.keptFree.end)] - m_sums[at(landing.keptFree.first)];
+    for (const int c : landing.cells) sum += m_costs[at(c)];
+    return sum;
+  }
+  void add(int cell, double cost) { m_costs[at(cell)] += cost; }
+  /// To be called after the last add().
+  void sumUp() { std::partial_sum(m_costs.begin(), m_costs.end(), m_sums.begin() + 1); }
+
+ private:
+  std::vector<double> m_costs;
+  std::vector<double> m_sums;  ///< of all cells before this one
+};
+
+/// What nets want others to leave free: where wheels and pins can be reached, and what stood in their way.
+class Wishes {
+ public:
+  Wishes(const MeridianGrid& grid, const std::vector<MeridianNet>& nets)
+      : m_grid(grid), m_extras(nets.size(), Extras(grid.owner.size())) {
+    for (std::size_t net = 0; net < nets.size(); ++net) {
+      for (const auto& landings : nets[net].groups) {
+        for (const MeridianLanding& landing : landings)
+          add(net, landing.cells, kOfOthers / static_cast<double>(landings.size()));
+      }
+    }
+    sumUp();
+  }
+
+  [[nodiscard]] const std::vector<Extras>& ofOthers() const { return m_extras; }
+  void add(int net, const std::vector<int>& inTheWay) {
+    add(at(net), inTheWay, kWished);
+    sumUp();
+  }
+
+ private:
+  void add(std::size_t net, const std::vector<int>& cells, double cost) {
+    for (std::size_t other = 0; other < m_extras.size(); ++other) {
+      for (const int c : cells) {
+        if (other != net && m_grid.owner[at(c)] == MeridianGrid::kFree) m_extras[other].add(c, cost);
+      }
+    }
+  }
+  void sumUp() {
+    for (Extras& extras : m_extras) extras.sumUp();
+  }
+
+  const MeridianGrid& m_grid;
+  std::vector<Extras> m_extras;  ///< by net
+};
+
+/// One round: nets are laid in an order, each by cheapest ways among what is left.
 class Round {
  public:
-  /// Landings and rows are dearer by chance, by up to `spread`: other rounds choose others.
+  /// `extras`: by net. What is given outlives it.
   Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, const MeridianOwners& owners,
-        const std::vector<std::vector<int>>& wheels, MeridianSearch& search, unsigned seed, double spread)
+        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
+        const std::vector<Extras>& extras)
       : m_grid(grid),
         m_nets(nets),
         m_owners(owners),
         m_wheels(wheels),
         m_routes(nets.size()),
         m_search(search),
-        m_random(seed),
-        m_spread(spread),
+        m_extras(extras),
         m_endAt(grid.owner.size(), -1) {}
 
   /// The net that found no way; -1: all did.
@@ -50,18 +107,24 @@ class Round {
     }
     return -1;
   }
-  std::vector<MeridianRoute> take() { return std::move(m_routes); }
-
- private:
   bool layNet(int net);
   bool support(int net);
+  /// Lays a net as it was laid before.
+  void lay(int net, const MeridianRoute& route);
+  [[nodiscard]] MeridianRoute& route(int net) { return m_routes[at(net)]; }
+  std::vector<MeridianRoute> take() { return std::move(m_routes); }
+  /// Does somebody lie there, or keep it free, that did not before?
+  [[nodiscard]] bool isTaken(int cell) const { return m_owners.of(cell) != m_grid.owner[at(cell)]; }
+
+ private:
   /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
   int reach(int net, const std::vector<MeridianLanding>& landings, Places& sources);
   void findEnds(int net, const std::vector<MeridianLanding>& landings);
   /// Does the way that ends there keep out of the room that the landing itself needs?
   [[nodiscard]] bool isClear(int end, const MeridianLanding& landing) const;
-  [[nodiscard]] double chance() {
-    return m_spread * static_cast<double>(m_random()) / static_cast<double>(std::minstd_rand::max());
+  /// What it costs to end there.
+  [[nodiscard]] double price(int net, const MeridianLanding& landing) const {
+    return landing.cost + m_extras[at(net)].of(landing);
   }
   [[nodiscard]] Places laid(int net) const {
     Places sources;
@@ -89,9 +152,7 @@ class Round {
   const std::vector<std::vector<int>>& m_wheels;  ///< by net: cells where its wheels lie
   std::vector<MeridianRoute> m_routes;
   MeridianSearch& m_search;
-  std::minstd_rand m_random;
-  double m_spread;
-  std::vector<double> m_rowExtra;
+  const std::vector<Extras>& m_extras;
   struct End {
     int landing, next;
   };
@@ -113,7 +174,7 @@ void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
   m_places.clear();
   for (std::size_t l = 0; l < landings.size(); ++l) {
     if (!open(net, landings[l])) continue;
-    const double extra = landings[l].cost + chance();
+    const double extra = price(net, landings[l]);
     for (const int c : landings[l].cells) {
       const int end = static_cast<int>(m_ends.size());
       m_ends.push_back({static_cast<int>(l), std::exchange(m_endAt[at(c)], end)});
@@ -125,12 +186,10 @@ void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
 // Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
 // dearer than a way, no cheaper one will come.
 int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& sources) {
-  m_rowExtra.clear();
-  for (int r = 0; r < m_grid.rows; ++r) m_rowExtra.push_back(chance() / kSpread);
   findEnds(net, landings);
   if (m_ends.empty()) return -1;
-  const bool canBeFound =
-      m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells}, m_rowExtra, sources, m_places);
+  const bool canBeFound = m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells},
+                                         m_extras[at(net)].costs(), sources, m_places);
   if (!canBeFound) return -1;
   using Way = std::pair<double, int>;  // what it costs, its end
   std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
@@ -161,6 +220,14 @@ bool Round::support(int net) {
   return m_routes[at(net)].support >= 0;
 }
 
+void Round::lay(int net, const MeridianRoute& route) {
+  const MeridianNet& wanted = m_nets[at(net)];
+  for (const int c : route.cells) claim(net, c);
+  for (std::size_t g = 0; g < wanted.groups.size(); ++g)
+    m_owners.block(wanted.groups[g][at(route.landing[g])].keptFree);
+  if (route.support >= 0) m_owners.block(wanted.supports[at(route.support)].keptFree);
+}
+
 bool Round::layNet(int net) {
   const MeridianNet& wanted = m_nets[at(net)];
   MeridianRoute& route = m_routes[at(net)];
@@ -170,7 +237,7 @@ bool Round::layNet(int net) {
   Places sources;
   for (const MeridianLanding& landing : wanted.groups.front()) {
     if (!open(net, landing)) continue;
-    const double extra = landing.cost + chance();
+    const double extra = price(net, landing);
     for (const int c : landing.cells) sources.emplace_back(c, extra);
   }
   if (sources.empty()) return false;
@@ -204,10 +271,28 @@ bool Round::layNet(int net) {
 
 using Routes = std::optional<std::vector<MeridianRoute>>;
 
+/// Each net again, among the others as they lie: what it went round for their sake it need not any more.
+std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vector<MeridianNet>& nets,
+                                        const MeridianOwners& owners,
+                                        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
+                                        std::vector<MeridianRoute> routes) {
+  const int count = static_cast<int>(nets.size());
+  const std::vector<Extras> none(nets.size(), Extras(grid.owner.size()));
+  for (int net = 0; net < count; ++net) {
+    Round round(grid, nets, owners, wheels, search, none);
+    for (int other = 0; other < count; ++other) {
+      if (other != net) round.lay(other, routes[at(other)]);
+    }
+    if (!round.layNet(net)) continue;
+    if (!nets[at(net)].needsSupport && !round.support(net) && routes[at(net)].support >= 0) continue;
+    routes[at(net)] = std::move(round.route(net));
+  }
+  return routes;
+}
+
 Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
-  std::minstd_rand random(1);
   MeridianSearch search(grid);
   const MeridianBits bits(grid);
   const MeridianOwners owners(grid, bits);
@@ -215,16 +300,27 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
   for (std::size_t cell = 0; cell < grid.owner.size(); ++cell) {
     if (grid.owner[cell] >= 0) wheels[at(grid.owner[cell])].push_back(static_cast<int>(cell));
   }
+  Wishes wishes(grid, nets);
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets, owners, wheels, search, static_cast<unsigned>(i + 1), i == 0 ? 0 : kSpread);
+    Round round(grid, nets, owners, wheels, search, wishes.ofOthers());
     const int failed = round.lay(order);
-    if (failed < 0) return round.take();
-    if (i % 4 == 3) {  // out of the circles that moving one forward runs in
-      for (std::size_t k = order.size() - 1; k > 0; --k) std::swap(order[k], order[random() % (k + 1)]);
-    } else {
-      const auto place = std::find(order.begin(), order.end(), failed);
-      std::rotate(order.begin(), place, place + 1);
+    if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take());
+    // What is in its way? It would cross as little of others as it can, and they shall leave that free.
+    std::vector<Extras> taken(nets.size(), Extras(grid.owner.size()));
+    Extras& crossed = taken[at(failed)];
+    for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
+      if (round.isTaken(c)) crossed.add(c, kTaken);
     }
+    crossed.sumUp();
+    Round alone(grid, nets, owners, wheels, search, taken);
+    if (!alone.layNet(failed)) return std::nullopt;  // not even where no other net is
+    std::vector<int> inTheWay;
+    for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
+      if (round.isTaken(c) && alone.isTaken(c)) inTheWay.push_back(c);
+    }
+    wishes.add(failed, inTheWay);
+    const auto place = std::find(order.begin(), order.end(), failed);
+    std::rotate(order.begin(), place, place + 1);
   }
   return std::nullopt;
 }

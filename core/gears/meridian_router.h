@@ -59,11 +59,13 @@ struct MeridianRoute {
   int support = -1;
 };
 
-/// Ways for all nets that share no cell: nets one after the other by their shortest ways, again with those
-/// first that found none, now and then in another order, until all have. Deterministic. Nothing after `tries`
-/// rounds. Cost: O(nets * cells * log cells) a round. The last answers are kept: the analysis and the views
-/// of one document ask for the same ways, and every step of a drag that leaves the axis alone asks for them
-/// again.
+/// Ways for all nets that share no cell: nets one after the other by their cheapest ways, which keep clear of
+/// where others can land if that is not dear. A net that finds none goes first in the next round, and what
+/// stood in its way gets dearer for all others (after L. McMurchie and C. Ebeling, PathFinder, FPGA 1995;
+/// there nets overlap meanwhile). Deterministic, and nets much alike get ways much alike. Nothing after
+/// `tries` rounds, or where a net finds no way even by itself. Cost: O(nets * cells) a round. The last
+/// answers are kept: the analysis and the views of one document ask for the same ways, and every step of a
+/// drag that leaves the axis alone asks for them again.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
                                                                       int tries = 40);

@@ -55,10 +55,10 @@ bool MeridianOwners::isFree(const MeridianRun& run) const {
 
 MeridianSearch::MeridianSearch(const MeridianGrid& grid)
     : m_grid(grid),
-      m_rowFactor(at(grid.rows)),
       m_columnAhead(at(grid.columns)),
       m_rowAhead(at(grid.rows)),
       m_plates(grid.plates.begin(), grid.plates.end()) {
+  for (const double cost : grid.rowCost) m_rowFactor.push_back(1 + cost);
   if (grid.width.empty() || grid.rowCost.empty()) return;
   const auto [narrowest, widest] = std::minmax_element(grid.width.begin(), grid.width.end());
   const double cheapest = *std::min_element(grid.rowCost.begin(), grid.rowCost.end());
@@ -98,6 +98,7 @@ void MeridianSearch::makeLots(const Places& sources) {
   }
   for (int r = 0; r < m_grid.rows; ++r)
     dearest = std::max({dearest, m_widest * m_rowFactor[at(r)], m_grid.rowCost[at(r)]});
+  dearest += *std::max_element(m_extra.begin(), m_extra.end());
   const double span = std::max(2 * dearest, high - low);
   m_perStep = std::min(1 / m_cheapest, kMostLots / span);
   m_lots.assign(std::bit_ceil(static_cast<std::size_t>(span * m_perStep) + 2), -1);
@@ -183,7 +184,7 @@ bool MeridianSearch::isJoined(const MeridianBits& bits, const Places& sources, c
 }
 
 bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
-                           std::span<const double> rowExtra, const Places& sources, const Places& ends) {
+                           std::span<const double> extra, const Places& sources, const Places& ends) {
   const MeridianBits& bits = owners.bits();
   m_perColumn = bits.perColumn();
   m_open = owners.freeBits();
@@ -195,7 +196,7 @@ bool MeridianSearch::begin(const MeridianOwners& owners, std::initializer_list<s
   for (const auto& cells : own) {
     for (const int cell : cells) m_cost[at(cell)] = kFar;
   }
-  for (int r = 0; r < m_grid.rows; ++r) m_rowFactor[at(r)] = 1 + m_grid.rowCost[at(r)] + rowExtra[at(r)];
+  m_extra = extra;
   lookAhead(ends);
   makeLots(sources);
   m_from.resize(m_cost.size());
@@ -226,7 +227,7 @@ const std::vector<int>& MeridianSearch::settleLot() {
 
 inline void MeridianSearch::reach(const Front& before, int cell, int column, double price) {
   double& known = m_cost[at(cell)];
-  const double cost = before.cost + price;
+  const double cost = before.cost + (price + m_extra[at(cell)]);
   if (cost > known) return;
   int& from = m_from[at(cell)];
   if (cost < known) {

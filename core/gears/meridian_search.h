@@ -69,7 +69,7 @@ class MeridianOwners {
 
 /// The cheapest ways of a net from some cells of a grid to others, found only as far as they are asked for. A
 /// step along the axis costs the column's width, dearer by the row; one across it the row's cost, and needs a
-/// column that is wide enough for a disc.
+/// column that is wide enough for a disc. Either costs in addition what the cell does that it leads to.
 ///
 /// Cells from which an end may be near are settled first (A*): a cell's rank is what the way to it costs and
 /// what the rest costs at least. They are settled lot by lot: a lot are the cells whose ranks lie within one
@@ -84,11 +84,11 @@ class MeridianSearch {
 
   explicit MeridianSearch(const MeridianGrid& grid);
 
-  /// A new search over free cells and those in `own`. `rowExtra`: what rows cost along the axis in addition,
-  /// as a share. False where no way at all leads from a source to an end.
-  /// @pre there are ends
+  /// A new search over free cells and those in `own`. `extra`: what cells cost in addition, until the next
+  /// call. False where no way at all leads from a source to an end.
+  /// @pre there are ends; an extra cost for every cell, none below 0
   [[nodiscard]] bool begin(const MeridianOwners& owners, std::initializer_list<std::span<const int>> own,
-                           std::span<const double> rowExtra, const Places& sources, const Places& ends);
+                           std::span<const double> extra, const Places& sources, const Places& ends);
   /// Is every cell settled that can be reached?
   [[nodiscard]] bool isDone() const { return m_waiting == 0; }
   /// Is every cell settled that lies on a way that costs no more, its end included? One lot more is, too: the
@@ -140,6 +140,7 @@ class MeridianSearch {
   std::vector<double> m_cost;         ///< by cell, as far as the search has come; below 0: not open
   std::vector<int> m_from;            ///< by cell
   std::vector<char> m_plates;         ///< by column
+  std::span<const double> m_extra;    ///< by cell
   std::vector<Front> m_fronts;        ///< all of the search
   std::vector<int> m_lots;  ///< the last front of each, -1: none; as many as the dearest step spans,
                             ///< in a ring; a power of two
