@@ -88,6 +88,26 @@ bool isSameTrain(const Mechanism& a, const Mechanism& b) {
          a.inputs == b.inputs;
 }
 
+namespace {
+
+bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
+  if (!a.inputs || !b.inputs) return !a.inputs && !b.inputs;
+  return std::equal(a.inputs->begin(), a.inputs->end(), b.inputs->begin(), b.inputs->end(),
+                    [](const Input& x, const Input& y) { return x.joint == y.joint; });
+}
+
+}  // namespace
+
+bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
+  const auto sameEdges = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& one, const auto& other) {
+      return one.id == other.id && one.tail == other.tail && one.head == other.head;
+    });
+  };
+  return a.links == b.links && sameEdges(a.turningJoints, b.turningJoints) &&
+         sameEdges(a.gearMeshes, b.gearMeshes) && hasSameMotors(a, b) && a.couplings == b.couplings;
+}
+
 std::string differenceText(const Difference& difference) {
   std::vector<std::string> clauses;
   const auto clause = [&](int Difference::Count::*which, const char* verb) {

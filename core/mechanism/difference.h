@@ -38,6 +38,10 @@ struct Difference {
 /// who paints it. Cost: O(n + t + c).
 [[nodiscard]] bool isSameTrain(const Mechanism& a, const Mechanism& b);
 
+/// Have they the same digraph, down to names, numbers, motors and couplings? Teeth, axes and all else that
+/// sizes a train are not in it. Cost: O(n + t + c).
+[[nodiscard]] bool isSameDigraph(const Mechanism& a, const Mechanism& b);
+
 /// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 

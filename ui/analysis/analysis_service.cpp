@@ -2,8 +2,9 @@
 
 namespace geargraph {
 
-AnalysisService::AnalysisService(QObject* parent)
-    : QObject(parent), m_worker([this](SnapshotPtr snapshot) {
+AnalysisService::AnalysisService(QObject* parent, Ahead ahead)
+    : QObject(parent), m_worker([this, ahead = std::move(ahead)](SnapshotPtr snapshot) {
+        ahead(snapshot);
         QMetaObject::invokeMethod(
             this, [this, snapshot = std::move(snapshot)] { arrived(snapshot); }, Qt::QueuedConnection);
       }) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <optional>
 
 #include "core/analysis/worker.h"
@@ -13,7 +14,11 @@ class AnalysisService : public QObject {
   Q_OBJECT
 
  public:
-  explicit AnalysisService(QObject* parent = nullptr);
+  /// `ahead` is called with every snapshot on the thread that made it, before the snapshot sets out for the
+  /// GUI thread: further work on it begins while that is busy. Never on two threads at once.
+  using Ahead = std::function<void(const SnapshotPtr&)>;
+  explicit AnalysisService(
+      QObject* parent = nullptr, Ahead ahead = [](const SnapshotPtr&) {});
 
   /// Does nothing where this revision is what was asked for last: its answer is there or on its way.
   void request(const MechanismPtr& mechanism, quint64 revision);

@@ -1,5 +1,6 @@
 #include "ui/canvas/digraph_view.h"
 
+#include "core/mechanism/difference.h"
 #include "core/mechanism/edits.h"
 #include "ui/canvas/cycle_walk.h"
 
@@ -37,10 +38,13 @@ void DigraphView::rebuild() {
   ++m_wanted;
   if (now->links.size() > kLarge) {
     m_worker.request({now, std::move(places), m_scene->geometry(), m_wanted});
-  } else {
-    m_scene->show(*now, std::move(places));
-    m_shown = m_wanted;
+    m_drawn.reset();
+    return;
   }
+  const bool isThere = m_drawn && isSameDigraph(*m_drawn, *now) && places == m_scene->positions();
+  if (!isThere) m_scene->show(*now, std::move(places));
+  m_drawn = now;
+  m_shown = m_wanted;
 }
 
 void DigraphView::seek(const Request& request) {

@@ -51,6 +51,7 @@ class DigraphView final : public GraphView {
   NodePlacer* m_placer;
   quint64 m_wanted = 0;  ///< the newest drawing asked for
   quint64 m_shown = 0;   ///< the newest one that is on the scene
+  MechanismPtr m_drawn;  ///< whose digraph is on the scene; null while the worker places arrows
   bool m_fitWhenDrawn = false;
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };

@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include <QUndoCommand>
+#include <utility>
 
 #include "core/mechanism/difference.h"
 
@@ -58,9 +59,12 @@ bool Document::apply(const Edit& edit) {
 
 void Document::replace(Mechanism mechanism, const QString& filePath) {
   m_undoStack.clear();
+  const bool isElsewhere =
+      std::exchange(m_filePath, filePath) != filePath;  // who hears of the one asks for the other
   publish(std::make_shared<const Mechanism>(std::move(mechanism)));
   emit replaced();
-  markSaved(filePath);
+  m_undoStack.setClean();
+  if (isElsewhere) emit filePathChanged(m_filePath);
 }
 
 void Document::markSaved(const QString& filePath) {

@@ -86,9 +86,12 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_document(new Document(this)),
       m_selection(new Selection(this)),
-      m_service(new AnalysisService(this)),
-      m_stages(new StageService(this)),
+      m_service(
+          new AnalysisService(this, [this](const SnapshotPtr& snapshot) { m_stages->request(snapshot); })),
+      m_stages(new StageService(this)),  // behind what calls it: children go in the order in which they came
       m_actions(std::make_unique<WindowActions>(this)) {
+  connect(m_document, &Document::changed, this,
+          &MainWindow::requestAnalysis);  // before all others hear of it
   setObjectName(QStringLiteral("mainWindow"));
   setAttribute(Qt::WA_DeleteOnClose, false);
   setWindowIcon(applicationIcon());
@@ -123,6 +126,7 @@ MainWindow::MainWindow(QWidget* parent)
   wireMotion();
   setTheme(themeOf(QApplication::palette()));
   resize(1366, 768);
+  requestAnalysis();
   onDocumentChanged();
   renewTitle();
 }
@@ -284,19 +288,22 @@ void MainWindow::tellWhenSettled() {
   if (isSettled()) emit settled();
 }
 
+void MainWindow::requestAnalysis() {
+  m_stages->setFolder(folderOf(*m_document));
+  m_service->request(m_document->mechanism(), m_document->mechanicsRevision());
+}
+
 void MainWindow::onDocumentChanged() {
-  const MechanismPtr& mechanism = m_document->mechanism();
   if (!m_selection->selected().empty() || !m_selection->hovered().empty()) {
-    m_selection->keepOnly(
-        [there = elementsOf(*mechanism)](const ElementId& element) { return there.contains(element); });
+    m_selection->keepOnly([there = elementsOf(*m_document->mechanism())](const ElementId& element) {
+      return there.contains(element);
+    });
   }
   m_status->clearRefusal();
-  m_service->request(mechanism, m_document->mechanicsRevision());
   renewActions();
 }
 
 void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
-  m_stages->request(snapshot, folderOf(*m_document));  // its thread begins while the views are renewed
   m_matrices->setSnapshot(snapshot);
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);

@@ -139,6 +139,7 @@ class MainWindow : public QMainWindow {
   void chooseAndSaveTrace();
   void startView3DAnew();
 
+  void requestAnalysis();
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
   void tellWhenSettled();

@@ -20,13 +20,25 @@ StageService::StageService(QObject* parent)
     : QObject(parent),
       m_worker([this](const Request& request, const std::stop_token& stop) { make(request, stop); }) {}
 
-void StageService::request(const SnapshotPtr& snapshot, const std::filesystem::path& folder) {
-  const bool same = m_mechanism && m_folder == folder && sameStage(*m_mechanism, *snapshot->mechanism);
+void StageService::setFolder(const std::filesystem::path& folder) {
+  const std::lock_guard lock(m_mutex);
   m_folder = folder;
-  m_mechanism = snapshot->mechanism;
+}
+
+quint64 StageService::wanted() const {
+  const std::lock_guard lock(m_mutex);
+  return m_newest.number;
+}
+
+void StageService::request(const SnapshotPtr& snapshot) {
+  const std::lock_guard lock(m_mutex);
+  const bool same = m_newest.mechanism && m_newest.folder == m_folder &&
+                    sameStage(*m_newest.mechanism, *snapshot->mechanism);
+  m_newest.mechanism = snapshot->mechanism;
+  m_newest.folder = m_folder;
   if (same) return;
-  ++m_wanted;
-  m_worker.request({snapshot, m_wanted, folder});
+  ++m_newest.number;
+  m_worker.request({snapshot, m_newest.number, m_folder});
 }
 
 void StageService::make(const Request& request, const std::stop_token& stop) {
@@ -38,7 +50,7 @@ void StageService::make(const Request& request, const std::stop_token& stop) {
 }
 
 void StageService::arrived(const StagePtr& stage, quint64 number) {
-  if (number != m_wanted) return;
+  if (number != wanted()) return;
   m_arrived = number;
   m_stage = stage;
   emit stageReady(stage);

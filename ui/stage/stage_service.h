@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <mutex>
 
 #include "core/analysis/analysis.h"
 #include "core/base/request_worker.h"
@@ -18,11 +19,14 @@ class StageService : public QObject {
  public:
   explicit StageService(QObject* parent = nullptr);
 
-  /// `folder`: of the document, from which the 3D files that links wear are found; empty: they are left out.
-  void request(const SnapshotPtr& snapshot, const std::filesystem::path& folder = {});
+  /// The folder of the document, from which the 3D files that links wear are found by the requests to come;
+  /// empty: they are left out.
+  void setFolder(const std::filesystem::path& folder);
+  /// From any thread.
+  void request(const SnapshotPtr& snapshot);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Has the newest request been answered?
-  [[nodiscard]] bool isUpToDate() const { return m_arrived == m_wanted; }
+  [[nodiscard]] bool isUpToDate() const { return m_arrived == wanted(); }
 
  signals:
   void stageReady(const geargraph::StagePtr& stage);
@@ -34,13 +38,19 @@ class StageService : public QObject {
     std::filesystem::path folder;
   };
 
+  [[nodiscard]] quint64 wanted() const;
   void make(const Request& request, const std::stop_token& stop);
   void arrived(const StagePtr& stage, quint64 number);
 
-  quint64 m_wanted = 0;
+  struct Newest {
+    quint64 number = 0;
+    MechanismPtr mechanism;
+    std::filesystem::path folder;
+  };
+  mutable std::mutex m_mutex;
+  Newest m_newest;                 ///< request; guarded by m_mutex
+  std::filesystem::path m_folder;  ///< guarded by m_mutex
   quint64 m_arrived = 0;
-  MechanismPtr m_mechanism;  ///< of the newest request
-  std::filesystem::path m_folder;
   StagePtr m_stage;
   GearCache m_cache{1024};  ///< of the worker's thread; three details a wheel, and the last edits'
   StageMemory m_memory;

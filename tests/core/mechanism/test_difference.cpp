@@ -54,6 +54,19 @@ class DifferenceTest : public QObject {
              QStringLiteral("other properties changed"));  // another order of the links
   }
 
+  void teethAndSpeedsAreNotInTheDigraph() {
+    const JointId joint = robot.turningJoints[0].id;
+    const auto driving = [&](JointId one, int speed) {
+      return withInputs(robot, std::vector<Input>{{one, Number(speed), {}}}).value();
+    };
+    QVERIFY(isSameDigraph(robot, withTeeth(robot, robot.gearMeshes[0].id, 17, 51).value()));
+    QVERIFY(isSameDigraph(driving(joint, 7), driving(joint, 8)));
+    QVERIFY(!isSameDigraph(driving(joint, 7), driving(robot.turningJoints[1].id, 7)));
+    QVERIFY(!isSameDigraph(robot, withName(robot, robot.links[2].id, "arm").value()));
+    QVERIFY(!isSameDigraph(robot, withGround(robot, robot.links[3].id).value()));
+    QVERIFY(!isSameDigraph(robot, withFlipped(robot, robot.gearMeshes[0].id).value()));
+  }
+
   void onlyPlacesInDrawingsAreAView() {
     const std::pair<LinkId, SheetPoint> moved[] = {{robot.links[1].id, SheetPoint{7, 7}}};
     QVERIFY(isSameButForView(robot, withNodesMoved(robot, moved).value()));

@@ -1,5 +1,7 @@
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
+#include <mutex>
 
 #include "core/mechanism/edits.h"
 #include "ui/analysis/analysis_service.h"
@@ -46,6 +48,26 @@ class AnalysisServiceTest : public QObject {
     QVERIFY(!service.isUpToDate());
     QTRY_VERIFY(service.isComplete());
     QCOMPARE(live, 2);
+  }
+
+  /// Further work begins on the analysis' own threads, before the GUI thread hears of a snapshot.
+  void whoIsToldAheadHearsOfEverySnapshotFirst() {
+    std::mutex mutex;
+    std::vector<SnapshotPtr> ahead;
+    AnalysisService service(nullptr, [&](const SnapshotPtr& snapshot) {
+      const std::lock_guard lock(mutex);
+      if (QThread::currentThread() != qApp->thread()) ahead.push_back(snapshot);
+    });
+    int arrived = 0;
+    connect(&service, &AnalysisService::snapshotReady, &service, [&](const SnapshotPtr& snapshot) {
+      const std::lock_guard lock(mutex);
+      QVERIFY(std::find(ahead.begin(), ahead.end(), snapshot) != ahead.end());
+      ++arrived;
+    });
+    service.request(std::make_shared<const Mechanism>(emptyMechanism()), 1);
+    QTRY_VERIFY(service.isComplete());
+    QCOMPARE(arrived, 2);
+    QCOMPARE(ahead.size(), std::size_t{2});
   }
 
   void destroyedWhileItWorksIsHarmless() {

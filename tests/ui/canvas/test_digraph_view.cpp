@@ -98,6 +98,21 @@ class TestDigraphView : public QObject {
   }
 
   // --- moving ---
+  /// A tooth count that is dragged sends a new mechanism sixty times a second, of which nothing is seen here.
+  void whatIsNotInTheDigraphLeavesItAsItIs() {
+    ViewDriver d(placedRobot());
+    const auto* scene = static_cast<DigraphScene*>(d.view.scene());
+    const DigraphGeometryPtr before = scene->geometry();
+    const MeshId mesh = d.mechanism().gearMeshes.front().id;
+    QVERIFY(d.document.apply({"", [&](const Mechanism& m) { return withTeeth(m, mesh, 19, 57); }, 0}));
+    QCOMPARE(scene->geometry(), before);
+    QVERIFY(d.document.apply({"", [&](const Mechanism& m) { return withName(m, d.link(2), "arm"); }, 0}));
+    QVERIFY(scene->geometry() != before);
+    QCOMPARE(QString::fromStdString(scene->geometry()->nodes[2].name), QStringLiteral("arm"));
+    d.document.undoStack().undo();
+    QVERIFY(scene->geometry()->nodes[2].name.empty());
+  }
+
   void aDragIsOneUndoStep() {
     ViewDriver d(placedRobot());
     const MechanismPtr before = d.document.mechanism();
