@@ -47,10 +47,11 @@ class Shown {
   }
   /// Is the link seen there, or in the same cell of the map, which is four pixels wide?
   [[nodiscard]] bool isSeenAbout(const Eigen::Vector2d& place, const ElementId& link) {
-    for (const Eigen::Vector2d off : {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 0), Eigen::Vector2d(-2, 0),
-                                      Eigen::Vector2d(0, 2), Eigen::Vector2d(0, -2)}) {
-      const auto hit = pick(place + off);
-      if (hit && hit->element == link) return true;
+    for (int right = -2; right <= 2; ++right) {
+      for (int down = -2; down <= 2; ++down) {
+        const auto hit = pick(place + Eigen::Vector2d(right, down));
+        if (hit && hit->element == link) return true;
+      }
     }
     return false;
   }
