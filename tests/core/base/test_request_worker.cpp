@@ -1,6 +1,7 @@
 // Plain main(), no Qt: this program also runs under the thread sanitizer.
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <future>
 #include <thread>
@@ -68,6 +69,20 @@ void whatGoesOnElsewhereIsAskedToStopToo() {
   check(stop.stop_requested(), "a newer request asks it to stop, whether or not the call is over");
 }
 
+void workInTheBackgroundWaitsUntilNothingNewerComes() {
+  using Clock = std::chrono::steady_clock;
+  std::promise<Clock::time_point> begun;
+  RequestWorker<int> worker(
+      [&](int request, const std::stop_token&) {
+        if (request == 2) begun.set_value(Clock::now());
+      },
+      Urgency::background);
+  worker.request(1);
+  const Clock::time_point asked = Clock::now();
+  worker.request(2);
+  check(begun.get_future().get() - asked >= kRest, "a drag that goes on is left its processors");
+}
+
 #ifdef __linux__
 void workInTheBackgroundTakesWhatIsLeft() {
   std::promise<int> priority;
@@ -128,6 +143,7 @@ int main() {
 #ifdef __linux__
   geargraph::workInTheBackgroundTakesWhatIsLeft();
 #endif
+  geargraph::workInTheBackgroundWaitsUntilNothingNewerComes();
   geargraph::overtakenRequestsAreDropped();
   geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
   std::printf("%d failures\n", geargraph::failures);
