@@ -10,7 +10,8 @@ namespace geargraph {
 
 /// Analyses mechanisms on threads of its own; the newest request wins. A request that is overtaken is
 /// stopped, and its snapshot is never delivered. Each request is answered twice: the live part as soon as it
-/// is there, then the complete snapshot, which is worked for when requests no longer come one after the other.
+/// is there, then the complete snapshot, which is worked for when requests no longer come one after the
+/// other.
 ///
 /// `deliver` is called on the worker's threads, never on two at once. It is not called again once the
 /// destructor has returned.
