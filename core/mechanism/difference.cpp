@@ -34,6 +34,12 @@ bool sameOrder(const std::vector<Element>& before, const std::vector<Element>& a
                     [](const Element& a, const Element& b) { return a.id == b.id; });
 }
 
+bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
+  if (!a.inputs || !b.inputs) return !a.inputs && !b.inputs;
+  return std::equal(a.inputs->begin(), a.inputs->end(), b.inputs->begin(), b.inputs->end(),
+                    [](const Input& x, const Input& y) { return x.joint == y.joint; });
+}
+
 std::string counted(int count, const char* one, const char* many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
@@ -87,16 +93,6 @@ bool isSameTrain(const Mechanism& a, const Mechanism& b) {
          a.gearMeshes == b.gearMeshes && a.wheels == b.wheels && a.gearDefaults == b.gearDefaults &&
          a.inputs == b.inputs;
 }
-
-namespace {
-
-bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
-  if (!a.inputs || !b.inputs) return !a.inputs && !b.inputs;
-  return std::equal(a.inputs->begin(), a.inputs->end(), b.inputs->begin(), b.inputs->end(),
-                    [](const Input& x, const Input& y) { return x.joint == y.joint; });
-}
-
-}  // namespace
 
 bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
   const auto sameEdges = [](const auto& x, const auto& y) {

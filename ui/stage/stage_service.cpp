@@ -1,6 +1,7 @@
 #include "ui/stage/stage_service.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/mechanism/difference.h"
 
@@ -22,23 +23,21 @@ StageService::StageService(QObject* parent)
 
 void StageService::setFolder(const std::filesystem::path& folder) {
   const std::lock_guard lock(m_mutex);
-  m_folder = folder;
+  if (std::exchange(m_folder, folder) != folder) m_mechanism.reset();  // its stage may be another there
 }
 
 quint64 StageService::wanted() const {
   const std::lock_guard lock(m_mutex);
-  return m_newest.number;
+  return m_wanted;
 }
 
 void StageService::request(const SnapshotPtr& snapshot) {
   const std::lock_guard lock(m_mutex);
-  const bool same = m_newest.mechanism && m_newest.folder == m_folder &&
-                    sameStage(*m_newest.mechanism, *snapshot->mechanism);
-  m_newest.mechanism = snapshot->mechanism;
-  m_newest.folder = m_folder;
+  const bool same = m_mechanism && sameStage(*m_mechanism, *snapshot->mechanism);
+  m_mechanism = snapshot->mechanism;
   if (same) return;
-  ++m_newest.number;
-  m_worker.request({snapshot, m_newest.number, m_folder});
+  ++m_wanted;
+  m_worker.request({snapshot, m_wanted, m_folder});
 }
 
 void StageService::make(const Request& request, const std::stop_token& stop) {

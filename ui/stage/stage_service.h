@@ -42,13 +42,9 @@ class StageService : public QObject {
   void make(const Request& request, const std::stop_token& stop);
   void arrived(const StagePtr& stage, quint64 number);
 
-  struct Newest {
-    quint64 number = 0;
-    MechanismPtr mechanism;
-    std::filesystem::path folder;
-  };
   mutable std::mutex m_mutex;
-  Newest m_newest;                 ///< request; guarded by m_mutex
+  quint64 m_wanted = 0;            ///< guarded by m_mutex
+  MechanismPtr m_mechanism;        ///< of the newest request; none of another folder; guarded by m_mutex
   std::filesystem::path m_folder;  ///< guarded by m_mutex
   quint64 m_arrived = 0;
   StagePtr m_stage;
