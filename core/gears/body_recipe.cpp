@@ -47,15 +47,14 @@ struct Hasher {
 
 }  // namespace
 
-Solid madeBy(const BodyRecipe& recipe) {
+Solid madeBy(const BodyRecipe& recipe, double tolerance) {
   std::vector<Solid> shapes;         // equal ones that follow each other once
   std::vector<std::size_t> shapeOf;  // by part
   std::size_t vertices = 0, triangles = 0;
   for (std::size_t i = 0; i < recipe.size(); ++i) {
     const BodyPart& part = recipe[i];
-    const bool again =
-        i > 0 && part.tolerance == recipe[i - 1].tolerance && part.shape == recipe[i - 1].shape;
-    if (!again) shapes.push_back(std::visit(Maker{part.tolerance}, part.shape));
+    const bool again = i > 0 && part.module == recipe[i - 1].module && part.shape == recipe[i - 1].shape;
+    if (!again) shapes.push_back(std::visit(Maker{tolerance * part.module}, part.shape));
     shapeOf.push_back(shapes.size() - 1);
     vertices += shapes.back().positions.size();
     triangles += shapes.back().triangles.size();
@@ -68,22 +67,26 @@ Solid madeBy(const BodyRecipe& recipe) {
   return whole;
 }
 
-std::size_t BodyCache::Hash::operator()(const BodyRecipe& recipe) const {
-  std::size_t seed = recipe.size();
+std::size_t BodyCache::Hash::operator()(const Key& key) const {
+  std::size_t seed = key.recipe.size();
   const Hasher hasher{seed};
-  for (const BodyPart& part : recipe) {
+  hasher.add(key.tolerance);
+  for (const BodyPart& part : key.recipe) {
     std::visit(hasher, part.shape);
-    hasher.add(part.tolerance);
+    hasher.add(part.module);
     for (const double number : part.placed.matrix().reshaped()) hasher.add(number);
   }
   return seed;
 }
 
-std::shared_ptr<const Solid> BodyCache::solid(const BodyRecipe& recipe) {
-  const auto [entry, isNew] = m_solids.try_emplace(recipe);
-  if (isNew) entry->second.solid = std::make_shared<const Solid>(madeBy(recipe));
+std::shared_ptr<const DeferredSolid> BodyCache::deferred(const BodyRecipe& recipe, double tolerance) {
+  const auto [entry, isNew] = m_solids.try_emplace(Key{recipe, tolerance});
+  if (isNew) {
+    entry->second.solid =
+        std::make_shared<const DeferredSolid>([recipe, tolerance] { return madeBy(recipe, tolerance); });
+  }
   entry->second.used = ++m_calls;
-  const std::shared_ptr<const Solid> found = entry->second.solid;
+  const std::shared_ptr<const DeferredSolid> found = entry->second.solid;
   if (m_solids.size() > m_capacity) {
     m_solids.erase(std::min_element(m_solids.begin(), m_solids.end(), [](const auto& a, const auto& b) {
       return a.second.used < b.second.used;

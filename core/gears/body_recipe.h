@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/gears/bodies.h"
+#include "core/gears/deferred_solid.h"
 #include "core/gears/solid.h"
 
 namespace geargraph {
@@ -47,38 +48,44 @@ struct BarPart {
 
 struct BodyPart {
   std::variant<TubePart, LathePart, SpiderPart, BarPart> shape;
-  double tolerance = 0;
+  double module = 1;                                         ///< the length that tolerances are counted in
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();  ///< its own frame to the body's
 
   friend bool operator==(const BodyPart& a, const BodyPart& b) {
-    return a.shape == b.shape && a.tolerance == b.tolerance && a.placed.matrix() == b.placed.matrix();
+    return a.shape == b.shape && a.module == b.module && a.placed.matrix() == b.placed.matrix();
   }
 };
 
-/// All that the solid of a body depends on: equal recipes give equal solids, bit by bit.
+/// All that the solid of a body depends on beside its tolerance: equal recipes give equal solids, bit by bit.
 using BodyRecipe = std::vector<BodyPart>;
 
-/// The parts beside each other in one solid. Cost: O(triangles).
-[[nodiscard]] Solid madeBy(const BodyRecipe& recipe);
+/// The parts beside each other in one solid, chords within `tolerance` modules. Cost: O(triangles).
+[[nodiscard]] Solid madeBy(const BodyRecipe& recipe, double tolerance);
 
 /// Solids by their recipes, so that a body which an edit leaves as it is stays the same solid. Oldest out
 /// when more than `capacity` are held; what a caller still holds stays alive. Not for two threads at once.
 class BodyCache {
  public:
-  explicit BodyCache(std::size_t capacity = 256) : m_capacity(capacity) {}
+  explicit BodyCache(std::size_t capacity = 512) : m_capacity(capacity) {}
 
-  [[nodiscard]] std::shared_ptr<const Solid> solid(const BodyRecipe& recipe);
+  /// The solid of this recipe, made when it is asked for, if it ever is.
+  [[nodiscard]] std::shared_ptr<const DeferredSolid> deferred(const BodyRecipe& recipe, double tolerance);
 
  private:
+  struct Key {
+    BodyRecipe recipe;
+    double tolerance = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
   struct Hash {
-    std::size_t operator()(const BodyRecipe& recipe) const;
+    std::size_t operator()(const Key& key) const;
   };
   struct Entry {
-    std::shared_ptr<const Solid> solid;
+    std::shared_ptr<const DeferredSolid> solid;
     std::size_t used = 0;  ///< number of the last call that asked for it
   };
 
-  std::unordered_map<BodyRecipe, Entry, Hash> m_solids;
+  std::unordered_map<Key, Entry, Hash> m_solids;
   std::size_t m_capacity;
   std::size_t m_calls = 0;
 };

@@ -12,11 +12,14 @@
 
 namespace geargraph {
 
-/// Chordal tolerances in modules: what a part is exported and looked at closely with, and what a screen
-/// needs.
+/// Chordal tolerances in modules: what a part is exported and looked at closely with, what a screen needs of
+/// some wheels, of a train, and of a train in a small window.
 constexpr double kExportTolerance = 0.002;
 constexpr double kScreenTolerance = 0.01;
 constexpr double kFarTolerance = 0.03;
+constexpr double kFarthestTolerance = 0.1;
+/// Of shafts and arms, whose surfaces are plainer than teeth.
+constexpr double kBodyTolerance = 0.02;
 
 /// The solid of a gear in its own frame (gear_spec.h), in the unit of the spec's lengths. No chord of the
 /// surface is farther than `tolerance` modules from the exact form; points on flanks and roots are exact.

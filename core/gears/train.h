@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/gears/deferred_solid.h"
 #include "core/gears/gear_spec.h"
-#include "core/gears/solid.h"
 #include "core/mechanism/mechanism.h"
 #include "core/placement/placement.h"
 
@@ -43,7 +43,11 @@ struct TrainMesh {
 /// it.
 struct LinkBody {
   int link = 0;
-  std::shared_ptr<const Solid> solid;
+  double module = 1;                           ///< the smallest of its parts
+  std::shared_ptr<const DeferredSolid> fine;   ///< chords within kBodyTolerance, made when asked for
+  std::shared_ptr<const DeferredSolid> rough;  ///< within kFarthestTolerance
+
+  [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
 };
 
 /// The mechanism in three dimensions. Every mesh with a geometry has its two gears; a mesh without one is

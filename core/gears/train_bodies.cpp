@@ -13,6 +13,7 @@
 #include "core/gears/body_recipe.h"
 #include "core/gears/body_shapes.h"
 #include "core/gears/gear_body.h"
+#include "core/gears/gear_solid.h"
 #include "core/gears/train_findings.h"
 
 namespace geargraph {
@@ -52,8 +53,7 @@ class BodyBuilder {
  private:
   template <class Shape>
   void add(int link, Shape shape, const AxisLayout& layout, const Eigen::Isometry3d& placed) {
-    m_recipes[static_cast<std::size_t>(link)].push_back(
-        {std::move(shape), kBodyTolerance * layout.module, placed});
+    m_recipes[static_cast<std::size_t>(link)].push_back({std::move(shape), layout.module, placed});
   }
   [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
   [[nodiscard]] static Eigen::Isometry3d line(const AxisLayout& layout) {
@@ -300,11 +300,15 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
     spec.hub = std::max(diameter, 1.2 * spec.bore);
   }
   const std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
+  BodyCache once;
+  BodyCache& solids = cache != nullptr ? *cache : once;
   for (std::size_t link = 0; link < recipes.size(); ++link) {
-    if (recipes[link].empty()) continue;
-    auto solid =
-        cache != nullptr ? cache->solid(recipes[link]) : std::make_shared<const Solid>(madeBy(recipes[link]));
-    train.bodies.push_back({static_cast<int>(link), std::move(solid)});
+    const BodyRecipe& recipe = recipes[link];
+    if (recipe.empty()) continue;
+    const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
+    train.bodies.push_back(
+        {static_cast<int>(link), std::min_element(recipe.begin(), recipe.end(), byModule)->module,
+         solids.deferred(recipe, kBodyTolerance), solids.deferred(recipe, kFarthestTolerance)});
   }
 }
 

@@ -5,9 +5,6 @@
 
 namespace geargraph {
 
-/// Chordal tolerance of shafts and arms in modules.
-constexpr double kBodyTolerance = 0.02;
-
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
 /// What finds no way past others is an `interference` of the train. `cache`: keeps solids from one edit to
 /// the next.

@@ -16,7 +16,7 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
   }
   for (const LinkBody& body : train.bodies) {
     result.parts.push_back({body.link, "body of link " + std::to_string(mechanism.linkLabel(body.link)),
-                            Eigen::Isometry3d::Identity(), body.solid});
+                            Eigen::Isometry3d::Identity(), body.fine->solid()});
   }
   return result;
 }

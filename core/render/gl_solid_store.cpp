@@ -21,10 +21,10 @@ void GlSolidStore::setScene(const Scene& scene) {
     const auto held = m_solids.find(solid.get());
     if (place == nullptr && held != m_solids.end()) place = std::move(held->second);
   }
-  for (const DetailLevels& level : scene.levels) {
-    for (const Solid* solid : {level.far.get(), level.close ? level.close->made() : nullptr}) {
-      const auto held = m_solids.find(solid);
-      if (held != m_solids.end() && held->second) solids[solid] = std::move(held->second);
+  for (const DetailLevels& levels : scene.levels) {
+    for (const DetailLevels::Finer& level : levels.finer) {
+      const auto held = m_solids.find(level.solid->made());
+      if (held != m_solids.end() && held->second) solids[held->first] = std::move(held->second);
     }
   }
   m_solids = std::move(solids);

@@ -7,12 +7,18 @@
 
 namespace geargraph {
 
+const std::shared_ptr<const Solid>& DetailLevels::within(double most,
+                                                         const std::shared_ptr<const Solid>& own) const {
+  if (error <= most || finer.empty()) return own;
+  const auto fits = [most](const Finer& level) { return level.error <= most; };
+  const auto found = std::find_if(finer.begin(), finer.end(), fits);
+  return (found != finer.end() ? *found : finer.back()).solid->solid();
+}
+
 const std::shared_ptr<const Solid>& DetailLevels::chosen(const std::shared_ptr<const Solid>& own,
                                                          double pixels) const {
   constexpr double kInvisible = 1.0 / 3;  // of a pixel
-  if (far && farError * pixels <= kInvisible) return far;
-  if (close && error * pixels > kInvisible) return close->solid();
-  return own;
+  return within(kInvisible / pixels, own);
 }
 
 std::vector<Eigen::Vector3d> cornersOf(const Scene& scene) {

@@ -40,18 +40,25 @@ struct Instance {
       false;  ///< its solid may not be closed: its faces are seen from both sides, and it has no cut face
 };
 
-/// A solid made coarser and finer, for when it is small on the screen and when it is seen from close by.
+/// The finer ones of a solid whose own form is for when it is small on the screen.
 struct DetailLevels {
-  double unit = 0;  ///< mm: a gear's module
-  std::shared_ptr<const Solid> far;
-  std::shared_ptr<const DeferredSolid> close;  ///< few look so close: made when somebody does
-  double error = 0;                            ///< of the scene's own solid, in units
-  double farError = 0;                         ///< of the coarser one
+  struct Finer {
+    double error = 0;
+    std::shared_ptr<const DeferredSolid> solid;  ///< made when somebody looks so close
+    friend bool operator==(const Finer&, const Finer&) = default;
+  };
 
-  /// Which to paint where a unit has this many pixels: the coarsest whose chords stay within a third of a
-  /// pixel of the exact form, else the finest. Cost: that of the finest, when it is chosen first.
+  double unit = 0;   ///< mm: a gear's module
+  double error = 0;  ///< of the scene's own solid: how far its chords are from the exact form, in units
+  std::vector<Finer> finer;  ///< coarsest first
+
+  /// The coarsest whose chords stay within `most` units, else the finest. Cost: that of making it, once.
+  [[nodiscard]] const std::shared_ptr<const Solid>& within(double most,
+                                                           const std::shared_ptr<const Solid>& own) const;
+  /// Which to paint where a unit has this many pixels: its chords stay within a third of one.
   [[nodiscard]] const std::shared_ptr<const Solid>& chosen(const std::shared_ptr<const Solid>& own,
                                                            double pixels) const;
+  friend bool operator==(const DetailLevels&, const DetailLevels&) = default;
 };
 
 /// What is to be seen. Solids are immutable and shared: equal gears are stored once, and a renderer that has
@@ -65,6 +72,11 @@ struct Scene {
   /// Boxes about the solids in their own frames, found ahead too: by solid, as far as there are any.
   std::vector<Eigen::AlignedBox3d> boxes = {};
 
+  /// The solid in the coarsest detail whose chords stay within `most` units of its levels.
+  [[nodiscard]] const std::shared_ptr<const Solid>& solidWithin(double most, std::size_t solid) const {
+    const auto& own = solids[solid];
+    return solid < levels.size() ? levels[solid].within(most, own) : own;
+  }
   [[nodiscard]] Eigen::AlignedBox3d boxOf(std::size_t solid) const {
     return solid < boxes.size() ? boxes[solid] : geargraph::boundsOf(*solids[solid]);
   }

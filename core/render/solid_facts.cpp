@@ -2,14 +2,27 @@
 
 namespace geargraph {
 
-void SolidFacts::addTo(Scene& scene) {
+void SolidFacts::addBoxesTo(Scene& scene) {
   scene.boxes.clear();
+  const auto box = [](const Solid& solid) { return boundsOf(solid); };
+  for (const auto& solid : scene.solids) scene.boxes.push_back(*m_boxes.of(solid, box));
+}
+
+void SolidFacts::addEdgesTo(Scene& scene) {
+  constexpr double kWindow = 1000;  // pixels that a train fills
+  const double pixels = kWindow / (2 * boundsOf(scene).radius());
+  const auto add = [&](const std::shared_ptr<const Solid>& solid) {
+    scene.edges[solid.get()] = m_edges.of(solid, [](const Solid& found) { return featureEdges(found); });
+  };
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-    scene.boxes.push_back(*m_boxes.of(scene.solids[i], [](const Solid& solid) { return boundsOf(solid); }));
-    const bool isWheel = i < scene.levels.size() && scene.levels[i].far;
-    const auto& shown = isWheel ? scene.levels[i].far : scene.solids[i];
-    scene.edges[shown.get()] = m_edges.of(shown, [](const Solid& solid) { return featureEdges(solid); });
+    add(scene.solids[i]);  // of a smaller window
+    if (i >= scene.levels.size()) continue;
+    const DetailLevels& levels = scene.levels[i];
+    add(levels.chosen(scene.solids[i], levels.unit * pixels));
   }
+}
+
+void SolidFacts::forgetOthers() {
   m_edges.forgetOthers();
   m_boxes.forgetOthers();
 }

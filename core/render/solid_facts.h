@@ -34,13 +34,17 @@ class KeptFact {
   std::unordered_map<const Solid*, Known> m_known;
 };
 
-/// What is found of the solids of a scene ahead, so that the thread of the window need not look for it. Kept
-/// from one scene to the next. Not for two threads at once.
+/// What is found of the solids of a scene ahead, so that who paints it need not look for it. Kept from one
+/// scene to the next. Not for two threads at once.
 class SolidFacts {
  public:
-  /// Finds the boxes of the scene's solids, and the feature edges of what a window shows of a train as a
-  /// whole: wheels from afar, and all else.
-  void addTo(Scene& scene);
+  /// Finds the boxes of the scene's solids.
+  void addBoxesTo(Scene& scene);
+  /// Makes the details that a window shows of a train as a whole, and finds their feature edges: where the
+  /// window itself paints, it would stand still for them.
+  void addEdgesTo(Scene& scene);
+  /// Drops what is known of solids that are gone.
+  void forgetOthers();
 
  private:
   KeptFact<std::vector<std::uint32_t>> m_edges;

@@ -5,10 +5,7 @@
 namespace geargraph {
 
 bool StillParts::Part::looksLike(const Part& other) const {
-  const DetailLevels& its = other.levels;
-  const bool sameDetails = levels.unit == its.unit && levels.far == its.far && levels.close == its.close &&
-                           levels.error == its.error && levels.farError == its.farError;
-  return solid == other.solid && sameDetails && pose.matrix() == other.pose.matrix() &&
+  return solid == other.solid && levels == other.levels && pose.matrix() == other.pose.matrix() &&
          colour == other.colour && emphasis == other.emphasis && showing == other.showing;
 }
 

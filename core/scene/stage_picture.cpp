@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gears/gear_solid.h"
 #include "core/render/exploded.h"
 
 namespace geargraph {
@@ -128,7 +129,7 @@ MeshScene sceneOf(const Stage& stage, const StageView& view) {
     MeshNode node;
     node.name = nameOf(stage, instance.element);
     node.pose = seen.poses[i];
-    node.solid = stage.scene.solids[instance.solid];
+    node.solid = stage.scene.solidWithin(kScreenTolerance, instance.solid);
     node.material = static_cast<std::size_t>(known - links.begin());
     if (known == links.end()) {
       links.push_back(instance.element);

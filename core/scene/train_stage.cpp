@@ -6,7 +6,7 @@
 
 #include "core/drawing/palette.h"
 #include "core/gears/body_recipe.h"
-#include "core/gears/train_parts.h"
+#include "core/gears/train.h"
 #include "core/io/view_members.h"
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
@@ -41,10 +41,10 @@ class StageBuilder {
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
 
  private:
-  Instance& add(const LinkPart& part);
-  void addGear(const TrainGear& gear, const LinkPart& part);
-  void addLevels(std::size_t solid, const GearSpec& spec);
-  void addBody(const LinkPart& body);
+  Instance& add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose);
+  [[nodiscard]] DetailLevels& levelsOf(std::size_t solid);
+  void addGear(const TrainGear& gear, std::size_t position);
+  void addBody(const LinkBody& body);
   void addShapes(int link);
   void addLabels();
 
@@ -59,38 +59,41 @@ class StageBuilder {
   std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
 };
 
-Instance& StageBuilder::add(const LinkPart& part) {
+Instance& StageBuilder::add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose) {
   auto& solids = m_stage->scene.solids;
-  const auto known = std::find(solids.begin(), solids.end(), part.solid);
+  const auto known = std::find(solids.begin(), solids.end(), solid);
   Instance instance;
   instance.solid = static_cast<std::size_t>(known - solids.begin());
-  if (known == solids.end()) solids.push_back(part.solid);
-  instance.pose = part.pose;
-  instance.colour = colourOf(part.link);
-  instance.element = m_mechanism.links[static_cast<std::size_t>(part.link)].id;
-  m_links.push_back(part.link);
+  if (known == solids.end()) solids.push_back(solid);
+  instance.pose = pose;
+  instance.colour = colourOf(link);
+  instance.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
+  m_links.push_back(link);
   return m_stage->scene.instances.emplace_back(std::move(instance));
 }
 
-/// Large trains get no finer solids: whoever sees one of their wheels from close by sees few of them, and all
-/// would have to be made.
-void StageBuilder::addLevels(std::size_t solid, const GearSpec& spec) {
+/// Those of a solid: without finer ones yet, where nobody has told them.
+DetailLevels& StageBuilder::levelsOf(std::size_t solid) {
   auto& levels = m_stage->scene.levels;
   if (levels.size() <= solid) levels.resize(solid + 1);
-  DetailLevels& level = levels[solid];
-  if (level.far) return;
-  level.unit = spec.module;
-  level.error = kScreenTolerance;
-  level.farError = kFarTolerance;
-  level.far = *m_cache.solid(spec, kFarTolerance);
-  if (m_mechanism.c() <= kMostCloseMeshes) level.close = *m_cache.deferred(spec, kExportTolerance);
+  return levels[solid];
 }
 
-// The link's number stands beside its largest wheel.
-void StageBuilder::addGear(const TrainGear& gear, const LinkPart& part) {
-  Instance& instance = add(part);
-  addLevels(instance.solid, gear.spec);
-  m_instanceOfGear[static_cast<std::size_t>(part.gear)] = m_stage->scene.instances.size() - 1;
+// The link's number stands beside its largest wheel. Gears that cannot be made are left out; the train's
+// diagnostics say why.
+void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
+  const auto solid = m_cache.solid(gear.spec, kFarthestTolerance);
+  if (!solid) return;
+  Instance& instance = add(gear.link, *solid, gear.pose);
+  if (DetailLevels& levels = levelsOf(instance.solid); levels.finer.empty()) {
+    levels.unit = gear.spec.module;
+    levels.error = kFarthestTolerance;
+    std::vector<double> finer{kFarTolerance, kScreenTolerance};
+    // Of a large train who sees a wheel from close by sees few of them, and all would have to be made.
+    if (m_mechanism.c() <= kMostCloseMeshes) finer.push_back(kExportTolerance);
+    for (const double error : finer) levels.finer.push_back({error, *m_cache.deferred(gear.spec, error)});
+  }
+  m_instanceOfGear[position] = m_stage->scene.instances.size() - 1;
   for (const int mesh : gear.meshes) {
     instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   }
@@ -103,13 +106,15 @@ void StageBuilder::addGear(const TrainGear& gear, const LinkPart& part) {
   label.place = middleOf(gear.spec);
 }
 
-void StageBuilder::addBody(const LinkPart& body) {
-  Instance& instance = add(body);
+void StageBuilder::addBody(const LinkBody& body) {
+  const Solid& solid = *body.rough->solid();
+  Instance& instance = add(body.link, body.rough->solid(), Pose::Identity());
+  levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, body.fine}}};
   const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
   if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
   StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
   if (label.radius > 0) return;
-  const Eigen::AlignedBox3d box = boundsOf(*body.solid);
+  const Eigen::AlignedBox3d box = boundsOf(solid);
   label.radius = 0.25 * box.diagonal().norm();
   label.instance = m_stage->scene.instances.size() - 1;
   label.place = box.center();
@@ -144,9 +149,7 @@ void StageBuilder::addShapes(int link) {
       m_stage->notes.push_back({wearer.id, who + "\"" + shape.file + "\", which is not shown: " + *why});
       continue;
     }
-    Instance& part =
-        add({link, shape.file, poseOf(shape), std::get<std::shared_ptr<const Solid>>(found), -1});
-    part.isOpen = true;
+    add(link, std::get<std::shared_ptr<const Solid>>(found), poseOf(shape)).isOpen = true;
   }
 }
 
@@ -167,17 +170,11 @@ std::shared_ptr<Stage> StageBuilder::build() {
       shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once);
   m_labelOf.resize(m_mechanism.links.size());
   m_instanceOfGear.resize(train.gears.size());
-  // Gears that cannot be made are left out; the train's diagnostics say why.
-  for (const LinkPart& part : trainParts(m_mechanism, train, m_cache, kScreenTolerance).parts) {
-    if (part.gear >= 0) {
-      addGear(train.gears[static_cast<std::size_t>(part.gear)], part);
-    } else {
-      addBody(part);
-    }
-  }
+  for (std::size_t gear = 0; gear < train.gears.size(); ++gear) addGear(train.gears[gear], gear);
+  for (const LinkBody& body : train.bodies) addBody(body);
   for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) addShapes(link);
   addLabels();
-  if (m_memory != nullptr) m_memory->facts().addTo(m_stage->scene);
+  if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene);
   m_stage->unit = m_mechanism.unit;
   addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
   return m_stage;
@@ -251,6 +248,12 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
 
 StageMemory::StageMemory() : m_bodies(std::make_unique<BodyCache>()) {}
 StageMemory::~StageMemory() = default;
+
+void StageMemory::addFactsTo(Scene& scene) {
+  m_facts.addBoxesTo(scene);
+  if (m_findsEdges) m_facts.addEdgesTo(scene);
+  m_facts.forgetOthers();
+}
 
 StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
                     StageMemory* memory) {

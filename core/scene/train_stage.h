@@ -22,11 +22,15 @@ class StageMemory {
   ~StageMemory();
 
   [[nodiscard]] BodyCache& bodies() { return *m_bodies; }
-  [[nodiscard]] SolidFacts& facts() { return m_facts; }
+  /// Adds what is known of the solids, and of new ones what has to be.
+  void addFactsTo(Scene& scene);
+  /// Are feature edges found ahead, as for a window that paints by itself?
+  void setFindsEdges(bool finds) { m_findsEdges = finds; }
 
  private:
   std::unique_ptr<BodyCache> m_bodies;
   SolidFacts m_facts;
+  bool m_findsEdges = false;
 };
 
 /// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the

@@ -12,12 +12,14 @@ Scene gearField(int count, int shapes) {
   Scene scene;
   for (int shape = 0; shape < std::min(count, shapes); ++shape) {
     const GearSpec spec = standardGear(GearKind::external, 60, 2, 20 - 0.05 * shape);
-    scene.solids.push_back(std::make_shared<const Solid>(gearSolid(spec, kScreenTolerance).value()));
+    const auto solid = [spec](double tolerance) { return gearSolid(spec, tolerance).value(); };
+    scene.solids.push_back(std::make_shared<const Solid>(solid(kFarthestTolerance)));
     DetailLevels& levels = scene.levels.emplace_back();
     levels.unit = spec.module;
-    levels.error = kScreenTolerance;
-    levels.farError = kFarTolerance;
-    levels.far = std::make_shared<const Solid>(gearSolid(spec, kFarTolerance).value());
+    levels.error = kFarthestTolerance;
+    for (const double error : {kFarTolerance, kScreenTolerance}) {
+      levels.finer.push_back({error, std::make_shared<const DeferredSolid>([=] { return solid(error); })});
+    }
   }
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   for (int i = 0; i < count; ++i) {

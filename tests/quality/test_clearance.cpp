@@ -122,7 +122,7 @@ std::vector<std::unique_ptr<Part>> partsOf(const GearTrain& train) {
     parts.push_back(std::make_unique<Part>(gear.link, *gearSolid(gear.spec, kFarTolerance), gear.pose));
   }
   for (const LinkBody& body : train.bodies) {
-    parts.push_back(std::make_unique<Part>(body.link, *body.solid, Eigen::Isometry3d::Identity()));
+    parts.push_back(std::make_unique<Part>(body.link, body.solid(), Eigen::Isometry3d::Identity()));
   }
   for (const auto& part : parts) part->sample(train.gears.front().spec.module);
   return parts;

@@ -234,6 +234,7 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 
 void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
+  m_stages->setPaintedByWindow(!m_view3d->isImage());
   connect(m_stages, &StageService::stageReady, this, &MainWindow::onStage);
   connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();

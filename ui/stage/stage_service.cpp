@@ -26,6 +26,11 @@ void StageService::setFolder(const std::filesystem::path& folder) {
   if (std::exchange(m_folder, folder) != folder) m_mechanism.reset();  // its stage may be another there
 }
 
+void StageService::setPaintedByWindow(bool isPainted) {
+  const std::lock_guard lock(m_mutex);
+  m_isPaintedByWindow = isPainted;
+}
+
 quint64 StageService::wanted() const {
   const std::lock_guard lock(m_mutex);
   return m_wanted;
@@ -37,11 +42,12 @@ void StageService::request(const SnapshotPtr& snapshot) {
   m_mechanism = snapshot->mechanism;
   if (same) return;
   ++m_wanted;
-  m_worker.request({snapshot, m_wanted, m_folder});
+  m_worker.request({snapshot, m_wanted, m_folder, m_isPaintedByWindow});
 }
 
 void StageService::make(const Request& request, const std::stop_token& stop) {
   const ShapeSource shapes{m_shapes, request.folder, stop};
+  m_memory.setFindsEdges(request.isPaintedByWindow);
   const StagePtr stage =
       trainStage(*request.snapshot, m_cache, request.folder.empty() ? nullptr : &shapes, &m_memory);
   QMetaObject::invokeMethod(

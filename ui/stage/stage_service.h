@@ -22,6 +22,8 @@ class StageService : public QObject {
   /// The folder of the document, from which the 3D files that links wear are found by the requests to come;
   /// empty: they are left out.
   void setFolder(const std::filesystem::path& folder);
+  /// Does the window's own thread paint the stages? Then those to come bring all that painting asks for.
+  void setPaintedByWindow(bool isPainted);
   /// From any thread.
   void request(const SnapshotPtr& snapshot);
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
@@ -36,6 +38,7 @@ class StageService : public QObject {
     SnapshotPtr snapshot;
     quint64 number = 0;
     std::filesystem::path folder;
+    bool isPaintedByWindow = false;
   };
 
   [[nodiscard]] quint64 wanted() const;
@@ -43,12 +46,13 @@ class StageService : public QObject {
   void arrived(const StagePtr& stage, quint64 number);
 
   mutable std::mutex m_mutex;
-  quint64 m_wanted = 0;            ///< guarded by m_mutex
-  MechanismPtr m_mechanism;        ///< of the newest request; none of another folder; guarded by m_mutex
-  std::filesystem::path m_folder;  ///< guarded by m_mutex
+  quint64 m_wanted = 0;              ///< guarded by m_mutex
+  MechanismPtr m_mechanism;          ///< of the newest request; none of another folder; guarded by m_mutex
+  std::filesystem::path m_folder;    ///< guarded by m_mutex
+  bool m_isPaintedByWindow = false;  ///< guarded by m_mutex
   quint64 m_arrived = 0;
   StagePtr m_stage;
-  GearCache m_cache{1024};  ///< of the worker's thread; three details a wheel, and the last edits'
+  GearCache m_cache{1024};  ///< of the worker's thread; four details a wheel, and the last edits'
   StageMemory m_memory;
   ShapeCache m_shapes;
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes

@@ -30,12 +30,9 @@ QColor colorOf(const Rgb& rgb) {
 QImage screenImage(const PaintedPicture& picture) {
   const Frame& frame = picture.order.frame->frame();
   const Image& pixels = picture.image;
-  QImage image(pixels.width, pixels.height, QImage::Format_RGB32);
-  const std::uint8_t* from = pixels.rgba.data();
-  for (int y = 0; y < image.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));  // NOLINT
-    for (int x = 0; x < image.width(); ++x, from += 4) line[x] = qRgb(from[0], from[1], from[2]);
-  }
+  const QImage read(pixels.rgba.data(), pixels.width, pixels.height, 4 * pixels.width,
+                    QImage::Format_RGBX8888);
+  QImage image = read.convertToFormat(QImage::Format_RGB32);
   const QSize whole(frame.viewport.width, frame.viewport.height);
   if (picture.order.scale < 1) image = image.scaled(whole, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   image.setDevicePixelRatio(frame.pixelRatio);

@@ -81,8 +81,8 @@ class TestTrain : public QObject {
     const GearTrain train = trainOf(test::example("robot"));
     QCOMPARE(train.bodies.size(), std::size_t(8));
     for (const LinkBody& body : train.bodies) {
-      QVERIFY(isStrictlyManifold(*body.solid));
-      QVERIFY(signedVolume(*body.solid) > 0);
+      QVERIFY(isStrictlyManifold(body.solid()));
+      QVERIFY(signedVolume(body.solid()) > 0);
     }
   }
 
@@ -96,7 +96,7 @@ class TestTrain : public QObject {
       for (const TrainGear& gear : train.gears) {
         append(links[gear.link], *gearSolid(gear.spec, kScreenTolerance), gear.pose);
       }
-      for (const LinkBody& body : train.bodies) append(links[body.link], *body.solid);
+      for (const LinkBody& body : train.bodies) append(links[body.link], body.solid());
       for (const auto& [link, solid] : links) {
         QVERIFY2(isStrictlyManifold(solid), qPrintable(QString("%1, link %2").arg(name.c_str()).arg(link)));
       }
@@ -206,7 +206,7 @@ class TestTrain : public QObject {
   void trainsAreDeterministic() {
     const GearTrain a = trainOf(test::example("robot"));
     const GearTrain b = trainOf(test::example("robot"));
-    for (std::size_t i = 0; i < a.bodies.size(); ++i) QVERIFY(*a.bodies[i].solid == *b.bodies[i].solid);
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) QVERIFY(a.bodies[i].solid() == b.bodies[i].solid());
   }
 
   /// The same gears and bodies; what another edit leaves as it is stays the same solid.
@@ -224,8 +224,8 @@ class TestTrain : public QObject {
     QCOMPARE(shown.bodies.size(), train.bodies.size());
     const GearTrain again = shownTrain(mechanism, placement, cache);
     for (std::size_t i = 0; i < train.bodies.size(); ++i) {
-      QVERIFY(*shown.bodies[i].solid == *train.bodies[i].solid);
-      QCOMPARE(again.bodies[i].solid, shown.bodies[i].solid);
+      QVERIFY(shown.bodies[i].solid() == train.bodies[i].solid());
+      QCOMPARE(again.bodies[i].fine->solid(), shown.bodies[i].fine->solid());
     }
     const Mechanism tight = test::example("cannot-be-assembled");
     QVERIFY(!trainOf(tight).diagnostics.empty());
@@ -241,7 +241,7 @@ class TestTrain : public QObject {
         if (std::abs(mesh.residual) > kPhaseFits) QVERIFY(count(train.diagnostics, Code::assembly) > 0);
       }
       if (count(train.diagnostics, Code::assembly) == 0) QVERIFY(worstPhase(train) < kPhaseFits);
-      for (const LinkBody& body : train.bodies) QVERIFY(isStrictlyManifold(*body.solid));
+      for (const LinkBody& body : train.bodies) QVERIFY(isStrictlyManifold(body.solid()));
     }
   }
 };

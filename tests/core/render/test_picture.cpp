@@ -324,12 +324,12 @@ class TestPicture : public QObject {
       return std::make_shared<const Solid>(boxSolid({-half, -half, -half}, {half, half, half}));
     };
     Scene scene = cubeScene();
-    DetailLevels levels;
-    levels.far = box(6);
-    levels.close = std::make_shared<const DeferredSolid>([&box] { return *box(10.5); });
-    levels.error = 0.01;
-    levels.farError = 0.03;
     Frame frame = frameOf(scene, bare());
+    const auto finer = [&box](double half) {
+      return std::make_shared<const DeferredSolid>([&box, half] { return *box(half); });
+    };
+    scene.solids = {box(6)};
+    DetailLevels levels{1, 0.03, {{0.01, finer(10)}, {0.002, finer(10.5)}}};
     const double pixel = frame.camera.millimetresPerPixel(kView);
     for (const auto& [pixels, half] : {std::pair{2.0, 6.0}, {22.0, 10.0}, {80.0, 10.5}, {2.0, 6.0}}) {
       levels.unit = pixels * pixel;

@@ -13,22 +13,23 @@ class TestSolids : public QObject {
 
  private slots:
   void theCoarsestDetailWithoutVisibleChordsIsChosen() {
-    const auto solid = [] { return std::make_shared<const Solid>(boxSolid({0, 0, 0}, {1, 1, 1})); };
-    DetailLevels levels;
-    levels.far = solid();
-    levels.close = std::make_shared<const DeferredSolid>([&] { return *solid(); });
-    levels.error = 0.01;
-    levels.farError = 0.03;
-    const auto own = solid();
-    QCOMPARE(levels.chosen(own, 1), levels.far);  // 0.03 of a pixel
-    QCOMPARE(levels.chosen(own, 11), levels.far);
-    QCOMPARE(levels.chosen(own, 12), own);
-    QCOMPARE(levels.chosen(own, 33), own);
-    QCOMPARE(levels.chosen(own, 34), levels.close->solid());
-    levels.close = nullptr;
-    QCOMPARE(levels.chosen(own, 500), own);
-    levels.far = nullptr;
-    QCOMPARE(levels.chosen(own, 1), own);
+    const auto box = [] { return boxSolid({0, 0, 0}, {1, 1, 1}); };
+    const auto finer = [&](double error) {
+      return DetailLevels::Finer{error, std::make_shared<const DeferredSolid>(box)};
+    };
+    const DetailLevels levels{2, 0.1, {finer(0.03), finer(0.01)}};
+    const auto own = std::make_shared<const Solid>(box());
+    QCOMPARE(levels.chosen(own, 0), own);
+    QCOMPARE(levels.chosen(own, 1), own);  // 0.1 of a pixel
+    QCOMPARE(levels.chosen(own, 3.3), own);
+    QVERIFY(levels.finer[0].solid->made() == nullptr);
+    QCOMPARE(levels.chosen(own, 3.4), levels.finer[0].solid->solid());
+    QCOMPARE(levels.chosen(own, 11), levels.finer[0].solid->solid());
+    QVERIFY(levels.finer[1].solid->made() == nullptr);
+    QCOMPARE(levels.chosen(own, 12), levels.finer[1].solid->solid());
+    QCOMPARE(levels.chosen(own, 500), levels.finer[1].solid->solid());  // there is none closer
+    QCOMPARE(levels.within(0.03, own), levels.finer[0].solid->solid());
+    QCOMPARE(DetailLevels{}.chosen(own, 500), own);
   }
 
   void aBoxHasTwelveEdgesAndItsVolume() {

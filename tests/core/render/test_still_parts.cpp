@@ -90,7 +90,9 @@ class TestStillParts : public QObject {
         [](StillParts::Part& part) { part.colour = Rgb::fromHex(kBlue); },
         [](StillParts::Part& part) { part.emphasis = Highlight::hovered; },
         [](StillParts::Part& part) { part.showing = Showing::hidden; },
-        [](StillParts::Part& part) { part.levels.far = part.solid; },
+        [](StillParts::Part& part) {
+          part.levels.finer.push_back({0.1, nullptr});
+        },
         [](StillParts::Part& part) { part.solid = std::make_shared<const Solid>(*part.solid); }};
     for (const auto& change : changes) {
       StillParts still;

@@ -99,39 +99,61 @@ class TestTrainStage : public QObject {
     }
   }
 
-  /// Every wheel comes in three details, each of the parameters' own tolerance; equal wheels share them.
-  void wheelsComeInThreeDetails() {
+  /// Wheels come in four details, bodies in two, each finer than the last and made when somebody looks so
+  /// close; equal wheels share them.
+  void partsComeInDetails() {
     GearCache cache;
     const StagePtr stage = stageOf(paperRobot(), cache);
     std::size_t wheels = 0;
+    QCOMPARE(stage->scene.levels.size(), stage->scene.solids.size());
     for (std::size_t i = 0; i < stage->scene.levels.size(); ++i) {
-      const DetailLevels& level = stage->scene.levels[i];
-      if (!level.far) continue;
-      ++wheels;
-      QVERIFY(std::abs(level.unit - 2) < 1e-9);
-      QVERIFY(level.far->triangles.size() < stage->scene.solids[i]->triangles.size());
-      QVERIFY(level.close->made() == nullptr);  // until somebody looks so close
-      QVERIFY(level.close->solid()->triangles.size() > stage->scene.solids[i]->triangles.size());
+      const DetailLevels& levels = stage->scene.levels[i];
+      QVERIFY(levels.finer.size() == 3 || levels.finer.size() == 1);
+      wheels += levels.finer.size() == 3 ? 1 : 0;
+      QVERIFY(std::abs(levels.unit - 2) < 1e-9);
+      double error = levels.error;
+      std::size_t triangles = stage->scene.solids[i]->triangles.size();
+      for (const DetailLevels::Finer& level : levels.finer) {
+        QVERIFY(level.solid->made() == nullptr);
+        QVERIFY(level.error < error);
+        QVERIFY(level.solid->solid()->triangles.size() > triangles);
+        QCOMPARE(signedVolume(*level.solid->solid()) > 0, true);
+        error = level.error;
+        triangles = level.solid->solid()->triangles.size();
+      }
     }
     QCOMPARE(wheels, std::size_t{8});
-    QCOMPARE(cache.size(), std::size_t{24});
+    QCOMPARE(cache.size(), std::size_t{32});
   }
 
   void whatFollowsFromSolidsComesWithTheSceneAndStaysFromOneEditToTheNext() {
     GearCache cache;
     StageMemory known;
+    known.setFindsEdges(true);
     const auto snapshot = analyzeLive(std::make_shared<const Mechanism>(paperRobot()));
     const StagePtr first = trainStage(*snapshot, cache, nullptr, &known);
     const StagePtr second = trainStage(*snapshot, cache, nullptr, &known);
-    const auto& far = first->scene.levels.front().far;
-    QCOMPARE(*first->scene.edges.at(far.get()), featureEdges(*far));
-    QCOMPARE(second->scene.edges.at(far.get()), first->scene.edges.at(far.get()));  // the same list
-    QCOMPARE(first->scene.edges.size(), first->scene.solids.size());
+    const double pixels = 1000 / (2 * boundsOf(first->scene).radius());
+    std::set<const Solid*> shown;
+    for (std::size_t i = 0; i < first->scene.solids.size(); ++i) {
+      const DetailLevels& levels = first->scene.levels[i];
+      for (const double size : {0.0, pixels}) {
+        const Solid* solid = levels.chosen(first->scene.solids[i], size * levels.unit).get();
+        QCOMPARE(*first->scene.edges.at(solid), featureEdges(*solid));
+        QCOMPARE(second->scene.edges.at(solid), first->scene.edges.at(solid));  // the same list
+        shown.insert(solid);
+      }
+    }
+    QVERIFY(shown.size() > first->scene.solids.size());
+    QCOMPARE(first->scene.edges.size(), shown.size());
     QCOMPARE(first->scene.boxes.size(), first->scene.solids.size());
     for (std::size_t i = 0; i < first->scene.solids.size(); ++i)
       QVERIFY(first->scene.boxes[i].isApprox(boundsOf(*first->scene.solids[i]), 0));
-    QCOMPARE(second->scene.solids, first->scene.solids);         // bodies too
-    QVERIFY(stageOf(paperRobot(), cache)->scene.edges.empty());  // a single picture finds its own
+    QCOMPARE(second->scene.solids, first->scene.solids);  // bodies too
+    known.setFindsEdges(false);
+    const StagePtr third = trainStage(*snapshot, cache, nullptr, &known);
+    QVERIFY(third->scene.edges.empty());  // another thread paints, and finds its own
+    QCOMPARE(third->scene.boxes.size(), third->scene.solids.size());
   }
 
   void marksOfWhatTheSectionTakesAwayAreGone() {

@@ -31,7 +31,7 @@ class LiveTeethTest : public QObject {
     };
     return stage()->scene.instances.size() == train.gears.size() + train.bodies.size() &&
            std::all_of(train.gears.begin(), train.gears.end(), [&](const TrainGear& gear) {
-             return isShown(*gearSolid(gear.spec, kScreenTolerance));
+             return isShown(*gearSolid(gear.spec, kFarthestTolerance));
            });
   }
 
