@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <utility>
 
 #include "core/gears/body_shapes.h"
 #include "core/gears/gear_body.h"
@@ -28,6 +29,7 @@ struct Part {
   DiscHull hull;
   Vector3 middle{};  ///< of a ball that holds the hull
   double reach = 0;
+  int held = -1;  ///< of an arm across to another axis, and of its post: the link that it holds
 
   [[nodiscard]] bool standsOn(int c) const { return axisClass == c || other == c; }
 };
@@ -111,6 +113,7 @@ class PartsMaker {
     const Eigen::Isometry3d frame = frameAlong(from.at(arm.level), from.direction, Vector3d::UnitX());
     const bool parallel = from.direction.cross(axis(arm.to).direction).norm() < 1e-6;
     Part part{PartKind::arm, arm.link, arm.from, parallel ? arm.to : -1, {}, {}, 0};
+    part.held = parallel ? -1 : arm.child;
     for (const double z : {off - 0.5 * from.width(), 0.5 * from.width() - off}) {
       const Vector3 k = narrow(from.direction);
       const double bar = std::min(foot.radius, end.radius) - off;
@@ -120,6 +123,7 @@ class PartsMaker {
     m_parts.push_back(std::move(part));
     if (const auto post = postOf(m_plan, arm)) {
       Part rod{PartKind::post, arm.link, -1, arm.to, {}, {}, 0};
+      rod.held = arm.child;
       for (const double z : {0.0, post->reach - off})
         rod.hull.push_back({narrow(post->foot + z * post->way), narrow(post->way), post->radius - off});
       m_parts.push_back(std::move(rod));
@@ -134,8 +138,9 @@ class PartsMaker {
 /// of its axis, and whatever lies across parallel axes?
 bool holds(const Part& a, const Part& b) {
   if (a.kind == PartKind::gear && b.kind == PartKind::gear) return true;  // findings of their own
-  const bool posts = a.kind == PartKind::post || b.kind == PartKind::post;
-  if (!posts && std::abs(dot(a.hull.front().axis, b.hull.front().axis)) > 1 - 1e-9) return true;
+  const auto isAcross = [](const Part& part) { return part.kind == PartKind::post || part.held >= 0; };
+  if (!isAcross(a) && !isAcross(b) && std::abs(dot(a.hull.front().axis, b.hull.front().axis)) > 1 - 1e-9)
+    return true;
   const auto runsIn = [](const Part& shaft, const Part& part) {
     return shaft.kind == PartKind::shaft && part.standsOn(shaft.axisClass);
   };
@@ -144,9 +149,9 @@ bool holds(const Part& a, const Part& b) {
 
 }  // namespace
 
-std::vector<std::vector<int>> clashingLinks(const BodyPlan& plan, const GearTrain& train) {
+std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train) {
   const std::vector<Part> parts = PartsMaker(plan, train).take();
-  std::set<std::pair<int, int>> found;
+  std::map<std::pair<int, int>, std::set<int>> found;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t k = i + 1; k < parts.size(); ++k) {
       const Part& a = parts[i];
@@ -155,12 +160,15 @@ std::vector<std::vector<int>> clashingLinks(const BodyPlan& plan, const GearTrai
       const Vector3 apart = a.middle - b.middle;
       const double reach = a.reach + b.reach;
       if (dot(apart, apart) > reach * reach || !areNear(a.hull, b.hull)) continue;
-      found.insert(std::minmax({a.link, b.link}));
+      std::set<int>& held = found[std::minmax({a.link, b.link})];
+      for (const Part* part : {&a, &b}) {
+        if (part->link == 0 && part->held >= 0) held.insert(part->held);
+      }
     }
   }
-  std::vector<std::vector<int>> links;
-  for (const auto& [a, b] : found) links.push_back({a, b});
-  return links;
+  std::vector<BodyClash> clashes;
+  for (auto& [links, held] : found) clashes.push_back({links.first, links.second, std::move(held)});
+  return clashes;
 }
 
 }  // namespace geargraph

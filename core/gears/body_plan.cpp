@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/gears/body_clashes.h"
 #include "core/gears/body_planner.h"
 #include "core/gears/coaxial_plan.h"
 #include "core/gears/coaxial_sections.h"
 #include "core/gears/gear_body.h"
+#include "core/gears/wheel_rooms.h"
 
 namespace geargraph {
 
@@ -61,6 +63,27 @@ bool BodyPlanner::cutsPlanets(const TrainGear& ring, double plate) const {
   });
 }
 
+/// The face of a ring that its other wheels on the axis call for, or that lets wheels inside out which the
+/// frame holds; 0: neither.
+int BodyPlanner::cupSideFor(const TrainGear& ring) const {
+  const AxisLayout& own = axis(ring.axisClass);
+  const double middle = own.coordinate(ring.pose.translation());
+  double others = 0;
+  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(ring.axisClass)]) {
+    const TrainGear& gear = m_train.gears[g];
+    if (gear.link == ring.link) others += own.coordinate(gear.pose.translation()) - middle;
+  }
+  if (std::abs(others) > own.module) return others < 0 ? -1 : 1;
+  const bool holdsFixed = std::any_of(ring.meshes.begin(), ring.meshes.end(), [&](int mesh) {
+    return std::any_of(m_train.gears.begin(), m_train.gears.end(), [&](const TrainGear& gear) {
+      const bool meshes = std::find(gear.meshes.begin(), gear.meshes.end(), mesh) != gear.meshes.end();
+      return meshes && gear.axisClass != ring.axisClass &&
+             m_placement.classes->classes[static_cast<std::size_t>(gear.axisClass)].top == 0;
+    });
+  });
+  return holdsFixed ? -own.bearingSide : 0;
+}
+
 /// Rings get the face on the bearing side, so that carriers find the other one free.
 void BodyPlanner::placeCups() {
   for (std::size_t g = 0; g < m_train.gears.size(); ++g) {
@@ -69,7 +92,8 @@ void BodyPlanner::placeCups() {
     AxisLayout& layout = axis(gear.axisClass);
     const double middle = layout.coordinate(gear.pose.translation());
     const double reach = gear.spec.faceWidth / 2 + layout.gap() + layout.width() / 2;
-    int side = layout.bearingSide;
+    const int wanted = cupSideFor(gear);
+    int side = wanted != 0 ? wanted : layout.bearingSide;
     const auto isOpen = [&](int towards) {
       const double plate = middle + towards * reach;
       return layout.slotIsFree(plate) && !cutsPlanets(gear, plate);
@@ -95,6 +119,7 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
     }
     if (!parallel(home, c)) continue;
     const auto depth = [&](const Bearing* b) {
+      if (m_tries.roomFor.contains(b->child)) return 1e300;
       double nearest = -1e300;                 // a link without wheels has the inmost shaft
       for (const Stretch& s : layout.taken) {  // wheels and cups
         if (s.link == b->child) nearest = std::max(nearest, layout.bearingSide * (s.low + s.high) / 2);
@@ -114,8 +139,8 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
 void BodyPlanner::placeLink(int link) {
   const auto& held = m_heldBy[static_cast<std::size_t>(link)];
   if (held.empty()) return;
-  int home = m_placement.classes->classOfLink(link);
-  if (home < 0) home = held.back().first;  // the ground: the last of its axes
+  const int home = homeOf(link);
+  const std::vector<int> reserved = link == 0 ? reserveRoom() : std::vector<int>();
   for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int c = held[i].first;
@@ -124,39 +149,46 @@ void BodyPlanner::placeLink(int link) {
   for (const auto& [c, b] : held) {
     if (!parallel(home, c) && !axis(c).bearings[b].placed) placeCrossing(link, home, axis(c).bearings[b]);
   }
+  for (const int c : reserved)
+    std::erase_if(axis(c).taken, [](const Stretch& s) { return s.link == kReserved; });
 }
 
 /// Is a level free on the axes of all these bearings, and can straight arms reach them from the link's own?
 bool BodyPlanner::fits(int link, int home, const std::vector<Bearing*>& round, double level) const {
   std::vector<int> involved{home};
   for (const Bearing* b : round) {
-    involved.push_back(m_placement.classes->classOf[static_cast<std::size_t>(b->joint)]);
-    if (!axis(involved.back()).nests(*b, carried(home, level, involved.back()))) return false;
+    involved.push_back(classOf(*b));
+    const double at = carried(home, level, involved.back());
+    if (!axis(involved.back()).nests(*b, at) || !shaftPasses(*b, at)) return false;
+    if (link != 0 && (meetsArms(*b, at) || sweepsShafts(link, home, level, involved.back()))) return false;
   }
   for (const int c : involved) {
     if (!axis(c).slotIsFree(carried(home, level, c))) return false;
   }
   if (!round.empty() && !axis(home).emerges(round.front()->parent, level)) return false;
+  if (link != 0 && isTrapped(link, home, level)) return false;
   const AxisLayout& own = axis(home);
-  const Vector3d start = own.at(level);
-  const auto gears = m_obstacles.inPlane(start, own.direction, own.width() / 2 + own.gap() / 2);
+  const auto gears = m_obstacles.inPlane(own.at(level), own.direction, own.width() / 2 + own.gap() / 2);
   const double margin = own.width() / 2 + 0.3 * own.module;
-  return std::all_of(involved.begin(), involved.end(), [&](int c) {
-    const Vector3d end = axis(c).at(carried(home, level, c));
-    return c == home || (m_obstacles.isClear(gears, start, end, 2.5 * own.module) &&
-                         m_obstacles.crossingHits(link, start, end, margin, own.direction) == 0);
+  const std::vector<Bar> bars = barsOf(link, home, round, level);
+  return std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) {
+    const Vector3d start = axis(bar.from).at(carried(home, level, bar.from));
+    const Vector3d end = axis(bar.to).at(carried(home, level, bar.to));
+    return m_obstacles.isClear(gears, start, end, 2.5 * own.module) &&
+           m_obstacles.crossingHits(link, start, end, margin, own.direction) == 0;
   });
 }
 
 /// A level at which the link's arms lie in one plane, beside the wheels: the free one nearest to what is
-/// drawn. The ground stands at the bearings' end, behind everything; carriers keep to the other.
-double BodyPlanner::commonLevel(int link, int home, const std::vector<Bearing*>& round) {
+/// drawn. The ground stands at the bearings' end, behind everything; carriers keep to the other. None where
+/// there is none.
+std::optional<double> BodyPlanner::commonLevel(int link, int home, const std::vector<Bearing*>& round) const {
   const int side = axis(home).bearingSide;
   std::vector<int> involved{home};
   std::vector<double> candidates;
   std::vector<double> edges;  // of what stands on the axes, towards the bearings' end
   for (const Bearing* b : round) {
-    const int c = m_placement.classes->classOf[static_cast<std::size_t>(b->joint)];
+    const int c = classOf(*b);
     if (c != home) involved.push_back(c);
     candidates.push_back(carried(c, b->at, home));
   }
@@ -175,6 +207,7 @@ double BodyPlanner::commonLevel(int link, int home, const std::vector<Bearing*>&
     } else if (side * (x - wanted) > 0) {
       sum += 2 * axis(home).module;
     }
+    if (link != 0) sum += 1000 * axis(home).module * static_cast<double>(enclosedBy(link, home, x));
     return sum;
   };
   std::sort(candidates.begin(), candidates.end(), [&](double a, double b) { return cost(a) < cost(b); });
@@ -184,23 +217,44 @@ double BodyPlanner::commonLevel(int link, int home, const std::vector<Bearing*>&
   for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
     if (fits(link, home, round, candidates[i])) return candidates[i];
   }
-  m_plan.blocked.push_back({link});
-  for (const Bearing* b : round) m_plan.blocked.back().push_back(b->child);
-  const auto outmost = std::max_element(candidates.begin(), candidates.end(),
-                                        [&](double a, double b) { return side * a < side * b; });
-  return *outmost;
+  return std::nullopt;
 }
 
-void BodyPlanner::placeParallel(int link, int home, const std::vector<Bearing*>& round) {
-  const double level = commonLevel(link, home, round);
+void BodyPlanner::placeParallel(int link, int home, std::vector<Bearing*> round) {
+  if (link == 0) {  // what cannot reach the frame behind everything else stands on feet of its own
+    const double behind = outmostLevel(home, round);
+    std::erase_if(round, [&](Bearing* b) {
+      const int c = classOf(*b);
+      if (shaftPasses(*b, carried(home, behind, c))) return false;
+      const auto place = boltPlace(*b);
+      if (place) boltDown(*b, *place);
+      return place.has_value();
+    });
+    if (round.empty()) return;
+    const auto isHome = [&](const Bearing* b) { return classOf(*b) == home; };
+    if (std::none_of(round.begin(), round.end(), isHome)) home = classOf(*round.back());
+  }
+  const std::optional<double> found = commonLevel(link, home, round);
+  if (!found && link == 0) {
+    for (Bearing* b : round) boltDownOrSay(*b);
+    return;
+  }
+  if (!found) {
+    m_wantRoom.insert(link);
+    m_plan.blocked.push_back({link});
+    for (const Bearing* b : round) m_plan.blocked.back().push_back(b->child);
+  }
+  const double level = found ? *found : outmostLevel(home, round);
   axis(home).take(level, link);
+  const std::vector<Bar> bars = barsOf(link, home, round, level);
   for (Bearing* b : round) {
-    const int c = m_placement.classes->classOf[static_cast<std::size_t>(b->joint)];
+    const int c = classOf(*b);
     b->at = carried(home, level, c);
     b->placed = true;
     if (c == home) continue;
     axis(c).take(b->at, link);
-    addArm({link, home, level, c, b->at, b->child});
+    const auto bar = std::find_if(bars.begin(), bars.end(), [c](const Bar& each) { return each.to == c; });
+    addArm({link, bar->from, carried(home, level, bar->from), c, b->at, b->child});
   }
 }
 
@@ -369,8 +423,22 @@ void BodyPlanner::nestShafts(int axisClass) {
 
 BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                     const std::stop_token& stop) {
-  BodyPlan plan = BodyPlanner(mechanism, placement, train).plan(stop);
-  if (stop.stop_requested()) return plan;
+  // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
+  // And the frame leaves room for carriers that find none.
+  PlanTries tries;
+  BodyPlan plan;
+  std::vector<BodyClash> clashes;
+  for (bool isNew = true; isNew;) {
+    isNew = false;
+    BodyPlanner planner(mechanism, placement, train, tries);
+    plan = planner.plan(stop);
+    if (stop.stop_requested()) return plan;
+    clashes = bodyClashes(plan, train);
+    for (const int link : planner.wantRoom()) isNew = tries.roomFor.insert(link).second || isNew;
+    for (const BodyClash& clash : clashes) {
+      for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;
+    }
+  }
   const auto isSaid = [&](const std::vector<int>& pair) {
     return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
       return std::all_of(pair.begin(), pair.end(), [&](int link) {
@@ -378,8 +446,8 @@ BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, cons
       });
     });
   };
-  for (std::vector<int>& pair : clashingLinks(plan, train)) {
-    if (!isSaid(pair)) plan.blocked.push_back(std::move(pair));
+  for (const BodyClash& clash : clashes) {
+    if (!isSaid({clash.one, clash.other})) plan.blocked.push_back({clash.one, clash.other});
   }
   return plan;
 }

@@ -48,7 +48,8 @@ struct BodyPlan {
   }
 };
 
-/// Plans the bodies. Greedy, links nearest the ground first; deterministic.
+/// Plans the bodies. Greedy, links nearest the ground first; once more where arms of the frame are in the way
+/// or a carrier found no room beside it. Deterministic.
 /// Cost: O(links * things on an axis). Of no use when `stop` was requested meanwhile.
 [[nodiscard]] BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement,
                                   const GearTrain& train, const std::stop_token& stop = {});

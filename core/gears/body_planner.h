@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -11,12 +12,19 @@
 
 namespace geargraph {
 
+/// What earlier tries have shown.
+struct PlanTries {
+  std::set<int> onFeet;   ///< links whose bearings in the frame, across its other axes, get no arm
+  std::set<int> roomFor;  ///< carriers that found no level for their arms
+};
+
 /// How planBodies() goes: linked sets first, then rings' cups, bearings and arms link by link, shafts at
 /// last.
 class BodyPlanner {
  public:
-  BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train)
-      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_obstacles(train) {
+  BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+              const PlanTries& tries)
+      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_tries(tries), m_obstacles(train) {
     m_plan.axes = axisLayouts(mechanism, placement, train);
     m_plan.shaftsOn.resize(m_plan.axes.size());
     m_gearsOn.resize(m_plan.axes.size());
@@ -34,6 +42,8 @@ class BodyPlanner {
     }
   }
 
+  /// Carriers for whose arms there was no level.
+  [[nodiscard]] const std::set<int>& wantRoom() const { return m_wantRoom; }
   /// Ends early, with a plan of no use, when `stop` was requested.
   BodyPlan plan(const std::stop_token& stop) {
     for (std::size_t c = 0; c < m_plan.axes.size() && !stop.stop_requested(); ++c)
@@ -62,9 +72,10 @@ class BodyPlanner {
   void planCoaxial(int axisClass);
   [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
   void placeCups();
+  [[nodiscard]] int cupSideFor(const TrainGear& ring) const;
   [[nodiscard]] bool cutsPlanets(const TrainGear& ring, double plate) const;
   void placeLink(int link);
-  void placeParallel(int link, int home, const std::vector<Bearing*>& round);
+  void placeParallel(int link, int home, std::vector<Bearing*> round);
   void placeCrossing(int link, int home, Bearing& bearing);
   struct TriedArm {
     ArmPlan arm;
@@ -75,8 +86,29 @@ class BodyPlanner {
   [[nodiscard]] std::vector<double> levelsBeside(int link, int home) const;
   [[nodiscard]] std::vector<double> levelsBeyond(int home, int axisClass) const;
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
-  [[nodiscard]] double commonLevel(int link, int home, const std::vector<Bearing*>& round);
+  [[nodiscard]] std::optional<double> commonLevel(int link, int home,
+                                                  const std::vector<Bearing*>& round) const;
+  [[nodiscard]] Stretch heldStretch(int axisClass, int link) const;
+  [[nodiscard]] bool isCutOff(int axisClass, int link, const Stretch& held, double at) const;
+  static constexpr int kReserved = -2;
+  std::vector<int> reserveRoom();
+  [[nodiscard]] bool isTrapped(int link, int home, double level) const;
+  [[nodiscard]] bool meetsArms(const Bearing& bearing, double at) const;
+  [[nodiscard]] bool sweepsShafts(int link, int home, double level, int axisClass) const;
+  [[nodiscard]] std::ptrdiff_t enclosedBy(int link, int home, double level) const;
+  [[nodiscard]] double outmostLevel(int home, const std::vector<Bearing*>& round) const;
+  [[nodiscard]] int homeOf(int link) const;
+  [[nodiscard]] std::optional<double> boltPlace(const Bearing& bearing) const;
+  void boltDown(Bearing& bearing, double place);
+  void boltDownOrSay(Bearing& bearing);
+  [[nodiscard]] bool shaftPasses(const Bearing& bearing, double at) const;
   [[nodiscard]] bool fits(int link, int home, const std::vector<Bearing*>& round, double level) const;
+  struct Bar {
+    int from = 0;  ///< axis classes
+    int to = 0;
+  };
+  [[nodiscard]] std::vector<Bar> barsOf(int link, int home, const std::vector<Bearing*>& round,
+                                        double level) const;
   [[nodiscard]] int shaftHits(const ArmPlan& arm) const;
   [[nodiscard]] std::optional<std::pair<double, double>> crossingOf(int a, int b) const;
   [[nodiscard]] Stretch reachOf(const ArmPlan& arm) const;
@@ -99,6 +131,9 @@ class BodyPlanner {
   void nestShafts(int axisClass);
   [[nodiscard]] double boreRoom(int axisClass, int link) const;
 
+  [[nodiscard]] int classOf(const Bearing& bearing) const {
+    return m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  }
   AxisLayout& axis(int c) { return m_plan.axes[static_cast<std::size_t>(c)]; }
   [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
   [[nodiscard]] bool parallel(int a, int b) const {
@@ -110,6 +145,8 @@ class BodyPlanner {
   const Placement& m_placement;
   const JointTree& m_tree;
   const GearTrain& m_train;
+  const PlanTries& m_tries;
+  std::set<int> m_wantRoom;
   GearObstacles m_obstacles;
   std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
   std::vector<bool> m_coaxial;                      ///< axis classes that have a plan of their own

@@ -197,7 +197,7 @@ void BodyPlanner::trimTees() {
 /// Where axes meet, a link can hold out a pin along the other from its own shaft, for wheels that all stand
 /// on one side; nobody else's wheels or shafts may be in the way.
 std::optional<PinPlan> BodyPlanner::pinFor(int link, int home, const Bearing& bearing) const {
-  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const int c = classOf(bearing);
   const AxisLayout& own = axis(home);
   const AxisLayout& target = axis(c);
   const auto wheels = target.wheelsOf(bearing.child);
@@ -253,7 +253,7 @@ std::vector<double> BodyPlanner::levelsBeyond(int home, int axisClass) const {
 /// The arm to the bearing's axis that passes most, then the shortest.
 BodyPlanner::TriedArm BodyPlanner::bestArm(int link, int home, const Bearing& bearing,
                                            const std::vector<double>& levels) const {
-  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const int c = classOf(bearing);
   const AxisLayout& target = axis(c);
   const AxisLayout& own = axis(home);
   std::vector<double> places{bearing.at, target.outerSlot()};
@@ -285,7 +285,10 @@ BodyPlanner::TriedArm BodyPlanner::bestArm(int link, int home, const Bearing& be
 /// arms beside the link's own wheel or where it has one already; but first of all where they pass the gears.
 /// Where none does, a pin may, or an arm round the wheels.
 void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
+  if (m_tries.onFeet.contains(bearing.child) && link == 0) return boltDownOrSay(bearing);
   TriedArm best = bestArm(link, home, bearing, levelsBeside(link, home));
+  if (const auto place = best.hits > 0 && link == 0 ? boltPlace(bearing) : std::nullopt)
+    return boltDown(bearing, *place);
   bearing.placed = true;
   if (const auto pin = best.hits > 0 ? pinFor(link, home, bearing) : std::nullopt) {
     bearing.form = BearingForm::pin;
@@ -293,7 +296,7 @@ void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
     m_plan.pins.push_back(*pin);
     return;
   }
-  const int c = m_placement.classes->classOf[static_cast<std::size_t>(bearing.joint)];
+  const int c = classOf(bearing);
   if (best.hits > 0) {
     const TriedArm other = bestArm(link, home, bearing, levelsBeyond(home, c));
     if (other.hits < best.hits) best = other;

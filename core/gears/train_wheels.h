@@ -48,7 +48,8 @@ struct TrainWheels {
 /// planes (the long planet of a Ravigneaux set) is as wide as all of them, its origin in their middle.
 void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
 
-/// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place.
+/// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place;
+/// but for linked sets so that as few as can be are shut in between wheels of another link (stack_order.h).
 void stackWheels(TrainWheels& train, const Placement& placement);
 
 /// Shortens faces of bevel pairs that the document leaves open, where that takes a wheel of theirs out of the

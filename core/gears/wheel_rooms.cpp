@@ -1,6 +1,7 @@
 #include "core/gears/wheel_rooms.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "core/gears/bevel_room.h"
@@ -15,6 +16,10 @@ Vector3 narrow(const Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+/// Beside wheels that go round, in modules: a carrier's arm or a ring's plate, which what lies across leaves
+/// free.
+constexpr double kArmRoom = 4;
+
 /// Flatter than a crown the body of a bevel is hollow, and no hull says where it is.
 constexpr double kFlattest = 1.7;  // rad
 
@@ -24,7 +29,7 @@ DiscHull hullOf(const TrainWheel& wheel, double low, double high, double outer) 
   const auto add = [&](double radius, double height) {
     hull.push_back({narrow(wheel.origin + height * wheel.axis), narrow(wheel.axis), radius});
   };
-  if (spec.kind == GearKind::external) {
+  if (spec.kind != GearKind::bevel) {
     add(outer, low);
     add(outer, high);
   } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
@@ -65,8 +70,12 @@ double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Vector3d& dir
 
 WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m_train(train) {
   const std::size_t classes = placement.classes->classes.size();
-  std::vector<WheelOrbit> orbits;
-  for (std::size_t c = 0; c < classes; ++c) orbits.push_back(orbitOf(static_cast<int>(c), placement));
+  for (std::size_t c = 0; c < classes; ++c) {
+    m_orbits.push_back(orbitOf(static_cast<int>(c), placement));
+    m_lines.push_back(wide(placement.lineOfClass(static_cast<int>(c)).direction));
+  }
+  const bool hasArms =
+      std::any_of(m_orbits.begin(), m_orbits.end(), [](const WheelOrbit& orbit) { return orbit.about >= 0; });
   m_freeSide.assign(classes, Vector3d::Zero());
   for (const TrainWheel& wheel : train.wheels) {
     const AxialSpan span = axialSpan(wheel.spec);
@@ -81,11 +90,23 @@ WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m
     if (ring) room.inner = nominalTipRadius(wheel.spec);
     room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
     const auto c = static_cast<std::size_t>(wheel.axisClass);
-    room.orbit = orbits[c];
-    room.hull = hullOf(wheel, room.low, room.high, room.outer);
+    room.orbit = m_orbits[c];
+    const double arm = hasArms && !room.bevel ? kArmRoom * wheel.spec.module : 0;
+    room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
     if (room.bevel) m_freeSide[c] += wheel.axis;
     m_rooms.push_back(std::move(room));
   }
+}
+
+bool WheelRooms::covers(int wheel, int axisClass) const {
+  const Room& covering = room(wheel);
+  const auto c = static_cast<std::size_t>(axisClass);
+  if (covering.bevel || covering.axisClass == axisClass || !areParallel(covering.axis, m_lines[c]))
+    return false;
+  const double shaft = 2 * m_train.wheels[static_cast<std::size_t>(wheel)].spec.module;
+  const double nearest = nearestAxes(covering.orbit, m_orbits[c], covering.axis);
+  const double now = acrossPart(m_orbits[c].at - covering.orbit.at, covering.axis).norm();
+  return std::max(nearest, now) + shaft > covering.inner && nearest < covering.outer + shaft;
 }
 
 void WheelRooms::move(int wheel, const Vector3d& by) {

@@ -32,6 +32,8 @@ class WheelRooms {
   void move(int wheel, const Eigen::Vector3d& by);
   /// Do two wheels take up the same room in the reference pose, or wheels on parallel axes ever?
   [[nodiscard]] bool collide(int a, int b) const;
+  /// Does a parallel axis beside its own pass through the wheel, or ever come to?
+  [[nodiscard]] bool covers(int wheel, int axisClass) const;
   /// The way that a wheel rather moves along its axis: where the bevels on it come from; 0: none are there.
   [[nodiscard]] const Eigen::Vector3d& freeSide(int wheel) const {
     return m_freeSide[static_cast<std::size_t>(room(wheel).axisClass)];
@@ -53,6 +55,8 @@ class WheelRooms {
 
   const TrainWheels& m_train;
   std::vector<Room> m_rooms;
+  std::vector<WheelOrbit> m_orbits;         ///< by axis class
+  std::vector<Eigen::Vector3d> m_lines;     ///< their directions
   std::vector<Eigen::Vector3d> m_freeSide;  ///< by axis class
 };
 
