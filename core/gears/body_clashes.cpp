@@ -135,11 +135,13 @@ class PartsMaker {
 };
 
 /// Is one within the other by design, or kept off it by other means: a shaft in bores, eyes and other shafts
-/// of its axis, and whatever lies across parallel axes?
+/// of its axis, and what stands on one axis?
 bool holds(const Part& a, const Part& b) {
   if (a.kind == PartKind::gear && b.kind == PartKind::gear) return true;  // findings of their own
   const auto isAcross = [](const Part& part) { return part.kind == PartKind::post || part.held >= 0; };
-  if (!isAcross(a) && !isAcross(b) && std::abs(dot(a.hull.front().axis, b.hull.front().axis)) > 1 - 1e-9)
+  const bool onOneAxis = a.standsOn(b.axisClass) || (b.other >= 0 && a.standsOn(b.other));
+  if (!isAcross(a) && !isAcross(b) && onOneAxis &&
+      std::abs(dot(a.hull.front().axis, b.hull.front().axis)) > 1 - 1e-9)
     return true;
   const auto runsIn = [](const Part& shaft, const Part& part) {
     return shaft.kind == PartKind::shaft && part.standsOn(shaft.axisClass);

@@ -14,10 +14,10 @@ struct BodyClash {
   std::set<int> heldByFrame;  ///< links whose bearings are held by arms of the frame that are in the way
 };
 
-/// Pairs of links whose planned bodies run into each other or into the gears of the other: what stands on
-/// crossing axes, and posts, for levels keep apart what stands on parallel ones. In the reference pose, as
-/// hulls of discs (disc_hull.h); rings, drums and cups, which are hollow, are left out.
-/// Cost: O(parts^2), most of them by their balls.
+/// Pairs of links whose planned bodies run into each other or into the gears of the other, but for what
+/// stands on one axis, which levels and sleeves keep apart. In the reference pose, as hulls of discs
+/// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Cost: O(parts^2), most of them by
+/// their balls.
 [[nodiscard]] std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train);
 
 }  // namespace geargraph

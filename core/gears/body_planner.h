@@ -146,7 +146,7 @@ class BodyPlanner {
   const JointTree& m_tree;
   const GearTrain& m_train;
   const PlanTries& m_tries;
-  std::set<int> m_wantRoom;
+  std::set<int> m_wantRoom;  ///< carriers for whose arms there was no level
   GearObstacles m_obstacles;
   std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class
   std::vector<bool> m_coaxial;                      ///< axis classes that have a plan of their own

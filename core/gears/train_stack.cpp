@@ -104,10 +104,14 @@ std::optional<StackPlanes> stackOf(const TrainWheels& train, const std::vector<P
 
 enum class Sides { both, thisOne, other };
 
+struct Moves {
+  std::vector<Vector3d> by;  ///< by plane
+  bool isClear = true;       ///< every plane that can be moved has found a place
+};
+
 /// Plane by plane, in this order, to the nearest place where it is clear of those before it.
-std::vector<Vector3d> nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
-                                   const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms,
-                                   double gap) {
+Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
+                   const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms, double gap) {
   std::vector<int> standing;
   const auto blocked = [&](const Plane& plane) {
     return std::any_of(plane.wheels.begin(), plane.wheels.end(), [&](int w) {
@@ -115,7 +119,7 @@ std::vector<Vector3d> nearestMoves(const TrainWheels& train, const std::vector<P
                          [&](int other) { return rooms.collide(w, other); });
     });
   };
-  std::vector<Vector3d> moves(planes.size());
+  Moves moves{std::vector<Vector3d>(planes.size())};
   for (const std::size_t p : order) {
     const Plane& plane = planes[p];
     const Vector3d axis = train.wheels[static_cast<std::size_t>(plane.wheels.front())].axis;
@@ -135,7 +139,8 @@ std::vector<Vector3d> nearestMoves(const TrainWheels& train, const std::vector<P
       for (const int w : plane.wheels) rooms.move(w, (goal - at) * direction);
       at = goal;
     }
-    moves[p] = at * direction;
+    moves.by[p] = at * direction;
+    moves.isClear = moves.isClear && !(plane.movable && blocked(plane));
     standing.insert(standing.end(), plane.wheels.begin(), plane.wheels.end());
   }
   return moves;
@@ -165,7 +170,7 @@ class PlaneStacker {
   [[nodiscard]] std::vector<Vector3d> nearest() const {
     std::vector<std::size_t> order(m_planes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    return nearestMoves(m_train, m_planes, order, Sides::both, m_rooms, m_gap);
+    return nearestMoves(m_train, m_planes, order, Sides::both, m_rooms, m_gap).by;
   }
 
   /// Other moves, where these enclose some and others fewer.
@@ -217,8 +222,10 @@ class PlaneStacker {
         std::find_if(order.begin(), order.end(), [&](std::size_t p) { return m_planes[p].movable; });
     if (static_cast<std::size_t>(order.end() - first) > kMost) return;
     do {
-      for (const Sides sides : {Sides::both, Sides::thisOne, Sides::other})
-        consider(nearestMoves(m_train, m_planes, order, sides, m_rooms, m_gap));
+      for (const Sides sides : {Sides::both, Sides::thisOne, Sides::other}) {
+        Moves moves = nearestMoves(m_train, m_planes, order, sides, m_rooms, m_gap);
+        if (moves.isClear) consider(std::move(moves.by));
+      }
     } while (std::next_permutation(first, order.end()));
   }
 

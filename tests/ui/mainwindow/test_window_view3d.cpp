@@ -61,8 +61,9 @@ class WindowView3DTest : public QObject {
         if (label->isVisible() && label->text().contains("gears")) words += label->text();
       }
     });
-    open(robotExamplePath());
-    QCOMPARE(words.front(), View3D::waitingText());
+    open(QStringLiteral(":/examples/eight-speed-gearbox.geargraph"));
+    // A stage may be there before its snapshot is: then there is nothing to say.
+    for (const QString& said : words) QCOMPARE(said, View3D::waitingText());
   }
 
   void theCameraComesBackWithTheDocument() {
