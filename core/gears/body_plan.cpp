@@ -9,7 +9,6 @@
 #include "core/gears/coaxial_plan.h"
 #include "core/gears/coaxial_sections.h"
 #include "core/gears/gear_body.h"
-#include "core/gears/wheel_rooms.h"
 
 namespace geargraph {
 
@@ -305,18 +304,10 @@ void BodyPlanner::addStub(int axisClass, ShaftPlan& shaft) {
 
 /// True where the link has wheels here.
 bool BodyPlanner::includeWheels(int axisClass, int link, ShaftPlan& shaft) {
-  const AxisLayout& layout = axis(axisClass);
-  bool any = false;
-  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
-    const TrainGear& gear = m_train.gears[g];
-    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
-    const AxialSpan hub = hubSpan(gear.spec);
-    const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
-    const double origin = layout.coordinate(gear.pose.translation());
-    for (const double z : {hub.low, hub.high}) shaft.include(origin + sense * z, origin + sense * z);
-    any = true;
-  }
-  return any;
+  const Stretch hubs = hubStretch(axisClass, link);
+  if (hubs.low > hubs.high) return false;
+  shaft.include(hubs.low, hubs.high);
+  return true;
 }
 
 /// Arms, cups, tees and pins of the link that stand on the axis.

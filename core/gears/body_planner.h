@@ -88,6 +88,7 @@ class BodyPlanner {
   [[nodiscard]] int armHits(const ArmPlan& arm) const;
   [[nodiscard]] std::optional<double> commonLevel(int link, int home,
                                                   const std::vector<Bearing*>& round) const;
+  [[nodiscard]] Stretch hubStretch(int axisClass, int link) const;
   [[nodiscard]] Stretch heldStretch(int axisClass, int link) const;
   [[nodiscard]] bool isCutOff(int axisClass, int link, const Stretch& held, double at) const;
   static constexpr int kReserved = -2;

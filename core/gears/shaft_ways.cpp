@@ -23,26 +23,33 @@ bool isPastCrossing(const AxisLayout& layout, const Stretch& held, double at) {
 
 }  // namespace
 
-/// What a link's shaft holds on the axis: wheels, and the plates of rings, which are hollow. Empty where
-/// there is nothing.
-Stretch BodyPlanner::heldStretch(int axisClass, int link) const {
+/// The hubs of a link's wheels on the axis, but for rings. Empty where there are none.
+Stretch BodyPlanner::hubStretch(int axisClass, int link) const {
   const AxisLayout& layout = axis(axisClass);
-  Stretch held{1e300, -1e300, link};
-  const auto include = [&](double at) {
-    held.low = std::min(held.low, at);
-    held.high = std::max(held.high, at);
-  };
+  Stretch hubs{1e300, -1e300, link};
   for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(axisClass)]) {
     const TrainGear& gear = m_train.gears[g];
     if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
     const AxialSpan span = hubSpan(gear.spec);
     const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
     const double origin = layout.coordinate(gear.pose.translation());
-    for (const double z : {span.low, span.high}) include(origin + sense * z);
+    for (const double z : {span.low, span.high}) {
+      hubs.low = std::min(hubs.low, origin + sense * z);
+      hubs.high = std::max(hubs.high, origin + sense * z);
+    }
   }
+  return hubs;
+}
+
+/// What a link's shaft holds on the axis: wheels, and the plates of rings, which are hollow. Empty where
+/// there is nothing.
+Stretch BodyPlanner::heldStretch(int axisClass, int link) const {
+  Stretch held = hubStretch(axisClass, link);
   for (const CupPlan& cup : m_plan.cups) {
     const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
-    if (ring.link == link && ring.axisClass == axisClass) include(cup.plate);
+    if (ring.link != link || ring.axisClass != axisClass) continue;
+    held.low = std::min(held.low, cup.plate);
+    held.high = std::max(held.high, cup.plate);
   }
   return held;
 }
