@@ -1,12 +1,12 @@
-// `geargraph-mesh FORMAT BYTES TRIANGLES MEMORY SECONDS`: reads a 3D file from standard input with limits set
-// on itself before the first byte, and writes its triangles to standard output. A process of its own, so that
-// a hostile file can break nothing but it. Exit status: 0 fine, 2 not readable, 3 beyond a limit.
+// `geargraph-mesh FORMAT BYTES TRIANGLES MEMORY SECONDS`: reads a 3D file from standard input and writes its
+// triangles to standard output. It enters the sandbox before the first byte, so that a hostile file can read,
+// write, start and reach nothing. Exit status: 0 fine, 2 not readable, 3 beyond a limit.
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
 #include <charconv>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 #include <string>
@@ -14,23 +14,19 @@
 #include "core/io/byte_sink.h"
 #include "core/io/file.h"
 #include "core/meshfile/foreign_mesh.h"
+#include "core/sandbox/sandbox.h"
 
 namespace geargraph {
 namespace {
 
 enum ExitStatus { kFine = 0, kUnreadable = 2, kLimit = 3 };
 
-std::optional<rlim_t> number(const char* text) {
-  rlim_t value = 0;
+std::optional<std::size_t> number(const char* text) {
+  std::size_t value = 0;
   const std::string_view word(text);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
   return value;
-}
-
-bool limit(int resource, rlim_t most) {
-  const rlimit both{most, most};
-  return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
 }
 
 /// All of standard input, or nothing where it has more bytes.
@@ -45,7 +41,7 @@ std::optional<std::string> input(std::size_t most) {
   }
 }
 
-int run(const char* format, rlim_t mostBytes, rlim_t mostTriangles) {
+int read(const char* format, std::size_t mostBytes, std::size_t mostTriangles) {
   const auto known = meshFormatFromName(format);
   if (!known) return kUnreadable;
   const auto bytes = input(mostBytes);
@@ -63,25 +59,21 @@ int run(const char* format, rlim_t mostBytes, rlim_t mostTriangles) {
   return out.failed() ? kUnreadable : kFine;
 }
 
-}  // namespace
-}  // namespace geargraph
-
-int main(int count, char** words) {
-  using namespace geargraph;
+int run(int count, char** words) {
   constexpr int kWords = 6;
   if (count != kWords) return kUnreadable;
-  std::array<rlim_t, 4> numbers{};
+  std::array<std::size_t, 4> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto read = number(words[i + 2]);
-    if (!read) return kUnreadable;
-    numbers[i] = *read;
+    const auto value = number(words[i + 2]);
+    if (!value) return kUnreadable;
+    numbers[i] = *value;
   }
-  // No other files, no core dump, no child.
-  const bool limited = limit(RLIMIT_AS, numbers[2]) && limit(RLIMIT_CPU, numbers[3]) &&
-                       limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, 0) && limit(RLIMIT_NOFILE, 3);
-  if (!limited) return kUnreadable;
+  if (const auto why = enterSandbox({numbers[2], static_cast<long>(numbers[3])})) {
+    std::cerr << *why;
+    return kUnreadable;
+  }
   try {
-    return run(words[1], numbers[0], numbers[1]);
+    return read(words[1], numbers[0], numbers[1]);
   } catch (const std::bad_alloc&) {
     std::cerr << "Reading it takes more than " << numbers[2] / (1U << 20U) << " MiB of memory.";
     return kLimit;
@@ -89,4 +81,13 @@ int main(int count, char** words) {
     std::cerr << "It is damaged: " << error.what();
     return kUnreadable;
   }
+}
+
+}  // namespace
+}  // namespace geargraph
+
+// Ends without destructors: the system takes everything back at once, and what looks for leaks needs a
+// thread.
+int main(int count, char** words) {
+  std::_Exit(geargraph::run(count, words));
 }

@@ -16,14 +16,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/utf8.h"
+
 namespace geargraph {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLookAround = 50;             // ms between two looks at the stop token
-constexpr std::size_t kLongestWord = 4096;  // of what the reader says went wrong
+constexpr int kLookAround = 50;                // ms between two looks at the stop token
+constexpr std::size_t kLongestReport = 4096;   // bytes that the reader writes about what went wrong
+constexpr std::size_t kLongestSentence = 300;  // characters of it that are shown
 
 /// A file descriptor that is closed again.
 class Descriptor {
@@ -51,6 +54,12 @@ class Descriptor {
 
 MeshFileError refused(const std::string& why, MeshFileError::Kind kind = MeshFileError::Kind::file) {
   return {kind, why};
+}
+
+MeshFileError tooSlow(const ForeignLimits& limits) {
+  return refused(
+      "Reading it took longer than " + std::to_string(static_cast<int>(limits.mostSeconds)) + " s.",
+      MeshFileError::Kind::limit);
 }
 
 /// Opens it without waiting for anybody (a pipe without a writer would), and only where it is a file.
@@ -88,6 +97,7 @@ class ReaderProcess {
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     std::vector<char*> arguments = {const_cast<char*>(program.c_str())};  // NOLINT: they are only read
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT
     arguments.push_back(nullptr);
@@ -137,10 +147,44 @@ Answer listen(Descriptor output, Descriptor errors, std::size_t mostBytes, Clock
     std::array<pollfd, 2> ends = {pollfd{output.number(), POLLIN, 0}, pollfd{errors.number(), POLLIN, 0}};
     if (::poll(ends.data(), ends.size(), kLookAround) <= 0) continue;
     if (ends[0].revents != 0 && !take(output.number(), answer.output, mostBytes)) output.close();
-    if (ends[1].revents != 0 && !take(errors.number(), answer.errors, kLongestWord)) errors.close();
+    if (ends[1].revents != 0 && !take(errors.number(), answer.errors, kLongestReport)) errors.close();
   }
   answer.isWhole = true;
   return answer;
+}
+
+/// What the reader wrote, as one line that is safe to show: the file decides what is in it.
+std::string sentenceOf(std::string_view report) {
+  std::string sentence;
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < report.size() && characters < kLongestSentence; ++characters) {
+    const std::size_t length = utf8Length(report, i);
+    const auto first = static_cast<unsigned char>(report[i]);
+    const bool isShown = length > 1 ? first != 0xC2 || static_cast<unsigned char>(report[i + 1]) >= 0xA0
+                                    : length == 1 && first >= 0x20 && first != 0x7F;
+    if (isShown) {
+      sentence.append(report, i, length);
+    } else if (!sentence.empty() && sentence.back() != ' ') {
+      sentence += ' ';
+    }
+    i += std::max<std::size_t>(length, 1);
+  }
+  if (characters == kLongestSentence) sentence += "...";
+  return sentence;
+}
+
+/// Why the reader, which ended with this status, gave no solid.
+MeshFileError failureOf(int status, const std::string& report, const ForeignLimits& limits) {
+  constexpr int kBeyondLimit = 3;  // geargraph-mesh's exit status
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tooSlow(limits);
+  if (WIFSIGNALED(status))
+    return refused("It is damaged, or made to do harm: the program that reads it crashed, and was confined.");
+  const std::string sentence = sentenceOf(report);
+  if (WIFEXITED(status) && WEXITSTATUS(status) != 0 && !sentence.empty()) {
+    return refused(sentence, WEXITSTATUS(status) == kBeyondLimit ? MeshFileError::Kind::limit
+                                                                 : MeshFileError::Kind::file);
+  }
+  return refused("It is damaged, or made to do harm: what the program that reads it answers is no solid.");
 }
 
 std::optional<std::pair<Descriptor, Descriptor>> pipe() {
@@ -187,19 +231,12 @@ std::variant<Solid, MeshFileError> readForeignMesh(const fs::path& reader, const
   const Answer answer =
       listen(std::move(output->first), std::move(errors->first), mostAnswer, deadline, stop);
   if (answer.isStopped) return refused("Reading it was stopped.", MeshFileError::Kind::stopped);
-  if (!answer.isWhole) {
-    return refused(
-        "Reading it took longer than " + std::to_string(static_cast<int>(limits.mostSeconds)) + " s.",
-        MeshFileError::Kind::limit);
-  }
+  if (!answer.isWhole) return tooSlow(limits);
   const int status = process.wait();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
     if (auto solid = unpackedSolid(answer.output, limits.mostTriangles)) return *std::move(solid);
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 3)
-    return refused(answer.errors, MeshFileError::Kind::limit);
-  const bool said = WIFEXITED(status) && !answer.errors.empty();
-  return refused(said ? answer.errors : "It is damaged: its reader broke off.");
+  return failureOf(status, answer.errors, limits);
 }
 
 fs::path foreignMeshReader() {

@@ -24,9 +24,10 @@ struct ForeignLimits {
 
 /// The solid of a file that nobody vouches for, lengths as they stand in it, all its meshes as one. It is
 /// read by the program `reader` (geargraph-mesh) in a process of its own with these limits, which gets the
-/// open file and nothing else: whatever the file does to it costs a sentence here. Fails with `file` for what
-/// is no regular file or cannot be read, `limit` beyond a limit, `stopped`. The solid need not be closed; its
-/// indices are in range and its numbers finite.
+/// open file and nothing else (core/sandbox): whatever the file does to it costs a sentence here, of one
+/// line. Files that it names (the materials of an OBJ, buffers of a GLB) are not read. Fails with `file` for
+/// what is no regular file or cannot be read, `limit` beyond a limit, `stopped`. The solid need not be
+/// closed; its indices are in range and its numbers finite.
 [[nodiscard]] std::variant<Solid, MeshFileError> readForeignMesh(const std::filesystem::path& reader,
                                                                  const std::filesystem::path& path,
                                                                  const ForeignLimits& limits = {},
@@ -39,7 +40,7 @@ struct ForeignLimits {
 // The other side, for the reader's own process.
 
 /// All meshes of the bytes as assimp reads them, triangles only; smooth across less than 35 degrees where the
-/// file gives no normals of its own. May crash on a hostile file.
+/// file gives no normals of its own. Opens no other file. May crash on a hostile file.
 [[nodiscard]] std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, MeshFormat format,
                                                                   std::size_t mostTriangles);
 /// How the two sides speak: counts and arrays as they lie in memory.

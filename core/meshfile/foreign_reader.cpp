@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
@@ -17,6 +18,25 @@ namespace {
 constexpr float kCrease = 35;  // degrees
 constexpr std::string_view kMagic = "GGM1";
 constexpr std::size_t kHead = 4 + 2 * sizeof(std::uint32_t);
+
+/// What is not in the bytes themselves is not there: the materials of an OBJ, buffers and pictures of a GLB.
+class NoFiles final : public Assimp::IOSystem {
+ public:
+  bool Exists(const char*) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+  void Close(Assimp::IOStream*) override {}
+};
+
+/// assimp searches the header of a PLY for its end without looking where the bytes end.
+bool hasPlyHeader(std::string_view bytes) {
+  return bytes.find("end_header\n") != std::string_view::npos ||
+         bytes.find("end_header\r") != std::string_view::npos;
+}
+
+MeshFileError damaged(const std::string& why) {
+  return {MeshFileError::Kind::file, "It is damaged: " + why};
+}
 
 MeshFileError tooMany(std::size_t triangles, std::size_t most) {
   return {MeshFileError::Kind::limit, "The 3D file has " + std::to_string(triangles) +
@@ -65,7 +85,9 @@ bool isSound(const Solid& solid) {
 
 std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, MeshFormat format,
                                                     std::size_t mostTriangles) {
+  if (format == MeshFormat::ply && !hasPlyHeader(bytes)) return damaged("its header has no end.");
   Assimp::Importer importer;
+  importer.SetIOHandler(new NoFiles);  // NOLINT: the importer's
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCrease);
   // The normals of STL are those of its facets: round forms would be flat.
   const unsigned anew = format == MeshFormat::stl ? aiProcess_DropNormals : 0U;
@@ -73,16 +95,12 @@ std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, Mesh
                          aiProcess_JoinIdenticalVertices | anew;
   const std::string hint(meshFormatName(format));
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, hint.c_str());
-  if (scene == nullptr)
-    return MeshFileError{MeshFileError::Kind::file,
-                         std::string("It is damaged: ") + importer.GetErrorString()};
+  if (scene == nullptr) return damaged(importer.GetErrorString());
   std::size_t triangles = 0;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) triangles += scene->mMeshes[i]->mNumFaces;
   if (triangles > mostTriangles) return tooMany(triangles, mostTriangles);
   scene = importer.ApplyPostProcessing(steps);
-  if (scene == nullptr)
-    return MeshFileError{MeshFileError::Kind::file,
-                         std::string("It is damaged: ") + importer.GetErrorString()};
+  if (scene == nullptr) return damaged(importer.GetErrorString());
   Solid solid;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) appendMesh(solid, *scene->mMeshes[i]);
   if (solid.triangles.size() > mostTriangles) return tooMany(solid.triangles.size(), mostTriangles);

@@ -161,7 +161,12 @@ class TestForeignMesh : public QObject {
         readForeignMesh(program("lies", "printf 'GGM1\\377\\377\\377\\377\\001\\000\\000\\000'"), path);
     QVERIFY(std::holds_alternative<MeshFileError>(lied));
     const auto crashed = readForeignMesh(program("crashes", "kill -SEGV $$"), path);
-    QVERIFY(std::get<MeshFileError>(crashed).message.find("broke off") != std::string::npos);
+    QVERIFY(std::get<MeshFileError>(crashed).message.find("crashed, and was confined") != std::string::npos);
+    const auto silent = readForeignMesh(program("silent", "exit 0"), path);
+    QVERIFY(std::get<MeshFileError>(silent).message.find("is no solid") != std::string::npos);
+    const auto busy = readForeignMesh(program("busy", "kill -XCPU $$"), path, brief);
+    QCOMPARE(static_cast<int>(std::get<MeshFileError>(busy).kind),
+             static_cast<int>(MeshFileError::Kind::limit));
     QVERIFY(std::holds_alternative<MeshFileError>(readForeignMesh("/nowhere/at/all", path)));
     QVERIFY(std::holds_alternative<MeshFileError>(readForeignMesh({}, path)));
     std::stop_source stop;
@@ -170,6 +175,50 @@ class TestForeignMesh : public QObject {
         readForeignMesh(program("waits", "exec /bin/sleep 1000"), path, {}, stop.get_token());
     QCOMPARE(static_cast<int>(std::get<MeshFileError>(stopped).kind),
              static_cast<int>(MeshFileError::Kind::stopped));
+  }
+
+  void theReportOfTheReaderIsOneLine() {
+    const auto path = written("any.stl", "solid\nendsolid\n");
+    const auto said = [&](const QByteArray& script) {
+      const auto place = written("says", "#!/bin/sh\n" + script + "\nexit 2\n");
+      QFile(QString::fromStdString(place.string()))
+          .setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner);
+      return std::get<MeshFileError>(readForeignMesh(place, path)).message;
+    };
+    QCOMPARE(said("printf 'a\\n\\n\\033[31mb\\303\\251\\302\\205\\377c' >&2"),
+             std::string("a [31mb\xC3\xA9 c"));
+    const std::string longest = said("head -c 100000 /dev/zero | tr '\\0' x >&2");
+    QCOMPARE(longest, std::string(300, 'x') + "...");
+  }
+
+  void noOtherFileIsRead() {
+    written("other.mtl", "newmtl red\nKd 1 0 0\n");
+    const auto path =
+        written("other.obj", "mtllib other.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto read = readForeignMesh(kReader, path);
+    QVERIFY(std::holds_alternative<Solid>(read));
+    QCOMPARE(std::get<Solid>(read).triangles.size(), std::size_t{1});
+    const QByteArray json =
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"/etc/passwd","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
+    const auto word = [](quint32 number) {
+      return QByteArray(reinterpret_cast<const char*>(&number), sizeof number);  // NOLINT: little-endian
+    };
+    const QByteArray text = json + QByteArray((4 - json.size() % 4) % 4, ' ');
+    const auto size = static_cast<quint32>(text.size());
+    const QByteArray glb = "glTF" + word(2) + word(20 + size) + word(size) + "JSON" + text;
+    QCOMPARE(static_cast<int>(refusal(written("other.glb", glb)).kind),
+             static_cast<int>(MeshFileError::Kind::file));
+  }
+
+  void aCrashIsOneClearSentence() {
+    // assimp 5.2 reads beyond the end of this one, and dies by it.
+    const QByteArray ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 24\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 12\nproperty list uchar uint vertex_indices\nend_header\n";
+    for (const int length : {0, 1, 3, 100}) {
+      const MeshFileError why = refusal(written("dies.ply", ply + QByteArray(length, '\x01')));
+      QVERIFY2(why.message.rfind("It is damaged", 0) == 0, why.message.c_str());
+    }
   }
 
   void theBytesBetweenTheProcessesAreChecked() {
