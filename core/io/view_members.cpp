@@ -86,10 +86,10 @@ void writeShape(JsonWriter& json, const LinkShape& shape) {
 
 LinkShape readShape(JsonObject& from) {
   LinkShape shape;
-  const auto file = from.required("file", "a path from the folder of this document");
+  constexpr std::string_view kExpected = "a path that stays in the folder of this document";
+  const auto file = from.required("file", kExpected);
   shape.file = from.shortText("file").value_or("");
-  if (file && file->is(JsonKind::string) && !isRelativePath(shape.file))
-    from.wrong("file", *file, "a path from the folder of this document");
+  if (file && file->is(JsonKind::string) && !staysInFolder(shape.file)) from.wrong("file", *file, kExpected);
   shape.position = from.triple("position");
   shape.orientation = from.triple("orientation");
   const auto scale = from.member("scale");
@@ -163,11 +163,12 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, const std::vect
   if (found == mechanism.links.end())
     return refusal(Code::unknownId, "There is no \"" + link.text() + "\" in links.", link);
   for (const LinkShape& shape : shapes) {
-    if (!isRelativePath(shape.file)) {
-      return refusal(
-          Code::schema,
-          "\"" + shape.file + "\" is no path from the folder of the document: save the document first.",
-          link);
+    if (!staysInFolder(shape.file)) {
+      return refusal(Code::schema,
+                     "\"" + shape.file +
+                         "\" is not in the folder of the document: save the document first, then copy the 3D "
+                         "file into its folder.",
+                     link);
     }
     if (shape.scale && shape.scale->exact().sign() <= 0)
       return refusal(Code::schema, "The scale of a 3D file has to be above 0.", link);
@@ -180,9 +181,22 @@ Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, const std::vect
   return mechanism;
 }
 
-bool isRelativePath(std::string_view path) {
+bool staysInFolder(std::string_view path) {
   if (path.empty() || path.front() == '/' || path.front() == '\\') return false;
-  return path.size() < 2 || path[1] != ':' || std::isalpha(static_cast<unsigned char>(path[0])) == 0;
+  if (path.size() >= 2 && path[1] == ':' && std::isalpha(static_cast<unsigned char>(path[0])) != 0)
+    return false;
+  int depth = 0;  // folders below the first
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find_first_of("/\\"), path.size());
+    const std::string_view step = path.substr(0, end);
+    if (step == "..") {
+      if (--depth < 0) return false;
+    } else if (!step.empty() && step != ".") {
+      ++depth;
+    }
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return true;
 }
 
 }  // namespace geargraph

@@ -30,9 +30,10 @@ struct ViewCamera {
 [[nodiscard]] View withCamera(View view, const ViewCamera& camera);
 
 /// A 3D file (STL, OBJ, PLY, GLB) that a link wears beside its gears. `file` is a path from the folder of the
-/// document, with slashes. A point p of the file lies at position + R (scale p) in the base frame, in the
-/// reference pose; R turns by `orientation` (degrees) about x, then y, then z of the base frame:
-/// "shapes": [{"file": "parts/arm.stl", "position": [0, 0, 12], "orientation": [90, 0, 0], "scale": 1}]
+/// document, with slashes; it stays in that folder, so that a document from elsewhere reaches no other files.
+/// A point p of the file lies at position + R (scale p) in the base frame, in the reference pose; R turns by
+/// `orientation` (degrees) about x, then y, then z of the base frame: "shapes": [{"file": "parts/arm.stl",
+/// "position": [0, 0, 12], "orientation": [90, 0, 0], "scale": 1}]
 struct LinkShape {
   std::string file;
   std::optional<NumberTriple> position = {};
@@ -46,11 +47,12 @@ struct LinkShape {
 [[nodiscard]] Expected<std::vector<LinkShape>> linkShapes(const Link& link);
 
 /// The files that a link wears, in place of those it wore: a pure function, as in core/mechanism/edits.h.
-/// Refuses unknown-id, and schema for a path that is not relative or a scale that is not above 0.
+/// Refuses unknown-id, and schema for a path that leads out of the folder or a scale that is not above 0.
 [[nodiscard]] Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link,
                                              const std::vector<LinkShape>& shapes);
 
-/// A path that leads on from a folder: not empty, not from the root of a disk or of an address.
-[[nodiscard]] bool isRelativePath(std::string_view path);
+/// A path that stays in the folder that it starts from, by its words: not empty, not from the root of a disk
+/// or of an address, and no ".." that leads out. "parts/../arm.stl" stays.
+[[nodiscard]] bool staysInFolder(std::string_view path);
 
 }  // namespace geargraph

@@ -1,5 +1,7 @@
 #include "core/scene/shape_cache.h"
 
+#include <algorithm>
+
 namespace geargraph {
 namespace {
 
@@ -13,12 +15,26 @@ Solid scaled(Solid solid, double scale) {
   return solid;
 }
 
+/// Without symbolic links, which an archive may bring along; empty where the file is not in the folder.
+fs::path fileInside(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  const fs::path root = fs::weakly_canonical(folder, error);
+  const fs::path file = error ? fs::path() : fs::weakly_canonical(folder / name, error);
+  if (error) return {};
+  const auto [inRoot, inFile] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  return inRoot == root.end() && inFile != file.end() ? file : fs::path();
+}
+
 }  // namespace
 
-std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const fs::path& file, double scale,
+std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const fs::path& folder,
+                                                                         const std::string& name,
+                                                                         double scale,
                                                                          const std::stop_token& stop) {
+  const fs::path file = fileInside(folder, name);
+  if (file.empty()) return "It is not in the folder of the document: copy it there.";
   std::error_code error;
-  Key key{file.lexically_normal().string(), 0, 0, scale};
+  Key key{file.string(), 0, 0, scale};
   key.size = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
   const auto changed = fs::last_write_time(file, error);
   if (!error) key.changed = changed.time_since_epoch().count();

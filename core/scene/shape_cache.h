@@ -19,9 +19,11 @@ class ShapeCache {
   explicit ShapeCache(std::filesystem::path reader = foreignMeshReader(), const ForeignLimits& limits = {})
       : m_reader(std::move(reader)), m_limits(limits) {}
 
-  /// The file's solid, `scale` times as large; or why there is none, as a sentence.
+  /// The solid of `folder` / `file`, `scale` times as large; or why there is none, as a sentence. A symbolic
+  /// link that leads out of the folder is not followed.
   [[nodiscard]] std::variant<std::shared_ptr<const Solid>, std::string> find(
-      const std::filesystem::path& file, double scale, const std::stop_token& stop);
+      const std::filesystem::path& folder, const std::string& file, double scale,
+      const std::stop_token& stop);
 
  private:
   struct Key {

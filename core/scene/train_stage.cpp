@@ -144,7 +144,7 @@ void StageBuilder::addShapes(int link) {
   }
   for (const LinkShape& shape : *shapes) {
     const double scale = shape.scale ? shape.scale->value() : 1;
-    const auto found = m_shapes->cache.find(m_shapes->folder / shape.file, scale, m_shapes->stop);
+    const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
     if (const auto* why = std::get_if<std::string>(&found)) {
       m_stage->notes.push_back({wearer.id, who + "\"" + shape.file + "\", which is not shown: " + *why});
       continue;

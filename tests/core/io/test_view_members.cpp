@@ -68,11 +68,15 @@ class TestViewMembers : public QObject {
     QVERIFY(withShapes(dressed, LinkId("2"), {}).value() == robot());
   }
 
-  void pathsFromTheRootAndScalesBelowZeroAreRefused() {
-    for (const char* path : {"", "/etc/arm.stl", "\\\\host\\arm.stl", "C:\\arm.stl"})
+  void pathsOutOfTheFolderAndScalesBelowZeroAreRefused() {
+    for (const char* path :
+         {"", "/etc/arm.stl", "\\\\host\\arm.stl", "C:\\arm.stl", "..", "../parts/arm.stl",
+          "parts/../../arm.stl", "..\\arm.stl", "./../arm.stl", "a/b/../../../c/d/arm.stl"})
       QCOMPARE(withShapes(robot(), LinkId("1"), {LinkShape{path}}).error()[0].code, Code::schema);
-    LinkShape shape{"../parts/arm.stl"};
-    QVERIFY(withShapes(robot(), LinkId("1"), {shape}).has_value());
+    for (const char* path :
+         {"arm.stl", "parts/arm.stl", "parts/../arm.stl", "./arm.stl", "..arm.stl", "a//b/..c"})
+      QVERIFY2(withShapes(robot(), LinkId("1"), {LinkShape{path}}).has_value(), path);
+    LinkShape shape{"arm.stl"};
     shape.scale = Number(0);
     QCOMPARE(withShapes(robot(), LinkId("1"), {shape}).error()[0].code, Code::schema);
     QCOMPARE(withShapes(robot(), LinkId("77"), {}).error()[0].code, Code::unknownId);
@@ -85,6 +89,7 @@ class TestViewMembers : public QObject {
     };
     QCOMPARE(problems(R"([{"file": "a.stl"}])"), std::string());
     QCOMPARE(problems(R"([{"file": "/etc/passwd"}])"), std::string("/shapes/0/file"));
+    QCOMPARE(problems(R"([{"file": "../a.stl"}])"), std::string("/shapes/0/file"));
     QCOMPARE(problems(R"([{"file": "a.stl"}, {"scale": 1}])"), std::string("/shapes/1/file"));
     QCOMPARE(problems(R"([{"file": "a.stl", "scale": 0}])"), std::string("/shapes/0/scale"));
     QCOMPARE(problems(R"([{"file": "a.stl", "position": [0, 0]}])"), std::string("/shapes/0/position"));
