@@ -91,7 +91,9 @@ class TexReader {
         take("-");
         result.parts.push_back({FormulaKind::negative});
       } else {
-        result.parts.push_back(scripted());
+        FormulaNode part = scripted();
+        if (!m_fault.empty()) break;  // half an element cannot be set
+        result.parts.push_back(std::move(part));
       }
     }
     return result;
@@ -139,11 +141,20 @@ class TexReader {
     return inside;
   }
 
+  /// One more element within another: the reader and the typesetter recurse into them.
+  FormulaNode nested(FormulaNode (TexReader::*read)()) {
+    if (m_depth == kDeepest) return fail("nested too deeply");
+    ++m_depth;
+    FormulaNode inside = (this->*read)();
+    --m_depth;
+    return inside;
+  }
+
   FormulaNode atom() {
     skipBlanks();
     const char c = front();
-    if (c == '{') return group();
-    if (c == '\\') return commanded();
+    if (c == '{') return nested(&TexReader::group);
+    if (c == '\\') return nested(&TexReader::commanded);
     FormulaNode result;
     std::size_t length = 1;
     if (isDigit(c)) {
@@ -264,9 +275,12 @@ class TexReader {
     return true;
   }
 
+  static constexpr int kDeepest = 100;
+
   std::string_view m_tex;
   std::string_view m_rest;
   std::string m_fault;
+  int m_depth = 0;
 };
 
 }  // namespace

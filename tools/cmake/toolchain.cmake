@@ -4,6 +4,8 @@ option(GEARGRAPH_QT "Build the layers, programs and tests that need Qt" ON)
 option(GEARGRAPH_WERROR "Warnings are errors (on in CI, off on users' machines)" OFF)
 set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
 
+option(GEARGRAPH_FUZZ "Build the libFuzzer programs (clang only; preset fuzz)" OFF)
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

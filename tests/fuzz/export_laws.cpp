@@ -1,0 +1,144 @@
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "core/io/mechanism_file.h"
+#include "tests/fuzz/laws.h"
+
+namespace geargraph::test {
+namespace {
+
+enum class Output { json, text, bytes };
+
+struct Case {
+  const cli::Command* command;
+  Output output;
+  std::vector<std::string> words;
+};
+
+const std::vector<Case>& cases() {
+  const auto exported = [](Output output, std::vector<std::string> words) {
+    words.insert(words.begin(), "--to");
+    words.insert(words.end(), {"-o", "-"});
+    return Case{&cli::kExport, output, std::move(words)};
+  };
+  static const std::vector<Case> kCases = {
+      {&cli::kAnalyze, Output::json, {"--json"}},
+      {&cli::kAnalyze, Output::text, {}},
+      {&cli::kValidate, Output::json, {"--json"}},
+      {&cli::kInputs, Output::json, {"--json", "--limit", "20"}},
+      {&cli::kStates, Output::json, {"--json"}},
+      {&cli::kPose, Output::json, {"--json"}},
+      exported(Output::text, {"csv", "--matrix", "p"}),
+      exported(Output::text, {"csv", "--matrix", "solution"}),
+      exported(Output::text, {"csv", "--matrix", "screw"}),
+      exported(Output::text, {"html"}),
+      exported(Output::text, {"latex"}),
+      exported(Output::text, {"md"}),
+      exported(Output::bytes, {"pdf"}),
+      exported(Output::text, {"svg", "--view", "digraph"}),
+      exported(Output::text, {"svg", "--view", "ttgraph"}),
+      exported(Output::text, {"svg", "--view", "schematic"}),
+      exported(Output::bytes, {"png", "--view", "schematic"}),
+      exported(Output::bytes, {"pdf", "--view", "digraph"}),
+      exported(Output::bytes, {"stl", "--tolerance", "0.2"}),
+      exported(Output::text, {"obj", "--tolerance", "0.2"}),
+      exported(Output::bytes, {"ply", "--tolerance", "0.2"}),
+      exported(Output::bytes, {"glb", "--tolerance", "0.2"}),
+      exported(Output::bytes, {"3mf", "--tolerance", "0.2"}),
+  };
+  return kCases;
+}
+
+bool isLarge(const Mechanism& mechanism) {
+  constexpr int kMostLinks = 40, kMostTeeth = 3000;
+  long teeth = 0;
+  for (const GearMesh& mesh : mechanism.gearMeshes) teeth += mesh.tailTeeth + mesh.headTeeth;
+  return mechanism.links.size() > kMostLinks || teeth > kMostTeeth;
+}
+
+/// A file in memory in place of a descriptor, whose contents can be read again and again.
+class MemoryFile {
+ public:
+  MemoryFile() : m_descriptor(::memfd_create("geargraph-fuzz", 0)) {
+    if (m_descriptor < 0) lawFailed("There is no memory for a file", {});
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { ::close(m_descriptor); }
+
+  void standFor(int descriptor) const { ::dup2(m_descriptor, descriptor); }
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(m_descriptor); }
+  void put(std::string_view bytes) const {
+    clear();
+    if (::pwrite(m_descriptor, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+      lawFailed("The memory for a file does not suffice", bytes);
+  }
+  void clear() const {
+    if (::ftruncate(m_descriptor, 0) != 0 || ::lseek(m_descriptor, 0, SEEK_SET) != 0)
+      lawFailed("The file in memory cannot be cut", {});
+  }
+  [[nodiscard]] std::string contents() const {
+    std::string bytes(static_cast<std::size_t>(::lseek(m_descriptor, 0, SEEK_END)), '\0');
+    if (::pread(m_descriptor, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+      lawFailed("The file in memory cannot be read", {});
+    return bytes;
+  }
+
+ private:
+  int m_descriptor;
+};
+
+/// "nan" or "inf" as a word of its own, whatever its sign.
+bool hasNonFiniteNumber(std::string_view text) {
+  const auto isLetter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (const std::string_view word : {"nan", "inf"}) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+      if ((at == 0 || !isLetter(at - 1)) && !isLetter(at + word.size())) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void checkExports(const std::string& input) {
+  if (input.empty()) return;
+  const std::string document = input.substr(1);
+  const auto read = readMechanism(document);
+  if (!read || isLarge(*read)) return;
+  const Case& chosen = cases()[static_cast<unsigned char>(input.front()) % cases().size()];
+
+  static const MemoryFile file, output;
+  static const bool isQuiet = [] {
+    output.standFor(STDOUT_FILENO);
+    std::cerr.rdbuf(nullptr);
+    return true;
+  }();
+  file.put(document);
+  output.clear();
+  std::vector<std::string> words = {file.path()};
+  words.insert(words.end(), chosen.words.begin(), chosen.words.end());
+  const auto arguments = cli::parseArguments(words, chosen.command->options);
+  if (!isQuiet || std::holds_alternative<cli::UsageError>(arguments)) lawFailed("A wrong case", input);
+  const int status = chosen.command->run(std::get<cli::Arguments>(arguments));
+  const std::string bytes = output.contents();
+
+  if (status < cli::kFine || status > cli::kResourceLimit)
+    lawFailed("A status that is not documented", input);
+  if (status == cli::kFine && bytes.empty()) lawFailed("Nothing was written", input);
+  if (chosen.output == Output::json && !bytes.empty() && !nlohmann::json::accept(bytes))
+    lawFailed("What is called JSON is none", input);
+  // Names of the document may hold these words; escaped ones do not count as names.
+  if (chosen.output != Output::bytes && !hasNonFiniteNumber(document) && hasNonFiniteNumber(bytes))
+    lawFailed("A number is not finite", input);
+}
+
+}  // namespace geargraph::test

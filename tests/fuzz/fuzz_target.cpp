@@ -1,0 +1,11 @@
+// libFuzzer's entry for one law, which the build names.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tests/fuzz/laws.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  geargraph::test::GEARGRAPH_LAW(std::string(reinterpret_cast<const char*>(bytes), size));  // NOLINT
+  return 0;
+}
