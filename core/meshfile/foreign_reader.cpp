@@ -43,6 +43,14 @@ MeshFileError tooMany(std::size_t triangles, std::size_t most) {
                                           " faces, more than the limit of " + std::to_string(most) + "."};
 }
 
+/// assimp passes on what a broken file says, and its further steps trust it.
+bool hasSoundFaces(const aiMesh& mesh) {
+  return std::all_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, [&](const aiFace& face) {  // NOLINT: assimp's
+    return std::all_of(face.mIndices, face.mIndices + face.mNumIndices,                    // arrays
+                       [&](unsigned index) { return index < mesh.mNumVertices; });
+  });
+}
+
 void appendMesh(Solid& solid, const aiMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(solid.positions.size());
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -99,6 +107,9 @@ std::variant<Solid, MeshFileError> readForeignBytes(std::string_view bytes, Mesh
   std::size_t triangles = 0;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) triangles += scene->mMeshes[i]->mNumFaces;
   if (triangles > mostTriangles) return tooMany(triangles, mostTriangles);
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+    if (!hasSoundFaces(*scene->mMeshes[i])) return damaged("a face names a vertex that is not there.");
+  }
   scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return damaged(importer.GetErrorString());
   Solid solid;
@@ -127,7 +138,7 @@ std::optional<Solid> unpackedSolid(std::string_view bytes, std::size_t mostTrian
   std::memcpy(&vertices, bytes.data() + kMagic.size(), sizeof vertices);
   std::memcpy(&triangles, bytes.data() + kMagic.size() + sizeof vertices, sizeof triangles);
   bytes.remove_prefix(kHead);
-  if (triangles == 0 || triangles > mostTriangles) return std::nullopt;
+  if (vertices == 0 || triangles == 0 || triangles > mostTriangles) return std::nullopt;
   if (bytes.size() != std::size_t{vertices} * 2 * sizeof(Float3) + std::size_t{triangles} * sizeof(Triangle))
     return std::nullopt;
   Solid solid;

@@ -221,6 +221,14 @@ class TestForeignMesh : public QObject {
     }
   }
 
+  void facesOfVerticesThatAreNotThereAreRejected() {
+    const QByteArray ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 77\n";
+    QCOMPARE(refusal(written("far.ply", ply)).message,
+             std::string("It is damaged: a face names a vertex that is not there."));
+  }
+
   void theBytesBetweenTheProcessesAreChecked() {
     const Solid cube = *cubeScene().nodes.front().solid;
     const std::string bytes = packedSolid(cube);
@@ -228,6 +236,7 @@ class TestForeignMesh : public QObject {
     QVERIFY(!unpackedSolid(bytes, 11));
     QVERIFY(!unpackedSolid(bytes.substr(0, bytes.size() - 1), 12));
     QVERIFY(!unpackedSolid(bytes + "x", 12));
+    QVERIFY(!unpackedSolid(packedSolid(Solid{{}, {}, {{0, 0, 0}}}), 12));
     Solid wrong = cube;
     wrong.triangles[3][1] = 24;
     QVERIFY(!unpackedSolid(packedSolid(wrong), 12));
