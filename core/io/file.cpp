@@ -4,10 +4,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <system_error>
+
+#include "core/io/file_attributes.h"
+#include "core/io/file_identity.h"
+#include "core/io/overwrite.h"
 
 namespace geargraph {
 namespace {
@@ -35,21 +42,16 @@ bool writeAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// What a chain of symbolic links ends in, which need not exist.
-fs::path followed(fs::path path) {
-  constexpr int kLongestChain = 40;  // the kernel's own limit
-  std::error_code error;
-  for (int i = 0; i < kLongestChain && fs::is_symlink(path, error); ++i) {
-    const fs::path to = fs::read_symlink(path, error);
-    if (error) break;
-    path = to.is_absolute() ? to : path.parent_path() / to;
-  }
-  return path;
-}
-
 fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
+
+/// What the name of a temporary file shows of the file's own.
+std::string shortName(const fs::path& path) {
+  return path.filename().string().substr(0, 100);
+}
+
+constexpr const char* kInterruptedSuffix = ".saving";
 
 /// Owns a descriptor while a file is read.
 class ReadDescriptor {
@@ -93,7 +95,7 @@ std::variant<std::string, FileError> readFile(const fs::path& path, std::size_t 
   return bytes;
 }
 
-AtomicFile::AtomicFile(const fs::path& path) : m_shown(path), m_target(followed(path)) {
+AtomicFile::AtomicFile(const fs::path& path) : m_shown(path), m_target(followedLinks(path)) {
   std::error_code error;
   const fs::file_status status = fs::status(m_target, error);
   if (fs::is_symlink(m_target, error)) {
@@ -118,10 +120,10 @@ void AtomicFile::openTemporary() {
   static std::atomic<unsigned> counter{0};
   constexpr int kAttempts = 100;  // only a crash of a process with the same number leaves a name taken
   for (int i = 0; i < kAttempts && m_descriptor < 0; ++i) {
-    const std::string name = "." + m_target.filename().string().substr(0, 100) + "." +
-                             std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    const std::string name = "." + shortName(m_target) + "." + std::to_string(::getpid()) + "-" +
+                             std::to_string(counter++) + ".tmp";
     m_temporary = folderOf(m_target) / name;
-    m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    m_descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_descriptor < 0 && errno != EEXIST) break;
   }
   if (m_descriptor < 0) {
@@ -129,13 +131,20 @@ void AtomicFile::openTemporary() {
     fail(reason(errno));
     return;
   }
+  takeAttributes();
+}
+
+/// Prepares the temporary file to take the place of the one that is there, or decides that it cannot.
+void AtomicFile::takeAttributes() {
   struct stat before {};
   if (::stat(m_target.c_str(), &before) != 0) return;
-  // The owner can only be kept by one who may give files away; then the permissions must come after it. Who
-  // may not shall not make a program that runs as its owner either.
-  const bool isSameOwner = ::fchown(m_descriptor, before.st_uid, before.st_gid) == 0;
-  const mode_t mode = before.st_mode & (isSameOwner ? 07777U : 0777U);
-  if (::fchmod(m_descriptor, mode) != 0) fail(reason(errno));
+  const bool isOwnerKept = takeOwner(m_descriptor, before);
+  m_mode = before.st_mode & 07777U;
+  // A file of that name, but with another inode, would leave its hard links or its owner behind.
+  m_isInPlace = before.st_nlink > 1 || !isOwnerKept;
+  // In place the temporary file is a copy for the case of a crash, which only its owner may read.
+  if (::fchmod(m_descriptor, m_isInPlace ? 0600U : m_mode) != 0) return fail(reason(errno));
+  if (!m_isInPlace) takeExtendedAttributes(m_descriptor, m_target);
 }
 
 void AtomicFile::fail(const std::string& what) {
@@ -156,27 +165,64 @@ void AtomicFile::write(std::string_view bytes) {
 std::optional<FileError> AtomicFile::commit() {
   const bool isRegular = !m_temporary.empty();
   if (!m_error && isRegular && ::fsync(m_descriptor) != 0) fail(reason(errno));
+  if (!m_error && isRegular && m_isInPlace && ::access(m_target.c_str(), F_OK) == 0) {
+    overwrite();
+    return m_error;
+  }
   if (!m_error) {
+    if (isRegular && m_isInPlace) ::fchmod(m_descriptor, m_mode);  // the file went meanwhile
     const int descriptor = m_descriptor;
     m_descriptor = -1;
     if (::close(descriptor) != 0) fail(reason(errno));
   }
-  if (!m_error && isRegular) {
-    if (::rename(m_temporary.c_str(), m_target.c_str()) == 0) {
-      m_temporary.clear();
-      // So that the new name survives a power cut too; a folder that cannot be synced is no failure of the
-      // file.
-      const int folder = ::open(folderOf(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      if (folder >= 0) {
-        ::fsync(folder);
-        ::close(folder);
-      }
-    } else {
-      fail(reason(errno));
-    }
-  }
+  if (!m_error && isRegular) replace();
   discard();
   return m_error;
+}
+
+void AtomicFile::replace() {
+  if (::rename(m_temporary.c_str(), m_target.c_str()) != 0) return fail(reason(errno));
+  m_temporary.clear();
+  // So that the new name survives a power cut too; a folder that cannot be synced is no failure of the file.
+  const int folder = ::open(folderOf(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
+void AtomicFile::overwrite() {
+  // From here on a crash may leave a mixture of old and new bytes; this name tells where the new ones are.
+  fs::path copy = m_temporary;
+  copy.replace_extension(kInterruptedSuffix);
+  if (::rename(m_temporary.c_str(), copy.c_str()) != 0) {
+    fail(reason(errno));
+    return discard();
+  }
+  m_temporary = copy;
+  const Overwritten done = overwriteInPlace(m_target, m_descriptor);
+  if (done.error != 0) {
+    fail(reason(done.error) +
+         (done.isTargetWhole ? "" : "; what should be in it is kept in " + quoted(m_temporary)));
+  }
+  if (!done.isTargetWhole) m_temporary.clear();  // it is the only whole copy
+  discard();
+}
+
+std::vector<fs::path> interruptedWrites(const fs::path& path) {
+  const fs::path target = followedLinks(path);
+  const std::string prefix = "." + shortName(target) + ".";
+  std::vector<fs::path> left;
+  std::error_code error;
+  for (fs::directory_iterator each(folderOf(target), error), end; !error && each != end;
+       each.increment(error)) {
+    const std::string name = each->path().filename().string();
+    if (!name.starts_with(prefix) || each->path().extension() != kInterruptedSuffix) continue;
+    const pid_t writer = static_cast<pid_t>(std::strtol(name.c_str() + prefix.size(), nullptr, 10));
+    const bool isAlive = writer > 0 && (::kill(writer, 0) == 0 || errno == EPERM);
+    if (!isAlive) left.push_back(each->path());
+  }
+  std::sort(left.begin(), left.end());
+  return left;
 }
 
 void DescriptorSink::write(std::string_view bytes) {

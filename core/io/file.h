@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/io/byte_sink.h"
 
@@ -21,12 +22,16 @@ struct FileError {
 [[nodiscard]] std::variant<std::string, FileError> readFile(const std::filesystem::path& path,
                                                             std::size_t most);
 
-/// A file that comes into being whole or not at all: bytes go to a temporary file in the same folder, which
-/// takes the name (and the permissions of the file that had it) at commit(), after they are on the disk.
-/// Without commit(), or when anything failed, the temporary file goes and what was there before stays
-/// untouched.
+/// A file that is written whole or not at all: bytes go to a temporary file in the same folder, which
+/// replaces the file at commit(), after they are on the disk. Without commit(), or if anything failed, the
+/// temporary file goes and what was there before stays untouched. Owner, permissions and extended attributes
+/// are kept.
 ///
 /// A symbolic link stays one: what it points to is replaced. A device or pipe is written to directly.
+///
+/// A file with several hard links, or whose owner the process may not give to a new one, is overwritten in
+/// place instead, since a new inode would leave them behind. Until that is done its new bytes are whole in a
+/// second file in its folder; a process that is killed in that moment leaves it there (interruptedWrites()).
 class AtomicFile final : public ByteSink {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
@@ -39,6 +44,9 @@ class AtomicFile final : public ByteSink {
 
  private:
   void openTemporary();
+  void takeAttributes();
+  void replace();
+  void overwrite();
   void fail(const std::string& what);
   void discard();
 
@@ -46,6 +54,8 @@ class AtomicFile final : public ByteSink {
   std::filesystem::path m_target;
   std::filesystem::path m_temporary;  ///< empty while there is none
   int m_descriptor = -1;
+  bool m_isInPlace = false;
+  unsigned m_mode = 0;  ///< permissions of the file that is there; used if m_isInPlace
   std::optional<FileError> m_error;
 };
 
@@ -60,6 +70,10 @@ class DescriptorSink final : public ByteSink {
   int m_descriptor;
   bool m_failed = false;
 };
+
+/// The whole copies that processes have left which were killed while they overwrote this file in place: then
+/// the file itself may be a mixture of old and new bytes. Cost: its folder is listed.
+[[nodiscard]] std::vector<std::filesystem::path> interruptedWrites(const std::filesystem::path& path);
 
 /// A whole file in one call.
 [[nodiscard]] std::optional<FileError> writeFile(const std::filesystem::path& path, std::string_view bytes);
