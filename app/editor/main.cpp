@@ -1,8 +1,11 @@
 #include <QApplication>
-#include <QSettings>
+#include <QFile>
 
 #include "app/editor/command_line.h"
 #include "app/editor/screenshot.h"
+#include "ui/crash/action_recorder.h"
+#include "ui/crash/crash_handler.h"
+#include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/window_set.h"
 #include "ui/theme/application_theme.h"
@@ -20,6 +23,9 @@ int main(int argc, char** argv) {
   applyTheme(application, line.theme.value_or(line.screenshot ? Theme::light : savedTheme()));
 
   if (line.screenshot) return screenshot(line);
+  installCrashHandler(QFile::encodeName(WindowSet::defaultFolder()).toStdString(),
+                      programDetails().toStdString());
+  const ActionRecorder recorder(nullptr);
   WindowSet windows(WindowSet::defaultFolder());
   windows.start(line.documents);
   if (line.size) {

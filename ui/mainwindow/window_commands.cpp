@@ -6,7 +6,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 
@@ -15,6 +14,7 @@
 #include "core/synthesis/insertion.h"
 #include "core/synthesis/planets.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/presentation.h"
@@ -301,15 +301,7 @@ void MainWindow::chooseAndExportQuantity(const QuantityTablePtr& table) {
 }
 
 void MainWindow::showAbout() {
-  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About GearGraph"),
-                              tr("<b>GearGraph</b><p>Draw, analyse and see geared mechanisms by the matroid "
-                                 "and the T–T graph methods "
-                                 "(Amirinezhad and Uyguroğlu, 2014).</p><p>MIT licence.</p>"),
-                              QMessageBox::Ok, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setModal(false);
-  box->setIconPixmap(windowIcon().pixmap(64, 64));
-  box->show();
+  showAboutDialog(this);
 }
 
 }  // namespace geargraph

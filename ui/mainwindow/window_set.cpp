@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "ui/mainwindow/crash_offer.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
@@ -144,6 +145,7 @@ bool WindowSet::reopenSession() {
 void WindowSet::offerLeftBehind() {
   SideFiles left = leftBehind(m_folder, RecentFiles::paths());
   for (auto& side : left) m_windows.front()->files().offer(std::move(side));
+  offerCrashReports(m_folder, *m_windows.front());
 }
 
 void WindowSet::onClosed(MainWindow* window) {

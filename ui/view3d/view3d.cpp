@@ -26,7 +26,8 @@ namespace {
 /// Where the picture is painted: in a window of the graphics card, or beside the screen.
 struct Surface {
   bool isWindow = true;
-  QString why;  ///< of an image: empty where a window would be possible as well
+  QString why;       ///< of an image: empty where a window would be possible as well
+  QString driver{};  ///< of the window's OpenGL; empty if there is none or it was not asked
 };
 
 /// Under some platforms of Qt a QOpenGLWidget never gets its context, and nobody tells it.
@@ -46,10 +47,14 @@ Surface bestSurface() {
   surface.setFormat(context.format());
   surface.create();
   if (!context.makeCurrent(&surface)) return {};
-  const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));  // NOLINT
-  const bool isSoftware = name != nullptr && isSoftwareRenderer(name);
+  const auto text = [&context](unsigned what) {
+    const auto* bytes = reinterpret_cast<const char*>(context.functions()->glGetString(what));  // NOLINT
+    return QString::fromUtf8(bytes);
+  };
+  const QString name = text(GL_RENDERER);
+  const QString driver = QStringLiteral("%1, %2, OpenGL %3").arg(name, text(GL_VENDOR), text(GL_VERSION));
   context.doneCurrent();
-  return {!isSoftware, {}};
+  return {!isSoftwareRenderer(name.toStdString()), {}, driver};
 }
 
 /// Decided once: the GEARGRAPH_3D of the environment says `window` or `image` where somebody knows better.
@@ -409,6 +414,12 @@ const std::vector<ShownTrace>& View3D::traces() const {
 
 QString View3D::rendererName() const {
   return d->gl != nullptr ? d->gl->rendererName() : d->image->rendererName();
+}
+
+QString View3D::driver() {
+  const Surface& surface = surfaceOfChoice();
+  if (!surface.driver.isEmpty()) return surface.driver;
+  return surface.why.isEmpty() ? tr("not asked (GEARGRAPH_3D is set)") : surface.why;
 }
 
 bool View3D::isImage() const {

@@ -29,6 +29,8 @@ class View3D : public QWidget {
   /// Call before the QApplication is made: contexts are shared, so that a dock that floats uploads nothing
   /// again.
   static void prepareApplication();
+  /// Renderer, vendor and version of the display's OpenGL, or why there is none. @pre there is an application
+  [[nodiscard]] static QString driver();
 
   /// What is shown. Camera and time stay; the first stage is fitted into the view.
   void setStage(const StagePtr& stage);

@@ -1,0 +1,47 @@
+#include "ui/mainwindow/about_dialog.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSysInfo>
+
+#include "ui/mainwindow/main_window.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+
+QString programDetails() {
+  // Not translated: who reads it need not have the user's language.
+  return QStringLiteral(
+             "Version: %1\nQt: %2 (built with %3)\nSystem: %4, %5 %6, %7\nPlatform: %8\nOpenGL: %9\n")
+      .arg(QApplication::applicationVersion(), QString::fromLatin1(qVersion()),
+           QStringLiteral(QT_VERSION_STR), QSysInfo::prettyProductName(), QSysInfo::kernelType(),
+           QSysInfo::kernelVersion(), QSysInfo::currentCpuArchitecture(), QApplication::platformName(),
+           View3D::driver());
+}
+
+void showAboutDialog(QWidget* parent) {
+  const QString details = programDetails();
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon, MainWindow::tr("About GearGraph"),
+      MainWindow::tr("<b>GearGraph %1</b><p>Draw, analyse and see geared mechanisms by the matroid "
+                     "and the T–T graph methods "
+                     "(Amirinezhad and Uyguroğlu, 2014).</p><p>MIT licence.</p>")
+          .arg(QApplication::applicationVersion()),
+      QMessageBox::Ok, parent);
+  box->setObjectName(QStringLiteral("about"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setModal(false);
+  box->setIconPixmap(parent->windowIcon().pixmap(64, 64));
+  box->setInformativeText(details.trimmed());
+  QPushButton* copy = box->addButton(MainWindow::tr("Copy details"), QMessageBox::ActionRole);
+  copy->disconnect();  // copying does not close the box
+  QObject::connect(copy, &QPushButton::clicked, copy, [copy, details] {
+    QApplication::clipboard()->setText(details);
+    copy->setText(MainWindow::tr("Copied"));
+  });
+  box->show();
+}
+
+}  // namespace geargraph
