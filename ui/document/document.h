@@ -46,6 +46,8 @@ class Document : public QObject {
   [[nodiscard]] const QString& filePath() const { return m_filePath; }
   /// The mechanism as it is now is what stands in the file.
   void markSaved(const QString& filePath);
+  /// The file does not hold the document any more, so it is modified until it is saved, whatever is undone.
+  void markUnsaved() { m_undoStack.resetClean(); }
   [[nodiscard]] bool isModified() const { return !m_undoStack.isClean(); }
 
  signals:

@@ -1,5 +1,8 @@
 #include "ui/mainwindow/file_watch.h"
 
+#include <sys/stat.h>
+
+#include <QFile>
 #include <QFileInfo>
 
 namespace geargraph {
@@ -10,9 +13,11 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
 }
 
 FileWatch::Stamp FileWatch::stampNow() const {
-  const QFileInfo info(m_path);
-  if (m_path.isEmpty() || !info.exists()) return {};
-  return {info.size(), info.lastModified()};
+  struct stat status {};
+  if (m_path.isEmpty() || ::stat(QFile::encodeName(m_path).constData(), &status) != 0) return {};
+  const auto nanoseconds = [](const timespec& time) { return time.tv_sec * 1'000'000'000LL + time.tv_nsec; };
+  return {status.st_size, nanoseconds(status.st_mtim), nanoseconds(status.st_ctim),
+          FileIdentity{status.st_dev, status.st_ino}};
 }
 
 void FileWatch::watch(const QString& path) {

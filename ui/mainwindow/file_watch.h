@@ -1,9 +1,11 @@
 #pragma once
 
-#include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
+#include <optional>
+
+#include "core/io/file_identity.h"
 
 namespace geargraph {
 
@@ -18,7 +20,8 @@ class FileWatch : public QObject {
   void watch(const QString& path);
   /// The file as it stands now is known.
   void accept();
-  /// Is the file another one than the one known? A file that is gone is not.
+  /// Has the file been touched since it was known, or is it another one? Its bytes may be the same. A file
+  /// that is gone is not foreign.
   [[nodiscard]] bool isForeign() const;
 
  signals:
@@ -28,7 +31,9 @@ class FileWatch : public QObject {
  private:
   struct Stamp {
     qint64 size = -1;  ///< -1: there is no file
-    QDateTime time;
+    qint64 modified = 0;
+    qint64 changed = 0;  ///< ns, as above; set by the system alone, so that no program can keep it
+    std::optional<FileIdentity> identity;
     friend bool operator==(const Stamp&, const Stamp&) = default;
   };
   [[nodiscard]] Stamp stampNow() const;

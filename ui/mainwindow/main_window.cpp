@@ -347,7 +347,8 @@ bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
 }
 
 void MainWindow::renewTitle() {
-  setWindowTitle(m_files->title() + QStringLiteral("[*] — GearGraph"));
+  const QString readOnly = m_files->isReadOnly() ? tr(" (read-only)") : QString();
+  setWindowTitle(m_files->title() + readOnly + QStringLiteral("[*] — GearGraph"));
   setWindowModified(m_document->isModified());
 }
 

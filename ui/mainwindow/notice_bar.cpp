@@ -43,7 +43,10 @@ NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
 void NoticeBar::post(Notice notice) {
   const auto same = std::find_if(m_notices.begin(), m_notices.end(),
                                  [&](const Notice& each) { return each.key == notice.key; });
-  if (same == m_notices.end()) {
+  if (notice.isRequired) {
+    if (same != m_notices.end()) m_notices.erase(same);
+    m_notices.insert(m_notices.begin(), std::move(notice));
+  } else if (same == m_notices.end()) {
     m_notices.push_back(std::move(notice));
   } else {
     *same = std::move(notice);

@@ -11,7 +11,7 @@ class QHBoxLayout;
 
 namespace geargraph {
 
-/// Something that a person should decide on, but need not decide now.
+/// Something that the user should decide on, but need not decide now.
 struct Notice {
   struct Answer {
     QString text;
@@ -22,9 +22,13 @@ struct Notice {
   Severity severity = Severity::info;
   QString text;
   std::vector<Answer> answers;  ///< each takes the notice away before it runs
+  /// A command of the user was not carried out and waits for the answer: it is shown before all notices that
+  /// nobody waits for, which come back after it.
+  bool isRequired = false;
 };
 
-/// A strip below the tool bar that shows notices, the oldest first, and stops nobody from working.
+/// A strip below the tool bar that shows one notice at a time and stops nobody from working: the newest of
+/// those that are required, else the oldest.
 class NoticeBar : public QToolBar {
   Q_OBJECT
 

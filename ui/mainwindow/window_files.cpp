@@ -4,12 +4,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QUrl>
 
-#include "core/mechanism/difference.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/file_texts.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/recent_files.h"
@@ -21,20 +20,6 @@
 
 namespace geargraph {
 namespace {
-
-const QString kForeignKey = QStringLiteral("file");
-
-QString documentFilter() {
-  return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
-}
-
-QString textOf(const Difference& difference) {
-  return shownText(differenceText(difference));
-}
-
-Edit takingOver(const QString& text, const MechanismPtr& mechanism) {
-  return {text, [mechanism](const Mechanism&) -> Expected<Mechanism> { return *mechanism; }, 0};
-}
 
 QString timeText(const QDateTime& time) {
   const QLocale locale;
@@ -79,6 +64,7 @@ void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
   }
   m_window->statusLine().showRefusal(
       tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
+  offerInterrupted(path);
 }
 
 void WindowFiles::show(Mechanism mechanism, const QString& path) {
@@ -88,7 +74,9 @@ void WindowFiles::show(Mechanism mechanism, const QString& path) {
   m_example = isExample ? path : QString();
   m_document->replace(std::move(mechanism), isExample ? QString() : path);
   took(isExample ? QString() : path);
-  if (!isExample) offerLeftBehind();
+  if (isExample) return;
+  offerInterrupted(path);
+  offerLeftBehind();
 }
 
 void WindowFiles::startAnew() {
@@ -102,7 +90,8 @@ void WindowFiles::startAnew() {
 void WindowFiles::took(const QString& path) {
   m_onDisk = m_document->mechanism();
   m_watch.watch(path);
-  m_notices->withdraw(kForeignKey);
+  withdrawSaving();
+  claim(path);
   if (m_autosave) m_autosave->setTitle(title());
   if (!path.isEmpty() && m_windows != nullptr) {
     m_recent->add(path);
@@ -148,60 +137,9 @@ void WindowFiles::chooseAndOpen() {
   if (!path.isEmpty()) openForPerson(path);
 }
 
-// --- saving -----------------------------------------------------------------------------------------------
-
-bool WindowFiles::save(const QString& path) {
-  if (path == m_document->filePath() && m_watch.isForeign()) {
-    onForeignChange();
-    return false;
-  }
-  return saveAnyway(path);
-}
-
-bool WindowFiles::saveAnyway(const QString& path) {
-  const auto saved = std::make_shared<const Mechanism>(m_window->documentToSave());
-  if (const auto why = writeDocument(*saved, path)) {
-    m_window->statusLine().showRefusal(*why);
-    return false;
-  }
-  m_document->markSaved(path);
-  took(path);
-  m_onDisk = saved;
-  m_window->statusLine().showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
-  return true;
-}
-
-bool WindowFiles::saveOrChoose() {
-  return m_document->filePath().isEmpty() ? chooseAndSave() : save(m_document->filePath());
-}
-
-bool WindowFiles::chooseAndSave() {
-  QString proposed = m_document->filePath();
-  if (proposed.isEmpty()) proposed = m_example.isEmpty() ? tr("untitled.geargraph") : title();
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Save as"), proposed, documentFilter());
-  if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".geargraph");
-  return saveAnyway(path);  // the dialog has asked whether to overwrite
-}
-
-bool WindowFiles::mayDiscard() {
-  if (!m_document->isModified()) return true;
-  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                       tr("Save the changes to %1 first?").arg(title()),
-                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
-  question.setDefaultButton(QMessageBox::Save);
-  switch (question.exec()) {
-    case QMessageBox::Save:
-      return saveOrChoose();
-    case QMessageBox::Discard:
-      return true;
-    default:
-      return false;
-  }
-}
-
 void WindowFiles::discard() {
   if (m_autosave) m_autosave->discard();
+  if (m_windows != nullptr) m_windows->documents().release(m_window);
 }
 
 void WindowFiles::quit() {
@@ -233,52 +171,6 @@ QStringList WindowFiles::filesIn(const QMimeData& dragged) {
     if (url.isLocalFile() && QFileInfo(url.toLocalFile()).isFile()) files << url.toLocalFile();
   }
   return files;
-}
-
-// --- the file on the disk ---------------------------------------------------------------------------------
-
-void WindowFiles::revert() {
-  if (m_document->filePath().isEmpty()) return;
-  reload();
-}
-
-void WindowFiles::reload() {
-  const QString path = m_document->filePath();
-  std::optional<Expected<Mechanism>> read = readDocument(path, m_window);
-  if (!read) return;
-  if (!*read) return sayBroken(path, read->error());
-  m_window->problems().clearFileProblems();
-  m_document->apply(
-      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**read))));
-  m_document->markSaved(path);
-  took(path);
-}
-
-void WindowFiles::onForeignChange() {
-  const QString path = m_document->filePath();
-  const Expected<Mechanism> now = readDocument(path);
-  if (now && *now == *m_onDisk) return m_watch.accept();
-  const QString what = now ? textOf(differenceOf(*m_onDisk, *now)) : tr("it cannot be read any more");
-  const QString unsaved =
-      m_document->isModified() ? tr(" Your own changes are not saved; reloading can be undone.") : QString();
-  m_notices->post(
-      {kForeignKey,
-       Severity::warning,
-       tr("Another program has changed %1: %2.%3").arg(title(), what, unsaved),
-       {{tr("Reload"), tr("Take over what is in the file"), [this] { reload(); }},
-        {tr("Overwrite"), tr("Save this window's document over it"), [this, path] { saveAnyway(path); }},
-        {tr("Keep both"), tr("Save this window's document under another name"), [this] { chooseAndSave(); }},
-        {tr("Later"), tr("Saving will ask again"), {}}}});
-}
-
-void WindowFiles::onRemoved() {
-  const QString path = m_document->filePath();
-  m_notices->post({kForeignKey,
-                   Severity::warning,
-                   tr("Another program has moved or deleted %1.").arg(title()),
-                   {{tr("Save again"), tr("Write it where it was"), [this, path] { saveAnyway(path); }},
-                    {tr("Save as…"), tr("Save under another name"), [this] { chooseAndSave(); }},
-                    {tr("Later"), tr("The document stays open"), {}}}});
 }
 
 // --- side files -------------------------------------------------------------------------------------------
@@ -331,14 +223,18 @@ void WindowFiles::offer(std::unique_ptr<SideFile> side) {
 
 void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
   const QString path = offered->document.note.filePath;
-  const bool here = isUnused() || (!path.isEmpty() && path == m_document->filePath());
+  const bool here = isUnused() || isOwnFile(path);
   if (!here && m_windows != nullptr) {
+    if (const auto open = m_windows->windowsWith(path); !open.empty()) {
+      WindowSet::bringForward(*open.front());
+      return open.front()->files().restore(offered);
+    }
     return m_windows->openNew().files().restore(offered);
   }
   if (!mayDiscard()) return;
   if (path.isEmpty()) {
     startAnew();
-  } else if (path != m_document->filePath() || m_document->isModified()) {
+  } else if (!isOwnFile(path) || m_document->isModified()) {
     Expected<Mechanism> saved = readDocument(path);
     m_window->selection().clear();
     m_example.clear();

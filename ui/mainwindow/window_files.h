@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <optional>
 
 #include "core/mechanism/mechanism.h"
 #include "ui/mainwindow/file_watch.h"
@@ -35,8 +36,8 @@ class WindowFiles : public QObject {
   void show(Mechanism mechanism, const QString& path);
   /// Says why a file was not opened.
   void sayBroken(const QString& path, const Diagnostics& why);
-  /// False, and said, where it could not be written. A file that another program has written meanwhile is not
-  /// overwritten: a notice asks.
+  /// False if it was not written; a notice says why before all others, and the document stays modified. A
+  /// file that another program has changed meanwhile is not overwritten: the notice asks.
   bool save(const QString& path);
   void startAnew();
   /// Back to what is in the file, as an edit that can be undone.
@@ -70,6 +71,8 @@ class WindowFiles : public QObject {
   [[nodiscard]] QString source() const;
   /// "robot.geargraph", "Untitled"
   [[nodiscard]] QString title() const;
+  /// Is the file open in another window or program, so that this window does not write to it?
+  [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
   [[nodiscard]] const Autosave* autosave() const { return m_autosave.get(); }
 
  signals:
@@ -82,8 +85,21 @@ class WindowFiles : public QObject {
   void offerLeftBehind();
   void onForeignChange();
   void onRemoved();
+  void postForeignChange(const Expected<Mechanism>& now, bool isSaving);
+  void postNotSaved(const QString& path, const QString& why);
+  void withdrawSaving();
+  struct Elsewhere;
+  [[nodiscard]] std::optional<Elsewhere> openElsewhere(const QString& path) const;
+  [[nodiscard]] bool isOwnFile(const QString& path) const;
+  void claim(const QString& path);
+  void postReadOnly(const QString& problem);
+  bool refusesOpenElsewhere(const QString& path);
+  void showElsewhere(const QString& path);
+  void leaveToOther(const QString& path);
+  void offerInterrupted(const QString& path);
   void reload();
   bool saveAnyway(const QString& path);
+  bool mayReplace(const QString& path);
   void took(const QString& path);
 
   MainWindow* m_window;
@@ -95,6 +111,7 @@ class WindowFiles : public QObject {
   QString m_example;      ///< the example that is open, which is no file yet
   MechanismPtr m_onDisk;  ///< what the file held when it was read or written here
   FileWatch m_watch;
+  bool m_isReadOnly = false;
   std::unique_ptr<Autosave> m_autosave;
 };
 

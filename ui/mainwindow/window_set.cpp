@@ -2,12 +2,14 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
 
+#include "core/io/file_identity.h"
 #include "ui/mainwindow/crash_offer.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
@@ -29,13 +31,19 @@ WindowSet::WindowSet(const QString& folder, QObject* parent)
     : QObject(parent),
       m_folder(folder),
       m_lookSoon(new QTimer(this)),
-      m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))) {
+      m_lock(QDir(folder).filePath(QStringLiteral("session.lock"))),
+      m_documents(folder) {
   QDir().mkpath(folder);
   m_lock.setStaleLockTime(0);
   m_ownsSession = m_lock.tryLock(0);
   m_lookSoon->setSingleShot(true);
   m_lookSoon->setInterval(kLaidOut);
   connect(m_lookSoon, &QTimer::timeout, this, &WindowSet::look);
+  m_documents.setShower([this](const QString& path) {
+    const auto open = windowsWith(path);
+    if (!open.empty()) bringForward(*open.front());
+    return !open.empty();
+  });
 }
 
 WindowSet::~WindowSet() = default;
@@ -49,6 +57,27 @@ std::vector<MainWindow*> WindowSet::windows() const {
   std::vector<MainWindow*> all;
   for (const auto& window : m_windows) all.push_back(window.get());
   return all;
+}
+
+std::vector<MainWindow*> WindowSet::windowsWith(const QString& path, const MainWindow* besides) const {
+  std::vector<MainWindow*> found;
+  if (path.isEmpty() || path.startsWith(QLatin1String(":/"))) return found;
+  for (const auto& window : m_windows) {
+    const QString open = window->document().filePath();
+    if (window.get() != besides &&
+        isSameFile(QFile::encodeName(open).toStdString(), QFile::encodeName(path).toStdString())) {
+      found.push_back(window.get());
+    }
+  }
+  return found;
+}
+
+void WindowSet::bringForward(MainWindow& window) {
+  window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
+  window.show();
+  window.raise();
+  window.activateWindow();
+  QApplication::alert(&window);  // where the desktop does not let a program take the focus
 }
 
 MainWindow& WindowSet::add() {
@@ -74,11 +103,10 @@ MainWindow& WindowSet::openNew() {
 void WindowSet::open(const QString& path, MainWindow* from) {
   const bool isExample = path.startsWith(QLatin1String(":/"));
   const QString wanted = isExample ? path : QFileInfo(path).absoluteFilePath();
-  for (const auto& window : m_windows) {
-    if (isExample || window->files().source() != wanted) continue;
-    window->show();
-    window->raise();
-    return window->activateWindow();
+  if (const auto open = windowsWith(wanted); !open.empty()) {
+    bringForward(*open.front());
+    return open.front()->statusLine().showNote(
+        tr("%1 is open in this window already.").arg(open.front()->files().title()));
   }
   std::optional<Expected<Mechanism>> opened = readDocument(wanted, from);
   if (!opened) return;
@@ -96,6 +124,7 @@ void WindowSet::open(const QString& path, MainWindow* from) {
 void WindowSet::start(const QStringList& documents) {
   if (!documents.isEmpty()) {
     for (const QString& path : documents) {
+      if (!windowsWith(path).empty()) continue;  // named twice
       MainWindow& window = add();
       window.files().open(path.startsWith(QLatin1String(":/")) ? path : QFileInfo(path).absoluteFilePath());
       window.show();
@@ -125,6 +154,7 @@ bool WindowSet::reopenSession() {
   settings.endArray();
   QStringList missing;
   for (const Entry& entry : entries) {
+    if (!windowsWith(entry.source).empty()) continue;
     Expected<Mechanism> opened = readDocument(entry.source);
     if (!opened) {
       missing << QFileInfo(entry.source).fileName();

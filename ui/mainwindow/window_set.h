@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "ui/recovery/open_documents.h"
+
 class QTimer;
 
 namespace geargraph {
@@ -41,6 +43,13 @@ class WindowSet : public QObject {
   [[nodiscard]] bool restoresSession() const;
   void setRestoresSession(bool restores);
   [[nodiscard]] std::vector<MainWindow*> windows() const;
+  /// The windows with this file, whatever the spelling of its path, besides one.
+  [[nodiscard]] std::vector<MainWindow*> windowsWith(const QString& path,
+                                                     const MainWindow* besides = nullptr) const;
+  /// To the front, and active as far as the desktop lets a program do that.
+  static void bringForward(MainWindow& window);
+  /// What all running programs have open.
+  [[nodiscard]] OpenDocuments& documents() { return m_documents; }
 
  private:
   MainWindow& add();
@@ -58,6 +67,7 @@ class WindowSet : public QObject {
   QString m_folder;
   QTimer* m_lookSoon;
   QLockFile m_lock;
+  OpenDocuments m_documents;
   bool m_ownsSession;
   bool m_quitting = false;
   std::map<const MainWindow*, Layout> m_layouts;

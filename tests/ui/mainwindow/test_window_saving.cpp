@@ -1,0 +1,319 @@
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <filesystem>
+
+#include "core/io/file_identity.h"
+#include "core/mechanism/edits.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
+#include "ui/mainwindow/window_set.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph {
+
+namespace fs = std::filesystem;
+
+/// Ctrl+S saves or tells why not: whatever else is told, and whatever happened to the file.
+class WindowSavingTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<QTemporaryDir> folder;
+  std::unique_ptr<WindowSet> set;
+
+  [[nodiscard]] QString pathOf(const char* name) const { return folder->filePath(QLatin1String(name)); }
+  [[nodiscard]] std::string nativeOf(const char* name) const { return pathOf(name).toStdString(); }
+  [[nodiscard]] MainWindow& first() const { return *set->windows().front(); }
+  [[nodiscard]] MainWindow& last() const { return *set->windows().back(); }
+  QString written(const char* name, int links) {
+    if (const auto why = writeDocument(withLinks(links), pathOf(name))) qFatal("%s", qPrintable(*why));
+    return pathOf(name);
+  }
+  static Mechanism withLinks(int links) {
+    Mechanism mechanism = emptyMechanism();
+    for (int i = 0; i < links; ++i) mechanism = withLink(mechanism, {100.0 * (i + 1), 90}).value();
+    return mechanism;
+  }
+  static void addLink(MainWindow& window) {
+    window.document().apply({QStringLiteral("Add link"),
+                             [](const Mechanism& mechanism) {
+                               return withLink(mechanism, SheetPoint{90, 300});
+                             },
+                             0});
+  }
+  static QPushButton* buttonOf(MainWindow& window, const QString& text) {
+    for (auto* button : window.notices().findChildren<QPushButton*>()) {
+      if (!button->isHidden() && button->text() == text) return button;
+    }
+    return nullptr;
+  }
+  static void answer(MainWindow& window, const QString& text) {
+    QPushButton* button = buttonOf(window, text);
+    QVERIFY2(button != nullptr, qPrintable(text));
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  static QString noticeOf(MainWindow& window) {
+    const Notice* notice = window.notices().current();
+    return notice == nullptr ? QString() : notice->text;
+  }
+  static void pressSave(MainWindow& window) { window.actions().save->trigger(); }
+  /// A notice that nobody waits for, as an export posts one.
+  static void postOther(MainWindow& window) {
+    window.notices().post({QStringLiteral("other"), Severity::info, QStringLiteral("Painting."), {}});
+  }
+  /// Answers the question whether to save, as soon as it is asked.
+  static void answerQuestion(QMessageBox::StandardButton button) {
+    QTimer::singleShot(0, qApp, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return answerQuestion(button);
+      box->button(button)->click();
+    });
+  }
+  /// A notice is in front, the title is dirty, nothing of the notices before is lost.
+  void verifyNotSaved(MainWindow& window, const QString& why) {
+    QVERIFY2(noticeOf(window).contains(QStringLiteral("was not saved")) && noticeOf(window).contains(why),
+             qPrintable(noticeOf(window)));
+    QVERIFY2(!window.statusLine().text().isEmpty(), "the status bar");
+    QVERIFY(window.isWindowModified());
+    QVERIFY(window.document().isModified());
+  }
+
+ private slots:
+  void initTestCase() {
+    test::isolateSettings();
+    QStandardPaths::setTestModeEnabled(true);
+    applyTheme(*qApp, Theme::light);
+  }
+  void init() {
+    folder = std::make_unique<QTemporaryDir>();
+    QSettings().clear();
+    set = std::make_unique<WindowSet>(pathOf("app"));
+  }
+  void cleanup() { set.reset(); }
+
+  // --- the question comes to the front ---------------------------------------------------------------------
+
+  void theQuestionComesBeforeOtherNotices_whichComeBack() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    addLink(first());
+    postOther(first());
+    written("one.geargraph", 5);
+    pressSave(first());
+    verifyNotSaved(first(), QStringLiteral("another program has changed it (4 links added)"));
+    QVERIFY(buttonOf(first(), QStringLiteral("Overwrite")) != nullptr);
+    QCOMPARE(readDocument(path)->n(), 5);
+    answer(first(), QStringLiteral("Overwrite"));
+    QCOMPARE(readDocument(path)->n(), 2);
+    QVERIFY(!first().isWindowModified());
+    QCOMPARE(noticeOf(first()), QStringLiteral("Painting."));
+  }
+
+  void theWatchsOwnQuestionWaitsItsTurn_untilSavingNeedsIt() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    postOther(first());
+    addLink(first());
+    written("one.geargraph", 5);
+    QTest::qWait(100);  // the watch has told by now, behind the other notice
+    QCOMPARE(noticeOf(first()), QStringLiteral("Painting."));
+    pressSave(first());
+    verifyNotSaved(first(), QStringLiteral("another program"));
+    answer(first(), QStringLiteral("Later"));
+    QCOMPARE(noticeOf(first()), QStringLiteral("Painting."));
+    QVERIFY(first().isWindowModified());
+    pressSave(first());  // and asks again
+    verifyNotSaved(first(), QStringLiteral("another program"));
+  }
+
+  void aTouchedFileWithTheSameContentsIsSavedOver() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    addLink(first());
+    written("one.geargraph", 1);
+    pressSave(first());
+    QCOMPARE(readDocument(path)->n(), 2);
+    QVERIFY(!first().isWindowModified());
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void aFileOfTheSameSizeAndTimeIsForeign() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    Mechanism other = *first().document().mechanism();
+    other.name = "a";
+    QVERIFY(!writeDocument(other, path));
+    QVERIFY(first().files().open(path));
+    const auto time = fs::last_write_time(nativeOf("one.geargraph"));
+    addLink(first());
+    other.name = "b";
+    QVERIFY(!writeDocument(other, path));
+    fs::last_write_time(nativeOf("one.geargraph"), time);
+    pressSave(first());
+    verifyNotSaved(first(), QStringLiteral("another program"));
+  }
+
+  // --- writing fails
+  // ----------------------------------------------------------------------------------------
+
+  void aFullDiskIsTold_beforeOtherNotices() {
+    set->start({written("one.geargraph", 1)});
+    addLink(first());
+    postOther(first());
+    QVERIFY(!first().saveDocument(QStringLiteral("/dev/full")));
+    verifyNotSaved(first(), QStringLiteral("No space left on device"));
+    QVERIFY(buttonOf(first(), QStringLiteral("Try again")) != nullptr);
+    QCOMPARE(first().document().filePath(), pathOf("one.geargraph"));
+    pressSave(first());  // to its own file, which works
+    QVERIFY(!first().isWindowModified());
+    QCOMPARE(noticeOf(first()), QStringLiteral("Painting."));
+  }
+
+  void aFolderThatIsGoneIsTold() {
+    QVERIFY(QDir(folder->path()).mkdir(QStringLiteral("sub")));
+    set->start({written("sub/one.geargraph", 1)});
+    addLink(first());
+    fs::remove_all(nativeOf("sub"));
+    pressSave(first());
+    verifyNotSaved(first(), QStringLiteral("No such file or directory"));
+    QVERIFY(QDir(folder->path()).mkdir(QStringLiteral("sub")));
+    answer(first(), QStringLiteral("Try again"));
+    QCOMPARE(readDocument(pathOf("sub/one.geargraph"))->n(), 2);
+    QVERIFY(!first().isWindowModified());
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  void aFileThatMayNotBeWrittenIsTold() {
+    // As a user who is not root, to whom everything is allowed.
+    const bool isRoot = ::geteuid() == 0;
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    addLink(first());
+    fs::permissions(nativeOf("one.geargraph"), fs::perms(0444));
+    fs::permissions(folder->path().toStdString(), fs::perms(0555));
+    if (isRoot) QCOMPARE(::setresuid(65534, 65534, 0), 0);
+    pressSave(first());
+    if (isRoot) QCOMPARE(::setresuid(0, 0, 0), 0);
+    fs::permissions(folder->path().toStdString(), fs::perms(0755));
+    verifyNotSaved(first(), QStringLiteral("Permission denied"));
+    QCOMPARE(readDocument(path)->n(), 1);
+  }
+
+  void aDeletedFileMakesTheWindowDirty_andIsWrittenAgain() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    QVERIFY(QFile::remove(path));
+    QTRY_VERIFY(first().isWindowModified());
+    QTimer::singleShot(0, this, [] { answerQuestion(QMessageBox::Cancel); });
+    QVERIFY(!first().close());  // it asks: the document is nowhere else
+    pressSave(first());
+    QCOMPARE(readDocument(path)->n(), 1);
+    QVERIFY(!first().isWindowModified());
+    QVERIFY(first().notices().current() == nullptr);
+  }
+
+  // --- closing
+  // ----------------------------------------------------------------------------------------------
+
+  void saveOnCloseThatFailsKeepsTheWindow() {
+    const QString path = written("one.geargraph", 1);
+    set->start({path});
+    addLink(first());
+    postOther(first());
+    written("one.geargraph", 5);
+    answerQuestion(QMessageBox::Save);
+    QVERIFY(!first().close());
+    verifyNotSaved(first(), QStringLiteral("another program"));
+    QCOMPARE(readDocument(path)->n(), 5);
+  }
+
+  void quittingStopsAtTheWindowThatCannotBeSaved() {
+    set->start({written("one.geargraph", 1), written("two.geargraph", 1)});
+    addLink(last());
+    written("two.geargraph", 5);
+    answerQuestion(QMessageBox::Save);
+    set->quit();
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    verifyNotSaved(first(), QStringLiteral("two.geargraph"));
+  }
+
+  // --- one file, two windows
+  // --------------------------------------------------------------------------------
+
+  void oneFileUnderAnotherNameIsShownInItsWindow() {
+    const QString path = written("one.geargraph", 1);
+    fs::create_symlink("one.geargraph", nativeOf("soft.geargraph"));
+    fs::create_hard_link(nativeOf("one.geargraph"), nativeOf("hard.geargraph"));
+    set->start({path});
+    set->open(written("two.geargraph", 2), &first());
+    for (const char* name : {"soft.geargraph", "hard.geargraph", "./app/.././one.geargraph"}) {
+      set->open(pathOf(name), &last());
+      QCOMPARE(set->windows().size(), std::size_t{2});
+      QVERIFY(first().statusLine().text().contains(QStringLiteral("open in this window already")));
+    }
+  }
+
+  void aFileNamedTwiceAtTheStartGetsOneWindow() {
+    const QString path = written("one.geargraph", 1);
+    fs::create_symlink("one.geargraph", nativeOf("soft.geargraph"));
+    set->start({path, pathOf("soft.geargraph")});
+    QCOMPARE(set->windows().size(), std::size_t{1});
+  }
+
+  void savingOverTheFileOfAnotherWindowIsRefused() {
+    const QString one = written("one.geargraph", 1);
+    set->start({one, written("two.geargraph", 2)});
+    addLink(last());
+    fs::create_symlink("one.geargraph", nativeOf("soft.geargraph"));
+    postOther(last());
+    QVERIFY(!last().saveDocument(pathOf("soft.geargraph")));
+    verifyNotSaved(last(), QStringLiteral("soft.geargraph is open in another window"));
+    QCOMPARE(readDocument(one)->n(), 1);
+    answer(last(), QStringLiteral("Show that window"));
+    QCOMPARE(set->windows().size(), std::size_t{2});  // it has a document of its own
+    QVERIFY(last().isWindowModified());
+  }
+
+  void savingKeepsLinks() {
+    const QString path = written("one.geargraph", 1);
+    fs::create_symlink("one.geargraph", nativeOf("soft.geargraph"));
+    fs::create_hard_link(nativeOf("one.geargraph"), nativeOf("hard.geargraph"));
+    set->start({pathOf("soft.geargraph")});
+    addLink(first());
+    pressSave(first());
+    QVERIFY(!first().isWindowModified());
+    QVERIFY(fs::is_symlink(nativeOf("soft.geargraph")));
+    QVERIFY(isSameFile(nativeOf("one.geargraph"), nativeOf("hard.geargraph")));
+    QCOMPARE(readDocument(pathOf("hard.geargraph"))->n(), 2);
+    addLink(first());
+    pressSave(first());  // its own writing in place is not another program's
+    QVERIFY(!first().isWindowModified());
+  }
+
+  void anInterruptedWriteIsOffered() {
+    const QString path = written("one.geargraph", 1);
+    written(".one.geargraph.999999999-0.saving", 3);
+    set->start({path});
+    QVERIFY2(noticeOf(first()).contains(QStringLiteral("was interrupted")), qPrintable(noticeOf(first())));
+    answer(first(), QStringLiteral("Open the copy"));
+    QCOMPARE(last().document().mechanism()->n(), 3);
+    QVERIFY(QFile::exists(path));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowSavingTest)
+#include "test_window_saving.moc"

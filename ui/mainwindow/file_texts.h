@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+#include "core/mechanism/difference.h"
+#include "ui/document/document.h"
+
+namespace geargraph {
+
+/// The file types of the dialogs that open and save documents.
+[[nodiscard]] QString documentFilter();
+
+/// What changed from one document to another: "2 links added, 1 mesh removed".
+[[nodiscard]] QString textOf(const Difference& difference);
+
+/// The edit that replaces the whole mechanism, named `text` in the undo list.
+[[nodiscard]] Edit takingOver(const QString& text, const MechanismPtr& mechanism);
+
+}  // namespace geargraph
