@@ -221,13 +221,13 @@ Eigen::Isometry3d frameAlong(const Vector3d& origin, const Vector3d& axis, const
   return frame;
 }
 
-Solid lathed(std::span<const Circle> meridian, double tolerance) {
+Solid lathed(std::span<const ProfileVertex> meridian, double tolerance) {
   GEARGRAPH_REQUIRE(meridian.size() >= 2);
   Solid solid;
   ShellBuilder builder(solid);
   double largest = 0;
-  for (const Circle& c : meridian) largest = std::max(largest, c.radius);
-  std::vector<Circle> closed(meridian.begin(), meridian.end());
+  for (const ProfileVertex& c : meridian) largest = std::max(largest, c.radius);
+  std::vector<ProfileVertex> closed(meridian.begin(), meridian.end());
   if (!(closed.front().radius == 0 && closed.back().radius == 0)) closed.push_back(closed.front());
   const int count = circleCount(largest, tolerance);
   const std::size_t most = 2 * (closed.size() - 1) * static_cast<std::size_t>(count);
@@ -240,7 +240,7 @@ Solid lathed(std::span<const Circle> meridian, double tolerance) {
 
 Solid tube(double outer, double inner, double from, double to, double tolerance) {
   const double chamfer = std::min({0.12 * (outer - inner), 0.25 * (to - from)});
-  std::vector<Circle> meridian;
+  std::vector<ProfileVertex> meridian;
   if (inner > 0) {
     meridian = {{outer - chamfer, to}, {inner, to}, {inner, from}, {outer - chamfer, from}};
   } else {

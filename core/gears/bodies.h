@@ -15,7 +15,7 @@ namespace geargraph {
 
 /// A body of revolution about z. The meridian runs with the material on the left (from the top face inward,
 /// down the bore, outward along the bottom, up the outside) and closes by itself.
-[[nodiscard]] Solid lathed(std::span<const Circle> meridian, double tolerance);
+[[nodiscard]] Solid lathed(std::span<const ProfileVertex> meridian, double tolerance);
 
 /// A shaft or tube along z from `from` to `to`, its ends chamfered. `inner` 0: solid. Lengths.
 [[nodiscard]] Solid tube(double outer, double inner, double from, double to, double tolerance);

@@ -42,7 +42,7 @@ class PartsMaker {
  public:
   PartsMaker(const BodyPlan& plan, const GearTrain& train) : m_plan(plan) {
     for (const TrainGear& gear : train.gears) addGear(gear);
-    for (const ShaftPlan& shaft : plan.shafts)
+    for (const ShaftSegment& shaft : plan.shafts)
       addRound(PartKind::shaft, shaft.link, shaft.axisClass, shaft.low, shaft.high, shaft.outer);
     for (std::size_t c = 0; c < plan.axes.size(); ++c) {
       for (const Bearing& b : plan.axes[c].bearings) addBearing(static_cast<int>(c), b);
@@ -76,10 +76,10 @@ class PartsMaker {
       add(radius, span.high);
     } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
       // The small ends of the teeth stand out from a hollow that a hull would fill.
-      const std::vector<Circle> body = bodyMeridian(spec);
-      const std::vector<Circle> all = bevelOutline(spec);
-      const Circle small = all[all.size() - 2], large = all.back();
-      for (const Circle& c : body) add(c.radius, c.height);
+      const std::vector<ProfileVertex> body = bodyMeridian(spec);
+      const std::vector<ProfileVertex> all = bevelOutline(spec);
+      const ProfileVertex small = all[all.size() - 2], large = all.back();
+      for (const ProfileVertex& c : body) add(c.radius, c.height);
       add(large.radius, large.height);
       const double share = (body.back().height - small.height) / (large.height - small.height);
       if (share > 0 && share < 1)

@@ -19,8 +19,8 @@ struct ArmPlan {
   int child = 0;     ///< whose shaft the bearing holds
 };
 
-/// The stretch of an axis that one link holds: a shaft, or a tube about the shafts inside.
-struct ShaftPlan {
+/// The interval of an axis that one link occupies: a shaft, or a tube about the shafts inside.
+struct ShaftSegment {
   int axisClass = 0;
   int link = 0;
   double low = 1e300;
@@ -88,7 +88,7 @@ struct CagePlan {
 struct LathePlan {
   int axisClass = 0;
   int link = 0;
-  std::vector<std::vector<Circle>> meridians;  ///< heights are coordinates along the axis
+  std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
 };
 
 }  // namespace geargraph

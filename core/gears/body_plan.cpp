@@ -35,7 +35,7 @@ void BodyPlanner::planCoaxial(int axisClass) {
       b.placed = true;
     }
   }
-  for (const ShaftPlan& shaft : plan->shafts) {
+  for (const ShaftSegment& shaft : plan->shafts) {
     m_plan.shaftsOn[static_cast<std::size_t>(axisClass)].push_back(m_plan.shafts.size());
     m_plan.shafts.push_back(shaft);
   }
@@ -280,7 +280,7 @@ std::optional<double> BodyPlanner::heldLevel(int axisClass, int link) const {
 namespace {
 
 /// Does an axis cross this one between the shaft and a place outside of it?
-bool isAcross(const AxisLayout& layout, const ShaftPlan& shaft, double place) {
+bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place) {
   const double low = std::min(shaft.high, place), high = std::max(shaft.low, place);
   return std::any_of(layout.taken.begin(), layout.taken.end(),
                      [&](const Stretch& s) { return s.link < 0 && s.low < high && low < s.high; });
@@ -290,7 +290,7 @@ bool isAcross(const AxisLayout& layout, const ShaftPlan& shaft, double place) {
 
 /// A wheel of the frame that none of its bearings reaches stands on a foot of its own, on the side where
 /// nothing crosses its axis.
-void BodyPlanner::addStub(int axisClass, ShaftPlan& shaft) {
+void BodyPlanner::addStub(int axisClass, ShaftSegment& shaft) {
   AxisLayout& layout = axis(axisClass);
   const double reach = layout.gap() + layout.width() / 2;
   double place = shaft.low - reach;
@@ -303,7 +303,7 @@ void BodyPlanner::addStub(int axisClass, ShaftPlan& shaft) {
 }
 
 /// True where the link has wheels here.
-bool BodyPlanner::includeWheels(int axisClass, int link, ShaftPlan& shaft) {
+bool BodyPlanner::includeWheels(int axisClass, int link, ShaftSegment& shaft) {
   const Stretch hubs = hubStretch(axisClass, link);
   if (hubs.low > hubs.high) return false;
   shaft.include(hubs.low, hubs.high);
@@ -311,7 +311,7 @@ bool BodyPlanner::includeWheels(int axisClass, int link, ShaftPlan& shaft) {
 }
 
 /// Arms, cups, tees and pins of the link that stand on the axis.
-void BodyPlanner::includeBodies(int axisClass, int link, ShaftPlan& shaft) {
+void BodyPlanner::includeBodies(int axisClass, int link, ShaftSegment& shaft) {
   const double half = axis(axisClass).width() / 2;
   for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)]) {
     const ArmPlan& arm = m_plan.arms[a];
@@ -336,7 +336,7 @@ void BodyPlanner::includeBodies(int axisClass, int link, ShaftPlan& shaft) {
 /// A shaft reaches from the link's wheels to its bearing, its arms and cups on this axis.
 void BodyPlanner::addShaft(int axisClass, int link) {
   const AxisLayout& layout = axis(axisClass);
-  ShaftPlan shaft;
+  ShaftSegment shaft;
   shaft.axisClass = axisClass;
   shaft.link = link;
   const double half = layout.width() / 2;
@@ -387,17 +387,17 @@ double BodyPlanner::boreRoom(int axisClass, int link) const {
 /// Shafts that lie over each other are nested, the longest inmost; all of an axis shrink together until the
 /// bores of their wheels hold them.
 void BodyPlanner::nestShafts(int axisClass) {
-  std::vector<ShaftPlan*> shafts;
+  std::vector<ShaftSegment*> shafts;
   for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
     shafts.push_back(&m_plan.shafts[s]);
   }
-  std::stable_sort(shafts.begin(), shafts.end(), [](const ShaftPlan* a, const ShaftPlan* b) {
+  std::stable_sort(shafts.begin(), shafts.end(), [](const ShaftSegment* a, const ShaftSegment* b) {
     return a->high - a->low > b->high - b->low;
   });
   const double module = axis(axisClass).module;
   double scale = 1;
   for (std::size_t i = 0; i < shafts.size(); ++i) {
-    ShaftPlan& shaft = *shafts[i];
+    ShaftSegment& shaft = *shafts[i];
     double inside = 0;
     for (std::size_t k = 0; k < i; ++k) {
       const bool over = shafts[k]->low < shaft.high && shaft.low < shafts[k]->high;
@@ -406,7 +406,7 @@ void BodyPlanner::nestShafts(int axisClass) {
     shaft.wrap(inside, module);
     scale = std::min(scale, boreRoom(axisClass, shaft.link) / shaft.outer);
   }
-  for (ShaftPlan* shaft : shafts) {
+  for (ShaftSegment* shaft : shafts) {
     shaft->inner *= scale;
     shaft->outer *= scale;
   }

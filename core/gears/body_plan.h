@@ -14,7 +14,7 @@ namespace geargraph {
 struct BodyPlan {
   std::vector<AxisLayout> axes;
   std::vector<ArmPlan> arms;
-  std::vector<ShaftPlan> shafts;
+  std::vector<ShaftSegment> shafts;
   std::vector<CupPlan> cups;
   std::vector<PinPlan> pins;
   std::vector<TeePlan> tees;
@@ -28,9 +28,9 @@ struct BodyPlan {
   std::vector<std::vector<std::size_t>> shaftsOn;    ///< shafts by axis class
 
   /// The link's shaft on the axis, of several the one nearest to the coordinate.
-  [[nodiscard]] const ShaftPlan* shaftOf(int axisClass, int link, double near) const {
-    const ShaftPlan* found = nullptr;
-    const auto away = [&](const ShaftPlan& s) { return std::max({s.low - near, near - s.high, 0.0}); };
+  [[nodiscard]] const ShaftSegment* shaftOf(int axisClass, int link, double near) const {
+    const ShaftSegment* found = nullptr;
+    const auto away = [&](const ShaftSegment& s) { return std::max({s.low - near, near - s.high, 0.0}); };
     for (const std::size_t s : shaftsOn[static_cast<std::size_t>(axisClass)]) {
       if (shafts[s].link != link) continue;
       if (found == nullptr || away(shafts[s]) < away(*found)) found = &shafts[s];
@@ -41,7 +41,7 @@ struct BodyPlan {
   [[nodiscard]] double shaftAt(int axisClass, double coordinate, int link) const {
     double radius = 0;
     for (const std::size_t i : shaftsOn[static_cast<std::size_t>(axisClass)]) {
-      const ShaftPlan& s = shafts[i];
+      const ShaftSegment& s = shafts[i];
       if (s.low <= coordinate && coordinate <= s.high && s.link != link) radius = std::max(radius, s.outer);
     }
     return radius;

@@ -119,10 +119,10 @@ class BodyPlanner {
   void trimTees();
   [[nodiscard]] std::optional<PinPlan> pinFor(int link, int home, const Bearing& bearing) const;
   [[nodiscard]] std::vector<std::vector<Bearing*>> roundsOf(int link, int home);
-  bool includeWheels(int axisClass, int link, ShaftPlan& shaft);
-  void includeBodies(int axisClass, int link, ShaftPlan& shaft);
+  bool includeWheels(int axisClass, int link, ShaftSegment& shaft);
+  void includeBodies(int axisClass, int link, ShaftSegment& shaft);
   void addShaft(int axisClass, int link);
-  void addStub(int axisClass, ShaftPlan& shaft);
+  void addStub(int axisClass, ShaftSegment& shaft);
   void addArm(const ArmPlan& arm) {
     m_armsOf[static_cast<std::size_t>(arm.link)].push_back(m_plan.arms.size());
     m_plan.arms.push_back(arm);

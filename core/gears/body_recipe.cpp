@@ -29,7 +29,7 @@ struct Hasher {
     for (const double number : {t.outer, t.inner, t.from, t.to}) add(number);
   }
   void operator()(const LathePart& l) const {
-    for (const Circle& circle : l.meridian) {
+    for (const ProfileVertex& circle : l.meridian) {
       add(circle.radius);
       add(circle.height);
     }

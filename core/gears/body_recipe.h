@@ -24,7 +24,7 @@ struct TubePart {
 };
 
 struct LathePart {
-  std::vector<Circle> meridian;
+  std::vector<ProfileVertex> meridian;
   friend bool operator==(const LathePart&, const LathePart&) = default;
 };
 

@@ -24,7 +24,7 @@ double holeFor(const BodyPlan& plan, int axisClass, double at, int parent) {
 }
 
 Eye footOf(const BodyPlan& plan, const ArmPlan& arm) {
-  const ShaftPlan* own = plan.shaftOf(arm.from, arm.link, arm.level);
+  const ShaftSegment* own = plan.shaftOf(arm.from, arm.link, arm.level);
   Eye eye;
   eye.hole = own != nullptr ? 0.5 * (own->inner + own->outer) : holeFor(plan, arm.from, arm.level, arm.link);
   eye.radius = (own != nullptr ? own->outer : eye.hole) + eyeWall(axis(plan, arm.from));

@@ -87,7 +87,7 @@ class CoaxialMaker {
     return nullptr;
   }
   [[nodiscard]] double wallMiddle(const Sleeve& s) const {
-    const ShaftPlan& shaft = m_plan.shafts[s.shaft];
+    const ShaftSegment& shaft = m_plan.shafts[s.shaft];
     return shaft.inner > 0 ? (shaft.inner + shaft.outer) / 2 : shaft.outer / 2;
   }
 
@@ -108,7 +108,7 @@ class CoaxialMaker {
 /// Runs along a row within the wheels; a row that is only crossed has none.
 void CoaxialMaker::addSleeves(int net) {
   const auto add = [&](int row, int first, int last) {
-    ShaftPlan shaft;
+    ShaftSegment shaft;
     shaft.axisClass = m_class;
     shaft.link = link(net);
     shaft.include(column(first).low, column(last).high);
@@ -147,18 +147,19 @@ void CoaxialMaker::nestSleeves() {
   std::stable_sort(order.begin(), order.end(),
                    [](const Sleeve* a, const Sleeve* b) { return a->row < b->row; });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    ShaftPlan& shaft = m_plan.shafts[order[i]->shaft];
+    ShaftSegment& shaft = m_plan.shafts[order[i]->shaft];
     double inside = 0;
     for (std::size_t k = 0; k < i; ++k) {
-      const ShaftPlan& other = m_plan.shafts[order[k]->shaft];
+      const ShaftSegment& other = m_plan.shafts[order[k]->shaft];
       const bool over = order[k]->first <= order[i]->last && order[i]->first <= order[k]->last;
       if (over && order[k]->net != order[i]->net) inside = std::max(inside, other.outer);
     }
     shaft.wrap(inside, module);
   }
   double scale = 1;
-  for (const ShaftPlan& shaft : m_plan.shafts) scale = std::min(scale, m_sections.innerRadius / shaft.outer);
-  for (ShaftPlan& shaft : m_plan.shafts) {
+  for (const ShaftSegment& shaft : m_plan.shafts)
+    scale = std::min(scale, m_sections.innerRadius / shaft.outer);
+  for (ShaftSegment& shaft : m_plan.shafts) {
     shaft.inner *= scale;
     shaft.outer *= scale;
   }
@@ -166,7 +167,7 @@ void CoaxialMaker::nestSleeves() {
 
 /// Sleeves of a net that lie over each other and came out equally wide are one.
 void CoaxialMaker::joinSleeves() {
-  const auto shaftOf = [&](const Sleeve& s) -> ShaftPlan& { return m_plan.shafts[s.shaft]; };
+  const auto shaftOf = [&](const Sleeve& s) -> ShaftSegment& { return m_plan.shafts[s.shaft]; };
   const auto isOne = [&](const Sleeve& a, const Sleeve& b) {
     return a.net == b.net && a.first <= b.last && b.first <= a.last &&
            std::abs(shaftOf(a).outer - shaftOf(b).outer) < 1e-9 * m_sections.module &&
@@ -187,7 +188,7 @@ void CoaxialMaker::joinSleeves() {
       k = i + 1;  // the longer one may reach others
     }
   }
-  std::vector<ShaftPlan> kept;
+  std::vector<ShaftSegment> kept;
   for (Sleeve& s : m_sleeves) {
     kept.push_back(shaftOf(s));
     s.shaft = kept.size() - 1;

@@ -20,7 +20,7 @@ struct CoaxialBearing {
 /// How the links of one axis join their wheels and carry their planets without meeting each other: sleeves
 /// within the wheels, discs between them, drums about them.
 struct CoaxialPlan {
-  std::vector<ShaftPlan> shafts;  ///< with their radii
+  std::vector<ShaftSegment> shafts;  ///< with their radii
   std::vector<ArmPlan> arms;
   std::vector<PinPlan> pins;
   std::vector<LathePlan> lathes;

@@ -182,7 +182,7 @@ void BodyPlanner::trimTees() {
     const double sine = axis(tee.home).direction.cross(axis(tee.axisClass).direction).norm();
     const double cosine = std::abs(axis(tee.home).direction.dot(axis(tee.axisClass).direction));
     for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(tee.home)]) {
-      ShaftPlan& shaft = m_plan.shafts[s];
+      ShaftSegment& shaft = m_plan.shafts[s];
       if (shaft.link != tee.link) continue;
       const double off = (hole + 0.4 * axis(tee.home).module + shaft.outer * cosine) / sine;
       if (std::abs(shaft.high - tee.level) < std::abs(shaft.low - tee.level)) {

@@ -13,7 +13,7 @@ using std::numbers::pi;
 constexpr double kBevelBody = 1.2;
 
 /// The faces' planes between the teeth and the bore of a disc of one thickness.
-std::vector<Circle> discMeridian(double bore, double width) {
+std::vector<ProfileVertex> discMeridian(double bore, double width) {
   return {{bore / 2, width / 2}, {bore / 2, -width / 2}};
 }
 
@@ -34,7 +34,7 @@ std::optional<Web> webOf(const GearSpec& s) {
   return Web{hub, rim, 0.2 * s.faceWidth};
 }
 
-std::vector<Circle> webbedMeridian(const GearSpec& s, const Web& web) {
+std::vector<ProfileVertex> webbedMeridian(const GearSpec& s, const Web& web) {
   const double face = s.faceWidth / 2;
   const double bore = s.bore / 2;
   return {{web.rim, face}, {web.rim, web.half}, {web.hub, web.half},  {web.hub, face},      {bore, face},
@@ -43,7 +43,7 @@ std::vector<Circle> webbedMeridian(const GearSpec& s, const Web& web) {
 
 /// A point of the meridian plane at cone distance R, `depth` below the pitch cone measured on back or front
 /// cone.
-Circle belowCone(double R, double depth, double delta) {
+ProfileVertex belowCone(double R, double depth, double delta) {
   return {R * std::sin(delta) - depth * std::cos(delta), R * std::cos(delta) + depth * std::sin(delta)};
 }
 
@@ -57,13 +57,13 @@ double frontMargin(const GearSpec& s, double small) {
   return sagitta + 0.15 * s.module;
 }
 
-std::vector<Circle> bevelMeridian(const GearSpec& s) {
+std::vector<ProfileVertex> bevelMeridian(const GearSpec& s) {
   const double large = coneDistance(s);
   const double small = large - s.faceWidth;
   const double root = (s.dedendum - s.profileShift) * s.module;
   const double rootSmall = root * small / large;
-  Circle back = belowCone(large, root + kBevelBody * s.module, s.coneAngle);
-  Circle front = belowCone(small, rootSmall + frontMargin(s, small), s.coneAngle);
+  ProfileVertex back = belowCone(large, root + kBevelBody * s.module, s.coneAngle);
+  ProfileVertex front = belowCone(small, rootSmall + frontMargin(s, small), s.coneAngle);
   if (s.coneAngle > 100 * pi / 180) {  // an internal cone is a ring: its body follows the teeth
     return {back, belowCone(small, rootSmall + kBevelBody * s.module, s.coneAngle)};
   }
@@ -92,7 +92,7 @@ double largestBore(const GearSpec& spec) {
 
 AxialSpan hubSpan(const GearSpec& spec) {
   AxialSpan span{1e300, -1e300};
-  for (const Circle& c : bodyMeridian(spec)) {
+  for (const ProfileVertex& c : bodyMeridian(spec)) {
     span.low = std::min(span.low, c.height);
     span.high = std::max(span.high, c.height);
   }
@@ -114,8 +114,8 @@ AxialSpan axialSpan(const GearSpec& spec) {
   return span;
 }
 
-std::vector<Circle> bevelOutline(const GearSpec& spec) {
-  std::vector<Circle> outline = bodyMeridian(spec);
+std::vector<ProfileVertex> bevelOutline(const GearSpec& spec) {
+  std::vector<ProfileVertex> outline = bodyMeridian(spec);
   const double large = coneDistance(spec);
   const double small = large - spec.faceWidth;
   const double tip = -(spec.addendum + spec.profileShift) * spec.module;
@@ -124,7 +124,7 @@ std::vector<Circle> bevelOutline(const GearSpec& spec) {
   return outline;
 }
 
-std::vector<Circle> bodyMeridian(const GearSpec& spec) {
+std::vector<ProfileVertex> bodyMeridian(const GearSpec& spec) {
   switch (spec.kind) {
     case GearKind::internal:
       return discMeridian(rimDiameter(spec), spec.faceWidth);

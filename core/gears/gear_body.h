@@ -12,10 +12,10 @@ namespace geargraph {
 /// Meridian of the body below the teeth, from the top face round to the bottom face, material on the left
 /// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. Plain: bore or rim
 /// only. Dressed: hub, recessed web and rim where there is room for them.
-[[nodiscard]] std::vector<Circle> bodyMeridian(const GearSpec& spec);
+[[nodiscard]] std::vector<ProfileVertex> bodyMeridian(const GearSpec& spec);
 
 /// Body and teeth of a bevel together: a closed outline in the half plane through its axis, the teeth last.
-[[nodiscard]] std::vector<Circle> bevelOutline(const GearSpec& spec);
+[[nodiscard]] std::vector<ProfileVertex> bevelOutline(const GearSpec& spec);
 
 /// Openings in the web of a dressed wheel, where it is large enough to have them.
 [[nodiscard]] std::optional<WebWindows> bodyWindows(const GearSpec& spec);

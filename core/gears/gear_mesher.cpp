@@ -302,10 +302,10 @@ void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double st
     return;
   }
   const WebWindows& w = *blank.windows;
-  const std::vector<Circle>& body = blank.body;
-  const auto isWeb = [&](const Circle& a, const Circle& b) {
-    const bool top = a == Circle{w.rim, w.half} && b == Circle{w.hub, w.half};
-    return top || (a == Circle{w.hub, -w.half} && b == Circle{w.rim, -w.half});
+  const std::vector<ProfileVertex>& body = blank.body;
+  const auto isWeb = [&](const ProfileVertex& a, const ProfileVertex& b) {
+    const bool top = a == ProfileVertex{w.rim, w.half} && b == ProfileVertex{w.hub, w.half};
+    return top || (a == ProfileVertex{w.hub, -w.half} && b == ProfileVertex{w.rim, -w.half});
   };
   for (std::size_t i = 0; i + 1 < body.size(); ++i) {
     if (!isWeb(body[i], body[i + 1])) builder.addLathe(std::span(body).subspan(i, 2), count, start);
@@ -320,7 +320,7 @@ Solid meshed(const GearBlank& blank) {
   Solid solid;
   const ToothPattern pattern(blank);
   double largest = 0;
-  for (const Circle& c : blank.body) largest = std::max(largest, c.radius);
+  for (const ProfileVertex& c : blank.body) largest = std::max(largest, c.radius);
   int count = circleCount(largest, blank.tolerance);
   if (blank.windows) count += (blank.windows->count - count % blank.windows->count) % blank.windows->count;
   const ToothedShell teeth(blank, pattern, static_cast<std::size_t>(count), solid);

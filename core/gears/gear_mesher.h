@@ -26,7 +26,7 @@ struct GearBlank {
   int teeth = 0;
   bool inward = false;  ///< a ring: teeth point to the axis, the body lies outside
   std::vector<OutlinePoint> half;
-  std::vector<Circle> body;
+  std::vector<ProfileVertex> body;
   /// Openings in the body's two strips between the circles (rim, half) and (hub, half), and (hub, -half) and
   /// (rim, -half).
   std::optional<WebWindows> windows;

@@ -18,8 +18,8 @@ struct Edge {
 
 }  // namespace
 
-std::vector<std::vector<Circle>> outlinesOf(const MeridianGrid& grid, const std::vector<bool>& inside,
-                                            const OutlinePlaces& places) {
+std::vector<std::vector<ProfileVertex>> outlinesOf(const MeridianGrid& grid, const std::vector<bool>& inside,
+                                                   const OutlinePlaces& places) {
   const auto isIn = [&](int column, int row) {
     return column >= 0 && column < grid.columns && row >= 0 && row < grid.rows &&
            inside[static_cast<std::size_t>(grid.cell(column, row))];
@@ -39,7 +39,7 @@ std::vector<std::vector<Circle>> outlinesOf(const MeridianGrid& grid, const std:
     return e.direction % 2 == 0 ? places.height(e.cell, e.direction == 0 ? -1 : 1)
                                 : places.radius(e.cell, e.direction == 1 ? 1 : -1);
   };
-  std::vector<std::vector<Circle>> outlines;
+  std::vector<std::vector<ProfileVertex>> outlines;
   for (auto& [corner, starts] : from) {
     for (Edge& start : starts) {
       if (start.used) continue;
@@ -57,7 +57,7 @@ std::vector<std::vector<Circle>> outlinesOf(const MeridianGrid& grid, const std:
         if (found == next.end()) break;
         edge = &*found;
       }
-      std::vector<Circle> outline;
+      std::vector<ProfileVertex> outline;
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Edge& a = *loop[i];
         const Edge& b = *loop[(i + 1) % loop.size()];
@@ -71,8 +71,8 @@ std::vector<std::vector<Circle>> outlinesOf(const MeridianGrid& grid, const std:
           const int cell = farther ? a.cell : b.cell;
           const int side = farther ? ahead : -ahead;
           const double along = level ? places.radius(cell, side) : places.height(cell, side);
-          outline.push_back(level ? Circle{along, here} : Circle{here, along});
-          outline.push_back(level ? Circle{along, then} : Circle{then, along});
+          outline.push_back(level ? ProfileVertex{along, here} : ProfileVertex{here, along});
+          outline.push_back(level ? ProfileVertex{along, then} : ProfileVertex{then, along});
         } else if (a.direction % 2 == 0) {
           outline.push_back({then, here});
         } else {

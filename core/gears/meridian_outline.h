@@ -16,8 +16,8 @@ struct OutlinePlaces {
 
 /// The outlines of a set of cells, material on the left, with corners where the places say. Cells that meet
 /// at a corner alone are not joined.
-[[nodiscard]] std::vector<std::vector<Circle>> outlinesOf(const MeridianGrid& grid,
-                                                          const std::vector<bool>& inside,
-                                                          const OutlinePlaces& places);
+[[nodiscard]] std::vector<std::vector<ProfileVertex>> outlinesOf(const MeridianGrid& grid,
+                                                                 const std::vector<bool>& inside,
+                                                                 const OutlinePlaces& places);
 
 }  // namespace geargraph

@@ -35,7 +35,7 @@ const std::vector<ShellBuilder::Turn>& ShellBuilder::turnsOf(int count, double s
   return m_turns;
 }
 
-std::uint32_t ShellBuilder::write(const Circle& circle, const std::vector<Turn>& turns,
+std::uint32_t ShellBuilder::write(const ProfileVertex& circle, const std::vector<Turn>& turns,
                                   const Eigen::Vector2d& normal) {
   const std::size_t first = m_solid.positions.size();
   if (circle.radius == 0) {
@@ -52,7 +52,8 @@ std::uint32_t ShellBuilder::write(const Circle& circle, const std::vector<Turn>&
   return static_cast<std::uint32_t>(first);
 }
 
-Loop ShellBuilder::addCircle(const Circle& circle, int count, double start, const Eigen::Vector2d& normal) {
+Loop ShellBuilder::addCircle(const ProfileVertex& circle, int count, double start,
+                             const Eigen::Vector2d& normal) {
   const std::vector<Turn>& turns = turnsOf(count, start);
   const std::uint32_t first = write(circle, turns, normal);
   Loop loop;
@@ -110,16 +111,16 @@ void ShellBuilder::sewAlike(std::uint32_t a, bool poleA, std::uint32_t b, bool p
   }
 }
 
-Eigen::Vector2d ShellBuilder::normalOf(const Circle& a, const Circle& b) const {
+Eigen::Vector2d ShellBuilder::normalOf(const ProfileVertex& a, const ProfileVertex& b) const {
   const Eigen::Vector2d normal = Eigen::Vector2d(b.height - a.height, a.radius - b.radius).normalized();
   return m_inward ? -normal : normal;
 }
 
-void ShellBuilder::addLathe(std::span<const Circle> circles, int count, double start) {
+void ShellBuilder::addLathe(std::span<const ProfileVertex> circles, int count, double start) {
   const std::vector<Turn>& turns = turnsOf(count, start);
   for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
-    const Circle& a = circles[i];
-    const Circle& b = circles[i + 1];
+    const ProfileVertex& a = circles[i];
+    const ProfileVertex& b = circles[i + 1];
     if (a == b || (a.radius == 0 && b.radius == 0)) continue;
     const Eigen::Vector2d normal = normalOf(a, b);
     const std::uint32_t from = write(a, turns, normal);

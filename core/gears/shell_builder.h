@@ -9,11 +9,11 @@
 
 namespace geargraph {
 
-/// A circle about the z axis; radius 0 is a point on it.
-struct Circle {
+/// A vertex of a profile, which revolves about the z axis to a circle; at radius 0 to a point.
+struct ProfileVertex {
   double radius = 0;
   double height = 0;
-  friend bool operator==(const Circle&, const Circle&) = default;
+  friend bool operator==(const ProfileVertex&, const ProfileVertex&) = default;
 };
 
 /// A closed polygon of vertices round the z axis, counter-clockwise seen from +z: indices, and the angle of
@@ -39,7 +39,7 @@ class ShellBuilder {
 
   /// `count` vertices on the circle with the normal (radial, axial), or one for a point of the axis. The
   /// first is at angle `start`. The same circle gives bit-equal positions every time.
-  Loop addCircle(const Circle& circle, int count, double start, const Eigen::Vector2d& normal);
+  Loop addCircle(const ProfileVertex& circle, int count, double start, const Eigen::Vector2d& normal);
 
   /// The strip from loop a to loop b, in the order of travel along a meridian with the material on the left.
   /// The loops may have different numbers of vertices (a loop of one is a pole); their angles decide who
@@ -47,10 +47,10 @@ class ShellBuilder {
   void sew(const Loop& a, const Loop& b);
 
   /// Strips of revolution along a meridian, creased at every circle, from circles[0] to the last.
-  void addLathe(std::span<const Circle> circles, int count, double start);
+  void addLathe(std::span<const ProfileVertex> circles, int count, double start);
 
   /// Outward normal (radial, axial) of the strip between two circles, material on the left.
-  [[nodiscard]] Eigen::Vector2d normalOf(const Circle& a, const Circle& b) const;
+  [[nodiscard]] Eigen::Vector2d normalOf(const ProfileVertex& a, const ProfileVertex& b) const;
 
   [[nodiscard]] Solid& solid() { return m_solid; }
   [[nodiscard]] bool inward() const { return m_inward; }
@@ -65,7 +65,8 @@ class ShellBuilder {
   /// The places of the circles of `count` vertices from `start`: those of a body are mostly the same.
   const std::vector<Turn>& turnsOf(int count, double start);
   /// Adds the vertices of a circle, one for a point of the axis; the first of them.
-  std::uint32_t write(const Circle& circle, const std::vector<Turn>& turns, const Eigen::Vector2d& normal);
+  std::uint32_t write(const ProfileVertex& circle, const std::vector<Turn>& turns,
+                      const Eigen::Vector2d& normal);
   /// What sew() makes of two circles of `count` vertices, or of one and a pole.
   void sewAlike(std::uint32_t a, bool poleA, std::uint32_t b, bool poleB, std::uint32_t count);
 

@@ -30,7 +30,7 @@ class BodyBuilder {
 
   /// By link.
   std::vector<BodyRecipe> build() {
-    for (const ShaftPlan& shaft : m_plan.shafts) addShaft(shaft);
+    for (const ShaftSegment& shaft : m_plan.shafts) addShaft(shaft);
     addArms();
     for (const CupPlan& cup : m_plan.cups) addCup(cup);
     for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
@@ -63,7 +63,7 @@ class BodyBuilder {
     return frameAlong(axis(c).at(coordinate), axis(c).direction, towards);
   }
 
-  void addShaft(const ShaftPlan& shaft) {
+  void addShaft(const ShaftSegment& shaft) {
     const AxisLayout& layout = axis(shaft.axisClass);
     add(shaft.link, TubePart{shaft.outer, shaft.inner, shaft.low, shaft.high}, layout, line(layout));
   }
@@ -82,8 +82,8 @@ class BodyBuilder {
   /// The end of a pin, which keeps what turns on it.
   void addCollar(int c, const Bearing& bearing) {
     const AxisLayout& layout = axis(c);
-    const ShaftPlan* held = m_plan.shaftOf(c, bearing.child, bearing.at);
-    const ShaftPlan* pin = m_plan.shaftOf(c, bearing.parent, bearing.at);
+    const ShaftSegment* held = m_plan.shaftOf(c, bearing.child, bearing.at);
+    const ShaftSegment* pin = m_plan.shaftOf(c, bearing.parent, bearing.at);
     if (held == nullptr || pin == nullptr) return;
     const double side = bearing.at < (held->low + held->high) / 2 ? -1 : 1;
     const double near = side < 0 ? held->low - 0.2 * layout.gap() : held->high + 0.2 * layout.gap();
@@ -143,7 +143,7 @@ void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
 /// A collar about the shaft, with feet.
 void BodyBuilder::addStub(const StubPlan& stub) {
   const AxisLayout& layout = axis(stub.axisClass);
-  const ShaftPlan* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
+  const ShaftSegment* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
   if (shaft == nullptr) return;
   const double half = 0.45 * layout.width();
   const double hole = 0.5 * (shaft->inner + shaft->outer);
@@ -208,7 +208,7 @@ void BodyBuilder::addPost(const ArmPlan& plan) {
 void BodyBuilder::addCup(const CupPlan& cup) {
   const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
   const AxisLayout& layout = axis(gear.axisClass);
-  const ShaftPlan* own = m_plan.shaftOf(gear.axisClass, gear.link, cup.plate);
+  const ShaftSegment* own = m_plan.shaftOf(gear.axisClass, gear.link, cup.plate);
   if (own == nullptr) return;
   // The wall reaches a little into the ring and stays a little behind its rim: no face of one lies on the
   // other's.
@@ -220,15 +220,15 @@ void BodyBuilder::addCup(const CupPlan& cup) {
   const double rim = rimDiameter(gear.spec) / 2 - 0.05 * gear.spec.module;
   const double root = nominalRootRadius(gear.spec) + 0.4 * gear.spec.module;
   const double hole = std::max(own->inner, 0.5 * own->outer);
-  std::vector<Circle> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},
-                               {root, nearSide}, {root, face},    {rim, face}};
+  std::vector<ProfileVertex> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},
+                                      {root, nearSide}, {root, face},    {rim, face}};
   if (cup.side < 0) std::reverse(meridian.begin(), meridian.end());
   add(gear.link, LathePart{std::move(meridian)}, layout, line(layout));
 }
 
 void BodyBuilder::addLathe(const LathePlan& plan) {
   const AxisLayout& layout = axis(plan.axisClass);
-  for (const std::vector<Circle>& meridian : plan.meridians)
+  for (const std::vector<ProfileVertex>& meridian : plan.meridians)
     add(plan.link, LathePart{meridian}, layout, line(layout));
 }
 
@@ -249,7 +249,7 @@ void fitBore(const BodyPlan& plan, TrainGear& gear) {
   const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
   const AxialSpan hub = hubSpan(gear.spec);
   const double middle = layout.coordinate(gear.pose.translation()) + sense * (hub.low + hub.high) / 2;
-  const ShaftPlan* own = plan.shaftOf(gear.axisClass, gear.link, middle);
+  const ShaftSegment* own = plan.shaftOf(gear.axisClass, gear.link, middle);
   if (own != nullptr && own->low <= middle && middle <= own->high) {
     gear.spec.bore = 2 * own->outer;
     return;

@@ -33,7 +33,7 @@ DiscHull hullOf(const TrainWheel& wheel, double low, double high, double outer) 
     add(outer, low);
     add(outer, high);
   } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
-    for (const Circle& c : bevelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
+    for (const ProfileVertex& c : bevelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
   }
   return hull;
 }

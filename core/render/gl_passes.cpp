@@ -56,7 +56,7 @@ void GlPasses::gradient(const Rgb& top, const Rgb& bottom) const {
   m_gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void GlPasses::disc(const Disc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
+void GlPasses::disc(const FloorDisc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
                     const Look& look) const {
   m_disc.use();
   set(m_disc.uniform("u_modelView"), view);
@@ -72,7 +72,7 @@ void GlPasses::disc(const Disc& disc, const Eigen::Matrix4d& view, const Eigen::
   m_gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void GlPasses::beginShadow(const Disc& disc, double size) {
+void GlPasses::beginShadow(const FloorDisc& disc, double size) {
   m_shadowImage.ensure(kShadowSide, kShadowSide);
   m_shadowImage.bind();
   m_gl.Disable(GL_DEPTH_TEST);

@@ -14,7 +14,7 @@
 namespace geargraph {
 
 /// The disc that the train stands on: centre (x, y) in the plane of this height, mm.
-struct Disc {
+struct FloorDisc {
   double x = 0;
   double y = 0;
   double z = 0;
@@ -39,11 +39,11 @@ class GlPasses {
   [[nodiscard]] std::string log() const;
 
   void gradient(const Rgb& top, const Rgb& bottom) const;
-  void disc(const Disc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
+  void disc(const FloorDisc& disc, const Eigen::Matrix4d& view, const Eigen::Matrix4d& projection,
             const Look& look) const;
 
   /// The contact shadow's picture, seen from above; `size` of the scene sets how far up parts still darken.
-  void beginShadow(const Disc& disc, double size);
+  void beginShadow(const FloorDisc& disc, double size);
   void endShadow();
 
   /// From here on nothing of the solids is painted at normal . x > offset (in the frame of the eye), until
@@ -70,7 +70,7 @@ class GlPasses {
   void set(GLint uniform, const Rgb& colour) const {
     m_gl.Uniform3f(uniform, colour.red, colour.green, colour.blue);
   }
-  void set(GLint uniform, const Disc& disc) const {
+  void set(GLint uniform, const FloorDisc& disc) const {
     m_gl.Uniform4f(uniform, static_cast<float>(disc.x), static_cast<float>(disc.y),
                    static_cast<float>(disc.z), static_cast<float>(disc.radius));
   }

@@ -33,7 +33,7 @@ const GlSolid& GlRenderer::detailed(const Frame& frame, std::size_t shape, const
 }
 
 // As wide as the train stands in its reference pose, and a little more for the carriers that will swing out.
-Disc GlRenderer::disc(const Frame& frame) const {
+FloorDisc GlRenderer::disc(const Frame& frame) const {
   if (m_bounds.box.isEmpty()) return {};
   const Eigen::Vector3d centre = m_bounds.centre();
   const double radius = m_bounds.radius();
@@ -148,7 +148,7 @@ void GlRenderer::drawBackground(const Frame& frame) {
 void GlRenderer::drawDisc(const Frame& frame) {
   m_gl->Disable(GL_CULL_FACE);
   m_gl->Enable(GL_BLEND);
-  const Disc ground = disc(frame);
+  const FloorDisc ground = disc(frame);
   if (m_scene.instances.empty() || frame.camera.eye().z() < ground.z) return;
   m_passes.disc(ground, frame.camera.view().matrix(), projection(frame), frame.look);
 }
@@ -163,7 +163,7 @@ void GlRenderer::setScene(const Scene& scene) {
 }
 
 void GlRenderer::drawShadow(const Frame& frame) {
-  const Disc ground = disc(frame);
+  const FloorDisc ground = disc(frame);
   m_passes.beginShadow(ground, m_bounds.radius());
   Eigen::Matrix4d seenFromAbove = Eigen::Matrix4d::Identity() / ground.radius;
   seenFromAbove(0, 3) = -ground.x / ground.radius;

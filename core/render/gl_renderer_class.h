@@ -52,7 +52,7 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
     return (projection(frame) * frame.camera.view().matrix()).inverse();
   }
-  [[nodiscard]] Disc disc(const Frame& frame) const;
+  [[nodiscard]] FloorDisc disc(const Frame& frame) const;
   [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
     return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
   }

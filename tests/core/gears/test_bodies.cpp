@@ -36,7 +36,7 @@ class TestBodies : public QObject {
     const Eigen::Isometry3d there = frameAlong({1, 2, 3}, {0, 1, 0});
     const Eye hub{{0, 0}, 4, 2};
     const std::vector<Eye> ends{{{20, 0}, 3, 1}, {{-10, 18}, 3, 1}};
-    const std::vector<Circle> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
+    const std::vector<ProfileVertex> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
     Solid expected = tube(3, 1, -5, 12, 0.01);
     append(expected, spider(hub, ends, -1, 1, 0.02), there);
     append(expected, lathed(ring, 0.01));

@@ -312,8 +312,8 @@ class TestMeridian : public QObject {
     QCOMPARE(outlines.front().size(), std::size_t{6});
     double twice = 0;
     for (std::size_t i = 0; i < outlines.front().size(); ++i) {
-      const Circle& a = outlines.front()[i];
-      const Circle& b = outlines.front()[(i + 1) % outlines.front().size()];
+      const ProfileVertex& a = outlines.front()[i];
+      const ProfileVertex& b = outlines.front()[(i + 1) % outlines.front().size()];
       twice += a.radius * b.height - b.radius * a.height;
     }
     QCOMPARE(twice / 2, 3.0);
@@ -328,7 +328,7 @@ class TestMeridian : public QObject {
     const auto outlines = outlinesOf(grid, {true, true}, places);
     QCOMPARE(outlines.size(), std::size_t{1});
     QCOMPARE(outlines.front().size(), std::size_t{6});
-    for (const Circle& c : outlines.front()) QVERIFY(c.height < 1 || c.radius > 1.05);
+    for (const ProfileVertex& c : outlines.front()) QVERIFY(c.height < 1 || c.radius > 1.05);
   }
 };
 
