@@ -6,7 +6,6 @@
 #include "core/drawing/layout.h"
 #include "core/drawing/tt_graph_drawing.h"
 #include "core/drawing/tt_graph_layout.h"
-#include "core/io/view_places.h"
 #include "core/schematic/schematic.h"
 
 namespace geargraph::cli {
@@ -19,7 +18,7 @@ DisplayList digraph(const AnalysisSnapshot& snapshot) {
 DisplayList ttGraph(const AnalysisSnapshot& snapshot) {
   const TtGraph* graph = snapshot.kinematics ? snapshot.kinematics->ttGraph.get() : nullptr;
   const NodePositions places =
-      ttPositions(ttLayout(*snapshot.mechanism, graph), viewPlaces(*snapshot.mechanism, kTtNodes));
+      ttPositions(ttLayout(*snapshot.mechanism, graph), snapshot.mechanism->view.ttNodes);
   return ttGraphDrawing(ttGraphGeometry(*snapshot.mechanism, graph, places), {});
 }
 

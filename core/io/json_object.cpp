@@ -161,6 +161,14 @@ std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
   return result;
 }
 
+std::optional<bool> JsonObject::flag(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (value->is(JsonKind::boolean)) return value->slice() == "true";
+  wrong(name, *value, "true or false");
+  return std::nullopt;
+}
+
 int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
   const std::string expected =
       lowest == highest ? "the whole number " + std::to_string(lowest)

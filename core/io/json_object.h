@@ -39,6 +39,7 @@ class JsonObject {
   [[nodiscard]] std::optional<std::string> shortText(std::string_view name);
   [[nodiscard]] std::optional<Number> number(std::string_view name);
   [[nodiscard]] std::optional<NumberTriple> triple(std::string_view name);
+  [[nodiscard]] std::optional<bool> flag(std::string_view name);
   /// A whole number of the range, required; `lowest` where there is none.
   [[nodiscard]] int requiredWhole(std::string_view name, int lowest, int highest);
 

@@ -3,6 +3,7 @@
 
 #include "core/io/json_object.h"
 #include "core/io/mechanism_file.h"
+#include "core/io/view_reader.h"
 #include "core/mechanism/validate.h"
 
 namespace geargraph {
@@ -109,13 +110,12 @@ class MechanismReader {
     readGears(root);
     readInputs(root);
     readShifting(root);
-    if (const auto view = root.member("view")) readView(*view);
+    if (const auto view = root.member("view")) m_mechanism.view = readView(m_findings, *view);
   }
 
   void readStructure(JsonObject& root) {
     readList(root.required("links", "a list of links, the ground first"), ElementKind::link,
-             m_mechanism.links,
-             [](JsonObject& from, Link& link) { link.name = from.shortText("name").value_or(""); });
+             m_mechanism.links, [this](JsonObject& from, Link& link) { readLink(from, link); });
     const auto joints = m_mechanism.links.size() > 1
                             ? root.required("turningJoints", "a list of turning joints that tie the links")
                             : root.member("turningJoints");
@@ -132,7 +132,18 @@ class MechanismReader {
     readList(axes, ElementKind::axis, m_mechanism.axes, [](JsonObject& from, Axis& axis) {
       axis.point = from.triple("point");
       axis.direction = from.triple("direction");
+      axis.pinned = from.flag("pinned").value_or(false);
     });
+  }
+
+  void readLink(JsonObject& from, Link& link) {
+    link.name = from.shortText("name").value_or("");
+    link.pinned = from.flag("pinned").value_or(false);
+    const auto shapes = from.member("shapes");
+    const std::string pointer = from.pointer() + "/shapes";
+    if (!shapes || m_findings.covers(pointer)) return;
+    if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, "a list of 3D files");
+    link.shapes = readShapes(m_findings, *shapes, pointer, link.id);
   }
 
   void readGears(JsonObject& root) {
@@ -147,6 +158,7 @@ class MechanismReader {
                mesh.faceWidth = from.number("faceWidth");
                if (const auto wheel = from.id("tailWheel")) mesh.tailWheel = WheelId(*wheel);
                if (const auto wheel = from.id("headWheel")) mesh.headWheel = WheelId(*wheel);
+               mesh.pinned = from.flag("pinned").value_or(false);
              });
     readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels,
              [](JsonObject& from, Wheel& wheel) {
@@ -222,37 +234,6 @@ class MechanismReader {
       if (kind) from.wrong("kind", *kind, "\"brake\" or \"clutch\"");
       if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more findings
     }
-  }
-
-  void readView(JsonValue value) {
-    JsonObject from(m_findings, value, "/view");
-    if (const auto nodes = from.member("nodes")) {
-      if (!nodes->is(JsonKind::object)) {
-        from.wrong("nodes", *nodes, "an object of points by the id of their link");
-      } else {
-        nodes->forEachMember([&](JsonValue key, JsonValue point) { readNode(key, point); });
-      }
-    }
-    m_mechanism.view.unknown = from.unknown();
-  }
-
-  void readNode(JsonValue key, JsonValue point) {
-    std::vector<double> coordinates;
-    if (point.is(JsonKind::array) && point.size() == 2) {
-      point.forEachElement([&](JsonValue element, std::size_t) {
-        const auto number = element.is(JsonKind::number) ? Number::fromText(element.slice()) : std::nullopt;
-        if (number) coordinates.push_back(number->value());
-      });
-    }
-    if (coordinates.size() == 2) {
-      m_mechanism.view.nodes[LinkId(key.string())] = {coordinates[0], coordinates[1]};
-      return;
-    }
-    const std::string pointer = "/view/nodes" + pointerStep(key.string());
-    if (m_findings.covers(pointer)) return;
-    m_findings.add(Code::schema,
-                   "expected the point of a node: a list of two numbers, x to the right and y down.", {},
-                   pointer, point);
   }
 
   /// Calls read(object) for each element of a list; a value that is no list is a finding.

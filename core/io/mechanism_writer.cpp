@@ -61,12 +61,26 @@ class MechanismWriter {
   void members(const Link& link) {
     id("id", link.id);
     if (!link.name.empty()) m_json.member("name", link.name);
+    pinned(link.pinned);
+    if (link.shapes.empty()) return;
+    m_json.key("shapes");
+    m_json.beginArray(Layout::row);
+    for (const LinkShape& shape : link.shapes) object(shape);
+    m_json.endArray();
+  }
+
+  void members(const LinkShape& shape) {
+    m_json.member("file", shape.file);
+    triple("position", shape.position);
+    triple("orientation", shape.orientation);
+    number("scale", shape.scale);
   }
 
   void members(const Axis& axis) {
     id("id", axis.id);
     triple("point", axis.point);
     triple("direction", axis.direction);
+    pinned(axis.pinned);
   }
 
   void members(const TurningJoint& joint) {
@@ -88,6 +102,7 @@ class MechanismWriter {
     number("faceWidth", mesh.faceWidth);
     if (mesh.tailWheel) id("tailWheel", *mesh.tailWheel);
     if (mesh.headWheel) id("headWheel", *mesh.headWheel);
+    pinned(mesh.pinned);
   }
 
   void members(const Wheel& wheel) {
@@ -127,26 +142,40 @@ class MechanismWriter {
     if (state.driven) id("driven", *state.driven);
   }
 
-  /// Nodes in the order of the links, so that a saved file reads like its list of links.
+  void members(const ViewCamera& camera) {
+    m_json.key("target");
+    m_json.beginArray(Layout::row);
+    for (const double coordinate : camera.target) m_json.number(coordinate);
+    m_json.endArray();
+    m_json.member("azimuth", camera.azimuth);
+    m_json.member("elevation", camera.elevation);
+    m_json.member("distance", camera.distance);
+  }
+
   void view(const Mechanism& mechanism) {
     const View& view = mechanism.view;
-    if (view.nodes.empty() && view.unknown.empty()) return;
+    if (view == View{}) return;
     m_json.key("view");
     m_json.beginObject();
-    if (!view.nodes.empty()) {
-      m_json.key("nodes");
-      m_json.beginObject();
-      std::map<LinkId, SheetPoint> left = view.nodes;
-      for (const Link& link : mechanism.links) {
-        const auto node = left.find(link.id);
-        if (node == left.end()) continue;
-        point(*node);
-        left.erase(node);
-      }
-      for (const auto& node : left) point(node);
-      m_json.endObject();
-    }
+    nodes("nodes", view.nodes, mechanism.links);
+    nodes("ttNodes", view.ttNodes, mechanism.links);
+    if (view.camera) element("camera", *view.camera);
     unknown(view.unknown);
+    m_json.endObject();
+  }
+
+  /// Nodes in the order of the links, so that a saved file reads like its list of links.
+  void nodes(std::string_view name, std::map<LinkId, SheetPoint> nodes, const std::vector<Link>& links) {
+    if (nodes.empty()) return;
+    m_json.key(name);
+    m_json.beginObject();
+    for (const Link& link : links) {
+      const auto node = nodes.find(link.id);
+      if (node == nodes.end()) continue;
+      point(*node);
+      nodes.erase(node);
+    }
+    for (const auto& node : nodes) point(node);
     m_json.endObject();
   }
 
@@ -192,6 +221,12 @@ class MechanismWriter {
     m_json.beginArray(Layout::row);
     for (const Number& number : *triple) value(number);
     m_json.endArray();
+  }
+
+  void pinned(bool isPinned) {
+    if (!isPinned) return;
+    m_json.key("pinned");
+    m_json.json("true");
   }
 
   void unknown(const UnknownMembers& members) {

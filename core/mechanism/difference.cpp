@@ -65,7 +65,7 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.meshes = countOf(before.gearMeshes, after.gearMeshes);
   difference.axes = before.axes != after.axes;
   difference.inputs = before.inputs != after.inputs;
-  difference.places = before.view.nodes != after.view.nodes;
+  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes;
   const bool added = difference.links.added + difference.joints.added + difference.meshes.added > 0;
   const bool removed = difference.links.removed + difference.joints.removed + difference.meshes.removed > 0;
   const bool reordered =
@@ -75,8 +75,8 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.other = before.name != after.name || before.notes != after.notes || before.unit != after.unit ||
                      before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
                      before.couplings != after.couplings || before.states != after.states ||
-                     before.view.unknown != after.view.unknown || before.unknown != after.unknown ||
-                     reordered;
+                     before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
+                     before.unknown != after.unknown || reordered;
   return difference;
 }
 

@@ -37,6 +37,15 @@ void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
                 [&](const Axis& axis) { return candidates.contains(axis.id) && !used.contains(axis.id); });
 }
 
+Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint> View::*drawing,
+                               std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  for (const auto& [link, point] : nodes) {
+    if (mechanism.find(link) == nullptr) return unknown(link);
+    (mechanism.view.*drawing)[link] = point;
+  }
+  return mechanism;
+}
+
 /// The first finding that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
 Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
   for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
@@ -52,7 +61,7 @@ Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
 
 Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name) {
   const LinkId id(freshId(mechanism));
-  mechanism.links.push_back({id, std::move(name), {}});
+  mechanism.links.push_back({id, std::move(name)});
   mechanism.view.nodes[id] = at;
   return mechanism;
 }
@@ -65,7 +74,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
   }
   if (axis.empty()) {
     axis = freshAxisIds(mechanism, 1).front();
-    mechanism.axes.push_back({axis, {}, {}, {}});
+    mechanism.axes.push_back({axis, {}, {}});
   } else if (mechanism.find(axis) == nullptr) {
     return unknown(axis);
   }
@@ -94,7 +103,7 @@ Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId ca
                                      std::optional<SheetPoint> at) {
   if (mechanism.find(gear) == nullptr) return unknown(gear);
   const LinkId link(freshId(mechanism));
-  mechanism.links.push_back({link, {}, {}});
+  mechanism.links.push_back({link, {}});
   if (at) mechanism.view.nodes[link] = *at;
   Expected<Mechanism> turning = withTurningJoint(std::move(mechanism), carrier, link);
   if (!turning) return turning;
@@ -130,7 +139,8 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
     if (mesh.headWheel && mechanism.find(*mesh.headWheel) == nullptr) mesh.headWheel.reset();
   }
   std::erase_if(mechanism.links, [&](const Link& link) { return linkGone(link.id); });
-  std::erase_if(mechanism.view.nodes, [&](const auto& node) { return linkGone(node.first); });
+  for (auto* const nodes : {&mechanism.view.nodes, &mechanism.view.ttNodes})
+    std::erase_if(*nodes, [&](const auto& node) { return linkGone(node.first); });
 
   std::erase_if(mechanism.couplings, [&](const Coupling& coupling) {
     return gone.contains(coupling.id) || std::any_of(coupling.links.begin(), coupling.links.end(), linkGone);
@@ -198,11 +208,12 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
 
 Expected<Mechanism> withNodesMoved(Mechanism mechanism,
                                    std::span<const std::pair<LinkId, SheetPoint>> nodes) {
-  for (const auto& [link, point] : nodes) {
-    if (mechanism.find(link) == nullptr) return unknown(link);
-    mechanism.view.nodes[link] = point;
-  }
-  return mechanism;
+  return withPlaces(std::move(mechanism), &View::nodes, nodes);
+}
+
+Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
+                                     std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  return withPlaces(std::move(mechanism), &View::ttNodes, nodes);
 }
 
 Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth) {

@@ -44,6 +44,10 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> withNodesMoved(Mechanism mechanism,
                                                  std::span<const std::pair<LinkId, SheetPoint>> nodes);
 
+/// The same in the T-T graph, whose nodes are laid out until they are dragged.
+[[nodiscard]] Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
+                                                   std::span<const std::pair<LinkId, SheetPoint>> nodes);
+
 [[nodiscard]] Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth);
 
 /// The kind that a mesh states, or none: then geometry tells it.

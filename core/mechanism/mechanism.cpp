@@ -56,7 +56,7 @@ const Coupling* Mechanism::find(CouplingId id) const {
 
 Mechanism emptyMechanism() {
   Mechanism mechanism;
-  mechanism.links.push_back({LinkId("0"), "ground", {}});
+  mechanism.links.push_back({LinkId("0"), "ground"});
   return mechanism;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -17,10 +18,25 @@ namespace geargraph {
 /// are kept and written back, so that a newer or foreign program's data survives an edit here.
 using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
 
+/// A 3D file (STL, OBJ, PLY, GLB) that is attached to a link beside its gears. `file` is a path from the
+/// folder of the document, with slashes. A point p of the file lies at position + R (scale p) in the base
+/// frame, in the reference pose; R turns by `orientation` (degrees) about x, then y, then z of the base
+/// frame.
+struct LinkShape {
+  std::string file;
+  std::optional<NumberTriple> position = {};
+  std::optional<NumberTriple> orientation = {};
+  std::optional<Number> scale = {};
+  UnknownMembers unknown = {};
+  friend bool operator==(const LinkShape&, const LinkShape&) = default;
+};
+
 struct Link {
   LinkId id;
   std::string name;
-  UnknownMembers unknown;
+  bool pinned = false;  ///< its gears keep their teeth while others are fitted (pins.h)
+  std::vector<LinkShape> shapes = {};
+  UnknownMembers unknown = {};
   friend bool operator==(const Link&, const Link&) = default;
 };
 
@@ -30,7 +46,8 @@ struct Axis {
   AxisId id;
   std::optional<NumberTriple> point;
   std::optional<NumberTriple> direction;
-  UnknownMembers unknown;
+  bool pinned = false;  ///< it keeps its place (pins.h)
+  UnknownMembers unknown = {};
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
@@ -65,7 +82,8 @@ struct GearMesh {
   std::optional<Number> faceWidth;
   std::optional<WheelId> tailWheel;
   std::optional<WheelId> headWheel;
-  UnknownMembers unknown;
+  bool pinned = false;  ///< it keeps its module (pins.h)
+  UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
 
@@ -124,9 +142,23 @@ struct SheetPoint {
   friend bool operator==(const SheetPoint&, const SheetPoint&) = default;
 };
 
-/// What the editor remembers of its drawings. No number of the analysis depends on it.
+/// The camera of the 3D view: it looks at `target` from this distance, azimuth about +z and elevation.
+/// Lengths in the document's unit, angles in degrees.
+struct ViewCamera {
+  std::array<double, 3> target{};
+  double azimuth = 0;
+  double elevation = 0;
+  double distance = 1;  ///< above 0
+  UnknownMembers unknown = {};
+  friend bool operator==(const ViewCamera&, const ViewCamera&) = default;
+};
+
+/// What the editor remembers of its drawings. No number of the analysis depends on it. Nodes of links that
+/// the document has not are kept and not drawn.
 struct View {
-  std::map<LinkId, SheetPoint> nodes;  ///< centres of the digraph's nodes, x to the right, y down
+  std::map<LinkId, SheetPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
+  std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
+  std::optional<ViewCamera> camera;
   UnknownMembers unknown;
   friend bool operator==(const View&, const View&) = default;
 };

@@ -1,24 +1,24 @@
 #pragma once
 
-#include <string_view>
-
 #include "core/base/expected.h"
 #include "core/mechanism/mechanism.h"
 
 namespace geargraph {
 
 // What the user has pinned stays as it is while other things change: an axis keeps its place, the gears of a
-// link keep their teeth, a mesh its module. In the file it is a member `"pinned": true` of the axis, the link
-// or the mesh; programs that do not know it keep it and lose nothing, for no number of the analysis depends
-// on it.
+// link keep their teeth, a mesh its module. No number of the analysis depends on it.
 
-constexpr std::string_view kPinned = "pinned";
+[[nodiscard]] inline bool isPinned(const Axis& axis) {
+  return axis.pinned;
+}
+[[nodiscard]] inline bool isPinned(const Link& link) {
+  return link.pinned;
+}
+[[nodiscard]] inline bool isPinned(const GearMesh& mesh) {
+  return mesh.pinned;
+}
 
-[[nodiscard]] bool isPinned(const Axis& axis);
-[[nodiscard]] bool isPinned(const Link& link);
-[[nodiscard]] bool isPinned(const GearMesh& mesh);
-
-/// The mark on an axis, a link or a mesh, set or taken away. Refuses unknown-id.
+/// Pins an axis, a link or a mesh, or unpins it. Rejects unknown-id.
 [[nodiscard]] Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, bool pinned);
 
 }  // namespace geargraph

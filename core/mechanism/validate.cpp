@@ -6,6 +6,7 @@
 
 #include "core/base/contract.h"
 #include "core/base/wording.h"
+#include "core/mechanism/shapes.h"
 
 namespace geargraph {
 namespace {
@@ -35,6 +36,7 @@ class WellFormedCheck {
     uniqueIds(m_mechanism.wheels, ElementKind::wheel, m_wheels);
     uniqueIds(m_mechanism.couplings, ElementKind::coupling, m_couplings);
     for (const Wheel& wheel : m_mechanism.wheels) m_linkOfWheel.emplace(wheel.id, wheel.link);
+    checkShapes();
     checkAxes();
     checkJoints();
     checkMeshes();
@@ -42,6 +44,7 @@ class WellFormedCheck {
     checkInputs();
     checkCouplings();
     checkStates();
+    checkCamera();
     return std::move(m_findings);
   }
 
@@ -83,6 +86,24 @@ class WellFormedCheck {
         what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() +
             "\" to itself; it needs two links.",
         {owner, tail}, at + "/head");
+  }
+
+  void checkShapes() {
+    for (std::size_t i = 0; i < m_mechanism.links.size(); ++i) {
+      const Link& link = m_mechanism.links[i];
+      for (std::size_t k = 0; k < link.shapes.size(); ++k) {
+        const LinkShape& shape = link.shapes[k];
+        const std::string at = pointerTo(ElementKind::link, i) + "/shapes/" + std::to_string(k);
+        if (!staysInFolder(shape.file)) {
+          add(Code::schema,
+              "The 3D file of a link is a path that stays in the folder of the document, not \"" +
+                  shape.file + "\".",
+              {link.id}, at + "/file");
+        }
+        if (shape.scale && shape.scale->exact().sign() <= 0)
+          add(Code::schema, "The scale of a 3D file has to be above 0.", {link.id}, at + "/scale");
+      }
+    }
   }
 
   void checkAxes() {
@@ -203,6 +224,12 @@ class WellFormedCheck {
       if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
       if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");
     }
+  }
+
+  void checkCamera() {
+    const std::optional<ViewCamera>& camera = m_mechanism.view.camera;
+    if (camera && camera->distance <= 0)
+      add(Code::schema, "The distance of the camera has to be above 0.", {}, "/view/camera/distance");
   }
 
   const Mechanism& m_mechanism;

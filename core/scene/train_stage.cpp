@@ -7,7 +7,6 @@
 #include "core/drawing/palette.h"
 #include "core/gears/body_recipe.h"
 #include "core/gears/train.h"
-#include "core/io/view_members.h"
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
@@ -137,12 +136,7 @@ Pose poseOf(const LinkShape& shape) {
 void StageBuilder::addShapes(int link) {
   const Link& wearer = m_mechanism.links[static_cast<std::size_t>(link)];
   const std::string who = "Link " + std::to_string(m_mechanism.linkLabel(link)) + " wears ";
-  const auto shapes = linkShapes(wearer);
-  if (!shapes) {
-    m_stage->notes.push_back({wearer.id, who + "what cannot be read: " + shapes.error().front().message});
-    return;
-  }
-  for (const LinkShape& shape : *shapes) {
+  for (const LinkShape& shape : wearer.shapes) {
     const double scale = shape.scale ? shape.scale->value() : 1;
     const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
     if (const auto* why = std::get_if<std::string>(&found)) {

@@ -18,7 +18,7 @@ SetSketch::SetSketch(std::string name) : m_mechanism(emptyMechanism()) {
 int SetSketch::link(int parent, const std::string& axis, std::string name) {
   const int number = static_cast<int>(m_mechanism.links.size());
   const AxisId id(axis);
-  if (m_mechanism.find(id) == nullptr) m_mechanism.axes.push_back({id, {}, {}, {}});
+  if (m_mechanism.find(id) == nullptr) m_mechanism.axes.push_back({id, {}, {}});
   m_mechanism.links.push_back({idOf(number), std::move(name), {}});
   m_mechanism.turningJoints.push_back(
       {JointId("j" + std::to_string(number)), idOf(parent), idOf(number), id, Number(0), {}});

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/graph/spanning_tree.h"
-#include "core/io/view_places.h"
 #include "core/mechanism/edits.h"
 #include "core/placement/placement.h"
 
@@ -39,11 +38,6 @@ bool isInput(const Mechanism& mechanism, JointId joint) {
   if (!mechanism.inputs) return false;
   return std::any_of(mechanism.inputs->begin(), mechanism.inputs->end(),
                      [&](const Input& input) { return input.joint == joint; });
-}
-
-Expected<Mechanism> withoutDrawn(const Mechanism& mechanism, const std::vector<ElementId>& elements) {
-  Expected<Mechanism> rest = withoutElements(mechanism, elements);
-  return rest ? withoutLostPlaces(std::move(rest).value(), kTtNodes) : rest;
 }
 
 Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint) {

@@ -20,10 +20,6 @@ struct Carrying {
 
 [[nodiscard]] bool isInput(const Mechanism& mechanism, JointId joint);
 
-/// Without these elements, and without the places that drawings keep for links that go.
-[[nodiscard]] Expected<Mechanism> withoutDrawn(const Mechanism& mechanism,
-                                               const std::vector<ElementId>& elements);
-
 /// The joint becomes an input with a speed of 1 rad/s, or is none any more.
 [[nodiscard]] Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint);
 

@@ -64,7 +64,7 @@ void ElementCommands::removeSelected() {
   std::vector<ElementId> elements(selected.begin(), selected.end());
   if (elements.size() > 1) std::erase(elements, ElementId(m_document.mechanism()->links.front().id));
   apply(tr("Delete %1").arg(describe(*m_document.mechanism(), {elements.begin(), elements.end()})),
-        [elements](const Mechanism& mechanism) { return withoutDrawn(mechanism, elements); });
+        [elements](const Mechanism& mechanism) { return withoutElements(mechanism, elements); });
 }
 
 void ElementCommands::flipSelected() {

@@ -2,7 +2,6 @@
 
 #include "core/drawing/tt_graph_drawing.h"
 #include "core/drawing/tt_graph_layout.h"
-#include "core/io/view_places.h"
 #include "core/mechanism/difference.h"
 #include "core/mechanism/edits.h"
 #include "core/ttgraph/mesh_words.h"
@@ -70,7 +69,7 @@ void TtGraphView::draw() {
 void TtGraphView::drawNow() {
   m_behind = false;
   if (m_layout.empty()) m_layout = ttLayout(mechanism(), graph());
-  m_positions = ttPositions(m_layout, viewPlaces(mechanism(), kTtNodes));
+  m_positions = ttPositions(m_layout, mechanism().view.ttNodes);
   auto geometry = std::make_shared<const TtGraphGeometry>(ttGraphGeometry(mechanism(), graph(), m_positions));
   m_scene->show([geometry](const Emphases& emphases) { return ttGraphDrawing(*geometry, emphases); });
   tellWhatIsMissing();
@@ -154,12 +153,16 @@ QString TtGraphView::captionToolTip() const {
 
 void TtGraphView::tidy() {
   document().apply({tr("Tidy the T-T graph"),
-                    [](const Mechanism& before) { return withoutViewPlaces(before, kTtNodes); }, 0});
+                    [](Mechanism before) {
+                      before.view.ttNodes.clear();
+                      return before;
+                    },
+                    0});
   fit();
 }
 
 Expected<Mechanism> TtGraphView::withMoved(const Mechanism& mechanism, const NodeMoves& places) const {
-  return withViewPlaces(mechanism, kTtNodes, places);
+  return withTtNodesMoved(mechanism, places);
 }
 
 Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoint at) const {
@@ -168,7 +171,7 @@ Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
   Mechanism next = std::move(added).value();
   const NodeMoves place{{next.links.back().id, at}};
   next.view.nodes.erase(place.front().first);  // that place is one of this drawing, not of the digraph
-  return withViewPlaces(std::move(next), kTtNodes, place);
+  return withTtNodesMoved(std::move(next), place);
 }
 
 }  // namespace geargraph

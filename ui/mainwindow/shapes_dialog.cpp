@@ -10,7 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "core/io/view_members.h"
+#include "core/mechanism/shapes.h"
 
 namespace geargraph {
 namespace {
@@ -74,9 +74,7 @@ ShapesDialog::ShapesDialog(Document* document, LinkId link, QWidget* parent)
 
 std::vector<LinkShape> ShapesDialog::shapes() const {
   const Link* link = m_document->mechanism()->find(m_link);
-  if (link == nullptr) return {};
-  auto shapes = linkShapes(*link);
-  return shapes ? std::move(shapes).value() : std::vector<LinkShape>();
+  return link != nullptr ? link->shapes : std::vector<LinkShape>();
 }
 
 void ShapesDialog::renew() {

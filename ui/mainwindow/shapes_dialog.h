@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "core/io/view_members.h"
+#include "core/mechanism/mechanism.h"
 #include "ui/document/document.h"
 
 class QTableWidget;

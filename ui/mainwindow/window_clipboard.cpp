@@ -45,7 +45,8 @@ void MainWindow::cutSelected() {
   if (!copySelected()) return;
   std::vector<ElementId> going(m_selection->selected().begin(), m_selection->selected().end());
   std::erase(going, ElementId(m_document->mechanism()->links.front().id));
-  m_document->apply({tr("Cut"), [going](const Mechanism& before) { return withoutDrawn(before, going); }, 0});
+  m_document->apply(
+      {tr("Cut"), [going](const Mechanism& before) { return withoutElements(before, going); }, 0});
 }
 
 void MainWindow::paste() {

@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "core/io/file.h"
-#include "core/io/view_members.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/shapes_dialog.h"
@@ -60,7 +59,7 @@ void MainWindow::wireView3DCommands() {
 /// Another document: what was chosen for the last one goes, and the camera is its own.
 void MainWindow::startView3DAnew() {
   m_hasPicture = false;
-  const auto camera = viewCamera(m_document->mechanism()->view);
+  const auto& camera = m_document->mechanism()->view.camera;
   m_view3d->startAnew(camera ? std::optional(cameraOf(*camera)) : std::nullopt);
   // The same mechanism, otherwise drawn: no other stage will come.
   if (m_document->mechanicsRevision() != m_document->revision()) m_view3d->setStage(m_view3d->stage());
@@ -72,11 +71,11 @@ Mechanism MainWindow::documentToSave() const {
   const Camera& camera = m_view3d->camera();
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   const Eigen::Vector3d& target = camera.target();
-  saved.view =
-      withCamera(saved.view, ViewCamera{{rounded(target.x()), rounded(target.y()), rounded(target.z())},
-                                        rounded(camera.yaw() / kDegree),
-                                        rounded(camera.pitch() / kDegree),
-                                        std::max(rounded(camera.distance()), 1e-4)});
+  ViewCamera& kept = saved.view.camera ? *saved.view.camera : saved.view.camera.emplace();
+  kept.target = {rounded(target.x()), rounded(target.y()), rounded(target.z())};
+  kept.azimuth = rounded(camera.yaw() / kDegree);
+  kept.elevation = rounded(camera.pitch() / kDegree);
+  kept.distance = std::max(rounded(camera.distance()), 1e-4);
   return saved;
 }
 

@@ -8,11 +8,11 @@
 namespace geargraph {
 namespace {
 
-/// Do both make the same stage? What links wear is among the members that the mechanism does not know.
+/// Do both make the same stage?
 bool sameStage(const Mechanism& a, const Mechanism& b) {
-  const auto wearsTheSame = [](const Link& x, const Link& y) { return x.unknown == y.unknown; };
+  const auto sameShapes = [](const Link& x, const Link& y) { return x.shapes == y.shapes; };
   return isSameTrain(a, b) &&
-         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), wearsTheSame);
+         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), sameShapes);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "core/drawing/hit_test.h"
 #include "core/drawing/tt_graph_drawing.h"
 #include "core/drawing/tt_graph_layout.h"
-#include "core/io/view_places.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/drawing/drawing_checks.h"
 #include "tests/core/support/example_files.h"
@@ -25,7 +24,7 @@ struct Drawn {
   explicit Drawn(Mechanism drawn) : mechanism(std::move(drawn)) {
     snapshot = analyzeLive(std::make_shared<const Mechanism>(mechanism));
     geometry = ttGraphGeometry(mechanism, graph(),
-                               ttPositions(ttLayout(mechanism, graph()), viewPlaces(mechanism, kTtNodes)));
+                               ttPositions(ttLayout(mechanism, graph()), mechanism.view.ttNodes));
   }
   [[nodiscard]] const TtGraph* graph() const {
     return snapshot->kinematics ? snapshot->kinematics->ttGraph.get() : nullptr;
@@ -134,10 +133,9 @@ class TestTtGraphDrawing : public QObject {
     Mechanism mechanism = test::example("robot");
     const Drawn before(mechanism);
     const NodePositions laidOut = ttLayout(mechanism, before.graph());
-    mechanism = withViewPlaces(mechanism, kTtNodes, {{LinkId("3"), laidOut.at(LinkId("4"))}}).value();
+    mechanism.view.ttNodes[LinkId("3")] = laidOut.at(LinkId("4"));
     const Drawn after(mechanism);
-    const NodePositions places =
-        ttPositions(ttLayout(mechanism, after.graph()), viewPlaces(mechanism, kTtNodes));
+    const NodePositions places = ttPositions(ttLayout(mechanism, after.graph()), mechanism.view.ttNodes);
     QCOMPARE(places.at(LinkId("3")), laidOut.at(LinkId("4")));
     QVERIFY(distance(places.at(LinkId("3")), places.at(LinkId("4"))) >= 75);
     QCOMPARE(places.at(LinkId("7")), laidOut.at(LinkId("7")));

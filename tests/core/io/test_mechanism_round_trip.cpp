@@ -1,6 +1,5 @@
 #include <QtTest>
 
-#include "core/io/view_places.h"
 #include "core/mechanism/edits.h"
 #include "tests/core/io/support.h"
 #include "tests/core/support/example_files.h"
@@ -35,6 +34,8 @@ Mechanism robot() {
   return example("robot");
 }
 
+using NodePlaces = std::map<LinkId, SheetPoint>;
+
 }  // namespace
 
 void TestMechanismRoundTrip::everyMemberIsRead() {
@@ -59,7 +60,15 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.couplings[0].kind == CouplingKind::brake && m.couplings[1].links.size() == 2);
   QVERIFY(m.states[0].engaged.size() == 2 && m.states[0].driven == LinkId("arm"));
   QVERIFY((m.view.nodes.at(LinkId("sun")) == SheetPoint{-3, 4}));
-  QCOMPARE(m.view.unknown.at(0).second, std::string("{\"zoom\": 1.50}"));
+  QVERIFY((m.view.ttNodes.at(LinkId("0")) == SheetPoint{-5, 6}));
+  QVERIFY((m.view.camera == ViewCamera{{0, 1, 2.5}, -26, 20, 400}));
+  QCOMPARE(m.view.unknown, (UnknownMembers{{"grid", "{\"zoom\": 1.50}"}}));
+  QVERIFY(m.links[2].pinned && m.axes[0].pinned && m.gearMeshes[0].pinned);
+  QVERIFY(!m.links[1].pinned && !m.axes[1].pinned);
+  const LinkShape& shape = m.links[2].shapes.at(0);
+  QCOMPARE(shape.file, std::string("parts/arm.stl"));
+  QVERIFY(shape.position->at(2).exact() == Rational(1, 2) && shape.orientation->at(0).value() == 90);
+  QVERIFY(shape.scale->exact() == Rational(1, 4) && m.links[1].shapes.empty());
 }
 
 void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
@@ -91,7 +100,7 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
   std::string text = kEverything;
   int count = 0;
   for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
-    if (text.substr(at).starts_with("{\"0\": [1")) continue;  // the nodes: all of their members are links
+    if (text.substr(at).starts_with("{\"0\": [")) continue;  // nodes: all of their members are links
     const std::string member = "\"new " + std::to_string(count++) + "\": [1e-3, {\"\\u00e9\": null}, \"x\"],";
     text.insert(at + 1, member);
     at += member.size();
@@ -101,7 +110,7 @@ void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
     const std::string member = "\"new " + std::to_string(i) + "\": [1e-3, {\"\\u00e9\": null}, \"x\"]";
     QVERIFY2(written.find(member) != std::string::npos, member.c_str());
   }
-  QCOMPARE(count, 19);  // every object of the document but the nodes
+  QCOMPARE(count, 21);  // every object of the document but both lists of nodes
   QVERIFY(read(written) == read(text));
 }
 
@@ -109,17 +118,16 @@ void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
   const Mechanism before = robot();
   const std::vector<std::pair<LinkId, SheetPoint>> places{{LinkId("4"), {130.5, -0.1}},
                                                           {LinkId("7"), {1.0 / 3, 2e5}}};
-  const Mechanism placed = withViewPlaces(before, kTtNodes, places).value();
+  const Mechanism placed = withTtNodesMoved(before, places).value();
   const Mechanism again = readMechanism(writeMechanism(placed)).value();
   QCOMPARE(again, placed);
-  QCOMPARE(viewPlaces(again, kTtNodes), ViewPlaces(places.begin(), places.end()));
+  QCOMPARE(again.view.ttNodes, NodePlaces(places.begin(), places.end()));
   QCOMPARE(again.view.nodes, before.view.nodes);  // the digraph's own places are another matter
-  // A place of a link that went is passed over, the others stay.
+  // The place of a deleted link goes with it, the others stay.
   const std::vector<ElementId> gone{LinkId("7")};
-  const Mechanism without = readMechanism(writeMechanism(withoutElements(again, gone).value())).value();
-  QCOMPARE(viewPlaces(without, kTtNodes), (ViewPlaces{places.front()}));
-  QCOMPARE(withoutViewPlaces(again, kTtNodes), before);
-  QCOMPARE(withViewPlaces(before, kTtNodes, {{LinkId("none"), {0, 0}}}).error()[0].code, Code::unknownId);
+  QCOMPARE(withoutElements(again, gone).value().view.ttNodes, (NodePlaces{places.front()}));
+  const std::vector<std::pair<LinkId, SheetPoint>> none{{LinkId("none"), {0, 0}}};
+  QCOMPARE(withTtNodesMoved(before, none).error()[0].code, Code::unknownId);
 }
 
 void TestMechanismRoundTrip::textsSurvive() {

@@ -1,7 +1,9 @@
 #include <QtTest>
 
 #include "core/io/mechanism_file.h"
-#include "core/io/view_members.h"
+#include "core/mechanism/difference.h"
+#include "core/mechanism/shapes.h"
+#include "core/mechanism/validate.h"
 #include "tests/core/io/support.h"
 #include "tests/core/support/example_files.h"
 
@@ -14,47 +16,26 @@ Mechanism robot() {
   return example("robot");
 }
 
-Mechanism wearing(const std::string& shapes) {
-  return readMechanism(R"({"format": "geargraph", "version": 1, "links": [{"id": "0", "shapes": )" + shapes +
-                       "}]}")
-      .value();
-}
-
 }  // namespace
 
-/// What only views use of a document, kept in members that the mechanism does not know.
+/// The members of the document that only views use: the camera and the 3D files of links.
 class TestViewMembers : public QObject {
   Q_OBJECT
 
  private slots:
   void theCameraSurvivesTheFile() {
     Mechanism m = robot();
-    QVERIFY(!viewCamera(m.view));
-    const ViewCamera camera{{1.5, -2, 0.25}, -30, 20.5, 400};
-    m.view = withCamera(m.view, camera);
-    m.view = withCamera(m.view, camera);  // one, however often
-    const Mechanism back = readMechanism(writeMechanism(m)).value();
-    QVERIFY(back == m);
-    QVERIFY(viewCamera(back.view) == camera);
-    QVERIFY(writeMechanism(m).find("\"camera\": {\"target\": [1.5, -2, 0.25], \"azimuth\": -30") !=
+    QVERIFY(!m.view.camera);
+    m.view.camera = ViewCamera{{1.5, -2, 0.25}, -30, 20.5, 400, {{"lens", "35"}}};
+    QVERIFY(readMechanism(writeMechanism(m)).value() == m);
+    QVERIFY(writeMechanism(m).find(R"("camera": {"target": [1.5, -2, 0.25], "azimuth": -30, )"
+                                   R"("elevation": 20.5, "distance": 400, "lens": 35})") !=
             std::string::npos);
+    QVERIFY(isSameButForView(m, robot()));
+    QVERIFY(differenceOf(robot(), m).other);
   }
 
-  void aCameraOfAnotherKindIsKeptUntilAnotherTakesItsPlace() {
-    for (const char* camera :
-         {R"({"zoom": 2})", "7", R"({"target": [0, 0, 0], "azimuth": 1, "elevation": 2, "distance": 0})",
-          R"({"target": [0, 0], "azimuth": 1, "elevation": 2, "distance": 3})",
-          R"({"target": [0, "x", 0], "azimuth": 1, "elevation": 2, "distance": 3})"}) {
-      View view;
-      view.unknown = {{"grid", "true"}, {"camera", camera}};
-      QVERIFY(!viewCamera(view));
-      const View changed = withCamera(view, {{}, 0, 0, 5});
-      QCOMPARE(viewCamera(changed)->distance, 5.0);
-      QCOMPARE(changed.unknown.size(), std::size_t{2});
-    }
-  }
-
-  void whatALinkWearsSurvivesTheFile() {
+  void whatIsAttachedToALinkSurvivesTheFile() {
     LinkShape arm{"parts/arm.stl"};
     arm.orientation = NumberTriple{Number(0), *Number::fromText("22.5"), Number(-90)};
     arm.scale = *Number::fromText("1/3");
@@ -63,12 +44,12 @@ class TestViewMembers : public QObject {
     const Mechanism dressed = withShapes(robot(), LinkId("2"), {arm, box}).value();
     const Mechanism back = readMechanism(writeMechanism(dressed)).value();
     QVERIFY(back == dressed);
-    QVERIFY(linkShapes(*back.find(LinkId("2"))).value() == (std::vector{arm, box}));
-    QVERIFY(linkShapes(*back.find(LinkId("1"))).value().empty());
+    QVERIFY(back.find(LinkId("2"))->shapes == (std::vector{arm, box}));
+    QVERIFY(back.find(LinkId("1"))->shapes.empty());
     QVERIFY(withShapes(dressed, LinkId("2"), {}).value() == robot());
   }
 
-  void pathsOutOfTheFolderAndScalesBelowZeroAreRefused() {
+  void pathsOutOfTheFolderAndScalesBelowZeroAreRejected() {
     for (const char* path :
          {"", "/etc/arm.stl", "\\\\host\\arm.stl", "C:\\arm.stl", "..", "../parts/arm.stl",
           "parts/../../arm.stl", "..\\arm.stl", "./../arm.stl", "a/b/../../../c/d/arm.stl"})
@@ -82,18 +63,14 @@ class TestViewMembers : public QObject {
     QCOMPARE(withShapes(robot(), LinkId("77"), {}).error()[0].code, Code::unknownId);
   }
 
-  void shapesThatMakeNoSenseAreSaid() {
-    const auto problems = [](const std::string& shapes) {
-      const auto read = linkShapes(wearing(shapes).links[0]);
-      return read ? std::string() : read.error().front().pointer;
-    };
-    QCOMPARE(problems(R"([{"file": "a.stl"}])"), std::string());
-    QCOMPARE(problems(R"([{"file": "/etc/passwd"}])"), std::string("/shapes/0/file"));
-    QCOMPARE(problems(R"([{"file": "../a.stl"}])"), std::string("/shapes/0/file"));
-    QCOMPARE(problems(R"([{"file": "a.stl"}, {"scale": 1}])"), std::string("/shapes/1/file"));
-    QCOMPARE(problems(R"([{"file": "a.stl", "scale": 0}])"), std::string("/shapes/0/scale"));
-    QCOMPARE(problems(R"([{"file": "a.stl", "position": [0, 0]}])"), std::string("/shapes/0/position"));
-    QVERIFY(!linkShapes(wearing("7").links[0]));
+  /// A mechanism that was built in memory is held to the same rules as one from a file.
+  void wellFormedDiagnosticsKnowTheViewsMembers() {
+    Mechanism m = robot();
+    m.links[1].shapes = {LinkShape{"/etc/arm.stl", {}, {}, Number(-1)}};
+    m.view.camera = ViewCamera{{}, 0, 0, 0};
+    QCOMPARE(summary(wellFormedDiagnostics(m)),
+             std::string("schema /links/1/shapes/0/file [links:1]; schema /links/1/shapes/0/scale [links:1]; "
+                         "schema /view/camera/distance"));
   }
 };
 

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/io/file.h"
-#include "core/io/view_members.h"
 #include "core/meshfile/mesh_writer.h"
 #include "core/scene/stage_picture.h"
 #include "tests/ui/mainwindow/hand.h"
@@ -67,12 +66,12 @@ class WindowView3DTest : public QObject {
   }
 
   void theCameraComesBackWithTheDocument() {
-    QVERIFY(!viewCamera(readDocument(saved("untouched.geargraph"))->view));
+    QVERIFY(!readDocument(saved("untouched.geargraph"))->view.camera);
     const Camera chosen = Camera::from(0.7, 0.2).placedAt({3, -4, 50}, 700);
     window->view3d().setCamera(chosen);
     QVERIFY(!window->document().isModified());
     const QString path = saved("seen.geargraph");
-    QVERIFY(viewCamera(readDocument(path)->view).has_value());
+    QVERIFY(readDocument(path)->view.camera.has_value());
     open(QStringLiteral(":/examples/planetary-ring-held.geargraph"));
     QVERIFY(!(window->view3d().camera() == chosen));
     const Camera planetary = window->view3d().camera();
@@ -104,8 +103,7 @@ class WindowView3DTest : public QObject {
     QVERIFY(!writeMesh(sceneOf(*window->view3d().stage(), view), MeshFormat::stl, part));
     auto* dialog = new ShapesDialog(&window->document(), LinkId("1"), window.get());
     QVERIFY(dialog->add(QString::fromStdString(part.string())));
-    QCOMPARE(linkShapes(*window->document().mechanism()->find(LinkId("1")))->front().file,
-             std::string("part.stl"));
+    QCOMPARE(window->document().mechanism()->find(LinkId("1"))->shapes.front().file, std::string("part.stl"));
     QTRY_COMPARE_WITH_TIMEOUT(parts(), bare + 1, 60'000);
     QVERIFY(saved("dressed.geargraph") == path);
     const auto& instances = window->view3d().stage()->scene.instances;

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <vector>
+
+namespace geargraph::test {
+
+/// kEverything with one fault: `from` replaced by `to`, and the summary() of what the reader finds. No JSON
+/// syntax errors among them.
+struct BrokenDocument {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* expected;
+};
+
+[[nodiscard]] inline std::vector<BrokenDocument> brokenDocuments() {
+  return {
+
+      {"another format", "\"geargraph\"", "\"step\"", "format /format"},
+      {"format of another type", "\"geargraph\"", "7", "format /format"},
+      {"no format", "\"format\": \"geargraph\",", "", "format /format"},
+      {"newer version", "\"version\": 1", "\"version\": 2", "version /version"},
+      {"far newer version", "\"version\": 1", "\"version\": 123456789012345678901234567890",
+       "version /version"},
+      {"no version", "\"version\": 1,", "", "schema /version"},
+      {"version zero", "\"version\": 1", "\"version\": 0", "schema /version"},
+      {"version as text", "\"version\": 1", "\"version\": \"1\"", "schema /version"},
+
+      {"name of another type", "\"stage\"", "5", "schema /name"},
+      {"null name", "\"stage\"", "null", "schema /name"},
+      {"unit of another type", "\"in\"", "[]", "schema /unit"},
+      {"no links", "\"links\"", "\"Links\"", "schema /links"},
+      {"no turning joints", "\"turningJoints\"", "\"turningjoints\"", "schema /turningJoints"},
+      {"no axes", "\"axes\"", "\"axis\"", "schema /axes"},
+      {"list of another type", "\"wheels\": [", "\"wheels\": {}, \"x\": [", "schema /wheels"},
+      {"element of another type", "{\"id\": \"sun\"}", "\"sun\"", "schema /links/1"},
+      {"no id", "{\"id\": \"sun\"}", "{}", "schema /links/1/id"},
+      {"empty id", "{\"id\": \"p\"}", "{\"id\": \"\"}", "schema /axes/1/id"},
+      {"fractional id", "{\"id\": 6,", "{\"id\": 6.5,", "schema /turningJoints/2/id"},
+      {"link name of another type", "\"ground\"", "{}", "schema /links/0/name [links:0]"},
+      {"two coordinates", "[1, 2, 3]", "[1, 2]", "schema /gearMeshes/0/pitchPoint [gearMeshes:7]"},
+      {"a coordinate that is no number", "[1, 2, 3]", "[1, \"two\", 3]",
+       "schema /gearMeshes/0/pitchPoint/1 [gearMeshes:7]"},
+      {"division by zero", "\"22/7\"", "\"22/0\"", "schema /axes/0/point/1 [axes:a]"},
+      {"infinite number", "-1.50", "1e999", "schema /turningJoints/0/offset"},
+      {"direction of length 0", "[0, 0, 1e-3]", "[0, 0.0, \"0/5\"]", "schema /axes/0/direction [axes:a]"},
+      {"no tail", "\"tail\": \"sun\",", "", "schema /gearMeshes/0/tail [gearMeshes:7]"},
+      {"no teeth", "\"tailTeeth\": 20,", "", "schema /gearMeshes/0/tailTeeth [gearMeshes:7]"},
+      {"zero teeth", "\"tailTeeth\": 20", "\"tailTeeth\": 0",
+       "schema /gearMeshes/0/tailTeeth [gearMeshes:7]"},
+      {"too many teeth", "31", "100001", "schema /gearMeshes/0/headTeeth [gearMeshes:7]"},
+      {"half a tooth", "31", "30.5", "schema /gearMeshes/0/headTeeth [gearMeshes:7]"},
+      {"teeth as text", "31", "\"31\"", "schema /gearMeshes/0/headTeeth [gearMeshes:7]"},
+      {"unknown kind", "\"external\"", "\"outer\"", "schema /gearMeshes/0/kind [gearMeshes:7]"},
+      {"negative face width", "\"3/8\"", "\"-3/8\"", "schema /gearMeshes/0/faceWidth [gearMeshes:7]"},
+      {"no speed", ", \"speed\": \"1/3\"", "", "schema /inputs/0/speed [turningJoints:4]"},
+      {"unknown coupling kind", "\"clutch\"", "\"belt\"", "schema /couplings/1/kind [couplings:C]"},
+      {"brake without a link", "\"link\": \"arm\"", "\"links\": [\"arm\"]",
+       "schema /couplings/0/link [couplings:B]"},
+      {"clutch with one link", "[\"sun\", \"arm\"]", "[\"sun\"]", "schema /couplings/1/links [couplings:C]"},
+      {"clutch without links", "\"links\": [\"sun\", \"arm\"]", "\"link\": \"sun\"",
+       "schema /couplings/1/links [couplings:C]"},
+      {"state without a name", "\"name\": \"1\",", "", "schema /states/0/name"},
+      {"engaged of another type", "[\"B\", \"C\"]", "\"B\"", "schema /states/0/engaged"},
+      {"node of three numbers", "[1, 2.5]", "[1, 2, 3]", "schema /view/nodes/0"},
+      {"view of another type", "\"view\": {", "\"view\": true, \"other\": {", "schema /view"},
+      {"member twice", "\"unit\": \"in\"", "\"unit\": \"in\", \"un\\u0069t\": \"in\"", "schema /unit"},
+      {"member twice in an unknown one", "{\"zoom\": 1.50}", "{\"zo\\/om\": 1, \"zo/om\": 2}",
+       "schema /view/grid/zo~1om"},
+      {"infinite number in an unknown member", "1.50}}", "-1e400}}", "schema /view/grid/zoom"},
+      {"wheel of another link", "\"link\": \"sun\"", "\"link\": \"arm\"",
+       "schema /gearMeshes/0/tailWheel [gearMeshes:7] [wheels:w]"},
+
+      {"link id twice", "{\"id\": \"planet\"}", "{\"id\": \"planet\"}, {\"id\": \"arm\"}",
+       "duplicate-id /links/4/id [links:arm]"},
+      {"number and text are one id", "{\"id\": 5,", "{\"id\": \"4\",",
+       "duplicate-id /turningJoints/1/id [turningJoints:4]"},
+      {"input twice", "{\"joint\": 4, \"speed\": \"1/3\"}",
+       "{\"joint\": 4, \"speed\": 1}, {\"joint\": \"4\", \"speed\": 2}",
+       "duplicate-id /inputs/1/joint [turningJoints:4]"},
+      {"state name twice", "\"driven\": \"arm\"}", "\"driven\": \"arm\"}, {\"name\": \"1\", \"engaged\": []}",
+       "duplicate-id /states/1/name [states:1]"},
+
+      {"joint to no link", "\"head\": \"planet\", \"axis\"", "\"head\": \"moon\", \"axis\"",
+       "unknown-id /turningJoints/2/head [turningJoints:6] [links:moon]"},
+      {"joint on no axis", "\"axis\": \"p\"", "\"axis\": \"q\"",
+       "unknown-id /turningJoints/2/axis [turningJoints:6] [axes:q]"},
+      {"mesh with no wheel", "\"tailWheel\": \"w\"", "\"headWheel\": \"v\"",
+       "unknown-id /gearMeshes/0/headWheel [gearMeshes:7] [wheels:v]"},
+      {"wheel on no link", "\"link\": \"sun\"", "\"link\": \"moon\"",
+       "unknown-id /wheels/0/link [wheels:w] [links:moon]"},
+      {"input of no joint", "\"joint\": 4", "\"joint\": 44", "unknown-id /inputs/0/joint [turningJoints:44]"},
+      {"brake of no link", "\"link\": \"arm\"", "\"link\": 9",
+       "unknown-id /couplings/0/link [couplings:B] [links:9]"},
+      {"clutch of no link", "[\"sun\", \"arm\"]", "[\"sun\", \"x\"]",
+       "unknown-id /couplings/1/links/1 [couplings:C] [links:x]"},
+      {"state without such a coupling", "[\"B\", \"C\"]", "[\"B\", \"D\"]",
+       "unknown-id /states/0/engaged/1 [states:1] [couplings:D]"},
+      {"state that drives no link", "\"drive\": \"sun\"", "\"drive\": 1",
+       "unknown-id /states/0/drive [states:1] [links:1]"},
+
+      {"joint of one link", "\"tail\": \"arm\", \"head\": \"planet\"", "\"tail\": \"arm\", \"head\": \"arm\"",
+       "self-joint /turningJoints/2/head [turningJoints:6] [links:arm]"},
+      {"mesh of one link", "\"tail\": \"sun\", \"head\": \"planet\"", "\"tail\": \"sun\", \"head\": \"sun\"",
+       "self-joint /gearMeshes/0/head [gearMeshes:7] [links:sun]"},
+      {"clutch of one link", "[\"sun\", \"arm\"]", "[\"sun\", \"sun\"]",
+       "self-joint /couplings/1/links/1 [couplings:C] [links:sun]"},
+
+      {"pinned as a number", "[0, 0, 1e-3], \"pinned\": true", "[0, 0, 1e-3], \"pinned\": 1",
+       "schema /axes/0/pinned [axes:a]"},
+      {"pinned as text", "\"arm\", \"pinned\": true", "\"arm\", \"pinned\": \"true\"",
+       "schema /links/2/pinned [links:arm]"},
+      {"null pinned", "\"tailWheel\": \"w\", \"pinned\": true", "\"tailWheel\": \"w\", \"pinned\": null",
+       "schema /gearMeshes/0/pinned [gearMeshes:7]"},
+      {"shapes of another type", "\"shapes\": [", "\"shapes\": {}, \"x\": [",
+       "schema /links/2/shapes [links:arm]"},
+      {"shape of another type", "\"shapes\": [", "\"shapes\": [\"a.stl\", ", "schema /links/2/shapes/0"},
+      {"shape without a file", "\"file\": \"parts/arm.stl\",", "",
+       "schema /links/2/shapes/0/file [links:arm]"},
+      {"shape with two coordinates", "[0, 0, \"1/2\"]", "[0, 0]",
+       "schema /links/2/shapes/0/position [links:arm]"},
+      {"angle that is no number", "[90, 0, 0.0]", "[90, 0, false]",
+       "schema /links/2/shapes/0/orientation/2 [links:arm]"},
+      {"scale of 0", "\"scale\": 0.25", "\"scale\": 0", "schema /links/2/shapes/0/scale [links:arm]"},
+      {"negative scale", "\"scale\": 0.25", "\"scale\": \"-1/4\"",
+       "schema /links/2/shapes/0/scale [links:arm]"},
+      {"file from the root", "parts/arm.stl", "/etc/arm.stl", "schema /links/2/shapes/0/file [links:arm]"},
+      {"file of another disk", "parts/arm.stl", "c:arm.stl", "schema /links/2/shapes/0/file [links:arm]"},
+      {"file of another folder", "parts/arm.stl", "../arm.stl", "schema /links/2/shapes/0/file [links:arm]"},
+      {"file without a name", "parts/arm.stl", "", "schema /links/2/shapes/0/file [links:arm]"},
+      {"T-T nodes of another type", "\"ttNodes\": {", "\"ttNodes\": 3, \"x\": {", "schema /view/ttNodes"},
+      {"T-T node that is no point", "[-5, 6]", "{}", "schema /view/ttNodes/0"},
+      {"camera of another type", "\"camera\": {", "\"camera\": 7, \"x\": {", "schema /view/camera"},
+      {"camera without a distance", ", \"distance\": 400", "", "schema /view/camera/distance"},
+      {"camera at its target", "\"distance\": 400", "\"distance\": 0", "schema /view/camera/distance"},
+      {"camera without a target", "\"target\": [0, 1, 2.5], ", "", "schema /view/camera/target"},
+      {"target of two coordinates", "[0, 1, 2.5]", "[0, 1]", "schema /view/camera/target"},
+      {"azimuth as text", "\"azimuth\": -26", "\"azimuth\": \"-26\"", "schema /view/camera/azimuth"},
+  };
+}
+
+}  // namespace geargraph::test
