@@ -46,6 +46,7 @@ void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics) {
     json.beginObject(Layout::row);
     json.member("severity", severityName(diagnostic.severity()));
     json.member("code", codeName(diagnostic.code));
+    if (diagnostic.detail != Detail::none) json.member("detail", detailName(diagnostic.detail));
     json.member("message", diagnostic.message);
     json.key("elements");
     writeElements(json, diagnostic.elements);

@@ -47,6 +47,46 @@ constexpr std::array kCodes = {
     CodeEntry{Code::graphics, "graphics", Severity::error},
 };
 
+struct DetailEntry {
+  Detail detail;
+  Code code;
+  std::string_view name;
+};
+
+// In the order of the enumeration.
+constexpr std::array kDetails = {
+    DetailEntry{Detail::redundantBearing, Code::turningLoop, "turning-loop/redundant-bearing"},
+    DetailEntry{Detail::turningCycle, Code::turningLoop, "turning-loop/cycle"},
+    DetailEntry{Detail::couplingLinkage, Code::turningLoop, "turning-loop/coupling-linkage"},
+    DetailEntry{Detail::skewAxes, Code::pitchGeometry, "pitch-geometry/skew-axes"},
+    DetailEntry{Detail::coincidentAxes, Code::pitchGeometry, "pitch-geometry/coincident-axes"},
+    DetailEntry{Detail::pitchPointOffPlane, Code::pitchGeometry, "pitch-geometry/off-plane"},
+    DetailEntry{Detail::kindAgainstAxes, Code::pitchGeometry, "pitch-geometry/kind"},
+    DetailEntry{Detail::noBevelPair, Code::pitchGeometry, "pitch-geometry/no-bevel-pair"},
+    DetailEntry{Detail::kindAgainstSides, Code::teethGeometry, "teeth-geometry/kind"},
+    DetailEntry{Detail::teethAgainstRadii, Code::teethGeometry, "teeth-geometry/ratio"},
+    DetailEntry{Detail::equalInternalTeeth, Code::teethGeometry, "teeth-geometry/equal-internal-teeth"},
+    DetailEntry{Detail::pinnedWheel, Code::teethGeometry, "teeth-geometry/pinned-wheel"},
+    DetailEntry{Detail::pinnedModule, Code::teethGeometry, "teeth-geometry/pinned-module"},
+    DetailEntry{Detail::pinnedAxis, Code::teethGeometry, "teeth-geometry/pinned-axis"},
+    DetailEntry{Detail::noToothForm, Code::interference, "interference/no-tooth-form"},
+    DetailEntry{Detail::pointedTeeth, Code::interference, "interference/pointed-teeth"},
+    DetailEntry{Detail::contactRatio, Code::interference, "interference/contact-ratio"},
+    DetailEntry{Detail::faceTooWide, Code::interference, "interference/face-too-wide"},
+    DetailEntry{Detail::tipInterference, Code::interference, "interference/tip-interference"},
+    DetailEntry{Detail::ringTipsLowered, Code::interference, "interference/ring-tips-lowered"},
+    DetailEntry{Detail::planetsOverlap, Code::interference, "interference/planets-overlap"},
+    DetailEntry{Detail::wheelsOverlap, Code::interference, "interference/wheels-overlap"},
+    DetailEntry{Detail::bodiesOverlap, Code::interference, "interference/bodies-overlap"},
+};
+
+const DetailEntry& entryOf(Detail detail) {
+  GEARGRAPH_REQUIRE(detail != Detail::none);
+  const DetailEntry& entry = kDetails.at(static_cast<std::size_t>(detail) - 1);
+  GEARGRAPH_REQUIRE(entry.detail == detail);
+  return entry;
+}
+
 const CodeEntry& entryOf(Code code) {
   const CodeEntry& entry = kCodes.at(static_cast<std::size_t>(code));
   GEARGRAPH_REQUIRE(entry.code == code);
@@ -82,6 +122,23 @@ const std::vector<Code>& allCodes() {
     return all;
   }();
   return codes;
+}
+
+std::string_view detailName(Detail detail) {
+  return detail == Detail::none ? std::string_view() : entryOf(detail).name;
+}
+
+Code codeOf(Detail detail) {
+  return entryOf(detail).code;
+}
+
+const std::vector<Detail>& allDetails() {
+  static const std::vector<Detail> details = [] {
+    std::vector<Detail> all;
+    for (const DetailEntry& entry : kDetails) all.push_back(entry.detail);
+    return all;
+  }();
+  return details;
 }
 
 bool hasErrors(const Diagnostics& diagnostics) {

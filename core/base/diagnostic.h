@@ -54,6 +54,46 @@ enum class Code {
 /// Every code, in the order of the table.
 [[nodiscard]] const std::vector<Code>& allCodes();
 
+/// Which of the findings that share a code: a sub-code, as stable as the code. A code that stands for one
+/// finding has none.
+enum class Detail {
+  none,
+  // turning-loop
+  redundantBearing,  ///< all joints of the loop turn about one axis
+  turningCycle,      ///< the loop leads over several axes
+  couplingLinkage,   ///< an engaged coupling closes a loop over axes of four directions or more
+  // pitch-geometry
+  skewAxes,
+  coincidentAxes,      ///< the two axes of a mesh are one line in the reference pose
+  pitchPointOffPlane,  ///< it is not in the plane of the two axes
+  kindAgainstAxes,     ///< `kind` contradicts the position of the axes
+  noBevelPair,         ///< an edit of bevels, on another pair
+  // teeth-geometry
+  kindAgainstSides,   ///< `kind` contradicts the sides of the axes on which the pitch point lies
+  teethAgainstRadii,  ///< the ratio of the teeth is not that of the pitch radii
+  equalInternalTeeth,
+  pinnedWheel,  ///< an edit that only pinned gears or axes could follow
+  pinnedModule,
+  pinnedAxis,
+  // interference
+  noToothForm,      ///< no solid can be made of the gear
+  pointedTeeth,     ///< tips lowered to keep a land
+  contactRatio,     ///< too few pairs of teeth in contact
+  faceTooWide,      ///< a bevel's face over a third of the cone distance
+  tipInterference,  ///< tips of pinion and ring collide outside of the mesh
+  ringTipsLowered,  ///< tips of a ring shortened to clear the pinion's fillets
+  planetsOverlap,   ///< tips of neighbouring planets
+  wheelsOverlap,    ///< gears that do not mesh with each other
+  bodiesOverlap,    ///< shafts, arms and carriers for which no clear route was found
+};
+
+/// The stable spelling of a detail behind its code, e.g. "interference/wheels-overlap"; empty for none.
+[[nodiscard]] std::string_view detailName(Detail detail);
+/// The code of which it is a case. @pre it is not none
+[[nodiscard]] Code codeOf(Detail detail);
+/// Every detail but none, in the order of the enumeration.
+[[nodiscard]] const std::vector<Detail>& allDetails();
+
 /// One finding about a document: what is wrong, in a sentence that says what to do, and the culprits.
 struct Diagnostic {
   Code code = Code::schema;
@@ -62,6 +102,7 @@ struct Diagnostic {
   std::string pointer;              ///< JSON pointer into the file (schema errors), else empty
   int line = 0;                     ///< 1-based place in the file (syntax errors), else 0
   int column = 0;
+  Detail detail = Detail::none;  ///< one of `code`
 
   [[nodiscard]] Severity severity() const { return severityOf(code); }
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;

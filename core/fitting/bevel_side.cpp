@@ -38,13 +38,13 @@ Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool 
   const Placement placement = placementOf(mechanism);
   const auto& geometry = placement.meshes[static_cast<std::size_t>(position)];
   if (!geometry || geometry->kind != MeshKind::bevel) {
-    return Diagnostic{Code::pitchGeometry,
-                      "Mesh " + std::to_string(mechanism.meshLabel(position)) +
-                          " is no bevel pair: only bevels have an apex with two sides.",
-                      {mesh},
-                      {},
-                      0,
-                      0};
+    Diagnostic refusal;
+    refusal.code = Code::pitchGeometry;
+    refusal.detail = Detail::noBevelPair;
+    refusal.message = "Mesh " + std::to_string(mechanism.meshLabel(position)) +
+                      " is no bevel pair: only bevels have an apex with two sides.";
+    refusal.elements.emplace_back(mesh);
+    return refusal;
   }
   std::vector<int> ends{2 * position + (ofTail ? 0 : 1)};
   if (canBeFitted(placement)) {

@@ -14,6 +14,7 @@ Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, in
   const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
   Diagnostic refusal;
   refusal.code = Code::teethGeometry;
+  refusal.detail = Detail::pinnedWheel;
   refusal.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
   std::vector<std::string> pinned;
   for (const int link : {geometry.tail, geometry.head}) {
@@ -43,22 +44,22 @@ Diagnostic pinRefusal(const Mechanism& mechanism, const Placement& placement, in
 }
 
 Diagnostic modulePinRefusal(const Mechanism& mechanism, int mesh) {
-  return {Code::teethGeometry,
-          "The module of mesh " + std::to_string(mechanism.meshLabel(mesh)) +
-              " is pinned, and would change. What fits: unpin it, or another change.",
-          {mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id},
-          {},
-          0,
-          0};
+  Diagnostic refusal;
+  refusal.code = Code::teethGeometry;
+  refusal.detail = Detail::pinnedModule;
+  refusal.message = "The module of mesh " + std::to_string(mechanism.meshLabel(mesh)) +
+                    " is pinned, and would change. What fits: unpin it, or another change.";
+  refusal.elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  return refusal;
 }
 
 Diagnostic pinRefusal(const Axis& axis) {
-  return {Code::teethGeometry,
-          "Axis " + axis.id.text() + " is pinned. What fits: unpin it to move it.",
-          {axis.id},
-          {},
-          0,
-          0};
+  Diagnostic refusal;
+  refusal.code = Code::teethGeometry;
+  refusal.detail = Detail::pinnedAxis;
+  refusal.message = "Axis " + axis.id.text() + " is pinned. What fits: unpin it to move it.";
+  refusal.elements.emplace_back(axis.id);
+  return refusal;
 }
 
 }  // namespace geargraph

@@ -6,7 +6,7 @@ namespace geargraph {
 
 // The makers behind fixesFor(), by what is wrong. Each may give more than kMostFixes; order counts.
 
-/// disconnected, turning-loop.
+/// disconnected, turning-loop with its details.
 [[nodiscard]] std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 /// pitch-geometry, pitch-point-on-axis, teeth-geometry, coaxial-mesh, no-transfer-vertex, redundant-mesh,
 /// split-axis.

@@ -44,6 +44,11 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
       return "joint " + label;
     case ElementKind::gearMesh:
       return "mesh " + label;
+    case ElementKind::coupling: {
+      const Coupling* coupling = mechanism.find(CouplingId(element.id));
+      const bool isBrake = coupling != nullptr && coupling->kind == CouplingKind::brake;
+      return (isBrake ? "brake " : "clutch ") + element.id.text();
+    }
     default:
       return label;
   }

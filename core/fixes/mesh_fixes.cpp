@@ -65,6 +65,8 @@ std::vector<Fix> geometryFixes(const Diagnostic& diagnostic, const AnalysisSnaps
   const GearMesh* mesh =
       diagnostic.elements.empty() ? nullptr : mechanism.find(MeshId(diagnostic.elements.front().id));
   if (mesh == nullptr) return {};
+  if (diagnostic.detail == Detail::skewAxes || diagnostic.detail == Detail::coincidentAxes)
+    return {removalOf(snapshot, mesh->id)};  // the axes themselves would have to move
   std::vector<Fix> fixes;
   addFittingTeeth(snapshot, *mesh, fixes);
   addKinds(mechanism, *mesh, fixes);

@@ -82,11 +82,21 @@ std::vector<Fix> loopFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   return fixes;
 }
 
+/// The coupling that closes a linkage in a state: no turning joint is to blame.
+std::vector<Fix> linkageFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  std::vector<Fix> fixes;
+  for (const ElementId& element : diagnostic.elements) {
+    if (element.kind == ElementKind::coupling) fixes.push_back(removalOf(snapshot, element));
+  }
+  return fixes;
+}
+
 }  // namespace
 
 std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
-  return diagnostic.code == Code::disconnected ? connectionFixes(diagnostic, snapshot)
-                                               : loopFixes(diagnostic, snapshot);
+  if (diagnostic.code == Code::disconnected) return connectionFixes(diagnostic, snapshot);
+  if (diagnostic.detail == Detail::couplingLinkage) return linkageFixes(diagnostic, snapshot);
+  return loopFixes(diagnostic, snapshot);
 }
 
 }  // namespace geargraph

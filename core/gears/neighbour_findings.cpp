@@ -109,7 +109,7 @@ void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const 
   for (const TrainGear* g : {&a, &b}) {
     elements.emplace_back(m_mechanism.links[static_cast<std::size_t>(g->link)].id);
   }
-  found.push_back(finding(Code::interference, std::move(message), std::move(elements)));
+  found.push_back(finding(Detail::planetsOverlap, std::move(message), std::move(elements)));
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ class ToothFinder {
   Diagnostics found;
 
  private:
-  void add(Code code, std::string message, std::vector<ElementId> elements) {
-    found.push_back(finding(code, std::move(message), std::move(elements)));
+  void add(Detail detail, std::string message, std::vector<ElementId> elements) {
+    found.push_back(finding(detail, std::move(message), std::move(elements)));
   }
   void addGear(const TrainGear& gear);
   void addMesh(const TrainMesh& mesh);
@@ -74,21 +74,23 @@ void ToothFinder::addGear(const TrainGear& gear) {
   const Diagnostics impossible = specDiagnostics(spec);
   if (!impossible.empty()) {
     m_teeth.emplace_back();
-    add(Code::interference, who + " has no solid: " + impossible.front().message, blamed(m_mechanism, gear));
+    add(Detail::noToothForm, who + " has no solid: " + impossible.front().message, blamed(m_mechanism, gear));
     return;
   }
   m_teeth.emplace_back(toothOf(spec));
   const HalfTooth& tooth = *m_teeth.back();
   if (tooth.undercut) {
-    add(Code::undercut,
-        who + " is undercut: at a profile shift of " + fixedText(spec.profileShift, 2) + " a rack needs " +
-            fixedText(fewestTeethWithoutUndercut(spec), 1) +
-            " teeth or more. Use more teeth, or a shift of " + "at least " +
-            fixedText(leastShiftWithoutUndercut(spec), 2) + ".",
-        blamed(m_mechanism, gear));
+    Diagnostic undercut;
+    undercut.code = Code::undercut;
+    undercut.elements = blamed(m_mechanism, gear);
+    undercut.message = who + " is undercut: at a profile shift of " + fixedText(spec.profileShift, 2) +
+                       " a rack needs " + fixedText(fewestTeethWithoutUndercut(spec), 1) +
+                       " teeth or more. Use more teeth, or a shift of " + "at least " +
+                       fixedText(leastShiftWithoutUndercut(spec), 2) + ".";
+    found.push_back(std::move(undercut));
   }
   if (tooth.shortened) {
-    add(Code::interference,
+    add(Detail::pointedTeeth,
         who + " would have pointed teeth: its tips were lowered to keep a land of " +
             fixedText(kNarrowestLand, 1) + " modules. Use a smaller profile shift than " +
             fixedText(spec.profileShift, 2) + ".",
@@ -121,7 +123,7 @@ void ToothFinder::addContact(double ratio, const std::string& pair, const Elemen
   if (ratio >= kLeastContactRatio) return;
   const std::string what = ratio < 1 ? "one pair of teeth lets go before the next takes over"
                                      : "that leaves nothing for errors of the teeth";
-  add(Code::interference,
+  add(Detail::contactRatio,
       pair + ": a contact ratio of " + fixedText(std::max(ratio, 0.0), 2) + ", " + what +
           ". Use more teeth, or " + "profile shifts that leave longer flanks, for " +
           fixedText(kLeastContactRatio, 1) + " or more.",
@@ -131,7 +133,7 @@ void ToothFinder::addContact(double ratio, const std::string& pair, const Elemen
 void ToothFinder::addFace(const GearSpec& spec, const std::string& pair, const ElementId& mesh) {
   const double most = coneDistance(spec) / 3;
   if (spec.faceWidth <= most * (1 + 1e-6)) return;
-  add(Code::interference,
+  add(Detail::faceTooWide,
       pair + ": a face width of " + fixedText(spec.faceWidth, 1) +
           " is more than a third of the cone distance, so that the small ends of the teeth are too weak to "
           "bear " +
@@ -144,14 +146,14 @@ void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double d
   const std::string pair = std::to_string(pinion.teeth) + " teeth in a ring of " + std::to_string(ring.teeth);
   const double margin = trochoidMargin(pinion, ring, distance);
   if (margin < 0) {
-    add(Code::interference,
+    add(Detail::tipInterference,
         pair + ": their tips collide outside of the mesh, by " + fixedText(-margin * ring.teeth / 2, 3) +
             " modules. Use a difference of more teeth, or a larger profile shift of the ring.",
         {mesh});
   }
   const double standard = ring.teeth / 2.0 - ring.addendum + ring.profileShift;
   if (ring.tipRadius > standard + kNoticedShortening) {
-    add(Code::interference,
+    add(Detail::ringTipsLowered,
         pair + ": the ring's tips would run into the pinion's fillets and were lowered by " +
             fixedText(ring.tipRadius - standard, 2) +
             " modules. Use a pinion of more teeth, or with a larger profile shift.",

@@ -87,7 +87,7 @@ Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
-    found.push_back(finding(Code::interference,
+    found.push_back(finding(Detail::wheelsOverlap,
                             "Gears " + one.name + " and " + other.name +
                                 " stand in one place and do not mesh. " +
                                 (bevels ? "Use smaller face widths, or leave them or a pitch point open."

@@ -270,7 +270,7 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
     who += before + std::to_string(links[i]);
     elements.emplace_back(mechanism.links[static_cast<std::size_t>(links[i])].id);
   }
-  return finding(Code::interference,
+  return finding(Detail::bodiesOverlap,
                  "Found no way for the bodies of links " + who +
                      " past each other: in three dimensions some are shown through others. Leave more room "
                      "along the axes, or leave pitch points open.",

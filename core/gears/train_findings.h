@@ -25,9 +25,10 @@ namespace geargraph {
 /// A number for a sentence, with so many digits behind the point.
 [[nodiscard]] std::string fixedText(double value, int digits);
 
-[[nodiscard]] inline Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements) {
+[[nodiscard]] inline Diagnostic finding(Detail detail, std::string message, std::vector<ElementId> elements) {
   Diagnostic d;
-  d.code = code;
+  d.code = codeOf(detail);
+  d.detail = detail;
   d.message = std::move(message);
   d.elements = std::move(elements);
   return d;

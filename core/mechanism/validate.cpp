@@ -334,11 +334,14 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
   const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
   std::string message = "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") +
                         listed(names, kMostNamesInASentence) + ". ";
-  message += oneAxis && !path.empty()
+  const bool isRedundant = oneAxis && !path.empty();
+  message += isRedundant
                  ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
                        " is a redundant bearing: drop it."
                  : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
-  return finding(Code::turningLoop, std::move(message), std::move(elements));
+  Diagnostic result = finding(Code::turningLoop, std::move(message), std::move(elements));
+  result.detail = isRedundant ? Detail::redundantBearing : Detail::turningCycle;
+  return result;
 }
 
 }  // namespace

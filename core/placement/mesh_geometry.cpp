@@ -29,6 +29,12 @@ Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::s
   return result;
 }
 
+Diagnostic finding(const Mechanism& mechanism, int mesh, Detail detail, const std::string& message) {
+  Diagnostic result = finding(mechanism, mesh, codeOf(detail), message);
+  result.detail = detail;
+  return result;
+}
+
 double axisDistance(const GearPair<double>& pair) {
   const Vector3 normal = cross(pair.tailDirection, pair.headDirection);
   const Vector3 between = pair.headPoint - pair.tailPoint;
@@ -69,7 +75,7 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
   const Vector3 normal = parallel ? cross(pair.tailDirection, pair.headPoint - pair.tailPoint)
                                   : cross(pair.tailDirection, pair.headDirection);
   if (length(normal) == 0) {
-    return finding(mechanism, mesh, Code::pitchGeometry,
+    return finding(mechanism, mesh, Detail::coincidentAxes,
                    "its two axes are the same line in the reference pose.");
   }
   const double off = std::abs(dot(point - pair.tailPoint, unit(normal)));
@@ -77,14 +83,14 @@ Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>
                        cross(pair.headDirection, point - pair.headPoint)) < 0
                        ? -1
                        : 1;
-  return finding(mechanism, mesh, Code::pitchGeometry,
+  return finding(mechanism, mesh, Detail::pitchPointOffPlane,
                  "the pitch point " + text(point) + " lies " + text(off) +
                      " off the plane of the two axes, so the teeth would lock. What fits: " +
                      fit(pair, point, sign) + ", or none (then it follows from the axes).");
 }
 
 Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
-  return finding(mechanism, mesh, Code::pitchGeometry,
+  return finding(mechanism, mesh, Detail::kindAgainstAxes,
                  "it says " + std::string(meshKindName(kind)) + ", but its axes " +
                      (position == LinePosition::parallel ? "are parallel. What fits: external or internal."
                                                          : "meet. What fits: bevel."));
@@ -101,7 +107,7 @@ Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double
   const int fittingSign = -found.sign;
   message += " What fits: " + std::string(meshKindName(found.kind)) + ", or " +
              fit(pair, found.pitchPoint, fittingSign) + ".";
-  return finding(mechanism, mesh, Code::teethGeometry, message);
+  return finding(mechanism, mesh, Detail::kindAgainstSides, message);
 }
 
 Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
@@ -109,7 +115,7 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<doubl
   const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
   const double fitting = pair.tailTeeth * head / tail;
-  return finding(mechanism, mesh, Code::teethGeometry,
+  return finding(mechanism, mesh, Detail::teethAgainstRadii,
                  "the pitch radii are " + text(tail) + " and " + text(head) + " (ratio " + text(tail / head) +
                      "), but the teeth are " + std::to_string(pair.tailTeeth) + " and " +
                      std::to_string(pair.headTeeth) + " (ratio " +
@@ -138,13 +144,13 @@ LinePosition positionOf(const GearPair<double>& pair) {
 
 Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
   return finding(
-      mechanism, mesh, Code::pitchGeometry,
+      mechanism, mesh, Detail::skewAxes,
       "its axes are skew, " + text(axisDistance(pair)) +
           " apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.");
 }
 
 Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
-  return finding(mechanism, mesh, Code::teethGeometry,
+  return finding(mechanism, mesh, Detail::equalInternalTeeth,
                  "an internal pair needs different tooth counts, the ring the larger one; both have " +
                      std::to_string(mechanism.gearMeshes[mesh].tailTeeth) + ".");
 }

@@ -67,6 +67,7 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
 
 Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state, const Coupling& coupling) {
   Diagnostic result = finding(state, Code::turningLoop);
+  result.detail = Detail::couplingLinkage;
   result.message +=
       ": coupling " + coupling.id.text() + " ties " + linkName(mechanism, coupling.links.front()) + " to " +
       (coupling.kind == CouplingKind::brake ? "the ground" : linkName(mechanism, coupling.links.back())) +

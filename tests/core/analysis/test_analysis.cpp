@@ -65,10 +65,11 @@ class AnalysisTest : public QObject {
     QCOMPARE(timesSaid(*live, Code::interference), 0L);
     const SnapshotPtr full = analyzeFully(live);
     QCOMPARE(timesSaid(*full, Code::interference), 3L);
-    const auto& said = *std::find_if(full->diagnostics.begin(), full->diagnostics.end(),
-                                     [](const Diagnostic& d) { return d.code == Code::interference; });
-    QCOMPARE(said.severity(), Severity::warning);
-    QCOMPARE(said.elements, (std::vector<ElementId>{LinkId("1"), LinkId("2")}));
+    const auto found = std::find_if(full->diagnostics.begin(), full->diagnostics.end(),
+                                    [](const Diagnostic& d) { return d.detail == Detail::wheelsOverlap; });
+    QVERIFY(found != full->diagnostics.end());
+    QCOMPARE(found->severity(), Severity::warning);
+    QCOMPARE(found->elements, (std::vector<ElementId>{LinkId("1"), LinkId("2")}));
     QVERIFY(full->solved);
   }
 
@@ -80,9 +81,7 @@ class AnalysisTest : public QObject {
     robot.gearMeshes[3].pitchPoint.reset();
     const SnapshotPtr snapshot = analysisOf(robot);
     QCOMPARE(codesOf(*snapshot), (std::vector<Code>{Code::coaxialMesh, Code::noTransferVertex}));
-    QVERIFY(
-        snapshot->diagnostics[1].message.find("its path reads a|b|c|e. A carrier must hold both axes: attach "
-                                              "gear 4 to link 2.") != std::string::npos);
+    QVERIFY(snapshot->diagnostics[1].message.find("a|b|c|e") != std::string::npos);  // its path
     QVERIFY(!snapshot->solved);
   }
 

@@ -67,15 +67,18 @@ class BaseTest : public QObject {
   /// it back.
   void toDoubleIsTheNearestDouble() {
     std::mt19937_64 random(3);
+    int finite = 0;
     for (int i = 0; i < 20'000; ++i) {
       const auto value =
           std::bit_cast<double>(i % 4 == 0 ? random() >> 12U : random());  // every fourth subnormal
       if (!std::isfinite(value)) continue;
+      ++finite;
       std::array<char, 32> text{};
       const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
       const auto exact = Rational::fromText({text.data(), static_cast<std::size_t>(end - text.data())});
       QVERIFY2(exact && exact->toDouble() == value, text.data());
     }
+    QVERIFY(finite > 19'000);
     QCOMPARE(Rational::fromText("9007199254740993").value().toDouble(),
              9007199254740992.0);  // a tie, to even
     QCOMPARE(Rational::fromText("9007199254740993.1").value().toDouble(), 9007199254740994.0);
@@ -115,6 +118,20 @@ class BaseTest : public QObject {
     for (const Code code : allCodes()) names.insert(codeName(code));
     QCOMPARE(names.size(), allCodes().size());
     QCOMPARE(codeName(Code::noTransferVertex), std::string_view("no-transfer-vertex"));
+  }
+
+  /// Sub-codes are as stable as codes: scripts match on them.
+  void detailsAreNamedBehindTheirCodes() {
+    std::set<std::string_view> names;
+    for (const Detail detail : allDetails()) {
+      const std::string code(codeName(codeOf(detail)));
+      QVERIFY(detailName(detail).starts_with(code + "/"));
+      QVERIFY(detailName(detail).size() > code.size() + 1);
+      names.insert(detailName(detail));
+    }
+    QCOMPARE(names.size(), allDetails().size());
+    QCOMPARE(detailName(Detail::bodiesOverlap), std::string_view("interference/bodies-overlap"));
+    QCOMPARE(detailName(Detail::none), std::string_view());
     QCOMPARE(severityOf(Code::redundantMesh), Severity::warning);
     QCOMPARE(severityOf(Code::idleJoint), Severity::info);
   }

@@ -1,5 +1,6 @@
 #include <QTest>
 #include <algorithm>
+#include <array>
 
 #include "core/fixes/fixes.h"
 #include "core/gears/train.h"
@@ -252,6 +253,30 @@ class FixesTest : public QObject {
     QVERIFY(finding(Code::locked));
     QVERIFY2(offered(Code::locked).first().startsWith("Use "), qPrintable(offered(Code::locked).join(" | ")));
     eachMends(Code::locked);
+  }
+
+  /// A coupling closes this loop, not a turning joint: the coupling can be dropped.
+  void aCouplingThatClosesALinkageIsDropped() {
+    Mechanism arm = emptyMechanism();
+    const std::array<NumberTriple, 4> directions{triple(0, 0, 1), triple(1, 0, 0), triple(0, 1, 1),
+                                                 triple(1, 1, 0)};
+    for (const NumberTriple& direction : directions) {
+      arm = *withLink(std::move(arm), {0, 0});
+      const LinkId tail = arm.links[arm.links.size() - 2].id;
+      arm = *withTurningJoint(std::move(arm), tail, LinkId(arm.links.back().id));
+      arm.axes.back().point = triple(0, 0, 0);
+      arm.axes.back().direction = direction;
+    }
+    arm.couplings.push_back({CouplingId("B"), CouplingKind::brake, {arm.links.back().id}, {}});
+    arm.states.push_back({"s", {CouplingId("B")}, arm.links[1].id, arm.links[2].id, {}});
+    snapshot = analyze(std::make_shared<const Mechanism>(arm));
+    const auto found = finding(Code::turningLoop);
+    QVERIFY(found && found->detail == Detail::couplingLinkage);
+    const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
+    QCOMPARE(fixes.size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(fixes.front().text), QString("Drop brake B"));
+    snapshot = analyze(std::make_shared<const Mechanism>(fixes.front().edit(arm).value()));
+    QVERIFY(!finding(Code::turningLoop));
   }
 
   void whatOnlyAPersonCanTellHasNoFix() {

@@ -107,7 +107,7 @@ class MechanismTest : public QObject {
     const Mechanism robot = robotTopology();
     const auto refused = withTurningJoint(robot, LinkId("3"), LinkId("0"));
     QCOMPARE(refusalOf(refused), Code::turningLoop);
-    QVERIFY(refused.error().front().message.find("delete one of them") != std::string::npos);
+    QVERIFY(refused.error().front().detail == Detail::turningCycle);
   }
 
   void edgesNeedTwoKnownLinks() {
@@ -182,10 +182,6 @@ class MechanismTest : public QObject {
     const Diagnostics findings = treeDiagnostics(robot);
     QCOMPARE(codesOf(findings), std::vector<Code>{Code::disconnected});
     QCOMPARE(findings[0].elements, (std::vector<ElementId>{link("2"), link("3"), link("7")}));
-    QCOMPARE(
-        findings[0].message,
-        std::string(
-            "Links 2, 3 and 7 are not tied to the ground by turning joints: draw a turning joint to them."));
   }
 
   void aRedundantBearingIsNamed() {
@@ -194,7 +190,7 @@ class MechanismTest : public QObject {
     const Diagnostics findings = treeDiagnostics(robot);
     QCOMPARE(codesOf(findings), std::vector<Code>{Code::turningLoop});
     QCOMPARE(findings[0].elements, (std::vector<ElementId>{JointId("x"), JointId("9"), JointId("10")}));
-    QVERIFY(findings[0].message.find("redundant bearing") != std::string::npos);
+    QVERIFY(findings[0].detail == Detail::redundantBearing);
   }
 
   void everyLoopAndEveryLooseLinkIsReportedTogether() {

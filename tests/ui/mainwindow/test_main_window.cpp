@@ -97,8 +97,9 @@ class MainWindowTest : public QObject {
     QCOMPARE(now().get(), before.get());
     QCOMPARE(window->document().undoStack().count(), 0);
     QVERIFY2(window->statusLine().text().contains("loop"), qPrintable(window->statusLine().text()));
+    const QString refusal = window->statusLine().text();
     addLink();
-    QVERIFY(!window->statusLine().text().contains("loop"));
+    QVERIFY(window->statusLine().text() != refusal);
   }
 
   void everyDisabledActionSaysWhy() {
