@@ -329,6 +329,7 @@ class TestDigraphDrawing : public QObject {
     mechanism.view.nodes = layoutOf(mechanism);
     DigraphGeometry followed = digraphGeometry(mechanism, mechanism.view.nodes);
     std::mt19937 random(7);
+    int applied = 0;
     const auto pick = [&](std::size_t count) { return random() % count; };
     const auto step = [&] { return static_cast<double>(pick(1200)); };
     for (int i = 0; i < 80; ++i) {
@@ -344,12 +345,14 @@ class TestDigraphDrawing : public QObject {
       if (i % 6 == 4) next = withGround(mechanism, some);
       if (i % 18 == 5) next = withoutElements(mechanism, link);
       if (!next) continue;
+      ++applied;
       mechanism = *next;
       followed = digraphGeometry(mechanism, mechanism.view.nodes, followed);
       const DigraphGeometry fresh = digraphGeometry(mechanism, mechanism.view.nodes);
       QVERIFY2(followed.nodes == fresh.nodes && followed.edges == fresh.edges,
                qPrintable(QString::number(i)));
     }
+    QVERIFY2(applied > 50, qPrintable(QString::number(applied)));
   }
 
   void geometryOfAnotherDigraphIsNoStart() {

@@ -87,14 +87,16 @@ class TestLabels : public QObject {
   void everyNumberSpeaksOfItsLink_data() {
     QTest::addColumn<QString>("name");
     for (const std::string& name : test::exampleNames()) {
-      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+      if (name != "robot-to-mend")  // its joints close a loop: it has no stage
+        QTest::newRow(name.c_str()) << QString::fromStdString(name);
     }
   }
   void everyNumberSpeaksOfItsLink() {
     QFETCH(QString, name);
     const StagePtr stage = exampleStage(name.toStdString());
-    if (stage == nullptr) return;  // its joints close a loop
+    QVERIFY(stage != nullptr);
     Shown shown(stage);
+    int plated = 0;
     for (const double yaw : {-2.2, 0.4, 1.7}) {
       shown.fit(yaw, 0.5);
       const auto plates = shown.labels();
@@ -103,10 +105,12 @@ class TestLabels : public QObject {
         const LabelPlate* plate = plateOf(shown, plates, label.element);
         QCOMPARE(plate != nullptr, shown.isSeen(label.element));
         if (plate == nullptr) continue;
+        ++plated;
         QVERIFY2(shown.isSeenAbout(plate->anchor, label.element), label.text.c_str());
         QVERIFY(plate->hasLine() || (plate->middle - plate->anchor).norm() <= kLabelRadius + 1);
       }
     }
+    QVERIFY(plated > 0);
   }
 
   void theMapShowsWhatPicksFind() {

@@ -213,6 +213,7 @@ class TestTrainStage : public QObject {
 
   void handlesTellHowPartsTurnAgainstWhatCarriesThem() {
     GearCache cache;
+    int checked = 0;
     for (const Mechanism& mechanism : trains()) {
       const StagePtr stage = stageOf(mechanism, cache);
       const Placement placement = placementOf(mechanism);
@@ -226,6 +227,7 @@ class TestTrainStage : public QObject {
         const Instance& instance = stage->scene.instances[i];
         QCOMPARE(handle.gains.empty(), instance.element == ElementId(mechanism.links.front().id));
         if (handle.gains.empty()) continue;
+        ++checked;
         double angle = 0;
         for (std::size_t k = 0; k < angles.size(); ++k) angle += handle.gains[k] * angles[k];
         const auto links = mechanism.links;
@@ -239,6 +241,7 @@ class TestTrainStage : public QObject {
         QVERIFY((own.matrix() - (carrier * turned).matrix()).norm() < 1e-6);
       }
     }
+    QVERIFY2(checked > 20, qPrintable(QString::number(checked)));
   }
 
   void afterOnePeriodEverythingIsWhereItWas() {
