@@ -17,8 +17,8 @@ struct Flat {
   double y = 0;
 };
 
-/// The crown rack in the fixed frame of gears.md 2.5: pitch point on X, crown axis Z, gear axis k = (cos d,
-/// 0, -sin d). Angles in radians on the unit sphere; mu is one module.
+/// The crown rack in the fixed frame of README.md, section 3: pitch point on X, crown axis Z, gear axis
+/// k = (cos d, 0, -sin d). Angles in radians on the unit sphere; mu is one module.
 struct CrownRack {
   double delta, alpha, mu;
   double cosDelta, sinDelta, cosAlpha, sinAlpha;

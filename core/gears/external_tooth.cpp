@@ -16,7 +16,7 @@ struct Plane {
   double y = 0;
 };
 
-/// Everything of the tooth that the sampling needs, lengths in modules. Symbols as in gears.md 2.1.
+/// Everything of the tooth that the sampling needs, lengths in modules. Symbols as in README.md, section 1.
 struct Generation {
   double rp, rb, psiB;        ///< pitch and base radius, half angle of the tooth at the base circle
   double alpha, ra;           ///< pressure angle, tip

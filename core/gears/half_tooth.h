@@ -34,7 +34,7 @@ constexpr double kNarrowestLand = 0.2;
 
 /// Tooth that the ISO 53 rack cuts in the plane: involute, trochoid of the rack's rounded tip, and where the
 /// two cross (undercut) the exact corner. Sampled so that no chord is farther than `tolerance` (modules) from
-/// the curve; the points themselves are exact. gears.md 2.1. Cost: O(points).
+/// the curve; the points themselves are exact. README.md, section 1. Cost: O(points).
 /// @pre specDiagnostics(spec) is empty, kind external
 [[nodiscard]] HalfTooth externalTooth(const GearSpec& spec, double tolerance);
 
@@ -44,8 +44,8 @@ constexpr double kNarrowestLand = 0.2;
 [[nodiscard]] HalfTooth ringTooth(const GearSpec& spec, double tolerance);
 
 /// Straight bevel tooth on the unit sphere about the apex, cut by the crown rack: spherical involute and the
-/// trochoid of the rack's rounded tip. Any pitch cone in (0, pi). gears.md 2.5. `tolerance` in modules, at
-/// the large end. @pre kind bevel
+/// trochoid of the rack's rounded tip. Any pitch cone in (0, pi). README.md, section 3. `tolerance` in
+/// modules, at the large end. @pre kind bevel
 [[nodiscard]] HalfTooth bevelTooth(const GearSpec& spec, double tolerance);
 
 /// Half angle of the external tooth at radius `rad`, on the involute. @pre rad >= base radius

@@ -29,8 +29,9 @@ struct MeshPhase {
   int sign = 1;  ///< teeth of a and b pass the point the same way for equal (+1) or opposite (-1) turns
 };
 
-/// The geometry of gears.md 2.9: u radial towards the pitch point, n = k_a x u_a the common tooth normal,
-/// sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n). External, internal and bevel are not told apart.
+/// The geometry of README.md, section 4: u radial towards the pitch point, n = k_a x u_a the common tooth
+/// normal, sign = sig_a sig_b with sig_i = sign((k_i x u_i) . n), for external, internal and bevel pairs
+/// alike.
 ///
 /// Identity: z_a w_a = sign z_b w_b for the speeds relative to the carrier, so that phase and kinematics come
 /// from one function.

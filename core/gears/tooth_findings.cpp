@@ -10,7 +10,7 @@ namespace {
 
 /// How far a ring's tip may be lowered before it is worth a word, in modules.
 constexpr double kNoticedShortening = 0.3;
-/// Fewer pairs in contact than this at a time: the drive is rough, or interrupted (gears.md 2.9).
+/// Fewer pairs in contact than this at a time: the drive is rough, or interrupted (README.md, section 5).
 constexpr double kLeastContactRatio = 1.1;
 /// Findings ask for the ends of the flanks only, which do not depend on the tolerance.
 constexpr double kFindingTolerance = 0.2;

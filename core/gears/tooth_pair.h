@@ -21,7 +21,7 @@ namespace geargraph {
 [[nodiscard]] double leastRingTip(const GearSpec& pinion, const GearSpec& ring, double distance);
 
 /// Room between a pinion's tip and a ring's tip where they pass each other outside of the mesh (trochoid
-/// interference), as an angle of the ring: below 0 they collide. gears.md, section 1.
+/// interference), as an angle of the ring: below 0 they collide. README.md, section 2.
 [[nodiscard]] double trochoidMargin(const GearSpec& pinion, const GearSpec& ring, double distance);
 
 /// Mean number of pairs in contact: the path between the ends of the flanks along the line of action (bevels:

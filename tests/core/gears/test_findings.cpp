@@ -274,7 +274,8 @@ class TestFindings : public QObject {
     QCOMPARE(count(findings(test::planetary(20, 19, 3)), Code::assembly), 0);
   }
 
-  /// The rectangle of theory g: 15 teeth close the loop, 16 miss by a quarter of a pitch.
+  /// A rectangle of wheels (core/gears/README.md, section 4): 15 teeth close the loop, 16 miss by a quarter
+  /// of a pitch.
   void aRectangleOfWheelsMissesByTheClosedForm() {
     const auto residual = [](int last) {
       const std::vector<int> teeth{25, 35, 45, last};
@@ -312,7 +313,6 @@ class TestFindings : public QObject {
     QVERIFY(!gearSolid(standardGear(GearKind::external, 2, 1, 1), 0.01).has_value());
   }
 
-  /// The pitch points of two links on one axis put their wheels into each other, and each into the other's
   /// Tips that collide outside of the mesh: 54 teeth in a ring of 60; and tips of a ring that a small pinion
   /// shortens.
   void internalPairsWithCloseToothCountsInterfere() {
@@ -332,6 +332,7 @@ class TestFindings : public QObject {
     QCOMPARE(count(findings(pair(12, 40)), Detail::pointedTeeth), 0);
   }
 
+  /// The pitch points of two links on one axis put their wheels into each other, and each into the other's
   /// partner.
   void overlappingWheelsAreReportedByTheAnalysisToo() {
     test::TrainSketch sketch(4);

@@ -1,0 +1,32 @@
+cmake_minimum_required(VERSION 3.25)
+
+# Every page that a comment cites is in the repository: written from its root, or from the folder of the file.
+# -D SOURCE=checkout
+
+set(broken 0)
+set(checked 0)
+file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/core/*.h" "${SOURCE}/core/*.cpp" "${SOURCE}/ui/*.h"
+  "${SOURCE}/ui/*.cpp" "${SOURCE}/app/*.h" "${SOURCE}/app/*.cpp" "${SOURCE}/tests/*.h" "${SOURCE}/tests/*.cpp")
+foreach(file IN LISTS files)
+  file(STRINGS "${SOURCE}/${file}" comments REGEX "//.*[A-Za-z_]\\.md")
+  foreach(comment IN LISTS comments)
+    string(REGEX REPLACE "^.*//" "" comment "${comment}")
+    string(REGEX MATCHALL "[A-Za-z0-9_./-]+\\.md" pages "${comment}")
+    get_filename_component(folder "${file}" DIRECTORY)
+    foreach(page IN LISTS pages)
+      math(EXPR checked "${checked} + 1")
+      if(NOT EXISTS "${SOURCE}/${page}" AND NOT EXISTS "${SOURCE}/${folder}/${page}")
+        message(NOTICE "${file}: cites ${page}, which is not in the repository")
+        set(broken 1)
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(checked EQUAL 0)
+  message(FATAL_ERROR "No citation was checked: is ${SOURCE} the checkout?")
+endif()
+if(broken)
+  message(FATAL_ERROR "Comments cite pages that a reader does not have")
+else()
+  message(STATUS "${checked} citations lead to a page")
+endif()
