@@ -37,9 +37,9 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
 }
 
 /// Where classes that share a link cross, nothing can stand on either; and bearings go to the other end.
-void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts) {
+void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
-  for (std::size_t c = 0; c < layouts.size(); ++c) {
+  for (std::size_t c = 0; c < layouts.size() && !stop.stop_requested(); ++c) {
     AxisLayout& layout = layouts[c];
     double pull = 0;
     for (std::size_t d = 0; d < layouts.size(); ++d) {
@@ -139,7 +139,7 @@ bool AxisLayout::emerges(int link, double level) const {
 }
 
 std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
-                                    const GearTrain& train) {
+                                    const GearTrain& train, const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
   const JointTree& tree = *placement.tree;
   std::vector<AxisLayout> layouts(classes.classes.size());
@@ -151,7 +151,7 @@ std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement&
     layouts[c].module = module;
   }
   addWheels(train, layouts);
-  addCrossings(placement, layouts);
+  addCrossings(placement, layouts, stop);
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     AxisLayout& layout = layouts[static_cast<std::size_t>(classes.classOf[j])];
     const AxisLine& own = placement.axes[static_cast<std::size_t>(tree.axisOf[j])];

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/gears/train.h"
@@ -71,8 +72,9 @@ struct AxisLayout {
   [[nodiscard]] double outerSlot() const;
 };
 
-/// The axis classes with their wheels, crossings and the bearings still without a place.
+/// The axis classes with their wheels, crossings and the bearings still without a place. Of no use when
+/// `stop` was requested meanwhile. Cost: O(classes^2 + joints).
 [[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
-                                                  const GearTrain& train);
+                                                  const GearTrain& train, const std::stop_token& stop = {});
 
 }  // namespace geargraph

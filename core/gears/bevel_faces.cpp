@@ -11,7 +11,8 @@ constexpr int kMostSteps = 7;  // to a third
 /// Bevels are shortened together with all that meshes with them, so that teeth in mesh stay equally wide.
 class FaceShortener {
  public:
-  FaceShortener(TrainWheels& train, const Placement& placement) : m_train(train), m_placement(placement) {}
+  FaceShortener(TrainWheels& train, const Placement& placement, const std::stop_token& stop)
+      : m_train(train), m_placement(placement), m_stop(stop) {}
 
   /// Shortens one of them, or both, until they are out of each other; else leaves them as they were.
   void part(int a, int b) {
@@ -27,6 +28,7 @@ class FaceShortener {
       share *= kStep;
       for (const std::vector<int>& choice : choices) {
         if (choice.empty()) continue;
+        if (m_stop.stop_requested()) return;
         for (const int w : choice) m_train.wheels[static_cast<std::size_t>(w)].spec.faceWidth *= share;
         if (!WheelRooms(m_train, m_placement).collide(a, b)) return;
         m_train.wheels = before;
@@ -52,17 +54,21 @@ class FaceShortener {
 
   TrainWheels& m_train;
   const Placement& m_placement;
+  const std::stop_token& m_stop;
 };
 
 }  // namespace
 
-void shortenFaces(TrainWheels& train, const Placement& placement) {
+void shortenFaces(TrainWheels& train, const Placement& placement, const std::stop_token& stop) {
   const bool open = std::any_of(train.pairs.begin(), train.pairs.end(), [](const TrainPair& pair) {
     return pair.kind == MeshKind::bevel && pair.openFace;
   });
   if (!open) return;
-  FaceShortener shortener(train, placement);
-  for (const auto& [a, b] : wheelsInOnePlace(train, placement)) shortener.part(a, b);
+  FaceShortener shortener(train, placement, stop);
+  for (const auto& [a, b] : wheelsInOnePlace(train, placement, stop)) {
+    if (stop.stop_requested()) return;
+    shortener.part(a, b);
+  }
 }
 
 }  // namespace geargraph

@@ -151,10 +151,11 @@ bool holds(const Part& a, const Part& b) {
 
 }  // namespace
 
-std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train) {
+std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train,
+                                   const std::stop_token& stop) {
   const std::vector<Part> parts = PartsMaker(plan, train).take();
   std::map<std::pair<int, int>, std::set<int>> found;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::size_t i = 0; i < parts.size() && !stop.stop_requested(); ++i) {
     for (std::size_t k = i + 1; k < parts.size(); ++k) {
       const Part& a = parts[i];
       const Part& b = parts[k];

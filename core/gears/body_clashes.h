@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <stop_token>
 #include <vector>
 
 #include "core/gears/body_plan.h"
@@ -16,8 +17,9 @@ struct BodyClash {
 
 /// Pairs of links whose planned bodies run into each other or into the gears of the other, but for what
 /// stands on one axis, which levels and sleeves keep apart. In the reference pose, as hulls of discs
-/// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Cost: O(parts^2), most of them by
-/// their balls.
-[[nodiscard]] std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train);
+/// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Incomplete when `stop` was requested
+/// meanwhile. Cost: O(parts^2), most of them by their balls.
+[[nodiscard]] std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train,
+                                                 const std::stop_token& stop = {});
 
 }  // namespace geargraph

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Linked sets: sleeves, discs and drums of one axis, with the bearings and arms on it.
 void BodyPlanner::planCoaxial(int axisClass) {
   if (!needsCoaxialPlan(axisClass, m_placement, m_train)) return;
-  const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train);
+  const auto plan = coaxialPlan(axisClass, m_plan.axes, m_placement, m_train, m_stop);
   if (!plan) {
     m_plan.blocked.emplace_back();
     for (const Bearing& b : axis(axisClass).bearings) m_plan.blocked.back().push_back(b.child);
@@ -140,12 +140,16 @@ void BodyPlanner::placeLink(int link) {
   if (held.empty()) return;
   const int home = homeOf(link);
   const std::vector<int> reserved = link == 0 ? reserveRoom() : std::vector<int>();
-  for (const auto& round : roundsOf(link, home)) placeParallel(link, home, round);
+  for (const auto& round : roundsOf(link, home)) {
+    if (isStopped()) return;
+    placeParallel(link, home, round);
+  }
   for (std::size_t i = 0; i < held.size(); ++i) {
     const int c = held[i].first;
     if (!parallel(home, c) && (i == 0 || held[i - 1].first != c)) placeTee(link, home, c);
   }
   for (const auto& [c, b] : held) {
+    if (isStopped()) return;
     if (!parallel(home, c) && !axis(c).bearings[b].placed) placeCrossing(link, home, axis(c).bearings[b]);
   }
   for (const int c : reserved)
@@ -209,11 +213,19 @@ std::optional<double> BodyPlanner::commonLevel(int link, int home, const std::ve
     if (link != 0) sum += 1000 * axis(home).module * static_cast<double>(enclosedBy(link, home, x));
     return sum;
   };
-  std::sort(candidates.begin(), candidates.end(), [&](double a, double b) { return cost(a) < cost(b); });
+  std::vector<std::pair<double, double>> byCost;
+  for (const double x : candidates) {
+    if (isStopped()) return std::nullopt;
+    byCost.emplace_back(cost(x), x);
+  }
+  std::sort(byCost.begin(), byCost.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(byCost.begin(), byCost.end(), candidates.begin(),
+                 [](const auto& each) { return each.second; });
   const auto same = [&](double a, double b) { return std::abs(a - b) < 1e-6 * axis(home).module; };
   candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
   constexpr std::size_t kTries = 40;
   for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
+    if (isStopped()) return std::nullopt;
     if (fits(link, home, round, candidates[i])) return candidates[i];
   }
   return std::nullopt;
@@ -223,6 +235,7 @@ void BodyPlanner::placeParallel(int link, int home, std::vector<Bearing*> round)
   if (link == 0) {  // what cannot reach the frame behind everything else stands on feet of its own
     const double behind = outmostLevel(home, round);
     std::erase_if(round, [&](Bearing* b) {
+      if (isStopped()) return false;
       const int c = classOf(*b);
       if (shaftPasses(*b, carried(home, behind, c))) return false;
       const auto place = boltPlace(*b);
@@ -419,12 +432,14 @@ BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, cons
   PlanTries tries;
   BodyPlan plan;
   std::vector<BodyClash> clashes;
-  for (bool isNew = true; isNew;) {
+  constexpr int kMostTries = 16;
+  bool isNew = true;
+  for (int i = 0; isNew && i < kMostTries; ++i) {
     isNew = false;
-    BodyPlanner planner(mechanism, placement, train, tries);
-    plan = planner.plan(stop);
+    BodyPlanner planner(mechanism, placement, train, tries, stop);
+    plan = planner.plan();
     if (stop.stop_requested()) return plan;
-    clashes = bodyClashes(plan, train);
+    clashes = bodyClashes(plan, train, stop);
     for (const int link : planner.wantRoom()) isNew = tries.roomFor.insert(link).second || isNew;
     for (const BodyClash& clash : clashes) {
       for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;

@@ -49,7 +49,7 @@ struct BodyPlan {
 };
 
 /// Plans the bodies. Greedy, links nearest the ground first; once more where arms of the frame are in the way
-/// or a carrier found no room beside it. Deterministic.
+/// or a carrier found no room beside it, a few times at most. Deterministic.
 /// Cost: O(links * things on an axis). Of no use when `stop` was requested meanwhile.
 [[nodiscard]] BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement,
                                   const GearTrain& train, const std::stop_token& stop = {});

@@ -23,9 +23,14 @@ struct PlanTries {
 class BodyPlanner {
  public:
   BodyPlanner(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-              const PlanTries& tries)
-      : m_placement(placement), m_tree(*placement.tree), m_train(train), m_tries(tries), m_obstacles(train) {
-    m_plan.axes = axisLayouts(mechanism, placement, train);
+              const PlanTries& tries, const std::stop_token& stop)
+      : m_placement(placement),
+        m_tree(*placement.tree),
+        m_train(train),
+        m_tries(tries),
+        m_stop(stop),
+        m_obstacles(train) {
+    m_plan.axes = axisLayouts(mechanism, placement, train, stop);
     m_plan.shaftsOn.resize(m_plan.axes.size());
     m_gearsOn.resize(m_plan.axes.size());
     m_coaxial.resize(m_plan.axes.size(), false);
@@ -45,16 +50,16 @@ class BodyPlanner {
   /// Carriers for whose arms there was no level.
   [[nodiscard]] const std::set<int>& wantRoom() const { return m_wantRoom; }
   /// Ends early, with a plan of no use, when `stop` was requested.
-  BodyPlan plan(const std::stop_token& stop) {
-    for (std::size_t c = 0; c < m_plan.axes.size() && !stop.stop_requested(); ++c)
-      planCoaxial(static_cast<int>(c));
+  BodyPlan plan() {
+    for (std::size_t c = 0; c < m_plan.axes.size() && !isStopped(); ++c) planCoaxial(static_cast<int>(c));
     placeCups();
     const std::vector<int> links = m_tree.breadthFirst();
     for (const int link : links) {
-      if (stop.stop_requested()) return std::move(m_plan);
+      if (isStopped()) return std::move(m_plan);
       placeLink(link);
     }
     for (const int link : links) {
+      if (isStopped()) return std::move(m_plan);
       if (link == 0) continue;
       const int c = m_placement.classes->classOfLink(link);
       if (!isCoaxial(c)) addShaft(c, link);
@@ -69,6 +74,7 @@ class BodyPlanner {
   }
 
  private:
+  [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
   void planCoaxial(int axisClass);
   [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
   void placeCups();
@@ -147,6 +153,7 @@ class BodyPlanner {
   const JointTree& m_tree;
   const GearTrain& m_train;
   const PlanTries& m_tries;
+  const std::stop_token& m_stop;
   std::set<int> m_wantRoom;  ///< carriers for whose arms there was no level
   GearObstacles m_obstacles;
   std::vector<std::vector<std::size_t>> m_gearsOn;  ///< gears by axis class

@@ -396,10 +396,11 @@ bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain
 }
 
 std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
-                                       const Placement& placement, const GearTrain& train) {
+                                       const Placement& placement, const GearTrain& train,
+                                       const std::stop_token& stop) {
   for (const bool runOn : {false, true}) {
     const CoaxialSections sections = coaxialSections(axisClass, axes, placement, train, runOn);
-    auto routes = routeMeridian(sections.grid, sections.nets);
+    auto routes = routeMeridian(sections.grid, sections.nets, kMostRouteRounds, stop);
     if (routes) return CoaxialMaker(axisClass, axes, placement, train, sections, std::move(*routes)).make();
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -34,9 +35,10 @@ struct CoaxialPlan {
 /// theirs on parallel axes?
 [[nodiscard]] bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train);
 
-/// The plan; nothing where no way is found.
+/// The plan; std::nullopt where no way is found, or `stop` was requested meanwhile.
 /// Cost: some milliseconds; meridian_router.h.
 [[nodiscard]] std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
-                                                     const Placement& placement, const GearTrain& train);
+                                                     const Placement& placement, const GearTrain& train,
+                                                     const std::stop_token& stop = {});
 
 }  // namespace geargraph

@@ -14,6 +14,9 @@ constexpr double kNarrowest = 1.8;  // the same where there is little room
 constexpr double kCell = 1.6;       // modules: the wall of a drum with its clearance
 constexpr int kMostSlots = 5;       // discs in a gap
 constexpr int kMostSleeves = 8;
+constexpr double kMostWidth = 1e4;  // modules: a way along a longer column costs no more
+constexpr double kMostRows = 2000;  // cells get higher where there would be more
+constexpr double kFewestRows = 50;
 constexpr double kRunsOn = 30;  // what it costs to run on what is inside, without a bearing
 
 std::size_t at(int i) {
@@ -220,12 +223,15 @@ void SectionMaker::cutRows() {
     most = std::max(most, p.distance + m_planetTip[p.axisClass]);
   }
   m_made.innerRadius = std::max(room, 0.5 * m_made.module);
+  const double perRow = static_cast<double>(m_made.columns.size()) * (links + 1);
+  const double mostRows = std::clamp(static_cast<double>(kMostRoutedCells) / perRow, kFewestRows, kMostRows);
+  m_made.cell = std::max(m_made.cell, (most - m_made.innerRadius) / mostRows);
   const int middle = static_cast<int>(std::ceil((most - m_made.innerRadius) / m_made.cell)) + 1;
   grid.columns = static_cast<int>(m_made.columns.size());
   grid.rows = m_made.innerRows + middle + std::min(links, 6);
   grid.owner.assign(at(grid.columns * grid.rows), MeridianGrid::kFree);
   for (const CoaxialColumn& column : m_made.columns) {
-    const double width = (column.high - column.low) / m_made.module;
+    const double width = std::min((column.high - column.low) / m_made.module, kMostWidth);
     grid.plates.push_back(width > 0.99 * kNarrowest);
     grid.width.push_back(width);
   }

@@ -271,6 +271,7 @@ BodyPlanner::TriedArm BodyPlanner::bestArm(int link, int home, const Bearing& be
     bestCost = cost;
   };
   for (const double at : places) {
+    if (isStopped()) break;
     if (!target.slotIsFree(at)) continue;
     for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)])
       consider(at, m_plan.arms[a].level, 0);

@@ -104,7 +104,7 @@ std::optional<double> BodyPlanner::boltPlace(const Bearing& bearing) const {
   std::vector<double> places{bearing.at};
   for (const double x : layout.slotCandidates()) places.push_back(x);
   std::erase_if(places, [&](double x) {
-    return !layout.slotIsFree(x) || !layout.nests(bearing, x) || !shaftPasses(bearing, x);
+    return isStopped() || !layout.slotIsFree(x) || !layout.nests(bearing, x) || !shaftPasses(bearing, x);
   });
   if (places.empty()) return std::nullopt;
   const Stretch held = heldStretch(c, bearing.child);

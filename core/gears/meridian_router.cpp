@@ -1,10 +1,11 @@
 #include "core/gears/meridian_router.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
-#include <future>
 #include <mutex>
 #include <numeric>
 #include <queue>
@@ -84,10 +85,10 @@ class Wishes {
 /// One round: nets are laid in an order, each by cheapest ways among what is left.
 class Round {
  public:
-  /// `extras`: by net. What is given outlives it.
+  /// `extras`: by net. What is given outlives it. Finds no more ways once `stop` is requested.
   Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, const MeridianOwners& owners,
         const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
-        const std::vector<Extras>& extras)
+        const std::vector<Extras>& extras, const std::stop_token& stop)
       : m_grid(grid),
         m_nets(nets),
         m_owners(owners),
@@ -95,6 +96,7 @@ class Round {
         m_routes(nets.size()),
         m_search(search),
         m_extras(extras),
+        m_stop(stop),
         m_endAt(grid.owner.size(), -1) {}
 
   /// The net that found no way; -1: all did.
@@ -153,6 +155,7 @@ class Round {
   std::vector<MeridianRoute> m_routes;
   MeridianSearch& m_search;
   const std::vector<Extras>& m_extras;
+  const std::stop_token& m_stop;
   struct End {
     int landing, next;
   };
@@ -186,6 +189,7 @@ void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
 // Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
 // dearer than a way, no cheaper one will come.
 int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& sources) {
+  if (m_stop.stop_requested()) return -1;
   findEnds(net, landings);
   if (m_ends.empty()) return -1;
   const bool canBeFound = m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells},
@@ -194,6 +198,7 @@ int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& 
   using Way = std::pair<double, int>;  // what it costs, its end
   std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
   while (!m_search.isDone() || !ways.empty()) {
+    if (m_stop.stop_requested()) return -1;
     if (ways.empty() || (!m_search.isDone() && !m_search.isBeyond(ways.top().first))) {
       for (const int cell : m_search.settleLot()) {
         for (int e = m_endAt[at(cell)]; e >= 0; e = m_ends[at(e)].next)
@@ -275,11 +280,12 @@ using Routes = std::optional<std::vector<MeridianRoute>>;
 std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vector<MeridianNet>& nets,
                                         const MeridianOwners& owners,
                                         const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
-                                        std::vector<MeridianRoute> routes) {
+                                        std::vector<MeridianRoute> routes, const std::stop_token& stop) {
   const int count = static_cast<int>(nets.size());
   const std::vector<Extras> none(nets.size(), Extras(grid.owner.size()));
   for (int net = 0; net < count; ++net) {
-    Round round(grid, nets, owners, wheels, search, none);
+    if (stop.stop_requested()) break;
+    Round round(grid, nets, owners, wheels, search, none, stop);
     for (int other = 0; other < count; ++other) {
       if (other != net) round.lay(other, routes[at(other)]);
     }
@@ -290,7 +296,9 @@ std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vec
   return routes;
 }
 
-Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
+Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+              const std::stop_token& stop) {
+  if (nets.size() * grid.owner.size() > kMostRoutedCells) return std::nullopt;
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
   MeridianSearch search(grid);
@@ -302,17 +310,18 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
   }
   Wishes wishes(grid, nets);
   for (int i = 0; i < tries; ++i) {
-    Round round(grid, nets, owners, wheels, search, wishes.ofOthers());
+    Round round(grid, nets, owners, wheels, search, wishes.ofOthers(), stop);
     const int failed = round.lay(order);
-    if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take());
-    // What is in its way? It would cross as little of others as it can, and they shall leave that free.
+    if (stop.stop_requested()) return std::nullopt;
+    if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take(), stop);
+    // What is in its way? It would cross as little of others as it can, and they should leave that free.
     std::vector<Extras> taken(nets.size(), Extras(grid.owner.size()));
     Extras& crossed = taken[at(failed)];
     for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
       if (round.isTaken(c)) crossed.add(c, kTaken);
     }
     crossed.sumUp();
-    Round alone(grid, nets, owners, wheels, search, taken);
+    Round alone(grid, nets, owners, wheels, search, taken, stop);
     if (!alone.layNet(failed)) return std::nullopt;  // not even where no other net is
     std::vector<int> inTheWay;
     for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
@@ -328,46 +337,78 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
 /// What was asked last, with the answers. Thread-safe.
 class RouteMemory {
  public:
-  /// Who asks for what another thread is at waits for its answer.
-  Routes find(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
-    std::packaged_task<Routes()> work;
-    std::shared_future<Routes> answer;
-    {
-      const std::lock_guard lock(m_mutex);
+  /// A request for what another thread is working on waits for that answer, or for its own stop.
+  Routes find(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+              const std::stop_token& stop) {
+    std::unique_lock lock(m_mutex);
+    while (true) {
       const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& k) {
         return k.tries == tries && k.grid == grid && k.nets == nets;
       });
-      if (known != m_known.end()) {
+      if (known == m_known.end()) break;
+      if (known->isMade) {
         std::rotate(m_known.begin(), known, known + 1);  // the newest is in front
-        answer = m_known.front().routes;
-      } else {
-        work = std::packaged_task<Routes()>([&] { return routed(grid, nets, tries); });
-        answer = work.get_future().share();
-        if (m_known.size() == kMost) m_known.pop_back();
-        m_known.push_front({grid, nets, tries, answer});
+        return m_known.front().routes;
       }
+      m_changed.wait(lock, stop, [this, before = m_changes] { return m_changes != before; });
+      if (stop.stop_requested()) return std::nullopt;
     }
-    if (work.valid()) work();
-    return answer.get();
+    const std::uint64_t number = ++m_asked;
+    m_known.push_front({grid, nets, tries, number, false, std::nullopt});
+    dropOldest();
+    lock.unlock();
+    Routes routes = routed(grid, nets, tries, stop);
+    lock.lock();
+    finish(number, routes, stop.stop_requested());
+    return routes;
   }
 
  private:
-  static constexpr std::size_t kMost = 64;  // a drag to and fro
+  static constexpr std::size_t kMost = 64;              // a drag to and fro
+  static constexpr std::size_t kMostCells = 8'000'000;  // of all grids that are kept
   struct Known {
     MeridianGrid grid;
     std::vector<MeridianNet> nets;
-    int tries;
-    std::shared_future<Routes> routes;
+    int tries = 0;
+    std::uint64_t number = 0;
+    bool isMade = false;
+    Routes routes;
   };
+
+  void dropOldest() {
+    std::size_t cells = 0;
+    for (const Known& known : m_known) cells += known.grid.owner.size();
+    while (m_known.size() > 1 && (m_known.size() > kMost || cells > kMostCells)) {
+      cells -= m_known.back().grid.owner.size();
+      m_known.pop_back();
+    }
+  }
+  /// An answer that was stopped is none: the next request begins again.
+  void finish(std::uint64_t number, const Routes& routes, bool isStopped) {
+    const auto known =
+        std::find_if(m_known.begin(), m_known.end(), [number](const Known& k) { return k.number == number; });
+    if (known != m_known.end()) {
+      known->routes = routes;
+      known->isMade = true;
+      if (isStopped) m_known.erase(known);
+    }
+    ++m_changes;
+    m_changed.notify_all();
+  }
+
   std::mutex m_mutex;
-  std::deque<Known> m_known;
+  std::condition_variable_any m_changed;
+  std::deque<Known> m_known;    ///< guarded by m_mutex, like the rest
+  std::uint64_t m_asked = 0;    ///< the number of the newest entry
+  std::uint64_t m_changes = 0;  ///< answers that were finished
 };
 
 }  // namespace
 
-Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries) {
+Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+                     const std::stop_token& stop) {
   static RouteMemory memory;
-  return memory.find(grid, nets, tries);
+  return memory.find(grid, nets, tries, stop);
 }
 
 }  // namespace geargraph

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace geargraph {
@@ -59,15 +61,21 @@ struct MeridianRoute {
   int support = -1;
 };
 
+constexpr int kMostRouteRounds = 40;
+/// Cells times nets that are routed: some 100 MB, and 0.1 s a round.
+constexpr std::size_t kMostRoutedCells = 4'000'000;
+
 /// Ways for all nets that share no cell: nets one after the other by their cheapest ways, which keep clear of
 /// where others can land if that is not dear. A net that finds none goes first in the next round, and what
 /// stood in its way gets dearer for all others (after L. McMurchie and C. Ebeling, PathFinder, FPGA 1995;
 /// there nets overlap meanwhile). Deterministic, and nets much alike get ways much alike. Nothing after
-/// `tries` rounds, or where a net finds no way even by itself. Cost: O(nets * cells) a round. The last
-/// answers are kept: the analysis and the views of one document ask for the same ways, and every step of a
-/// drag that leaves the axis alone asks for them again.
+/// `tries` rounds, where a net finds no way even by itself, where nets * cells is over kMostRoutedCells, or
+/// when `stop` was requested meanwhile. Cost: O(nets * cells) a round. The last answers are kept: the
+/// analysis and the views of one document ask for the same ways, and every step of a drag that leaves the
+/// axis alone asks for them again; a concurrent request for the same problem waits for the first.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
-                                                                      int tries = 40);
+                                                                      int tries = kMostRouteRounds,
+                                                                      const std::stop_token& stop = {});
 
 }  // namespace geargraph

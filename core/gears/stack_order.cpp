@@ -122,10 +122,11 @@ class Stack {
 };
 
 /// Every order.
-std::vector<double> bestOfAll(const Stack& stack, std::vector<std::size_t> order) {
+std::vector<double> bestOfAll(const Stack& stack, std::vector<std::size_t> order,
+                              const std::stop_token& stop) {
   std::vector<double> best = stack.heightsOf(order);
   Verdict least = stack.verdictOf(best);
-  while (std::next_permutation(order.begin(), order.end())) {
+  while (!stop.stop_requested() && std::next_permutation(order.begin(), order.end())) {
     std::vector<double> heights = stack.heightsOf(order);
     const Verdict verdict = stack.verdictOf(heights);
     if (!isBetter(verdict, least)) continue;
@@ -135,7 +136,8 @@ std::vector<double> bestOfAll(const Stack& stack, std::vector<std::size_t> order
   return best;
 }
 
-std::vector<double> bestByMoves(const Stack& stack, std::vector<std::size_t> order) {
+std::vector<double> bestByMoves(const Stack& stack, std::vector<std::size_t> order,
+                                const std::stop_token& stop) {
   std::vector<double> best = stack.heightsOf(order);
   Verdict least = stack.verdictOf(best);
   for (bool moves = true; moves;) {
@@ -143,6 +145,7 @@ std::vector<double> bestByMoves(const Stack& stack, std::vector<std::size_t> ord
     for (std::size_t from = 0; from < order.size(); ++from) {
       for (std::size_t to = 0; to < order.size(); ++to) {
         if (to == from) continue;
+        if (stop.stop_requested()) return best;
         std::vector<std::size_t> other = order;
         const std::size_t plane = other[from];
         other.erase(other.begin() + static_cast<std::ptrdiff_t>(from));
@@ -166,11 +169,11 @@ int enclosedCount(const StackPlanes& planes, const std::vector<double>& heights)
   return Stack(planes).verdictOf(heights).enclosed;
 }
 
-std::vector<double> stackedHeights(const StackPlanes& planes) {
+std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_token& stop) {
   std::vector<std::size_t> order(planes.thickness.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const Stack stack(planes);
-  return order.size() <= kMostPermuted ? bestOfAll(stack, order) : bestByMoves(stack, order);
+  return order.size() <= kMostPermuted ? bestOfAll(stack, order, stop) : bestByMoves(stack, order, stop);
 }
 
 }  // namespace geargraph

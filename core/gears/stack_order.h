@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 namespace geargraph {
@@ -40,8 +41,9 @@ struct StackPlanes {
 
 /// Heights of the planes' middles in the order that encloses the fewest, and of those the lowest stack; of
 /// equal ones the first, so that equal problems have equal stacks. Every order of up to six planes is looked
-/// at; of more, one plane after the other goes where it does best until none does better.
+/// at; of more, one plane after the other goes where it does best until none does better, or `stop` is
+/// requested.
 /// Cost: O(p!) or O(rounds * p^2) times O(wheels^2 on an axis).
-[[nodiscard]] std::vector<double> stackedHeights(const StackPlanes& planes);
+[[nodiscard]] std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_token& stop = {});
 
 }  // namespace geargraph

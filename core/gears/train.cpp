@@ -30,11 +30,12 @@ std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& 
 }
 
 /// Wheels in their shape, each where it has room.
-TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement) {
-  TrainWheels wheels = wheelsOf(mechanism, placement);
-  shapeWheels(mechanism, wheels);
-  stackWheels(wheels, placement);
-  shortenFaces(wheels, placement);
+TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
+                         const std::stop_token& stop) {
+  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
+  shapeWheels(mechanism, wheels, stop);
+  stackWheels(wheels, placement, stop);
+  shortenFaces(wheels, placement, stop);
   return wheels;
 }
 
@@ -81,9 +82,9 @@ Diagnostics findingsOf(const Mechanism& mechanism, const Placement& placement, c
 }
 
 Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement, const TrainWheels& wheels,
-                          const GearTrain& train) {
+                          const GearTrain& train, const std::stop_token& stop) {
   Diagnostics found;
-  for (const auto& [a, b] : wheelsInOnePlace(wheels, placement)) {
+  for (const auto& [a, b] : wheelsInOnePlace(wheels, placement, stop)) {
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
@@ -100,43 +101,48 @@ Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement
 
 }  // namespace
 
-GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies) {
+GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies,
+                     const std::stop_token& stop) {
   if (!placement.tree || !placement.classes) return {};
-  GearTrain train = toothed(mechanism, placedWheels(mechanism, placement));
-  addBodies(mechanism, placement, train, &bodies);
+  const TrainWheels wheels = placedWheels(mechanism, placement, stop);
+  if (stop.stop_requested()) return {};
+  GearTrain train = toothed(mechanism, wheels);
+  addBodies(mechanism, placement, train, &bodies, stop);
   train.diagnostics.clear();
   return train;
 }
 
-GearTrain trainOf(const Mechanism& mechanism, const Placement& placement) {
+GearTrain trainOf(const Mechanism& mechanism, const Placement& placement, const std::stop_token& stop) {
   if (!placement.tree || !placement.classes) return {};
-  const TrainWheels wheels = placedWheels(mechanism, placement);
+  const TrainWheels wheels = placedWheels(mechanism, placement, stop);
+  if (stop.stop_requested()) return {};
   GearTrain train = toothed(mechanism, wheels);
-  addBodies(mechanism, placement, train);
-  Diagnostics findings = findingsOf(mechanism, placement, train, {});
+  addBodies(mechanism, placement, train, nullptr, stop);
+  Diagnostics findings = findingsOf(mechanism, placement, train, stop);
   append(findings, train.diagnostics);
   train.diagnostics = std::move(findings);
-  append(train.diagnostics, placeFindings(mechanism, placement, wheels, train));
+  append(train.diagnostics, placeFindings(mechanism, placement, wheels, train, stop));
   return train;
 }
 
 Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                             const std::stop_token& stop) {
   if (!placement.tree || !placement.classes || stop.stop_requested()) return {};
-  TrainWheels wheels = wheelsOf(mechanism, placement);
+  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
   if (stop.stop_requested()) return {};
-  shapeWheels(mechanism, wheels);
+  shapeWheels(mechanism, wheels, stop);
   if (stop.stop_requested()) return {};
   const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
   if (planned) {
-    stackWheels(wheels, placement);
-    shortenFaces(wheels, placement);
+    stackWheels(wheels, placement, stop);
+    shortenFaces(wheels, placement, stop);
+    if (stop.stop_requested()) return {};
   }
   const GearTrain train = toothed(mechanism, wheels);
   Diagnostics found = findingsOf(mechanism, placement, train, stop);
   if (!planned || stop.stop_requested()) return found;
   append(found, bodyDiagnostics(mechanism, placement, train, stop));
-  append(found, placeFindings(mechanism, placement, wheels, train));
+  append(found, placeFindings(mechanism, placement, wheels, train, stop));
   return found;
 }
 

@@ -74,14 +74,17 @@ struct GearTrain {
 ///
 /// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels in
 ///       pairs.
+/// Of no use when `stop` was requested meanwhile, which ends any of it within some milliseconds.
 /// @pre the mechanism is well formed and the placement is its own
-[[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement);
+[[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement,
+                                const std::stop_token& stop = {});
 
 class BodyCache;
 
 /// The same for a picture: nothing is said of it, and bodies that an edit leaves as they are stay the same
 /// solids.
-[[nodiscard]] GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies);
+[[nodiscard]] GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies,
+                                   const std::stop_token& stop = {});
 
 /// The diagnostics of trainOf() alone, without making bodies, for the analysis; of trains of many wheels
 /// (150) without those about the room of wheels and bodies. Those found so far where `stop` was requested

@@ -290,8 +290,10 @@ Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placeme
   return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
 }
 
-void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train, BodyCache* cache) {
-  const BodyPlan plan = planBodies(mechanism, placement, train);
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train, BodyCache* cache,
+               const std::stop_token& stop) {
+  const BodyPlan plan = planBodies(mechanism, placement, train, stop);
+  if (stop.stop_requested()) return;
   const Diagnostics blocked = blockedFindings(mechanism, plan);
   train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
@@ -302,7 +304,7 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
   const std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
   BodyCache once;
   BodyCache& solids = cache != nullptr ? *cache : once;
-  for (std::size_t link = 0; link < recipes.size(); ++link) {
+  for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
     const BodyRecipe& recipe = recipes[link];
     if (recipe.empty()) continue;
     const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };

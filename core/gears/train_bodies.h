@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "core/gears/body_recipe.h"
 #include "core/gears/train.h"
 
@@ -7,9 +9,9 @@ namespace geargraph {
 
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
 /// What finds no way past others is an `interference` of the train. `cache`: keeps solids from one edit to
-/// the next.
+/// the next. Adds none, or some, when `stop` was requested meanwhile.
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
-               BodyCache* cache = nullptr);
+               BodyCache* cache = nullptr, const std::stop_token& stop = {});
 
 /// The findings of addBodies() alone: bodies are planned but not made. Of no use when `stop` was requested
 /// meanwhile. Cost: planBodies().

@@ -2,10 +2,10 @@
 
 namespace geargraph {
 
-TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
-                      double tolerance) {
+TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache, double tolerance,
+                      const std::stop_token& stop) {
   TrainParts result;
-  for (std::size_t g = 0; g < train.gears.size(); ++g) {
+  for (std::size_t g = 0; g < train.gears.size() && !stop.stop_requested(); ++g) {
     const TrainGear& gear = train.gears[g];
     auto solid = cache.solid(gear.spec, tolerance);
     if (solid) {
@@ -15,6 +15,7 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
     }
   }
   for (const LinkBody& body : train.bodies) {
+    if (stop.stop_requested()) break;
     result.parts.push_back({body.link, "body of link " + std::to_string(mechanism.linkLabel(body.link)),
                             Eigen::Isometry3d::Identity(), body.fine->solid()});
   }

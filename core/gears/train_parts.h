@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct TrainParts {
 };
 
 /// Solids of all gears, then of all bodies, as parts of their links: what a view shows and a file holds.
-/// `tolerance` in modules.
+/// `tolerance` in modules. Those made by then when `stop` was requested meanwhile.
 [[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
-                                    double tolerance);
+                                    double tolerance, const std::stop_token& stop = {});
 
 }  // namespace geargraph

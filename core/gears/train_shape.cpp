@@ -77,7 +77,7 @@ double missingShift(const TrainPair& pair, const TrainWheels& train, double want
 
 /// Hands what is missing to the wheels whose shift is not the document's, half each, until nothing is: the
 /// smallest shifts that fit, because every step is the shortest one.
-void setShifts(TrainWheels& train, const std::vector<bool>& fixed) {
+void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::stop_token& stop) {
   std::vector<double> wanted;
   for (const TrainPair& pair : train.pairs) {
     const GearSpec& spec = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
@@ -87,7 +87,7 @@ void setShifts(TrainWheels& train, const std::vector<bool>& fixed) {
             : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
                       kShiftStep));
   }
-  for (int sweep = 0; sweep < 500; ++sweep) {
+  for (int sweep = 0; sweep < 500 && !stop.stop_requested(); ++sweep) {
     double worst = 0;
     for (std::size_t p = 0; p < train.pairs.size(); ++p) {
       const TrainPair& pair = train.pairs[p];
@@ -188,7 +188,7 @@ void setTips(TrainWheels& train) {
 
 }  // namespace
 
-void shapeWheels(const Mechanism& mechanism, TrainWheels& train) {
+void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
   const std::optional<GearDefaults>& defaults = mechanism.gearDefaults;
   std::vector<bool> fixed;
   for (TrainWheel& wheel : train.wheels) {
@@ -205,7 +205,7 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train) {
     wheel.spec.body = GearBody::dressed;
   }
   setModules(train);
-  setShifts(train, fixed);
+  setShifts(train, fixed, stop);
   balanceBevelShifts(train, fixed);
   setFaces(mechanism, train);
   setTips(train);

@@ -111,7 +111,8 @@ struct Moves {
 
 /// Plane by plane, in this order, to the nearest place where it is clear of those before it.
 Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
-                   const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms, double gap) {
+                   const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms, double gap,
+                   const std::stop_token& stop) {
   std::vector<int> standing;
   const auto blocked = [&](const Plane& plane) {
     return std::any_of(plane.wheels.begin(), plane.wheels.end(), [&](int w) {
@@ -121,6 +122,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
   };
   Moves moves{std::vector<Vector3d>(planes.size())};
   for (const std::size_t p : order) {
+    if (stop.stop_requested()) return moves;
     const Plane& plane = planes[p];
     const Vector3d axis = train.wheels[static_cast<std::size_t>(plane.wheels.front())].axis;
     double side = 0;
@@ -132,7 +134,8 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
       step = std::max(step, spec.faceWidth + gap * spec.module);
     }
     double at = 0, far = 0;
-    for (int attempt = 1; plane.movable && blocked(plane) && attempt < kMostTries; ++attempt) {
+    for (int attempt = 1; plane.movable && attempt < kMostTries && blocked(plane); ++attempt) {
+      if (stop.stop_requested()) return moves;
       const bool isFirst = attempt % 2 == 1 || sides != Sides::both;
       if (isFirst) far += attempt < kNearTries ? step : std::max(step, kStride * far);
       const double goal = isFirst == (sides != Sides::other) ? far : -far;
@@ -147,11 +150,12 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
 }
 
 /// Where wheels of a train stand in one level, which of them meet there.
-void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const WheelRooms& rooms) {
+void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const WheelRooms& rooms,
+                 const std::stop_token& stop) {
   const auto meet = [&](const Plane& a, const Plane& b) {
     return std::any_of(a.wheels.begin(), a.wheels.end(), [&](int w) {
       return std::any_of(b.wheels.begin(), b.wheels.end(),
-                         [&](int other) { return rooms.collide(w, other); });
+                         [&](int other) { return !stop.stop_requested() && rooms.collide(w, other); });
     });
   };
   for (const Plane& plane : planes) {
@@ -164,17 +168,23 @@ void addMeetings(StackPlanes& stack, const std::vector<Plane>& planes, const Whe
 class PlaneStacker {
  public:
   PlaneStacker(const TrainWheels& train, const std::vector<Plane>& planes, const Placement& placement,
-               double gap)
-      : m_train(train), m_planes(planes), m_placement(placement), m_gap(gap), m_rooms(train, placement) {}
+               double gap, const std::stop_token& stop)
+      : m_train(train),
+        m_planes(planes),
+        m_placement(placement),
+        m_gap(gap),
+        m_rooms(train, placement),
+        m_stop(stop) {}
 
   [[nodiscard]] std::vector<Vector3d> nearest() const {
     std::vector<std::size_t> order(m_planes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    return nearestMoves(m_train, m_planes, order, Sides::both, m_rooms, m_gap).by;
+    return nearestMoves(m_train, m_planes, order, Sides::both, m_rooms, m_gap, m_stop).by;
   }
 
   /// Other moves, where these enclose some and others fewer.
   [[nodiscard]] std::vector<Vector3d> improved(std::vector<Vector3d> moves) const {
+    if (m_stop.stop_requested()) return moves;
     std::optional<StackPlanes> stack = stackOf(m_train, m_planes, m_placement, m_rooms);
     if (!stack) return moves;
     const Vector3d axis = m_train.wheels[static_cast<std::size_t>(m_planes.back().wheels.front())].axis;
@@ -192,8 +202,8 @@ class PlaneStacker {
     };
     if (fewest == 0) return moves;
     if (isOneLevel(*stack)) {
-      addMeetings(*stack, m_planes, m_rooms);
-      const std::vector<double> heights = stackedHeights(*stack);
+      addMeetings(*stack, m_planes, m_rooms, m_stop);
+      const std::vector<double> heights = stackedHeights(*stack, m_stop);
       std::vector<Vector3d> stacked;
       for (const double height : heights) stacked.push_back((height - heights.front()) * axis);
       consider(std::move(stacked));
@@ -223,7 +233,8 @@ class PlaneStacker {
     if (static_cast<std::size_t>(order.end() - first) > kMost) return;
     do {
       for (const Sides sides : {Sides::both, Sides::thisOne, Sides::other}) {
-        Moves moves = nearestMoves(m_train, m_planes, order, sides, m_rooms, m_gap);
+        Moves moves = nearestMoves(m_train, m_planes, order, sides, m_rooms, m_gap, m_stop);
+        if (m_stop.stop_requested()) return;
         if (moves.isClear) consider(std::move(moves.by));
       }
     } while (std::next_permutation(first, order.end()));
@@ -234,17 +245,18 @@ class PlaneStacker {
   const Placement& m_placement;
   double m_gap;
   WheelRooms m_rooms;
+  const std::stop_token& m_stop;
 };
 
 }  // namespace
 
-void stackWheels(TrainWheels& train, const Placement& placement) {
+void stackWheels(TrainWheels& train, const Placement& placement, const std::stop_token& stop) {
   std::vector<Plane> planes = planesOf(train);
   std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) { return !plane.movable; });
   const auto isRing = [](const TrainWheel& wheel) { return wheel.spec.kind == GearKind::internal; };
   const auto rings = std::count_if(train.wheels.begin(), train.wheels.end(), isRing);
   const double gap = rings > 1 ? kLinkedGap : kPlaneGap;
-  const PlaneStacker stacker(train, planes, placement, gap);
+  const PlaneStacker stacker(train, planes, placement, gap, stop);
   std::vector<Vector3d> moves = stacker.nearest();
   if (rings < 2)
     moves = stacker.improved(std::move(moves));  // linked sets find ways through (coaxial_plan.h)
@@ -258,7 +270,8 @@ void stackWheels(TrainWheels& train, const Placement& placement) {
   for (TrainPair& pair : train.pairs) pair.pitchPoint += moved[static_cast<std::size_t>(pair.tail)];
 }
 
-std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, const Placement& placement) {
+std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, const Placement& placement,
+                                                  const std::stop_token& stop) {
   const WheelRooms rooms(train, placement);
   std::vector<std::set<int>> near;  // the wheel itself and those it meshes with
   for (std::size_t w = 0; w < train.wheels.size(); ++w) near.push_back({static_cast<int>(w)});
@@ -269,6 +282,7 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, cons
   std::vector<std::pair<int, int>> found;
   for (std::size_t a = 0; a < train.wheels.size(); ++a) {
     for (std::size_t b = a + 1; b < train.wheels.size(); ++b) {
+      if (stop.stop_requested()) return found;
       if (train.wheels[a].link == train.wheels[b].link) continue;
       if (!rooms.collide(static_cast<int>(a), static_cast<int>(b))) continue;
       const bool neighbours =

@@ -34,8 +34,8 @@ class WheelFinder {
         m_sharing(mechanism, placement),
         m_ofLink(mechanism.links.size()) {}
 
-  TrainWheels find() {
-    for (int m = 0; m < m_mechanism.c(); ++m) {
+  TrainWheels find(const std::stop_token& stop) {
+    for (int m = 0; m < m_mechanism.c() && !stop.stop_requested(); ++m) {
       const auto& geometry = m_placement.meshes[static_cast<std::size_t>(m)];
       if (geometry) addPair(m, *geometry);
     }
@@ -178,9 +178,9 @@ int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
 
 }  // namespace
 
-TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement) {
+TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement, const std::stop_token& stop) {
   if (!placement.classes) return {};
-  return WheelFinder(mechanism, placement).find();
+  return WheelFinder(mechanism, placement).find(stop);
 }
 
 }  // namespace geargraph

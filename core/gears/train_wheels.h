@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -41,25 +42,30 @@ struct TrainWheels {
 };
 
 /// Which wheels there are, where, and of what kind, teeth and cone. The specs' other measures are not set
-/// yet.
-[[nodiscard]] TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement);
+/// yet. Of no use when `stop` was requested meanwhile.
+[[nodiscard]] TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement,
+                                   const std::stop_token& stop = {});
 
 /// Modules, profile shifts, face widths, backlash and tips of all wheels. A wheel whose meshes lie in several
 /// planes (the long planet of a Ravigneaux set) is as wide as all of them, its origin in their middle.
-void shapeWheels(const Mechanism& mechanism, TrainWheels& train);
+/// Of no use when `stop` was requested meanwhile. Cost: O(wheels + sweeps * meshes), 500 sweeps at most.
+void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop = {});
 
 /// Moves movable groups of wheels along their axes until no two wheels that do not mesh stand in one place;
 /// but for linked sets so that as few as can be are shut in between wheels of another link (stack_order.h).
-void stackWheels(TrainWheels& train, const Placement& placement);
+/// Of no use when `stop` was requested meanwhile.
+void stackWheels(TrainWheels& train, const Placement& placement, const std::stop_token& stop = {});
 
 /// Shortens faces of bevel pairs that the document leaves open, where that takes a wheel of theirs out of the
-/// room of another. Cost: O(wheels^2).
-void shortenFaces(TrainWheels& train, const Placement& placement);
+/// room of another. Of no use when `stop` was requested meanwhile. Cost: O(wheels^2).
+void shortenFaces(TrainWheels& train, const Placement& placement, const std::stop_token& stop = {});
 
 /// Wheels of different links that still stand in one place and do not mesh, nor have a wheel in common that
-/// both mesh with beside each other (neighbours, whose own finding says more).
+/// both mesh with beside each other (neighbours, whose own finding says more). Incomplete when `stop` was
+/// requested meanwhile.
 [[nodiscard]] std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train,
-                                                                const Placement& placement);
+                                                                const Placement& placement,
+                                                                const std::stop_token& stop = {});
 
 [[nodiscard]] inline Eigen::Vector3d wide(const Vector3& v) {
   return {v[0], v[1], v[2]};

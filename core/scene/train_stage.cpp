@@ -33,9 +33,15 @@ Eigen::Vector3d middleOf(const GearSpec& spec) {
 class StageBuilder {
  public:
   StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache,
-               const ShapeSource* shapes, StageMemory* memory)
-      : m_mechanism(mechanism), m_placement(placement), m_cache(cache), m_shapes(shapes), m_memory(memory) {}
+               const ShapeSource* shapes, StageMemory* memory, const std::stop_token& stop)
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_cache(cache),
+        m_shapes(shapes),
+        m_memory(memory),
+        m_stop(stop) {}
 
+  /// Null when `stop` was requested meanwhile.
   std::shared_ptr<Stage> build();
   [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
 
@@ -52,6 +58,7 @@ class StageBuilder {
   GearCache& m_cache;
   const ShapeSource* m_shapes;
   StageMemory* m_memory;
+  const std::stop_token& m_stop;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
   std::vector<std::optional<std::size_t>> m_instanceOfGear;
@@ -161,12 +168,20 @@ void StageBuilder::addLabels() {
 std::shared_ptr<Stage> StageBuilder::build() {
   BodyCache once;
   const GearTrain train =
-      shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once);
+      shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once, m_stop);
   m_labelOf.resize(m_mechanism.links.size());
   m_instanceOfGear.resize(train.gears.size());
-  for (std::size_t gear = 0; gear < train.gears.size(); ++gear) addGear(train.gears[gear], gear);
-  for (const LinkBody& body : train.bodies) addBody(body);
-  for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) addShapes(link);
+  for (std::size_t gear = 0; gear < train.gears.size() && !m_stop.stop_requested(); ++gear)
+    addGear(train.gears[gear], gear);
+  for (const LinkBody& body : train.bodies) {
+    if (m_stop.stop_requested()) return nullptr;
+    addBody(body);
+  }
+  for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) {
+    if (m_stop.stop_requested()) return nullptr;
+    addShapes(link);
+  }
+  if (m_stop.stop_requested()) return nullptr;
   addLabels();
   if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene);
   m_stage->unit = m_mechanism.unit;
@@ -250,13 +265,14 @@ void StageMemory::addFactsTo(Scene& scene) {
 }
 
 StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
-                    StageMemory* memory) {
+                    StageMemory* memory, const std::stop_token& stop) {
   const Mechanism& mechanism = *snapshot.mechanism;
   if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
   const Placement& placement = snapshot.kinematics->placement;
   const SpanningTree& tree = *snapshot.tree;
-  StageBuilder builder(mechanism, placement, cache, shapes, memory);
+  StageBuilder builder(mechanism, placement, cache, shapes, memory, stop);
   const std::shared_ptr<Stage> stage = builder.build();
+  if (!stage) return nullptr;
   const auto motion = jointMotion(snapshot);
   if (!motion) return stage;
   std::vector<Pose> reference;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "core/analysis/analysis.h"
 #include "core/gears/gear_solid.h"
@@ -49,7 +50,10 @@ class StageMemory {
 ///
 /// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
 /// them is said in Stage::notes.
+///
+/// Null when `stop` was requested meanwhile, within some milliseconds.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,
-                                  const ShapeSource* shapes = nullptr, StageMemory* memory = nullptr);
+                                  const ShapeSource* shapes = nullptr, StageMemory* memory = nullptr,
+                                  const std::stop_token& stop = {});
 
 }  // namespace geargraph

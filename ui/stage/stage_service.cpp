@@ -49,7 +49,8 @@ void StageService::make(const Request& request, const std::stop_token& stop) {
   const ShapeSource shapes{m_shapes, request.folder, stop};
   m_memory.setFindsEdges(request.isPaintedByWindow);
   const StagePtr stage =
-      trainStage(*request.snapshot, m_cache, request.folder.empty() ? nullptr : &shapes, &m_memory);
+      trainStage(*request.snapshot, m_cache, request.folder.empty() ? nullptr : &shapes, &m_memory, stop);
+  if (!stage) return;
   QMetaObject::invokeMethod(
       this, [this, stage, number = request.number] { arrived(stage, number); }, Qt::QueuedConnection);
 }
