@@ -2,12 +2,40 @@
 // FOLDER
 
 #include <cstdio>
+#include <initializer_list>
 #include <string>
-#include <utility>
 
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
 #include "tests/bench/families.h"
+#include "tests/core/support/deep_train.h"
+
+namespace geargraph {
+namespace {
+
+Mechanism deepTrain(int links) {
+  return test::deepTrain(1, links);
+}
+
+Mechanism deepCoupledTrain(int links) {
+  return bench::drivenAtRandom(deepTrain(links));
+}
+
+/// Writes a family's trains; false (and reported) where one could not be written.
+bool writeFamily(const std::string& folder, const char* family, Mechanism (*train)(int),
+                 std::initializer_list<int> sizes) {
+  for (const int links : sizes) {
+    const std::string path = folder + "/" + family + "-" + std::to_string(links) + ".geargraph";
+    if (const auto error = writeFile(path, writeMechanism(train(links)))) {
+      std::fprintf(stderr, "%s\n", error->message.c_str());
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace geargraph
 
 int main(int count, char** arguments) {
   using namespace geargraph;
@@ -15,17 +43,11 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: geargraph_bench_trains FOLDER\n");
     return 2;
   }
-  const std::pair<const char*, Mechanism (*)(int)> families[] = {{"tree", &bench::drivenTree},
-                                                                 {"coupled", &bench::coupledTree}};
-  for (const auto& [family, train] : families) {
-    for (const int links : {7, 20, 80, 1000, 10000}) {
-      const std::string path =
-          std::string(arguments[1]) + "/" + family + "-" + std::to_string(links) + ".geargraph";
-      if (const auto error = writeFile(path, writeMechanism(train(links)))) {
-        std::fprintf(stderr, "%s\n", error->message.c_str());
-        return 2;
-      }
-    }
-  }
-  return 0;
+  const std::string folder = arguments[1];
+  const bool areWritten =
+      writeFamily(folder, "tree", &bench::drivenTree, {7, 20, 80, 1000, 3000, 10000, 30000}) &&
+      writeFamily(folder, "coupled", &bench::coupledTree, {7, 20, 80, 1000, 10000}) &&
+      writeFamily(folder, "deep", &deepTrain, {1000, 3000, 10000, 30000}) &&
+      writeFamily(folder, "deep-coupled", &deepCoupledTrain, {1000, 3000});
+  return areWritten ? 0 : 2;
 }
