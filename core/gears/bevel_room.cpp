@@ -60,35 +60,51 @@ Eigen::Vector2d within(const Outline& outline) {
 
 constexpr double kPace = 0.7;     // modules between the points that are looked at
 constexpr double kUnseen = 0.15;  // modules by which wheels may lie in each other
+constexpr int kMostTurns = 1500;  // points of a circle; a wheel of 330 teeth has as many at that pace
+constexpr int kMostPieces = 250;  // of an edge of the outline
 
-/// Does a point lie within the outline, farther than so much from its edges?
-bool holdsDeep(const Outline& outline, const Eigen::Vector2d& p, double depth) {
-  return holds(outline, p) && !anyEdge(outline, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-           const Eigen::Vector2d way = b - a;
-           if (a.x() == 0 && b.x() == 0) return false;  // the axis is no surface
-           const double share = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
-           return (p - a - share * way).norm() <= depth;
-         });
+/// How deep a point lies within the outline: its distance from the nearest edge, below 0 outside. It changes
+/// by no more than the way between two points of space.
+double depthIn(const Outline& outline, const Eigen::Vector2d& p) {
+  double nearest = 1e300;
+  anyEdge(outline, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    if (a.x() == 0 && b.x() == 0) return false;  // the axis is no surface
+    const Eigen::Vector2d way = b - a;
+    const double share = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+    nearest = std::min(nearest, (p - a - share * way).norm());
+    return false;
+  });
+  return holds(outline, p) ? nearest : -nearest;
 }
 
-/// Does a point of one wheel's surface lie in the other?
+int piecesOf(double length, double pace, int fewest, int most) {
+  return static_cast<int>(std::clamp(std::ceil(length / pace), double(fewest), double(most)));
+}
+
+/// Does a point of one wheel's surface lie in the other? A point outside of it tells how far the next ones
+/// are outside, too: of a circle that stays clear only few are looked at.
 bool reachesInto(const TrainWheel& wheel, const TrainWheel& other) {
   const Outline own = outlineOf(wheel, wheel), its = outlineOf(other, other);
   const Eigen::Isometry3d frame = frameAlong(wheel.origin, wheel.axis);
   const double pace = kPace * wheel.spec.module;
+  const double deep = kUnseen * other.spec.module;
   const auto isIn = [&](const Eigen::Vector2d& p) {
-    const int turns = std::max(8, static_cast<int>(std::ceil(2 * std::numbers::pi * std::abs(p.x()) / pace)));
-    for (int i = 0; i < turns; ++i) {
+    const double circle = 2 * std::numbers::pi * std::abs(p.x());
+    const int turns = piecesOf(circle, pace, 8, kMostTurns);
+    for (int i = 0; i < turns;) {
       const double angle = 2 * std::numbers::pi * i / turns;
       const Eigen::Vector3d at =
           frame * Eigen::Vector3d(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()) - other.origin;
       const double along = at.dot(other.axis);
-      if (holdsDeep(its, {(at - along * other.axis).norm(), along}, kUnseen * other.spec.module)) return true;
+      const double missing = deep - depthIn(its, {(at - along * other.axis).norm(), along});
+      if (missing < 0) return true;
+      const double passed = std::floor(missing * turns / std::max(circle, 1e-300));
+      i += 1 + static_cast<int>(std::min(passed, double(turns)));
     }
     return false;
   };
   return anyEdge(own, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / pace)));
+    const int pieces = piecesOf((b - a).norm(), pace, 1, kMostPieces);
     for (int i = 0; i < pieces; ++i) {
       if (isIn(a + (b - a) * i / pieces)) return true;
     }

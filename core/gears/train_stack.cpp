@@ -283,12 +283,11 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, cons
   for (std::size_t a = 0; a < train.wheels.size(); ++a) {
     for (std::size_t b = a + 1; b < train.wheels.size(); ++b) {
       if (stop.stop_requested()) return found;
-      if (train.wheels[a].link == train.wheels[b].link) continue;
-      if (!rooms.collide(static_cast<int>(a), static_cast<int>(b))) continue;
-      const bool neighbours =
-          std::any_of(near[a].begin(), near[a].end(), [&](int w) { return near[b].contains(w); });
       const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
-      if (!neighbours || (coaxial && !near[a].contains(static_cast<int>(b))))
+      if (train.wheels[a].link == train.wheels[b].link || near[a].contains(static_cast<int>(b))) continue;
+      const auto isNeighbour = [&](int w) { return near[b].contains(w); };
+      if (rooms.collide(static_cast<int>(a), static_cast<int>(b)) &&
+          (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
         found.emplace_back(static_cast<int>(a), static_cast<int>(b));
     }
   }

@@ -388,6 +388,21 @@ class TestFindings : public QObject {
     QCOMPARE(faceOf("16:head"), 11.0);
   }
 
+  /// The same train in finer and finer teeth has the same wheels that stand in each other: what is looked at
+  /// of them does not grow with the teeth.
+  void bevelsOfManyTeethAreComparedToo() {
+    for (const int factor : {1, 20, 500, 5000}) {
+      Mechanism robot = test::robot();
+      for (GearMesh& mesh : robot.gearMeshes) {
+        mesh.tailTeeth *= factor;
+        mesh.headTeeth *= factor;
+      }
+      for (const std::size_t mesh : {1, 2}) robot.gearMeshes[mesh].faceWidth = Number(11);
+      const Diagnostics found = findings(robot);
+      QVERIFY2(count(found, Code::interference, "do not mesh. Use smaller face widths") > 0, listed(found));
+    }
+  }
+
   void aSoundTrainHasNoFindings() {
     QVERIFY(findings(pair(20, 40)).empty());
     QVERIFY(findings(test::planetary(20, 19, 3)).empty());
