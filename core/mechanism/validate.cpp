@@ -45,6 +45,8 @@ class WellFormedCheck {
     checkCouplings();
     checkStates();
     checkCamera();
+    const Diagnostics beyond = rangeDiagnostics(m_mechanism);
+    m_findings.insert(m_findings.end(), beyond.begin(), beyond.end());
     return std::move(m_findings);
   }
 

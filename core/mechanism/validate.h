@@ -6,7 +6,8 @@
 namespace geargraph {
 
 /// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
-/// couplings. All findings, not only the first. The reader refuses what has any. Cost: O(n + t + c).
+/// couplings, and all of rangeDiagnostics() (length_range.h). All findings, not only the first. The reader
+/// refuses what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics wellFormedDiagnostics(const Mechanism& mechanism);
 
 /// Do the turning joints make a spanning tree: `disconnected` (one finding, all links that no chain of

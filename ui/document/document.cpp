@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/mechanism/difference.h"
+#include "core/mechanism/length_range.h"
 
 namespace geargraph {
 
@@ -49,6 +50,10 @@ bool Document::apply(const Edit& edit) {
   Expected<Mechanism> next = edit.reduce(*m_mechanism);
   if (!next) {
     emit refused(next.error());
+    return false;
+  }
+  if (Diagnostics beyond = rangeDiagnostics(*next); !beyond.empty()) {
+    emit refused(beyond);
     return false;
   }
   const bool nothingToDo = edit.gesture == 0 && *next == *m_mechanism;

@@ -197,6 +197,9 @@ void TestMechanismReader::limits_areInclusive() {
   QCOMPARE(findings(with(kEverything, "\"stage\"", '"' + name + '"')), std::string());
   QCOMPARE(findings(with(kEverything, "31", "100000")), std::string());
   QCOMPARE(findings(with(kEverything, "31", "1")), std::string());
+  QCOMPARE(findings(with(kEverything, "-1.50", "-1e15")), std::string());
+  QCOMPARE(findings(with(kEverything, "-1.50", "1e-300")), std::string());
+  QCOMPARE(findings(with(kEverything, "[0, 0, 1e-3]", "[0, 0, 1e-15]")), std::string());
   std::string list = "[0";
   for (int i = 1; i < 100'000; ++i) list += ",0";
   QCOMPARE(findings(with(kEverything, "{\"zoom\": 1.50}", list + "]")), std::string());

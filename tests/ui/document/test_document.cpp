@@ -102,6 +102,16 @@ class DocumentTest : public QObject {
     QCOMPARE(document.undoStack().count(), 0);
   }
 
+  void lengthsBeyondTheRangeAreRefused() {
+    Document document;
+    QVERIFY(document.apply(moveGround(1e15, 1)));
+    QSignalSpy refused(&document, &Document::refused);
+    QVERIFY(!document.apply(moveGround(1.1e15, 2)));
+    QCOMPARE(refused.count(), 1);
+    QCOMPARE(refused.front().front().value<Diagnostics>().front().code, Code::schema);
+    QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 1e15);
+  }
+
   void modifiedFollowsTheFile() {
     Document document;
     QVERIFY(!document.isModified());
