@@ -2,6 +2,7 @@
 
 #include <graphviz/gvc.h>
 
+#include <cstdint>
 #include <mutex>
 
 #include "core/drawing/tidy_tree.h"
@@ -215,8 +216,8 @@ class Crowd {
   void add(SheetPoint p) { m_cells[cell(p)].push_back(p); }
   [[nodiscard]] bool hasRoom(SheetPoint p) const {
     const auto [column, row] = cell(p);
-    for (int c = column - 1; c <= column + 1; ++c) {
-      for (int r = row - 1; r <= row + 1; ++r) {
+    for (std::int64_t c = column - 1; c <= column + 1; ++c) {
+      for (std::int64_t r = row - 1; r <= row + 1; ++r) {
         const auto found = m_cells.find({c, r});
         if (found == m_cells.end()) continue;
         for (const SheetPoint other : found->second) {
@@ -238,10 +239,12 @@ class Crowd {
   }
 
  private:
-  static std::pair<int, int> cell(SheetPoint p) {
-    return {static_cast<int>(std::floor(p.x / kNodesApart)), static_cast<int>(std::floor(p.y / kNodesApart))};
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  static Cell cell(SheetPoint p) {
+    return {static_cast<std::int64_t>(std::floor(p.x / kNodesApart)),
+            static_cast<std::int64_t>(std::floor(p.y / kNodesApart))};
   }
-  std::map<std::pair<int, int>, std::vector<SheetPoint>> m_cells;
+  std::map<Cell, std::vector<SheetPoint>> m_cells;
 };
 
 }  // namespace

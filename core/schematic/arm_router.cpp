@@ -53,7 +53,8 @@ ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int l
 }
 
 std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets,
-                                                  const std::vector<double>& prices) {
+                                                  const std::vector<double>& prices,
+                                                  const std::stop_token& stop) {
   m_tolls.charge(m_grid, m_lines, link);
   m_search.begin(m_grid, m_tolls);
   for (const LinkLine& line : m_lines) {
@@ -64,7 +65,7 @@ std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<Sh
     const auto node = m_grid.nodeAt(targets[t]);
     if (node) m_search.addTarget(*node, prices.empty() ? 0 : prices[t], t);
   }
-  const std::optional<ArmSearch::Way> way = m_search.cheapest();
+  const std::optional<ArmSearch::Way> way = m_search.cheapest(stop);
   if (!way) return std::nullopt;
   Course course = courseThrough(bendsOf(m_grid, way->nodes), link);
   course.target = way->target;

@@ -200,12 +200,13 @@ std::optional<ArmSearch::End> ArmSearch::cheapestEnd() const {
   return best;
 }
 
-std::optional<ArmSearch::Way> ArmSearch::cheapest() {
+std::optional<ArmSearch::Way> ArmSearch::cheapest(const std::stop_token& stop) {
   if (m_targets.empty()) return std::nullopt;
   lookAhead();
   narrow();
   const auto isPending = [](const Pending& pending) { return pending.level || pending.down || pending.up; };
   while (std::any_of(m_pending.begin(), m_pending.end(), isPending)) {
+    if (stop.stop_requested()) return std::nullopt;
     goLevel();
     narrow();
     goAcross();
@@ -214,8 +215,11 @@ std::optional<ArmSearch::Way> ArmSearch::cheapest() {
   const std::optional<End> end = cheapestEnd();
   if (!end) return std::nullopt;
   Way way{{}, end->target};
-  for (std::optional<std::size_t> state = end->state; state; state = before(*state))
+  // Costs so large that a step vanishes in them could lead back to where the walk has been.
+  for (std::optional<std::size_t> state = end->state; state; state = before(*state)) {
+    if (way.nodes.size() > 2 * m_grid->nodes()) return std::nullopt;
     way.nodes.push_back(*state / 2);
+  }
   std::reverse(way.nodes.begin(), way.nodes.end());
   return way;
 }

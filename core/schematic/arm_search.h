@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <stop_token>
 
 #include "core/schematic/arm_grid.h"
 
@@ -25,7 +26,8 @@ class ArmSearch {
     std::vector<std::size_t> nodes;  ///< from the start to the target
     std::size_t target = 0;          ///< its number
   };
-  [[nodiscard]] std::optional<Way> cheapest();
+  /// std::nullopt if there is none, or `stop` was requested meanwhile.
+  [[nodiscard]] std::optional<Way> cheapest(const std::stop_token& stop = {});
 
  private:
   static constexpr double kFar = 1e300;  ///< what comes to it is still that, and from itself it is 0 away

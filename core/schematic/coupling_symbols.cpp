@@ -34,8 +34,13 @@ Extent boxOf(SheetPoint from, SheetPoint to, double half, SheetPoint way) {
 
 class CouplingPlacer {
  public:
-  CouplingPlacer(const DrawnPart& part, const SheetLayout& layout, Section& section)
-      : m_part(part), m_layout(layout), m_section(section), m_taken(obstaclesOf(section, 120)) {}
+  CouplingPlacer(const DrawnPart& part, const SheetLayout& layout, Section& section,
+                 const std::stop_token& stop)
+      : m_part(part),
+        m_layout(layout),
+        m_section(section),
+        m_stop(stop),
+        m_taken(obstaclesOf(section, 120)) {}
 
   void add(const Coupling& coupling) {
     std::vector<int> links;
@@ -193,7 +198,7 @@ class CouplingPlacer {
         prices.push_back(plates.cost);
       }
       m_router.begin(m_lanes.gridWith(ends), m_section.lines);
-      const auto course = m_router.route(reacher, ends, prices);
+      const auto course = m_router.route(reacher, ends, prices, m_stop);
       if (!course) continue;
       const Plates& plates = places[course->target];
       const double cost = plates.cost + course->length + 300 * course->crossings;
@@ -221,6 +226,7 @@ class CouplingPlacer {
   const DrawnPart& m_part;
   const SheetLayout& m_layout;
   Section& m_section;
+  const std::stop_token& m_stop;
   ObstacleGrid m_taken;
   ArmLanes m_lanes;
   ArmRouter m_router;
@@ -229,10 +235,14 @@ class CouplingPlacer {
 
 }  // namespace
 
-void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& section) {
+void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& section,
+                  const std::stop_token& stop) {
   if (part.mechanism.couplings.empty() || section.marks.empty()) return;
-  CouplingPlacer placer(part, layout, section);
-  for (const Coupling& coupling : part.mechanism.couplings) placer.add(coupling);
+  CouplingPlacer placer(part, layout, section, stop);
+  for (const Coupling& coupling : part.mechanism.couplings) {
+    if (stop.stop_requested()) return;
+    placer.add(coupling);
+  }
 }
 
 }  // namespace geargraph

@@ -199,7 +199,7 @@ double scaleFor(const RadialSystem& system) {
 
 /// Rolls out; axes whose wheels cannot touch after all are placed once more, out of each other's way.
 std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheels& train,
-                                     const Placement& placement) {
+                                     const Placement& placement, const std::stop_token& stop) {
   std::vector<bool> givenUp(train.pairs.size());
   for (;;) {
     Roller roller(layout, train, placement, givenUp);
@@ -212,13 +212,13 @@ std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheel
       const TrainPair& pair = train.pairs[p];
       system.contacts.push_back({pair.tail, pair.head, pair.kind == MeshKind::internal, !givenUp[p]});
     }
-    system.settle();
+    system.settle(stop);
     bool more = false;
     for (std::size_t p = 0; p < givenUp.size(); ++p) {
       if (givenUp[p] || system.contacts[p].kept) continue;
       givenUp[p] = more = true;
     }
-    if (!more) return {system, roller.root()};
+    if (!more || stop.stop_requested()) return {system, roller.root()};
   }
 }
 
@@ -257,9 +257,10 @@ Vector3 sideways(const SheetLayout& layout) {
 
 }  // namespace
 
-void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement) {
+void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement,
+                 const std::stop_token& stop) {
   if (layout.axes.empty()) return;
-  const auto [system, root] = settled(layout, train, placement);
+  const auto [system, root] = settled(layout, train, placement, stop);
   layout.otherRadii = system.changed;
   layout.scale = scaleFor(system);
   const SheetAxis first = layout.axes.front();

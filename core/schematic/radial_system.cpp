@@ -87,12 +87,12 @@ bool RadialSystem::trySolve() {
   return true;
 }
 
-void RadialSystem::settle() {
+void RadialSystem::settle(const std::stop_token& stop) {
   std::vector<Contact*> missing;
   for (Contact& contact : contacts) {
     if (contact.kept && !fits(contact)) missing.push_back(&contact);
   }
-  while (!missing.empty()) {
+  while (!missing.empty() && !stop.stop_requested()) {
     if (wheels.size() <= kMostWheels && trySolve()) return;
     missing.back()->kept = false;
     missing.pop_back();

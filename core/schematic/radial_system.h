@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 namespace geargraph {
@@ -25,7 +26,8 @@ struct RadialSystem {
   /// the least squares of relative changes of the radii. Contacts that would shrink a wheel to a quarter are
   /// given up, the last ones first.
   /// Cost: cubic in axes + wheels + contacts if they do not fit; beyond kMostWheels contacts are given up.
-  void settle();
+  /// Of no use when `stop` was requested meanwhile.
+  void settle(const std::stop_token& stop = {});
 
   static constexpr std::size_t kMostWheels = 150;
 

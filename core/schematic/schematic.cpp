@@ -46,12 +46,13 @@ class SectionSearch {
     constexpr std::size_t kMostLines = 160;  ///< a larger drawing is not done several times
     m_stacker.search(stop);
     if (m_layout.parallel) m_stacker.squeeze();
-    Section section = sectionOf(m_part, m_placement, m_layout, m_stacker.plan());
+    if (stop.stop_requested()) return {};
+    Section section = sectionOf(m_part, m_placement, m_layout, m_stacker.plan(), stop);
     if (m_layout.parallel || section.crossing.size() > kMostMoved || section.lines.size() > kMostLines) {
       return section;
     }
     for (const int joint : std::vector<int>(section.crossing)) {
-      if (!stop.stop_requested()) move(joint, section);
+      if (!stop.stop_requested()) move(joint, section, stop);
     }
     return section;
   }
@@ -76,13 +77,14 @@ class SectionSearch {
     return places;
   }
 
-  void move(int joint, Section& section) {
+  void move(int joint, Section& section, const std::stop_token& stop) {
     double kept = m_stacker.placeOf(joint);
     double least = costOf(section) + m_stacker.costOf(joint);
     for (const auto& [alone, place] : places(joint)) {
       if (alone >= least) continue;
       m_stacker.move(joint, place);
-      Section other = sectionOf(m_part, m_placement, m_layout, m_stacker.plan());
+      Section other = sectionOf(m_part, m_placement, m_layout, m_stacker.plan(), stop);
+      if (stop.stop_requested()) return;
       if (other.crossings >= section.crossings || costOf(other) + alone >= least) continue;
       least = costOf(other) + alone;
       kept = place;
@@ -105,12 +107,14 @@ SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_
   if (geometry.isTooLarge) return geometry;
   const DrawnPart part = drawnPart(mechanism);
   const Placement placement = placementOf(part.mechanism);
-  if (!placement.tree) return geometry;
-  SheetLayout layout = sheetLayout(part, placement);
+  if (!placement.tree || stop.stop_requested()) return geometry;
+  SheetLayout layout = sheetLayout(part, placement, stop);
+  if (stop.stop_requested()) return geometry;
   if (layout.axes.empty()) return geometry;
   Section section = SectionSearch(part, placement, layout).best(stop);
   if (stop.stop_requested()) return geometry;
-  addCouplings(part, layout, section);
+  addCouplings(part, layout, section, stop);
+  if (stop.stop_requested()) return geometry;
   geometry.frame = sheetFrame(part, layout);
   geometry.notes = sectionNotes(part, layout);
   SectionLabels labels = sectionLabels(part, section, geometry.notes);

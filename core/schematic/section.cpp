@@ -26,8 +26,8 @@ std::size_t at(int position) {
 class SectionBuilder {
  public:
   SectionBuilder(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
-                 const ShaftPlan& plan)
-      : m_part(part), m_placement(placement), m_layout(layout), m_plan(plan) {
+                 const ShaftPlan& plan, const std::stop_token& stop)
+      : m_part(part), m_placement(placement), m_layout(layout), m_plan(plan), m_stop(stop) {
     for (const Link& link : part.mechanism.links) m_section.links.push_back({link.id, {}});
     for (const TurningJoint& joint : part.mechanism.turningJoints) m_section.joints.push_back({joint.id, {}});
   }
@@ -101,6 +101,7 @@ class SectionBuilder {
   const Placement& m_placement;
   const SheetLayout& m_layout;
   const ShaftPlan& m_plan;
+  const std::stop_token& m_stop;
   Section m_section;
   double m_hold = 0;  ///< what it costs to fasten an arm to what is drawn now
 };
@@ -285,7 +286,8 @@ void SectionBuilder::addArms() {
   for (const Wish& wish : wishes) ends.insert(ends.end(), wish.ends.begin(), wish.ends.end());
   ArmRouter router(m_section.lines, ends);
   for (const Wish& wish : wishes) {
-    const auto course = router.route(wish.link, wish.ends);
+    if (m_stop.stop_requested()) return;
+    const auto course = router.route(wish.link, wish.ends, {}, m_stop);
     if (!course) continue;
     m_section.armLength += course->length;
     m_section.crossings += course->crossings;
@@ -410,8 +412,8 @@ void occupy(ObstacleGrid& taken, const Shape& shape) {
 }  // namespace
 
 Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
-                  const ShaftPlan& plan) {
-  return SectionBuilder(part, placement, layout, plan).build();
+                  const ShaftPlan& plan, const std::stop_token& stop) {
+  return SectionBuilder(part, placement, layout, plan, stop).build();
 }
 
 Extent extentOf(const Section& section) {

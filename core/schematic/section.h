@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <stop_token>
 #include <vector>
 
 #include "core/drawing/display_list.h"
@@ -38,8 +39,9 @@ constexpr double kShaftWidth = 3.4;
 constexpr double kLinkWidth = 2.2;
 constexpr double kAxisWidth = 1;
 
+/// Of no use when `stop` was requested meanwhile.
 [[nodiscard]] Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
-                                const ShaftPlan& plan);
+                                const ShaftPlan& plan, const std::stop_token& stop = {});
 
 [[nodiscard]] Extent extentOf(const Section& section);
 /// Everything that is drawn as obstacles, for what comes to stand up to `beyond` outside of it.

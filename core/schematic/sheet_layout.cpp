@@ -43,12 +43,13 @@ double SheetLayout::stretched(double coordinate) const {
   return (index - 1 + (coordinate - low) / (*above - low)) * kPlaneDistance;
 }
 
-SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement) {
+SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const std::stop_token& stop) {
   SheetLayout layout;
   collectAxes(part, placement, layout);
-  TrainWheels train = wheelsOf(part.mechanism, placement);
-  shapeWheels(part.mechanism, train);
-  stackWheels(train, placement);
+  TrainWheels train = wheelsOf(part.mechanism, placement, stop);
+  shapeWheels(part.mechanism, train, stop);
+  stackWheels(train, placement, stop);
+  if (stop.stop_requested()) return layout;
   for (const SheetAxis& axis : layout.axes) {
     layout.parallel = layout.parallel && isParallel(axis.direction, layout.axes.front().direction);
   }
@@ -62,7 +63,7 @@ SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement) {
   }
   for (const TrainPair& pair : train.pairs) layout.pairs.push_back({pair.mesh, pair.tail, pair.head, false});
   if (layout.parallel) {
-    layParallel(layout, train, placement);
+    layParallel(layout, train, placement, stop);
   } else {
     layUnfolded(layout, train, placement);
   }

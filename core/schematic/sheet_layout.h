@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/triple.h"
@@ -104,11 +105,14 @@ constexpr double kBarGap = 1.8;
 /// changes.
 /// Otherwise: as in space where the axes lie in one plane (z up); else each axis is turned about its
 /// neighbour into the sheet, its distance and angle to it kept.
+/// Of no use when `stop` was requested meanwhile.
 /// @pre the placement is the part's and has a tree
-[[nodiscard]] SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement);
+[[nodiscard]] SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement,
+                                      const std::stop_token& stop = {});
 
 // The two ways, and what both need.
-void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement);
+void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement,
+                 const std::stop_token& stop);
 void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement& placement);
 /// The link's own axis of the layout; -1 for the ground.
 [[nodiscard]] inline int axisOfLink(const Placement& placement, int link) {

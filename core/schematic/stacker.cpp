@@ -16,6 +16,7 @@ constexpr int kStepsOutside = 10;  ///< and beyond all of them
 constexpr double kCrossing = 100;  ///< cost of two things in one place
 constexpr double kEnclosed = 45;
 constexpr double kArmHalf = 3;
+constexpr double kSheetMargin = 20'000;  ///< from wheels and axes to the farthest bearing, px
 constexpr int kRounds = 4;
 // Large trains are searched less: nobody follows every line of them.
 constexpr std::size_t kLarge = 50;  ///< joints
@@ -92,6 +93,22 @@ void Stacker::addFixedPieces() {
   }
 }
 
+/// What is drawn on the sheet before its bearings, as a stretch of an axis.
+Stacker::Range Stacker::drawnOn(int axis) const {
+  const SheetAxis& on = m_layout.axes[at(axis)];
+  Range drawn;
+  const auto include = [&](SheetPoint p) {
+    const double place = on.coordinateOf(p);
+    drawn.include(place, place);
+  };
+  for (const SheetWheel& wheel : m_layout.wheels)
+    include(m_layout.axes[at(wheel.axis)].at(wheel.at, wheel.radius));
+  if (m_layout.wheels.empty()) {
+    for (const SheetAxis& other : m_layout.axes) include(other.origin);
+  }
+  return drawn;
+}
+
 /// Places beside every wheel on parallel axes, the nearest to what is wanted if there are many.
 std::vector<double> Stacker::placesOn(int axis, double wanted) const {
   const SheetAxis& on = m_layout.axes[at(axis)];
@@ -157,7 +174,9 @@ void Stacker::addBearings() {
     const AxisLine& own = m_placement.axes[at(tree.axisOf[j])];
     const double offset = m_part.mechanism.turningJoints[j].offset.value();
     const Vector3 drawn = own.point + offset * own.direction;
-    bearing.at = m_layout.along(m_layout.axes[at(bearing.axis)], drawn);
+    const Range sheet = drawnOn(bearing.axis);
+    bearing.at = std::clamp(m_layout.along(m_layout.axes[at(bearing.axis)], drawn), sheet.low - kSheetMargin,
+                            sheet.high + kSheetMargin);
     const int home = bearing.parent == 0 ? -1 : axisOfLink(m_placement, bearing.parent);
     bearing.straightArm = home >= 0 && home != bearing.axis && areParallel(home, bearing.axis);
     bearing.driven = driven.contains(m_part.mechanism.turningJoints[j].id);

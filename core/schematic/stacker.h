@@ -14,6 +14,7 @@ namespace geargraph {
 /// over all of them; deterministic. Cost of search(): O(rounds * things * places * things).
 class Stacker {
  public:
+  /// Bearings that the document has far beyond everything else are drawn at the edge of the sheet.
   Stacker(const DrawnPart& part, const Placement& placement, SheetLayout& layout);
 
   /// Gives up early when `stop` is requested.
@@ -93,6 +94,7 @@ class Stacker {
   void addBearings();
   void addCups();
   void addFixedPieces();
+  [[nodiscard]] Range drawnOn(int axis) const;
   [[nodiscard]] std::vector<double> placesOn(int axis, double wanted) const;
   [[nodiscard]] bool areParallel(int a, int b) const;
   [[nodiscard]] double atOf(const Item& item) const;

@@ -340,6 +340,25 @@ class TestSchematic : public QObject {
     QVERIFY(schematicGeometry(example("robot"), source.get_token()).isEmpty());
   }
 
+  /// A bearing that the document has far beyond everything else is drawn at the edge of the sheet.
+  void bearingsFarAwayStayOnTheSheet() {
+    for (const char* name : {"robot", "planetary-ring-held", "bevel-wrist", "reverted-train"}) {
+      for (const double offset : {1e5, 1e9, 1e15, 1e17}) {
+        Mechanism mechanism = example(name);
+        double sign = 1;
+        for (TurningJoint& joint : mechanism.turningJoints)
+          joint.offset = Number::fromDouble((sign = -sign) * offset);
+        const SchematicGeometry geometry = schematicGeometry(mechanism);
+        QVERIFY(!geometry.isEmpty());
+        for (const Mark& mark : geometry.marks) {
+          const Extent extent = extentOf(mark);
+          QVERIFY(std::abs(extent.center.x) + extent.halfWidth < 1e5 &&
+                  std::abs(extent.center.y) + extent.halfHeight < 1e5);
+        }
+      }
+    }
+  }
+
   void anAxisWithoutJointsIsDrawn() {
     Mechanism mechanism = emptyMechanism();
     mechanism.axes.push_back({AxisId("a"),
