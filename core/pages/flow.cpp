@@ -179,8 +179,9 @@ class FlowWriter {
 
 }  // namespace
 
-SetReport::SetReport(Report report) : m_report(std::move(report)), m_equations(m_report.blocks.size()) {
-  for (std::size_t i = 0; i < m_report.blocks.size(); ++i) {
+SetReport::SetReport(Report report, const std::stop_token& stop)
+    : m_report(std::move(report)), m_equations(m_report.blocks.size()) {
+  for (std::size_t i = 0; i < m_report.blocks.size() && !stop.stop_requested(); ++i) {
     const ReportBlock& block = m_report.blocks[i];
     if (const auto* equation = std::get_if<ReportEquation>(&block)) {
       m_equations[i].formula = formulaOf(equation->tex);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -83,8 +84,8 @@ struct FlowLook {
 /// The formulas of a report, read and set as wide as they are: done once for every width and size.
 class SetReport {
  public:
-  /// Cost: linear in the text of the report.
-  explicit SetReport(Report report);
+  /// Of no use when `stop` was requested meanwhile. Cost: linear in the text of the report.
+  explicit SetReport(Report report, const std::stop_token& stop = {});
 
   [[nodiscard]] const Report& report() const { return m_report; }
   /// The report from its first heading to its end, in strips. Cost: linear in the report.

@@ -11,8 +11,8 @@ constexpr int kMostListed = 100;
 
 class MatroidPart : private ReportPart {
  public:
-  MatroidPart(Report& report, const SnapshotPtr& snapshot)
-      : ReportPart(report),
+  MatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop)
+      : ReportPart(report, stop),
         m_pointer(snapshot),
         m_snapshot(*snapshot),
         m_graph(*snapshot->graph),
@@ -21,9 +21,9 @@ class MatroidPart : private ReportPart {
   void add() {
     heading(1, "Matroid method");
     addScrews();
-    addCoefficients();
+    if (!isStopped()) addCoefficients();
     addFreedom();
-    if (m_matroid.solution) addSolution();
+    if (m_matroid.solution && !isStopped()) addSolution();
   }
 
  private:
@@ -155,6 +155,7 @@ class MatroidPart : private ReportPart {
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
                " " + rateColumn(m_graph, joints) + " = 0", 24);
     }
+    if (isStopped()) return;
     paragraph("Solved for the outputs,");
     equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
     if (solution.inputs.empty()) {
@@ -167,6 +168,7 @@ class MatroidPart : private ReportPart {
     } else if (symbols) {
       addRecurrence();
     }
+    if (isStopped()) return;
     paragraph("With the teeth of this mechanism:");
     addTable(numbers(QuantityKind::solution), left, right, std::nullopt);
     addRates();
@@ -178,6 +180,7 @@ class MatroidPart : private ReportPart {
     std::vector<std::string> lines;
     std::vector<ElementId> joints;
     for (const SymbolicLine& line : m_snapshot.solved->symbolic->lines) {
+      if (isStopped()) return;
       std::string sum;
       for (const SymbolicLine::Term& term : line.terms) {
         std::string factor = term.coefficient.toLatex();
@@ -222,8 +225,8 @@ class MatroidPart : private ReportPart {
 
 }  // namespace
 
-void addMatroidPart(Report& report, const SnapshotPtr& snapshot) {
-  if (snapshot->matroid() != nullptr) MatroidPart(report, snapshot).add();
+void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop) {
+  if (snapshot->matroid() != nullptr && !stop.stop_requested()) MatroidPart(report, snapshot, stop).add();
 }
 
 }  // namespace geargraph

@@ -32,15 +32,15 @@ void addAgreement(Report& report, const AnalysisSnapshot& snapshot) {
 
 }  // namespace
 
-Report derivationReport(const SnapshotPtr& snapshot) {
+Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(snapshot->isComplete);
   GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
   Report report;
   report.title = snapshot->mechanism->name.empty() ? "Mechanism without a name" : snapshot->mechanism->name;
   addFindings(report, *snapshot);
   addDigraphPart(report, *snapshot);
-  addMatroidPart(report, snapshot);
-  addTtGraphPart(report, *snapshot);
+  addMatroidPart(report, snapshot, stop);
+  addTtGraphPart(report, *snapshot, stop);
   addAgreement(report, *snapshot);
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -62,9 +63,9 @@ constexpr int kMostReportLinks = 200;
 
 /// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
 /// error of the geometry the digraph's matrices, and so on; what is missing is said with the findings.
-/// Cost: that of the matrices' entries.
+/// Of no use when `stop` was requested meanwhile. Cost: that of the matrices' entries.
 /// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
-[[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot);
+[[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop = {});
 
 /// The drawings in SVG; empty ones are left out.
 struct ReportDrawings {

@@ -4,19 +4,21 @@
 
 namespace geargraph {
 
-// The parts of a report, each as far as the snapshot goes.
+// The parts of a report, each as far as the snapshot goes; of no use when `stop` was requested meanwhile.
 
 /// The mechanism itself, its digraph and the matrices of whole numbers, Eqs. (1)-(5).
 void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot);
 /// Screws, P and the solution, Eqs. (6)-(25).
-void addMatroidPart(Report& report, const SnapshotPtr& snapshot);
+void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop);
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).
-void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot);
+void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
 /// Adds to a report, for its parts.
 class ReportPart {
  protected:
-  explicit ReportPart(Report& report) : m_report(report) {}
+  explicit ReportPart(Report& report, const std::stop_token& stop = {}) : m_report(report), m_stop(stop) {}
+
+  [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
 
   void heading(int level, const char* text) { put(ReportHeading{level, text}); }
   /// With formulas between dollar signs (reportWords()).
@@ -31,6 +33,7 @@ class ReportPart {
 
  private:
   Report& m_report;
+  std::stop_token m_stop;
 };
 
 }  // namespace geargraph

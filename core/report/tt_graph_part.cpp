@@ -11,8 +11,8 @@ namespace {
 
 class TtGraphPart : private ReportPart {
  public:
-  TtGraphPart(Report& report, const AnalysisSnapshot& snapshot)
-      : ReportPart(report),
+  TtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop)
+      : ReportPart(report, stop),
         m_snapshot(snapshot),
         m_graph(*snapshot.kinematics->ttGraph),
         m_digraph(m_graph.graph()) {}
@@ -90,7 +90,7 @@ class TtGraphPart : private ReportPart {
         "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
         "branches:");
     std::map<int, std::pair<std::string, int>> circuits;  // by number: those of several branches come first
-    for (int mesh = 0; mesh < m_digraph.c(); ++mesh) {
+    for (int mesh = 0; mesh < m_digraph.c() && !isStopped(); ++mesh) {
       circuits[numbers.tailCircuit(mesh)] = {equations.tailCircuit(mesh), mesh};
       circuits[numbers.headCircuit(mesh)] = {equations.headCircuit(mesh), mesh};
     }
@@ -113,6 +113,7 @@ class TtGraphPart : private ReportPart {
                 ". Mesh by mesh, the equations give the others.");
     }
     for (const SubstitutionStep& step : *solved().ttSteps) {
+      if (isStopped()) return;
       const std::string unknown = "$" + branch(step.joint) + "$";
       paragraph(step.coupled ? "The equations of several meshes, solved together, give " + unknown + ":"
                              : "Equations " + citedEquations(step.uses) + " give " + unknown + ":");
@@ -140,7 +141,7 @@ class TtGraphPart : private ReportPart {
     for (const auto& row : solved().ttSymbolic->entries) {
       rows.emplace_back();
       for (const auto& entry : row) {
-        if (!entry) return;
+        if (!entry || isStopped()) return;
         rows.back().push_back(entry->toLatex());
       }
     }
@@ -164,7 +165,7 @@ class TtGraphPart : private ReportPart {
       if (step == of.end()) return std::nullopt;
       rows.emplace_back();
       for (const auto& entry : step->second->after) {
-        if (!entry) return std::nullopt;
+        if (!entry || isStopped()) return std::nullopt;
         rows.back().push_back(entry->toLatex());
       }
     }
@@ -185,8 +186,9 @@ class TtGraphPart : private ReportPart {
 
 }  // namespace
 
-void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot) {
-  if (snapshot.kinematics && snapshot.mechanism->t() > 0) TtGraphPart(report, snapshot).add();
+void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const bool isDefined = snapshot.kinematics && snapshot.mechanism->t() > 0;
+  if (isDefined && !stop.stop_requested()) TtGraphPart(report, snapshot, stop).add();
 }
 
 }  // namespace geargraph

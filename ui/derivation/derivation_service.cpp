@@ -11,9 +11,10 @@ void DerivationService::request(const SnapshotPtr& snapshot) {
 }
 
 void DerivationService::make(const Request& request, const std::stop_token& stop) {
-  Report report = derivationReport(request.snapshot);
+  Report report = derivationReport(request.snapshot, stop);
   if (stop.stop_requested()) return;
-  const auto set = std::make_shared<const SetReport>(std::move(report));
+  const auto set = std::make_shared<const SetReport>(std::move(report), stop);
+  if (stop.stop_requested()) return;
   QMetaObject::invokeMethod(
       this,
       [this, set, number = request.number] {

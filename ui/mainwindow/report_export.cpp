@@ -68,13 +68,15 @@ void MainWindow::exportDerivation(const QString& path) {
   }
   const QString why = m_schematic->whyNoPicture();
   if (!why.isEmpty()) return m_status->showRefusal(why);
-  const auto run = [=](const PictureJobs::Progress&, const std::stop_token&) {
+  const auto run = [=](const PictureJobs::Progress&, const std::stop_token& stop) {
+    Report report = derivationReport(snapshot, stop);
+    if (stop.stop_requested()) return tr("The export was stopped.");
     if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {
       const Expected<std::string> pages =
-          reportPdf(derivationReport(snapshot), {lists.schematic, lists.digraph, lists.ttGraph});
+          reportPdf(std::move(report), {lists.schematic, lists.digraph, lists.ttGraph});
       return pages ? written(path, *pages) : QString::fromStdString(pages.error().front().message);
     }
-    const std::string text = reportText(derivationReport(snapshot), formOf(path), [&] {
+    const std::string text = reportText(report, formOf(path), [&] {
       const SheetLook look;
       return ReportDrawings{svgOf(lists.schematic, look), svgOf(lists.digraph, look),
                             svgOf(lists.ttGraph, look)};
