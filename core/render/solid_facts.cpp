@@ -2,19 +2,22 @@
 
 namespace geargraph {
 
-void SolidFacts::addBoxesTo(Scene& scene) {
+void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
   scene.boxes.clear();
   const auto box = [](const Solid& solid) { return boundsOf(solid); };
-  for (const auto& solid : scene.solids) scene.boxes.push_back(*m_boxes.of(solid, box));
+  for (const auto& solid : scene.solids) {
+    if (stop.stop_requested()) return;
+    scene.boxes.push_back(*m_boxes.of(solid, box));
+  }
 }
 
-void SolidFacts::addEdgesTo(Scene& scene) {
+void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
   constexpr double kWindow = 1000;  // pixels that a train fills
   const double pixels = kWindow / (2 * boundsOf(scene).radius());
   const auto add = [&](const std::shared_ptr<const Solid>& solid) {
     scene.edges[solid.get()] = m_edges.of(solid, [](const Solid& found) { return featureEdges(found); });
   };
-  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+  for (std::size_t i = 0; i < scene.solids.size() && !stop.stop_requested(); ++i) {
     add(scene.solids[i]);  // of a smaller window
     if (i >= scene.levels.size()) continue;
     const DetailLevels& levels = scene.levels[i];

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -35,14 +36,14 @@ class KeptFact {
 };
 
 /// What is found of the solids of a scene ahead, so that who paints it need not look for it. Kept from one
-/// scene to the next. Not for two threads at once.
+/// scene to the next. Ends early when `stop` is requested. Not for two threads at once.
 class SolidFacts {
  public:
   /// Finds the boxes of the scene's solids.
-  void addBoxesTo(Scene& scene);
+  void addBoxesTo(Scene& scene, const std::stop_token& stop = {});
   /// Makes the details that a window shows of a train as a whole, and finds their feature edges: where the
   /// window itself paints, it would stand still for them.
-  void addEdgesTo(Scene& scene);
+  void addEdgesTo(Scene& scene, const std::stop_token& stop = {});
   /// Drops what is known of solids that are gone.
   void forgetOthers();
 

@@ -12,8 +12,8 @@ namespace {
 /// Joints times inputs up to which fractions are worth their time: they are needed for the period only.
 constexpr std::size_t kMostExactGains = 20'000;
 
-double periodOf(const KinematicModel& model, const MatroidAnalysis& analysis) {
-  const auto exact = solveExact(model, analysis.choice.joints, analysis.speeds);
+double periodOf(const KinematicModel& model, const MatroidAnalysis& analysis, const std::stop_token& stop) {
+  const auto exact = solveExact(model, analysis.choice.joints, analysis.speeds, stop);
   const auto turns = exact ? commonPeriod(exact->rates) : std::nullopt;
   return turns ? 2 * std::numbers::pi * turns->toDouble() : 0;
 }
@@ -31,7 +31,7 @@ void JointMotion::angles(std::span<const double> inputAngles, std::span<double> 
   }
 }
 
-std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot) {
+std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   const MatroidAnalysis* analysis = snapshot.matroid();
   if (analysis == nullptr || !analysis->solution) return std::nullopt;
   const LiveSolution& solution = *analysis->solution;
@@ -50,7 +50,7 @@ std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot) {
     }
   }
   if (motion.gains.size() <= kMostExactGains)
-    motion.period = periodOf(*snapshot.kinematics->model, *analysis);
+    motion.period = periodOf(*snapshot.kinematics->model, *analysis, stop);
   return motion;
 }
 

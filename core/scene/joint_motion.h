@@ -24,6 +24,7 @@ struct JointMotion {
 /// geometry.
 /// Cost: O(joints * inputs) and, for mechanisms of up to some hundred links, an exact solution for the
 /// period.
-[[nodiscard]] std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot);
+[[nodiscard]] std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot,
+                                                     const std::stop_token& stop = {});
 
 }  // namespace geargraph

@@ -6,6 +6,7 @@
 
 #include "core/drawing/palette.h"
 #include "core/gears/body_recipe.h"
+#include "core/gears/toothless_gear.h"
 #include "core/gears/train.h"
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
@@ -49,6 +50,7 @@ class StageBuilder {
   Instance& add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose);
   [[nodiscard]] DetailLevels& levelsOf(std::size_t solid);
   void addGear(const TrainGear& gear, std::size_t position);
+  void noteToothless(const TrainGear& gear);
   void addBody(const LinkBody& body);
   void addShapes(int link);
   void addLabels();
@@ -88,16 +90,22 @@ DetailLevels& StageBuilder::levelsOf(std::size_t solid) {
 // The link's number stands beside its largest wheel. Gears that cannot be made are left out; the train's
 // diagnostics say why.
 void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
-  const auto solid = m_cache.solid(gear.spec, kFarthestTolerance);
-  if (!solid) return;
-  Instance& instance = add(gear.link, *solid, gear.pose);
+  const bool isToothless = gear.spec.teeth > kMostShownTeeth;
+  const auto detail = [&](double tolerance) -> Expected<std::shared_ptr<const DeferredSolid>> {
+    if (!isToothless) return m_cache.deferred(gear.spec, tolerance);
+    return std::make_shared<const DeferredSolid>(
+        [spec = gear.spec, tolerance] { return toothlessGear(spec, tolerance); });
+  };
+  if (!specDiagnostics(gear.spec).empty()) return;
+  if (isToothless) noteToothless(gear);
+  Instance& instance = add(gear.link, (*detail(kFarthestTolerance))->solid(), gear.pose);
   if (DetailLevels& levels = levelsOf(instance.solid); levels.finer.empty()) {
     levels.unit = gear.spec.module;
     levels.error = kFarthestTolerance;
     std::vector<double> finer{kFarTolerance, kScreenTolerance};
     // Of a large train who sees a wheel from close by sees few of them, and all would have to be made.
     if (m_mechanism.c() <= kMostCloseMeshes) finer.push_back(kExportTolerance);
-    for (const double error : finer) levels.finer.push_back({error, *m_cache.deferred(gear.spec, error)});
+    for (const double error : finer) levels.finer.push_back({error, *detail(error)});
   }
   m_instanceOfGear[position] = m_stage->scene.instances.size() - 1;
   for (const int mesh : gear.meshes) {
@@ -110,6 +118,12 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
   label.radius = radius;
   label.instance = m_stage->scene.instances.size() - 1;
   label.place = middleOf(gear.spec);
+}
+
+void StageBuilder::noteToothless(const TrainGear& gear) {
+  m_stage->notes.push_back({m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
+                            "Gear " + gear.name + " has " + std::to_string(gear.spec.teeth) +
+                                " teeth, too fine to be told apart: it is shown without them."});
 }
 
 void StageBuilder::addBody(const LinkBody& body) {
@@ -183,7 +197,8 @@ std::shared_ptr<Stage> StageBuilder::build() {
   }
   if (m_stop.stop_requested()) return nullptr;
   addLabels();
-  if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene);
+  if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene, m_stop);
+  if (m_stop.stop_requested()) return nullptr;
   m_stage->unit = m_mechanism.unit;
   addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
   return m_stage;
@@ -258,9 +273,9 @@ std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism)
 StageMemory::StageMemory() : m_bodies(std::make_unique<BodyCache>()) {}
 StageMemory::~StageMemory() = default;
 
-void StageMemory::addFactsTo(Scene& scene) {
-  m_facts.addBoxesTo(scene);
-  if (m_findsEdges) m_facts.addEdgesTo(scene);
+void StageMemory::addFactsTo(Scene& scene, const std::stop_token& stop) {
+  m_facts.addBoxesTo(scene, stop);
+  if (m_findsEdges) m_facts.addEdgesTo(scene, stop);
   m_facts.forgetOthers();
 }
 
@@ -273,7 +288,8 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const Sh
   StageBuilder builder(mechanism, placement, cache, shapes, memory, stop);
   const std::shared_ptr<Stage> stage = builder.build();
   if (!stage) return nullptr;
-  const auto motion = jointMotion(snapshot);
+  const auto motion = jointMotion(snapshot, stop);
+  if (stop.stop_requested()) return nullptr;
   if (!motion) return stage;
   std::vector<Pose> reference;
   for (const Instance& instance : stage->scene.instances) reference.push_back(instance.pose);

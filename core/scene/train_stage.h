@@ -23,8 +23,8 @@ class StageMemory {
   ~StageMemory();
 
   [[nodiscard]] BodyCache& bodies() { return *m_bodies; }
-  /// Adds what is known of the solids, and of new ones what has to be.
-  void addFactsTo(Scene& scene);
+  /// Adds what is known of the solids, and of new ones what has to be, unless `stop` is requested.
+  void addFactsTo(Scene& scene, const std::stop_token& stop = {});
   /// Are feature edges found ahead, as for a window that paints by itself?
   void setFindsEdges(bool finds) { m_findsEdges = finds; }
 
@@ -49,7 +49,7 @@ class StageMemory {
 /// (SolidFacts).
 ///
 /// `shapes`: where the 3D files that links wear are read; none: they are left out. What cannot be shown of
-/// them is said in Stage::notes.
+/// them is said in Stage::notes. Wheels of more than kMostShownTeeth are shown without teeth, and noted too.
 ///
 /// Null when `stop` was requested meanwhile, within some milliseconds.
 [[nodiscard]] StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache,

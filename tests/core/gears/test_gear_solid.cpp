@@ -5,6 +5,7 @@
 
 #include "core/gears/gear_solid.h"
 #include "core/gears/half_tooth.h"
+#include "core/gears/toothless_gear.h"
 #include "tests/core/gears/topology.h"
 
 using namespace geargraph;
@@ -146,6 +147,26 @@ class TestGearSolid : public QObject {
       QVERIFY(signedVolume(*solid) <= signedVolume(*gearSolid(plain, kScreenTolerance)));
     }
     QVERIFY(windowed >= 3);
+  }
+
+  /// Without teeth a gear is closed, about as large as with them, and its cost grows little with their
+  /// number.
+  void toothlessGearsAreClosedAndFillThePitchCylinder() {
+    for (const int kind : {0, 1, 2}) {
+      for (const int teeth : {60, 6'000, 100'000}) {
+        GearSpec spec = gear(kind, teeth, 45, 8);
+        if (kind == 0) spec.body = GearBody::dressed;
+        const Solid solid = toothlessGear(spec, kScreenTolerance);
+        const test::Topology topology = test::topologyOf(solid);
+        QVERIFY(topology.closed && topology.manifold && topology.degenerate == 0);
+        QVERIFY(solid.triangles.size() < 200'000);
+        if (teeth > 60) continue;
+        spec.body = GearBody::plain;
+        const double volume = signedVolume(toothlessGear(spec, kScreenTolerance));
+        const double toothed = signedVolume(*gearSolid(spec, kScreenTolerance));
+        QVERIFY2(std::abs(volume / toothed - 1) < 0.25, qPrintable(QString::number(volume / toothed)));
+      }
+    }
   }
 
   void volumeIsTheSectionTimesTheFaceWidth_data() {

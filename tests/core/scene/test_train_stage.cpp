@@ -478,6 +478,22 @@ class TestTrainStage : public QObject {
       }
     }
   }
+
+  /// Nobody could see the teeth, and they would fill the memory: the view says that they are left out.
+  void wheelsOfVeryManyTeethAreShownWithoutThem() {
+    Mechanism robot = paperRobot();
+    for (GearMesh& mesh : robot.gearMeshes) {
+      mesh.tailTeeth *= 1000;
+      mesh.headTeeth *= 1000;
+    }
+    GearCache cache;
+    const StagePtr stage = stageOf(robot, cache);
+    QCOMPARE(stage->scene.instances.size(), stageOf(paperRobot(), cache)->scene.instances.size());
+    QVERIFY(!stage->notes.empty());
+    QVERIFY(stage->notes.front().text.find("18000 teeth") != std::string::npos);
+    for (const auto& solid : stage->scene.solids) QVERIFY(solid->triangles.size() < 200'000);
+    QVERIFY(stageOf(paperRobot(), cache)->notes.empty());
+  }
 };
 
 }  // namespace geargraph
