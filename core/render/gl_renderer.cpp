@@ -354,6 +354,7 @@ Image GlRenderer::picture(const Frame& frame) {
   drawHalo(cut, isPlain ? m_sampled.framebuffer() : m_picture.framebuffer());
   m_gl->Disable(GL_BLEND);
   m_gl->UseProgram(0);
+  if (frame.stop.stop_requested()) return {};
   Image image{
       width, height,
       std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};

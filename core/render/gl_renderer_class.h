@@ -131,7 +131,7 @@ template <class Visit>
 void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted,
                               GlSolid::Part part, Visit visit) {
   const Frustum frustum(clip);
-  for (std::size_t i = 0; i < m_scene.instances.size(); ++i) {
+  for (std::size_t i = 0; i < m_scene.instances.size() && !frame.stop.stop_requested(); ++i) {
     if (showing(frame, i) != wanted) continue;
     const std::size_t shape = m_scene.instances[i].solid;
     const Ball& ball = m_solids.ballOf(shape);
@@ -157,6 +157,7 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showin
   });
   const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
   for (const Batch& batch : m_batches) {
+    if (frame.stop.stop_requested()) break;
     if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
     m_passes.draw(*batch.solid, part, batch.instances);
     if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);

@@ -9,12 +9,17 @@
 namespace geargraph {
 namespace {
 
+Frame stoppable(Frame frame, const std::stop_token& stop) {
+  frame.stop = stop;
+  return frame;
+}
+
 /// The same picture with fewer pixels: lines and letters keep their part of it.
-Frame scaled(const Frame& frame, double scale) {
-  Frame smaller = frame;
-  smaller.viewport.width = std::max(1, static_cast<int>(std::lround(scale * frame.viewport.width)));
-  smaller.viewport.height = std::max(1, static_cast<int>(std::lround(scale * frame.viewport.height)));
-  smaller.pixelRatio = scale * frame.pixelRatio;
+Frame scaled(Frame smaller, double scale) {
+  const Viewport whole = smaller.viewport;
+  smaller.viewport.width = std::max(1, static_cast<int>(std::lround(scale * whole.width)));
+  smaller.viewport.height = std::max(1, static_cast<int>(std::lround(scale * whole.height)));
+  smaller.pixelRatio *= scale;
   return smaller;
 }
 
@@ -41,6 +46,7 @@ void PictureThread::run(const std::stop_token& quit, std::promise<Diagnostics> s
   m_host = std::move(host).value();
   m_name = m_host->name();
   m_isSoftware = m_host->isSoftware();
+  m_quit = quit;
   started.set_value({});
   work(quit);
   m_host.reset();
@@ -66,10 +72,10 @@ void PictureThread::work(const std::stop_token& quit) {
       PictureOrder order = *std::exchange(m_next, std::nullopt);
       if (order.cells && order.mapMayFollow) m_mapDue = order;
       lock.unlock();
-      m_deliver(paint(std::move(order)));
+      deliver(paint(std::move(order)));
     } else if (due) {
       lock.unlock();
-      m_deliver(mapOf(*std::move(due)));
+      deliver(mapOf(*std::move(due)));
     } else {
       const PictureOrder rehearsal = std::move(m_rehearsals.front());
       m_rehearsals.pop_front();
@@ -77,6 +83,10 @@ void PictureThread::work(const std::stop_token& quit) {
       if (rehearsal.frame->stage() == m_stage) static_cast<void>(paint(rehearsal));
     }
   }
+}
+
+void PictureThread::deliver(PaintedPicture picture) {
+  if (!m_quit.stop_requested()) m_deliver(std::move(picture));
 }
 
 void PictureThread::answer(Question question) {
@@ -95,7 +105,7 @@ PaintedPicture PictureThread::paint(PictureOrder order) {
   const auto begin = std::chrono::steady_clock::now();
   show(order.frame->stage());
   PaintedPicture picture;
-  picture.image = m_host->picture(scaled(order.frame->frame(), order.scale));
+  picture.image = m_host->picture(scaled(stoppable(order.frame->frame(), m_quit), order.scale));
   if (order.cells && !order.mapMayFollow) picture.seen = mapOf(order).seen;
   picture.order = std::move(order);
   picture.cost = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -105,7 +115,7 @@ PaintedPicture PictureThread::paint(PictureOrder order) {
 PaintedPicture PictureThread::mapOf(PictureOrder order) {
   show(order.frame->stage());
   PaintedPicture map;
-  map.seen = m_host->seen(order.frame->frame(), order.cells->width, order.cells->height);
+  map.seen = m_host->seen(stoppable(order.frame->frame(), m_quit), order.cells->width, order.cells->height);
   map.order = std::move(order);
   map.isMapAlone = true;
   return map;

@@ -47,7 +47,8 @@ class PictureThread {
 
   /// Fails with `graphics` as EglHost::create() does.
   [[nodiscard]] static Expected<std::unique_ptr<PictureThread>> start(Deliver deliver);
-  /// Waits for the picture under way; what was ordered after it is dropped.
+  /// The picture under way is given up, unless the driver has all of it already; what was ordered after it is
+  /// dropped.
   ~PictureThread();
   PictureThread(const PictureThread&) = delete;
   PictureThread& operator=(const PictureThread&) = delete;
@@ -77,6 +78,7 @@ class PictureThread {
   explicit PictureThread(Deliver deliver) : m_deliver(std::move(deliver)) {}
   void run(const std::stop_token& quit, std::promise<Diagnostics> started);
   void work(const std::stop_token& quit);
+  void deliver(PaintedPicture picture);
   [[nodiscard]] PaintedPicture paint(PictureOrder order);
   [[nodiscard]] PaintedPicture mapOf(PictureOrder order);
   void answer(Question question);
@@ -85,6 +87,7 @@ class PictureThread {
 
   Deliver m_deliver;
   std::unique_ptr<EglHost> m_host;  ///< of the painting thread
+  std::stop_token m_quit;           ///< of the thread itself
   StagePtr m_stage;                 ///< whose scene the host has; of the painting thread
   bool m_hasScene = false;
   std::string m_name;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "core/render/camera.h"
@@ -41,6 +42,7 @@ struct Frame {
   std::optional<CutPlane> section;
   std::optional<double> floor;      ///< z of the ground's disc; none: just below the scene's own poses
   std::span<const MarkLine> marks;  ///< painted over the solids; faint where a solid is before them
+  std::stop_token stop = {};  ///< once requested, painting ends early, and its picture is empty or of no use
 };
 
 /// What lies under a pixel.

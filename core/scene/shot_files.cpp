@@ -25,8 +25,8 @@ ShotFailure fileFailure(std::string message) {
 template <class Take>
 Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
   for (int picture = 0; picture < painter.pictures(); ++picture) {
+    Image image = painter.paint(picture, run.stop);
     if (run.stop.stop_requested()) return ShotFailure{ShotFailure::Kind::stopped, "The export was stopped."};
-    Image image = painter.paint(picture);
     if (image.rgba.empty()) return ShotFailure{ShotFailure::Kind::graphics, "The driver painted nothing."};
     if (run.finish) run.finish(image, painter);
     if (image.rgba.empty())

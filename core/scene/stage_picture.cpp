@@ -94,10 +94,12 @@ double StagePainter::pixelRatio() const {
   return m_shot.pixelRatio > 0 ? m_shot.pixelRatio : std::max(1.0, m_shot.size.height / kHeightOfOne);
 }
 
-Image StagePainter::paint(int picture) {
+Image StagePainter::paint(int picture, const std::stop_token& stop) {
   m_now = viewOf(picture);
   m_seen.show(m_now);
-  return m_host->picture(m_seen.frame(m_shot.size, pixelRatio()));
+  Frame frame = m_seen.frame(m_shot.size, pixelRatio());
+  frame.stop = stop;
+  return m_host->picture(frame);
 }
 
 SeenMap StagePainter::seenForLabels() {
@@ -116,13 +118,13 @@ Expected<Image> stagePicture(StageShot shot) {
   return (*painter)->paint(0);
 }
 
-MeshScene sceneOf(const Stage& stage, const StageView& view) {
+MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_token& stop) {
   MeshScene scene;
   scene.name = "view";
   scene.unit = stage.unit;
   const SeenPoses seen = seenPoses(stage, view, separations(stage));
   std::vector<ElementId> links;
-  for (std::size_t i = 0; i < seen.poses.size(); ++i) {
+  for (std::size_t i = 0; i < seen.poses.size() && !stop.stop_requested(); ++i) {
     const Instance& instance = stage.scene.instances[i];
     if (view.hidden.contains(instance.element)) continue;
     const auto known = std::find(links.begin(), links.end(), instance.element);

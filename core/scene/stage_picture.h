@@ -44,7 +44,8 @@ class StagePainter {
 
   /// 1 where there is no film.
   [[nodiscard]] int pictures() const { return m_shot.film ? m_shot.film->frames : 1; }
-  [[nodiscard]] Image paint(int picture);
+  /// Empty where the driver has no room, or `stop` was requested meanwhile.
+  [[nodiscard]] Image paint(int picture, const std::stop_token& stop = {});
   /// What the last picture shows where, and what labels are placed by with it; the ground refers to the
   /// painter and the map. @pre paint() was called
   [[nodiscard]] SeenMap seenForLabels();
@@ -78,7 +79,7 @@ struct ShotFailure {
 
 struct ShotRun {
   std::function<void(int done, int all)> progress;    ///< after each picture, on the caller's thread
-  std::stop_token stop;                               ///< looked at before each picture
+  std::stop_token stop;                               ///< ends the picture under way, too
   std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, labels for one;
                                                       ///< clears it where it cannot
   bool mayOverwrite = false;                          ///< files in a folder that is there already
@@ -96,7 +97,8 @@ struct ShotRun {
                                                        const ShotRun& run = {});
 
 /// The solids as the view shows them, in its pose, pulled apart, without what is hidden; the camera, the
-/// section and lines are no part of it. Nodes bear the names of their links.
-[[nodiscard]] MeshScene sceneOf(const Stage& stage, const StageView& view);
+/// section and lines are no part of it. Nodes bear the names of their links. Incomplete when `stop` was
+/// requested meanwhile.
+[[nodiscard]] MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_token& stop = {});
 
 }  // namespace geargraph

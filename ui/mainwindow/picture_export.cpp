@@ -45,7 +45,7 @@ PictureJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const Q
     MeshWriteOptions how;
     how.stop = stop;
     const auto failure =
-        writeMesh(sceneOf(*stage, view), MeshFormat::glb, QFile::encodeName(path).toStdString(), how);
+        writeMesh(sceneOf(*stage, view, stop), MeshFormat::glb, QFile::encodeName(path).toStdString(), how);
     return failure ? QString::fromStdString(failure->message) : QString();
   };
   return {path, false, run};
