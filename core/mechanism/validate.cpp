@@ -6,6 +6,7 @@
 
 #include "core/base/contract.h"
 #include "core/base/wording.h"
+#include "core/mechanism/length_range.h"
 #include "core/mechanism/shapes.h"
 
 namespace geargraph {
