@@ -250,8 +250,8 @@ class PitchPointFitter {
 
   [[nodiscard]] ExactVector3 pointOf(int mesh) const {
     const MeshGeometry& was = *m_placement.meshes[static_cast<std::size_t>(mesh)];
-    const ExactLine tail = exactLineOfClass(m_edited, m_now, was.tailClass);
-    const ExactLine head = exactLineOfClass(m_edited, m_now, was.headClass);
+    const ExactLine tail = lineNow(was.tailClass);
+    const ExactLine head = lineNow(was.headClass);
     const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
     if (was.kind == MeshKind::bevel) return bevelPoint(mesh, was, tail, head);
     const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
@@ -263,6 +263,12 @@ class PitchPointFitter {
   }
 
  private:
+  /// Axes that coincide after the edit share a class, so a class of before is found by its axis.
+  [[nodiscard]] ExactLine lineNow(int classBefore) const {
+    return exactLine(m_edited, m_now,
+                     m_placement.classes->classes[static_cast<std::size_t>(classBefore)].axis);
+  }
+
   /// On the same half axes as before, at the module of the mesh: radius over teeth.
   [[nodiscard]] ExactVector3 bevelPoint(int mesh, const MeshGeometry& was, const ExactLine& tail,
                                         const ExactLine& head) const {

@@ -46,6 +46,13 @@ class TestFitting : public QObject {
     QVERIFY(misfit(after) < 1e-9);
   }
 
+  void anAxisMayBeMovedOntoAnother() {
+    const Mechanism before = statedPlanetary(3);
+    const Mechanism after = *withAxisMoved(before, before.axes[3].id, *before.axes[1].point);
+    QVERIFY(after.axes[3].point == before.axes[1].point);
+    QVERIFY(mesh(after, 4).pitchPoint == mesh(before, 0).pitchPoint);
+  }
+
   void theSunFollowsTheRing() {
     const Mechanism before = statedPlanetary(1);
     const Mechanism after = *withTeethFitted(before, mesh(before, 1).id, 18, 72);
