@@ -7,6 +7,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/io/json.h"
+#include "core/mechanism/limits.h"
 
 namespace geargraph {
 
@@ -37,8 +38,6 @@ class JsonFindings {
   std::vector<Placed> m_findings;
   std::unordered_set<std::string> m_pointers;
 };
-
-constexpr std::size_t kLongestList = 100'000;
 
 /// What no JSON file may have, whatever its members mean: a list of more than kLongestList elements, a member
 /// name twice in one object, a number too large for a double. One `schema` finding each. Cost: O(values).

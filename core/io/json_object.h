@@ -7,11 +7,10 @@
 
 #include "core/io/json.h"
 #include "core/io/json_checks.h"
+#include "core/mechanism/limits.h"
 #include "core/mechanism/mechanism.h"
 
 namespace geargraph {
-
-constexpr std::size_t kLongestName = 1'000;
 
 /// Reads the members of one object of the file. A member of the wrong type makes a finding that says what was
 /// expected and what was found, and reads as its default, so that all problems of a file are found in one go.

@@ -6,7 +6,7 @@
 
 #include "core/base/contract.h"
 #include "core/base/wording.h"
-#include "core/mechanism/length_range.h"
+#include "core/mechanism/limits.h"
 #include "core/mechanism/shapes.h"
 
 namespace geargraph {
@@ -30,6 +30,7 @@ class WellFormedCheck {
     if (m_mechanism.links.empty()) {
       add(Code::schema, "A mechanism needs at least the ground.", {}, "/links");
     }
+    for (Diagnostic& beyond : limitDiagnostics(m_mechanism)) m_findings.push_back(std::move(beyond));
     uniqueIds(m_mechanism.links, ElementKind::link, m_links);
     uniqueIds(m_mechanism.axes, ElementKind::axis, m_axes);
     uniqueIds(m_mechanism.turningJoints, ElementKind::turningJoint, m_joints);
@@ -46,8 +47,6 @@ class WellFormedCheck {
     checkCouplings();
     checkStates();
     checkCamera();
-    const Diagnostics beyond = rangeDiagnostics(m_mechanism);
-    m_findings.insert(m_findings.end(), beyond.begin(), beyond.end());
     return std::move(m_findings);
   }
 

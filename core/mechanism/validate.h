@@ -6,8 +6,8 @@
 namespace geargraph {
 
 /// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
-/// couplings, and all of rangeDiagnostics() (length_range.h). All findings, not only the first. The reader
-/// refuses what has any. Cost: O(n + t + c).
+/// couplings and what is beyond the limits of the format (limits.h). All findings, not only the first. The
+/// reader refuses what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics wellFormedDiagnostics(const Mechanism& mechanism);
 
 /// Do the turning joints make a spanning tree: `disconnected` (one finding, all links that no chain of

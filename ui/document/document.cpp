@@ -1,43 +1,83 @@
 #include "ui/document/document.h"
 
+#include <QSignalBlocker>
 #include <QUndoCommand>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/mechanism/difference.h"
-#include "core/mechanism/length_range.h"
+#include "core/mechanism/limits.h"
+#include "core/mechanism/patch.h"
 
 namespace geargraph {
 
-/// The only command class of the program: swaps two immutable mechanisms. Undo cannot drift from redo,
-/// because neither recomputes anything.
+/// The only command class of the program: the difference between two immutable mechanisms. The mechanisms
+/// themselves are what the document has kept whole; older ones are made from their neighbour in the history.
 class EditCommand final : public QUndoCommand {
  public:
-  EditCommand(Document& document, MechanismPtr after, const Edit& edit)
+  EditCommand(Document& document, const MechanismPtr& after, const Edit& edit)
       : QUndoCommand(edit.text),
         m_document(document),
         m_before(document.mechanism()),
-        m_after(std::move(after)),
-        m_gesture(edit.gesture) {}
+        m_after(after),
+        m_gesture(edit.gesture),
+        m_patch(*document.mechanism(), *after) {
+    m_document.m_historyBytes += bytes();
+  }
+  EditCommand(const EditCommand& other)
+      : QUndoCommand(other.text()),
+        m_document(other.m_document),
+        m_before(other.m_before),
+        m_after(other.m_after),
+        m_gesture(other.m_gesture),
+        m_patch(other.m_patch) {
+    m_document.m_historyBytes += bytes();
+  }
+  ~EditCommand() override { m_document.m_historyBytes -= bytes(); }
 
-  void redo() override { m_document.publish(m_after); }
-  void undo() override { m_document.publish(m_before); }
+  void redo() override {
+    if (m_document.m_rebuilding) return;
+    MechanismPtr after = m_after.lock();
+    if (!after) after = std::make_shared<const Mechanism>(m_patch.forward(*m_document.mechanism()));
+    m_after = after;
+    m_document.publish(after);
+  }
+  void undo() override {
+    if (m_document.m_rebuilding) return;
+    MechanismPtr before = m_before.lock();
+    if (!before) before = std::make_shared<const Mechanism>(m_patch.back(*m_document.mechanism()));
+    m_before = before;
+    m_document.publish(before);
+  }
 
   /// QUndoStack offers neighbours with equal ids for merging; the gesture's number tells two drags apart.
   [[nodiscard]] int id() const override { return m_gesture == 0 ? -1 : 1; }
 
   bool mergeWith(const QUndoCommand* next) override {
     const auto& other = static_cast<const EditCommand&>(*next);
-    if (other.m_gesture != m_gesture) return false;
-    m_after = other.m_after;
-    if (*m_before == *m_after) setObsolete(true);  // dragged back to where it was
+    if (m_document.m_rebuilding || other.m_gesture != m_gesture) return false;
+    const MechanismPtr after = m_document.mechanism();
+    MechanismPtr before = m_before.lock();
+    if (!before) before = std::make_shared<const Mechanism>(m_patch.back(other.m_patch.back(*after)));
+    m_document.m_historyBytes -= bytes();
+    m_patch = MechanismPatch(*before, *after);
+    m_document.m_historyBytes += bytes();
+    m_before = before;
+    m_after = after;
+    if (m_patch.isEmpty()) setObsolete(true);  // dragged back to where it was
     return true;
   }
 
  private:
+  friend class Document;
+  [[nodiscard]] std::size_t bytes() const { return sizeof(EditCommand) - sizeof(m_patch) + m_patch.bytes(); }
+
   Document& m_document;
-  MechanismPtr m_before;
-  MechanismPtr m_after;
+  std::weak_ptr<const Mechanism> m_before;
+  std::weak_ptr<const Mechanism> m_after;
   quint64 m_gesture;
+  MechanismPatch m_patch;
 };
 
 Document::Document(QObject* parent)
@@ -52,18 +92,70 @@ bool Document::apply(const Edit& edit) {
     emit refused(next.error());
     return false;
   }
-  if (Diagnostics beyond = rangeDiagnostics(*next); !beyond.empty()) {
+  if (const Diagnostics beyond = limitDiagnostics(*next); !beyond.empty()) {
     emit refused(beyond);
     return false;
   }
   const bool nothingToDo = edit.gesture == 0 && *next == *m_mechanism;
   if (nothingToDo) return true;
-  m_undoStack.push(new EditCommand(*this, std::make_shared<const Mechanism>(std::move(*next)), edit));
+  const MechanismPtr before = m_mechanism;
+  const auto after = std::make_shared<const Mechanism>(std::move(*next));
+  const int steps = m_undoStack.index();
+  m_undoStack.push(new EditCommand(*this, after, edit));
+  if (m_undoStack.index() > steps) m_gestureStart = before;  // merged steps go on with the one they have
+  if (m_historyBytes > m_historyLimit) shortenHistory();
   return true;
+}
+
+/// Commands can only be taken from a QUndoStack all together: the newest come back as copies.
+void Document::shortenHistory() {
+  std::vector<EditCommand*> kept;
+  std::size_t bytes = m_historyBytes;
+  int dropped = 0;
+  for (int i = 0; i < m_undoStack.count(); ++i) {
+    const auto& command = static_cast<const EditCommand&>(*m_undoStack.command(i));
+    const bool goes = i + 1 < m_undoStack.index() && bytes > m_historyLimit / 4 * 3;
+    if (goes) {
+      bytes -= command.bytes();
+      ++dropped;
+    } else {
+      kept.push_back(new EditCommand(command));
+    }
+  }
+  if (dropped == 0) {
+    for (const EditCommand* command : kept) delete command;
+    return;
+  }
+  const int index = m_undoStack.index() - dropped;
+  const int clean = m_undoStack.cleanIndex() - dropped;
+  {
+    const QSignalBlocker quiet(m_undoStack);
+    m_rebuilding = true;
+    m_undoStack.clear();
+    for (EditCommand* command : kept) m_undoStack.push(command);
+    if (clean >= 0) {
+      m_undoStack.setIndex(clean);
+      m_undoStack.setClean();
+    } else {
+      m_undoStack.resetClean();
+    }
+    m_undoStack.setIndex(index);
+    m_rebuilding = false;
+  }
+  emit historyShortened(dropped);
+  emit m_undoStack.indexChanged(index);
+}
+
+void Document::keepWhole(const MechanismPtr& mechanism) {
+  std::erase(m_keptWhole, mechanism);
+  m_keptWhole.push_front(mechanism);
+  if (m_keptWhole.size() > kKeptWhole) m_keptWhole.pop_back();
 }
 
 void Document::replace(Mechanism mechanism, const QString& filePath) {
   m_undoStack.clear();
+  m_keptWhole.clear();
+  m_gestureStart.reset();
   const bool isElsewhere =
       std::exchange(m_filePath, filePath) != filePath;  // who hears of the one asks for the other
   publish(std::make_shared<const Mechanism>(std::move(mechanism)));
@@ -82,6 +174,8 @@ void Document::markSaved(const QString& filePath) {
 void Document::publish(const MechanismPtr& mechanism) {
   if (m_mechanism == mechanism) return;
   const bool moved = isSameButForView(*m_mechanism, *mechanism);
+  keepWhole(m_mechanism);
+  keepWhole(mechanism);
   m_mechanism = mechanism;
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;

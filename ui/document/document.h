@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <deque>
 #include <functional>
 
 #include "core/base/expected.h"
@@ -21,10 +22,18 @@ struct Edit {
 
 /// The document of one window: the mechanism now, its history, and the file it belongs to. The only way to
 /// change it is apply(); what every view sees is an immutable value with a revision that only grows.
+///
+/// The history holds the differences between documents (core/mechanism/patch.h), beside the documents of the
+/// last kKeptWhole steps. Beyond the limit of its memory the oldest steps go, a quarter at a time.
 class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// Memory of the differences, in bytes: some hundred for most edits, so that 100,000 steps fit in.
+  static constexpr std::size_t kHistoryLimit = std::size_t{256} << 20;
+  /// Documents that are kept whole, so that undoing the last steps computes nothing.
+  static constexpr std::size_t kKeptWhole = 16;
+
   explicit Document(QObject* parent = nullptr);
 
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
@@ -34,8 +43,13 @@ class Document : public QObject {
   [[nodiscard]] quint64 mechanicsRevision() const { return m_mechanicsRevision; }
   [[nodiscard]] QUndoStack& undoStack() { return m_undoStack; }
 
-  /// Applies an edit, or says in refused() and in the result why not; a refused edit changes nothing. An edit
-  /// that gives back an equal mechanism makes no undo step.
+  /// The memory that the differences in the history hold, at most the limit and the newest step.
+  [[nodiscard]] std::size_t historyBytes() const { return m_historyBytes; }
+  void setHistoryLimit(std::size_t bytes) { m_historyLimit = bytes; }
+
+  /// Applies an edit, or reports in refused() and in the result why not; a refused edit changes nothing. An
+  /// edit that gives back an equal mechanism makes no undo step. Refused is, too, what could be saved and not
+  /// opened again (core/mechanism/limits.h).
   bool apply(const Edit& edit);
   /// A number for the edits of one gesture, never given before.
   [[nodiscard]] quint64 newGesture() { return ++m_lastGesture; }
@@ -56,12 +70,20 @@ class Document : public QObject {
   void refused(const Diagnostics& why);  ///< an edit was refused; nothing changed
   void modifiedChanged(bool modified);
   void filePathChanged(const QString& filePath);
+  void historyShortened(int steps);  ///< so many of the oldest steps cannot be undone any more
 
  private:
   friend class EditCommand;
   void publish(const MechanismPtr& mechanism);
+  void keepWhole(const MechanismPtr& mechanism);
+  void shortenHistory();
 
   MechanismPtr m_mechanism;
+  std::deque<MechanismPtr> m_keptWhole;  ///< the newest first
+  MechanismPtr m_gestureStart;           ///< what the newest step began with
+  std::size_t m_historyBytes = 0;
+  std::size_t m_historyLimit = kHistoryLimit;
+  bool m_rebuilding = false;  ///< the history; nothing is published then
   quint64 m_revision = 0;
   quint64 m_mechanicsRevision = 0;
   quint64 m_lastGesture = 0;

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/mechanism/edits.h"
+#include "core/mechanism/limits.h"
 #include "ui/document/document.h"
 
 namespace geargraph {
@@ -110,6 +111,90 @@ class DocumentTest : public QObject {
     QCOMPARE(refused.count(), 1);
     QCOMPARE(refused.front().front().value<Diagnostics>().front().code, Code::schema);
     QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 1e15);
+  }
+
+  void whatCouldNotBeOpenedAgainIsRefused() {
+    Document document;
+    document.apply(addLink());
+    QSignalSpy refused(&document, &Document::refused);
+    const std::string name(kLongestName + 1, 'x');
+    QVERIFY(
+        !document.apply({QStringLiteral("Rename link"),
+                         [name](const Mechanism& m) { return withName(m, m.links.back().id, name); }, 0}));
+    QCOMPARE(refused.count(), 1);
+    QCOMPARE(document.undoStack().count(), 1);
+  }
+
+  void oldStepsAreMadeFromTheirNeighbours() {
+    Document document;
+    std::vector<Mechanism> states{*document.mechanism()};
+    for (int i = 0; i < 3 * static_cast<int>(Document::kKeptWhole); ++i) {
+      document.apply(moveGround(i + 1, 0));
+      states.push_back(*document.mechanism());
+    }
+    while (document.undoStack().canUndo()) {
+      document.undoStack().undo();
+      QVERIFY(*document.mechanism() == states[static_cast<std::size_t>(document.undoStack().index())]);
+    }
+    while (document.undoStack().canRedo()) {
+      document.undoStack().redo();
+      QVERIFY(*document.mechanism() == states[static_cast<std::size_t>(document.undoStack().index())]);
+    }
+  }
+
+  void aLongDragGoesBackToItsStart() {
+    Document document;
+    document.apply(moveGround(5, 0));
+    const MechanismPtr start = document.mechanism();
+    const quint64 drag = document.newGesture();
+    for (int x = 0; x < 100; ++x) document.apply(moveGround(x + 6, drag));
+    QCOMPARE(document.undoStack().count(), 2);
+    document.undoStack().undo();
+    QCOMPARE(document.mechanism().get(), start.get());
+  }
+
+  void beyondTheLimitTheOldestStepsGo() {
+    Document document;
+    document.setHistoryLimit(100'000);
+    QSignalSpy shortened(&document, &Document::historyShortened);
+    QSignalSpy index(&document.undoStack(), &QUndoStack::indexChanged);
+    document.markSaved(QStringLiteral("a.geargraph"));
+    constexpr int kSteps = 2000;
+    for (int i = 0; i < kSteps; ++i) {
+      document.apply(moveGround(i + 1, 0));
+      QVERIFY(document.historyBytes() <= 100'000);
+      QVERIFY(document.isModified());
+    }
+    int dropped = 0;
+    for (const QList<QVariant>& each : shortened) dropped += each.front().toInt();
+    QUndoStack& stack = document.undoStack();
+    QCOMPARE(stack.index(), kSteps - dropped);
+    QCOMPARE(stack.count(), stack.index());
+    QVERIFY(stack.count() > 20);
+    QCOMPARE(index.back().front().toInt(), stack.index());
+    for (double x = kSteps - 1; stack.canUndo(); --x) {
+      stack.undo();
+      QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, x);
+    }
+    QVERIFY(document.isModified());  // the saved document cannot be reached any more
+    document.replace(emptyMechanism(), {});
+    QCOMPARE(document.historyBytes(), std::size_t{0});
+  }
+
+  void aSavedStepStaysSavedWhenOlderOnesGo() {
+    Document document;
+    document.setHistoryLimit(100'000);
+    int i = 0;
+    while (document.historyBytes() < 90'000) document.apply(moveGround(++i, 0));
+    document.markSaved(QStringLiteral("a.geargraph"));
+    QSignalSpy shortened(&document, &Document::historyShortened);
+    QSignalSpy modified(&document, &Document::modifiedChanged);
+    while (shortened.isEmpty()) document.apply(moveGround(++i, 0));
+    QCOMPARE(modified.count(), 1);
+    QUndoStack& stack = document.undoStack();
+    QVERIFY(stack.cleanIndex() > 0);
+    stack.setIndex(stack.cleanIndex());
+    QVERIFY(!document.isModified());
   }
 
   void modifiedFollowsTheFile() {

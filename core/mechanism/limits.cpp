@@ -1,6 +1,7 @@
-#include "core/mechanism/length_range.h"
+#include "core/mechanism/limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,7 +9,51 @@
 namespace geargraph {
 namespace {
 
-/// Collects what rangeDiagnostics() finds. Doubles decide: the limit is a power of ten that both kinds hold.
+/// Characters of a text in UTF-8.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & '\xC0') != '\x80'; }));
+}
+
+bool isTooLong(const std::string& text) {
+  return text.size() > kLongestName && characters(text) > kLongestName;  // bytes are at least as many
+}
+
+std::string pointerTo(ElementKind list, std::size_t position) {
+  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
+}
+
+std::string pointerTo(ElementKind list, std::size_t position, const char* member) {
+  return pointerTo(list, position) + "/" + member;
+}
+
+Diagnostic finding(std::string message, std::string pointer, std::vector<ElementId> elements = {}) {
+  return {Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0};
+}
+
+Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<ElementId> elements = {}) {
+  return finding(
+      "A name has at most 1,000 characters; this one has " + std::to_string(characters(text)) + ".",
+      std::move(pointer), std::move(elements));
+}
+
+void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
+  if (size <= kLongestList) return;
+  const std::string name(listName(kind));
+  findings.push_back(finding(
+      "A document has at most 100,000 " + name + "; this one has " + std::to_string(size) + ".", "/" + name));
+}
+
+template <class Element>
+void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& findings) {
+  checkLength(list.size(), kind, findings);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const ElementId id = list[i].id;
+    if (isTooLong(id.id.text())) findings.push_back(tooLong(id.id.text(), pointerTo(kind, i, "id"), {id}));
+  }
+}
+
+/// Collects lengths beyond their range. Doubles decide: the limit is a power of ten that both kinds hold.
 class RangeCheck {
  public:
   explicit RangeCheck(const Mechanism& mechanism) {
@@ -60,8 +105,7 @@ class RangeCheck {
   void number(std::vector<ElementId> elements, double value, const std::string& what,
               const std::string& pointer) {
     if (std::abs(value) <= kMost) return;
-    found.push_back(
-        finding(Code::schema, "expected a " + what + " from -1e15 to 1e15.", std::move(elements), pointer));
+    found.push_back(finding("expected a " + what + " from -1e15 to 1e15.", pointer, std::move(elements)));
   }
   void number(std::vector<ElementId> elements, const std::optional<Number>& value, const std::string& what,
               const std::string& pointer) {
@@ -87,15 +131,35 @@ class RangeCheck {
     double longest = 0;
     for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
     if (longest >= 1 / kMost || isZero(*axis.direction)) return;  // that of length 0 has a finding of its own
-    found.push_back(finding(Code::schema, "expected a direction with a component of at least 1e-15.",
-                            {axis.id}, pointer));
+    found.push_back(finding("expected a direction with a component of at least 1e-15.", pointer, {axis.id}));
   }
 };
 
 }  // namespace
 
-Diagnostics rangeDiagnostics(const Mechanism& mechanism) {
-  return RangeCheck(mechanism).found;
+Diagnostics limitDiagnostics(const Mechanism& mechanism) {
+  Diagnostics findings;
+  if (isTooLong(mechanism.name)) findings.push_back(tooLong(mechanism.name, "/name"));
+  if (isTooLong(mechanism.unit)) findings.push_back(tooLong(mechanism.unit, "/unit"));
+  checkList(mechanism.links, ElementKind::link, findings);
+  checkList(mechanism.axes, ElementKind::axis, findings);
+  checkList(mechanism.turningJoints, ElementKind::turningJoint, findings);
+  checkList(mechanism.gearMeshes, ElementKind::gearMesh, findings);
+  checkList(mechanism.wheels, ElementKind::wheel, findings);
+  checkList(mechanism.couplings, ElementKind::coupling, findings);
+  checkLength(mechanism.states.size(), ElementKind::state, findings);
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    const Link& link = mechanism.links[i];
+    if (isTooLong(link.name))
+      findings.push_back(tooLong(link.name, pointerTo(ElementKind::link, i, "name"), {link.id}));
+  }
+  for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
+    const std::string& name = mechanism.states[i].name;
+    if (isTooLong(name)) findings.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
+  }
+  const Diagnostics beyond = RangeCheck(mechanism).found;
+  findings.insert(findings.end(), beyond.begin(), beyond.end());
+  return findings;
 }
 
 }  // namespace geargraph
