@@ -26,11 +26,9 @@ void writeQuantity(ByteSink& sink, const CsvOptions& options, const QuantityTabl
   for (int column = 0; column < table.columns(); ++column)
     columns.push_back(labelOf(table.columnHeading(column)));
   CsvWriter csv(sink, columns, options);
-  for (int row = 0; row < table.rows(); ++row) {
-    std::vector<double> values(columns.size(), 0);
-    for (const QuantityEntry& entry : table.row(row))
-      values[static_cast<std::size_t>(entry.column)] = entry.value;
-    csv.row(labelOf(table.rowHeading(row)), values);
+  for (int row = 0; row < table.rows() && !csv.failed(); ++row) {
+    const std::vector<QuantityEntry> entries = table.row(row);
+    csv.sparseRow(labelOf(table.rowHeading(row)), std::span<const QuantityEntry>(entries));
   }
 }
 

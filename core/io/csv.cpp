@@ -1,6 +1,6 @@
 #include "core/io/csv.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/contract.h"
@@ -33,15 +33,6 @@ std::string csvLabel(std::string_view text, char separator) {
   return quotedIfNeeded((isFormula ? "'" : "") + std::string(text), separator);
 }
 
-std::string csvNumber(double value, const CsvOptions& options) {
-  GEARGRAPH_REQUIRE(std::isfinite(value));
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  GEARGRAPH_REQUIRE(error == std::errc{});
-  std::replace(digits.data(), end, '.', options.decimalPoint);
-  return quotedIfNeeded(std::string(digits.data(), end), options.separator);
-}
-
 CsvWriter::CsvWriter(ByteSink& sink, std::span<const std::string> columnLabels, const CsvOptions& options)
     : m_sink(sink),
       m_options(options),
@@ -59,14 +50,38 @@ CsvWriter::CsvWriter(ByteSink& sink, std::span<const std::string> columnLabels, 
   append("\n");
 }
 
+char* CsvWriter::putReal(char* out, double value) const {
+  if (!std::isfinite(value)) {
+    *out = m_options.separator;
+    return out + 1;
+  }
+  const bool isQuoted = m_options.decimalPoint == m_options.separator;
+  char* const begin = isQuoted ? out + 1 : out;
+  char* end = std::to_chars(begin, begin + kLongestReal - 3, value).ptr;
+  char* const point = m_options.decimalPoint == '.' ? end : std::find(begin, end, '.');
+  if (point != end) {
+    *point = m_options.decimalPoint;
+    if (isQuoted) {
+      *out = '"';
+      *end++ = '"';
+    }
+  } else if (isQuoted) {  // no decimal point after all
+    std::memmove(out, begin, static_cast<std::size_t>(end - begin));
+    --end;
+  }
+  *end++ = m_options.separator;
+  return end;
+}
+
 void CsvWriter::row(std::string_view label, std::span<const double> values) {
   GEARGRAPH_REQUIRE(values.size() == m_columns);
-  std::string line = m_options.labels ? csvLabel(label, m_options.separator) : std::string();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0 || m_options.labels) line += m_options.separator;
-    line += csvNumber(values[i], m_options);
-  }
-  append(line + '\n');
+  beginRow(label);
+  if (m_columns == 0) return;
+  char* const begin = reserve(values.size() * kLongestReal);
+  char* out = begin;
+  for (const double value : values) out = putReal(out, value);
+  out[-1] = '\n';  // in place of the last separator
+  m_used += static_cast<std::size_t>(out - begin);
 }
 
 void CsvWriter::signRow(std::string_view label, std::span<const std::uint64_t> columns, int sign) {

@@ -1,4 +1,6 @@
 #include <QtTest>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/io/csv.h"
@@ -97,18 +99,62 @@ class TestCsv : public QObject {
 
   void realNumbersFollowTheDecimalChoice() {
     CsvOptions options;
-    QCOMPARE(csvNumber(-0.5, options), std::string("-0.5"));
-    QCOMPARE(csvNumber(0.1, options), std::string("0.1"));
+    options.labels = false;
+    const auto field = [&](double value) {
+      TextSink sink;
+      CsvWriter(sink, std::vector<std::string>{"8"}, options).row("", std::vector<double>{value});
+      return sink.take();
+    };
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    QCOMPARE(field(-0.5), std::string("-0.5\n"));
+    QCOMPARE(field(0.1), std::string("0.1\n"));
+    QCOMPARE(field(-2.2250738585072014e-308), std::string("-2.2250738585072014e-308\n"));
+    QCOMPARE(field(-kInfinity), std::string("\n"));
     options.decimalPoint = ',';
-    QCOMPARE(csvNumber(-0.5, options), std::string("\"-0,5\""));
+    QCOMPARE(field(-0.5), std::string("\"-0,5\"\n"));
+    QCOMPARE(field(-7), std::string("-7\n"));
+    QCOMPARE(field(-2.2250738585072014e-308), std::string("\"-2,2250738585072014e-308\"\n"));
+    QCOMPARE(field(kInfinity), std::string("\n"));
     options.separator = ';';
-    QCOMPARE(csvNumber(-0.5, options), std::string("-0,5"));
+    QCOMPARE(field(-0.5), std::string("-0,5\n"));
+    options.labels = true;
     TextSink sink;
     {
       CsvWriter csv(sink, kLabels, options);
       csv.row("10", std::vector<double>{1, -0.5, 2.25});
     }
     QCOMPARE(sink.text(), std::string(";8;9;10\n10;1;-0,5;2,25\n"));
+  }
+
+  void sparseRowsOfRealNumbersAreTheFullOnes() {
+    struct Entry {
+      int column = 0;
+      double value = 0;
+    };
+    std::mt19937_64 random(3);
+    for (const int columns : {1, 5, 100}) {
+      std::vector<std::string> labels;
+      for (int column = 0; column < columns; ++column) labels.push_back(std::to_string(column));
+      for (const CsvOptions& options :
+           {CsvOptions{}, CsvOptions{';', ',', true, false}, CsvOptions{',', ',', false, true}}) {
+        TextSink sparse, full;
+        {
+          CsvWriter one(sparse, labels, options), other(full, labels, options);
+          for (int row = 0; row < 50; ++row) {
+            std::vector<Entry> entries;
+            std::vector<double> values(labels.size(), 0);
+            for (int column = 0; column < columns; ++column) {
+              if (random() % 3 != 0) continue;
+              entries.push_back({column, std::ldexp(static_cast<double>(random() % 2001) - 1000, row - 25)});
+              values[static_cast<std::size_t>(column)] = entries.back().value;
+            }
+            one.sparseRow("r", std::span<const Entry>(entries));
+            other.row("r", values);
+          }
+        }
+        QCOMPARE(sparse.text(), full.text());
+      }
+    }
   }
 
   /// Every pattern of runs, gaps and values comes back as it went in.
