@@ -40,8 +40,10 @@ class SymbolicPass {
           "was left out."));
     } else if (m_result.symbolic->skipped > 0) {
       m_result.diagnostics.push_back(skipped(
-          std::to_string(m_result.symbolic->skipped) + " entries of the symbolic solution have over " +
-          std::to_string(kExpansionBudget) + " terms; they are left as a chain of substitutions."));
+          std::to_string(m_result.symbolic->skipped) +
+          " entries of the symbolic solution are left as a chain of substitutions: expanded, one has over " +
+          std::to_string(kExpansionBudget) + " terms, or all together over " +
+          std::to_string(kSolutionBudget) + " factors."));
     }
     return true;
   }

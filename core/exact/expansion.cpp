@@ -5,11 +5,11 @@ namespace {
 
 using Line = Elimination<RationalFunction>::Line;
 
-/// One line; nothing where it needs an entry that is over the budget, or goes over it.
+/// One line; std::nullopt where it needs an entry that is over the budget, or goes over it.
 std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
                                            const Elimination<RationalFunction>& system, const Line& line,
                                            const std::vector<std::optional<RationalFunction>>& x,
-                                           int budget) {
+                                           ExpansionBudget& budget) {
   constexpr int kRoomToCancel = 4;
   const auto& rows = system.matrixOf(line.core);
   RationalFunction sum;
@@ -19,11 +19,15 @@ std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
     if (!x[column]) return std::nullopt;
     if (x[column]->isZero()) continue;
     field.subtractProduct(sum, rows.value(entry), *x[column]);
-    if (sum.termCount() > kRoomToCancel * budget) return std::nullopt;
+    budget.total -= sum.size();
+    if (budget.total < 0 || sum.termCount() > kRoomToCancel * budget.terms) return std::nullopt;
   }
   const RationalFunction& pivot = pivotOf(rows, line.row, line.column);
-  if (!sum.isZero() && !pivot.isOne()) sum /= pivot;
-  if (sum.termCount() > budget) return std::nullopt;
+  if (!sum.isZero() && !pivot.isOne()) {
+    sum /= pivot;
+    budget.total -= sum.size();
+  }
+  if (budget.total < 0 || sum.termCount() > budget.terms) return std::nullopt;
   return sum;
 }
 
@@ -31,10 +35,11 @@ std::optional<RationalFunction> expandLine(const RationalFunctionField& field,
 
 bool expand(const RationalFunctionField& field, const Elimination<RationalFunction>& system,
             const std::vector<char>& vanishing, std::vector<std::optional<RationalFunction>>& x,
-            const std::stop_token& stop, int budget) {
+            ExpansionBudget& budget, const std::stop_token& stop) {
   for (const Line& line : system.lines) {
     if (stop.stop_requested()) return false;
-    if (vanishing[line.column] == 0) x[line.column] = expandLine(field, system, line, x, budget);
+    if (vanishing[line.column] != 0) continue;
+    x[line.column] = budget.total < 0 ? std::nullopt : expandLine(field, system, line, x, budget);
   }
   return true;
 }

@@ -104,6 +104,10 @@ class LaurentPolynomial {
 
   [[nodiscard]] bool isZero() const { return m_terms == 0; }
   [[nodiscard]] int termCount() const { return m_terms; }
+  /// Its terms and their factors.
+  [[nodiscard]] std::size_t size() const {
+    return m_words.size() - (kHead - 1) * static_cast<std::size_t>(m_terms);
+  }
   /// + or - a product of powers: everything may be divided by it.
   [[nodiscard]] bool isUnit() const;
   [[nodiscard]] bool isOne() const;

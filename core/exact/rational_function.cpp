@@ -229,6 +229,16 @@ std::int64_t RationalFunction::termCount() const {
   return m_fraction ? m_fraction->above().length() + m_fraction->below().length() : m_laurent.termCount() + 1;
 }
 
+std::int64_t RationalFunction::size() const {
+  if (!m_fraction) return static_cast<std::int64_t>(m_laurent.size());
+  const Quotient parts = quotient();
+  std::size_t size = 0;
+  for (const Terms* terms : {&parts.above, &parts.below}) {
+    for (const Term& term : *terms) size += 1 + term.powers.size();
+  }
+  return static_cast<std::int64_t>(size);
+}
+
 bool RationalFunction::vanishesAtValues() const {
   if (isZero()) return true;
   if (m_ring->values().empty()) return false;

@@ -88,6 +88,9 @@ class RationalFunction {
   [[nodiscard]] bool vanishesAtValues() const;
   /// Terms of numerator and denominator together: what a budget counts.
   [[nodiscard]] std::int64_t termCount() const;
+  /// Terms and their factors, to which the length of its text is proportional. Cost: O(1), of quotients that
+  /// are no Laurent polynomials O(terms * ratios).
+  [[nodiscard]] std::int64_t size() const;
 
   RationalFunction& operator+=(const RationalFunction& other);
   RationalFunction& operator-=(const RationalFunction& other);

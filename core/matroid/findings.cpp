@@ -173,7 +173,7 @@ std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& mod
   if (model.t() <= kMostSymbolicJoints) {
     const CoefficientMatrix matrix(mechanism, model, placement);
     const auto symbolic =
-        solveSymbolic(mechanism, model, matrix, analysis.independentMeshes, inputs, stop, kShort);
+        solveSymbolic(mechanism, model, matrix, analysis.independentMeshes, inputs, stop, {kShort});
     for (std::size_t i = 0; symbolic && i < columns; ++i) {
       const auto& entry = symbolic->matrix[row * columns + i];
       if (entry) factors.push_back(entry->toText());

@@ -186,7 +186,7 @@ RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
 std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const KinematicModel& model,
                                               const CoefficientMatrix& matrix, std::span<const int> meshes,
                                               std::span<const int> inputs, const std::stop_token& stop,
-                                              int budget) {
+                                              ExpansionBudget budget) {
   constexpr int kMostTermsOfTheCore = 600;
   const RatioSystem ratios(model, matrix, meshes, inputs);
   const auto zeros = zerosOf(ratios, model, stop);
@@ -218,7 +218,7 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   for (std::size_t j = 0; j < columns; ++j) {
     auto& given = x[static_cast<std::size_t>(ratios.unknowns()) + j];
     given = field.one();
-    if (!expand(field, *system, zeros->ofInput[j], x, stop, budget)) return std::nullopt;
+    if (!expand(field, *system, zeros->ofInput[j], x, budget, stop)) return std::nullopt;
     given = RationalFunction();
     for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
       auto& entry = solution.matrix[i * columns + j];

@@ -45,6 +45,6 @@ struct SymbolicSolution {
 [[nodiscard]] std::optional<SymbolicSolution> solveSymbolic(
     const Mechanism& mechanism, const KinematicModel& model, const CoefficientMatrix& matrix,
     std::span<const int> meshes, std::span<const int> inputs, const std::stop_token& stop = {},
-    int budget = kExpansionBudget);
+    ExpansionBudget budget = {});
 
 }  // namespace geargraph

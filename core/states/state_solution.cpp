@@ -177,7 +177,8 @@ class StateSolver {
     if (!symbols || !symbols->freeColumns.empty()) return std::nullopt;
     std::vector<std::optional<RationalFunction>> phi(static_cast<std::size_t>(symbols->columns));
     phi.back() = field.one();
-    if (!expand(field, *symbols, std::vector<char>(phi.size(), 0), phi, m_stop)) return std::nullopt;
+    ExpansionBudget budget;
+    if (!expand(field, *symbols, std::vector<char>(phi.size(), 0), phi, budget, m_stop)) return std::nullopt;
     RationalFunction speed = field.fromInteger(0);
     for (const RelativeSpeed::Term& term : driven.terms) {
       const auto& value = phi[static_cast<std::size_t>(term.link) - 1];

@@ -97,7 +97,7 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
                                                                               const TtGraph& graph,
                                                                               const SubstitutionPlan& plan,
                                                                               const std::stop_token& stop,
-                                                                              int budget) {
+                                                                              ExpansionBudget budget) {
   if (plan.byLevels) return shapeOf<std::optional<RationalFunction>>(plan);
   const auto symbolic = symbolicSystem(ring, graph, plan, stop);
   if (!symbolic) return std::nullopt;
@@ -107,8 +107,8 @@ std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(co
     std::vector<std::optional<RationalFunction>> x(plan.jointAt.size(), RationalFunction());
     x[static_cast<std::size_t>(plan.firstInputColumn()) + input] = field.one();
     const std::vector<char>& vanishing = symbolic->vanishing[input];
-    if (!expand(field, symbolic->system.direct(), vanishing, x, stop, budget) ||
-        !expand(field, symbolic->system.rest(), vanishing, x, stop, budget)) {
+    if (!expand(field, symbolic->system.direct(), vanishing, x, budget, stop) ||
+        !expand(field, symbolic->system.rest(), vanishing, x, budget, stop)) {
       return std::nullopt;
     }
     for (std::size_t output = 0; output < plan.outputs.size(); ++output) {

@@ -63,7 +63,7 @@ struct TtDetermination {
 /// @pre the inputs are valid
 [[nodiscard]] std::optional<RateMatrix<std::optional<RationalFunction>>> ttSymbolicSolution(
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,
-    const std::stop_token& stop = {}, int budget = kExpansionBudget);
+    const std::stop_token& stop = {}, ExpansionBudget budget = {});
 
 enum class RatioNaming { matroid, ttGraph };  ///< i15, or n41 [AU, Eq. (44)]
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/analysis/analysis.h"
+#include "tests/core/support/deep_train.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -120,6 +121,26 @@ class AnalysisTest : public QObject {
     const SymbolicSolution& symbolic = *snapshot->solved->symbolic;
     QVERIFY(symbolic.skipped > 0);
     QCOMPARE(symbolic.lines.size(), symbolic.outputs.size());
+    QVERIFY(snapshot->solved->agreement->equal);
+  }
+
+  /// Every entry is one product, of as many ratios as there are carriers below the joint.
+  void theEntriesOfADeepTrainHaveOneBudgetTogether() {
+    const SnapshotPtr snapshot = analysisOf(test::deepTrain(1, 1000));
+    QCOMPARE(timesSaid(*snapshot, Code::symbolicSkipped), 1L);
+    const SymbolicSolution& symbolic = *snapshot->solved->symbolic;
+    std::int64_t size = 0;
+    int given = 0;
+    for (const auto& entry : symbolic.matrix) {
+      if (!entry) continue;
+      QVERIFY(entry->termCount() <= kExpansionBudget);
+      size += entry->size();
+      ++given;
+    }
+    QVERIFY2(size > kSolutionBudget / 4, qPrintable(QString::number(size)));
+    QVERIFY2(size <= kSolutionBudget, qPrintable(QString::number(size)));
+    QVERIFY(symbolic.skipped > 0);
+    QCOMPARE(given + symbolic.skipped, static_cast<int>(symbolic.matrix.size()));
     QVERIFY(snapshot->solved->agreement->equal);
   }
 

@@ -131,7 +131,7 @@ class TestMatroidSolution : public QObject {
     const auto all = solveSymbolic(worked.mechanism, worked.model, matrix, worked.analysis.independentMeshes,
                                    worked.analysis.choice.joints);
     const auto few = solveSymbolic(worked.mechanism, worked.model, matrix, worked.analysis.independentMeshes,
-                                   worked.analysis.choice.joints, {}, 3);
+                                   worked.analysis.choice.joints, {}, {3});
     QCOMPARE(all->skipped, 0);
     QVERIFY(few->skipped > 0);
     QCOMPARE(few->lines.size(), few->outputs.size());
