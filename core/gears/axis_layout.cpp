@@ -39,15 +39,26 @@ void addWheels(const GearTrain& train, std::vector<AxisLayout>& layouts) {
 /// Where classes that share a link cross, nothing can stand on either; and bearings go to the other end.
 void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, const std::stop_token& stop) {
   const AxisClasses& classes = *placement.classes;
+  const auto topOf = [&](std::size_t c) { return classes.classes[c].top; };
+  std::vector<std::vector<std::size_t>> heldBy(placement.tree->joint.size());  // classes by their top link
+  std::vector<std::vector<std::size_t>> above(layouts.size());  // whose top turns about this one
+  for (std::size_t c = 0; c < layouts.size(); ++c) {
+    heldBy[static_cast<std::size_t>(topOf(c))].push_back(c);
+    const int home = classes.classOfLink(topOf(c));
+    if (home >= 0) above[static_cast<std::size_t>(home)].push_back(c);
+  }
   for (std::size_t c = 0; c < layouts.size() && !stop.stop_requested(); ++c) {
     AxisLayout& layout = layouts[c];
     double pull = 0;
-    for (std::size_t d = 0; d < layouts.size(); ++d) {
-      const int top = classes.classes[d].top;
-      const int other = classes.classes[c].top;
-      const bool below = classes.classOfLink(top) == static_cast<int>(c);
-      const bool above = classes.classOfLink(other) == static_cast<int>(d);
-      if (c == d || !(below || above || top == other)) continue;
+    std::vector<std::size_t> related = above[c];
+    const std::vector<std::size_t>& beside = heldBy[static_cast<std::size_t>(topOf(c))];
+    related.insert(related.end(), beside.begin(), beside.end());
+    const int home = classes.classOfLink(topOf(c));
+    if (home >= 0) related.push_back(static_cast<std::size_t>(home));
+    std::sort(related.begin(), related.end());
+    related.erase(std::unique(related.begin(), related.end()), related.end());
+    for (const std::size_t d : related) {
+      if (d == c) continue;
       const Vector3d across = layout.direction.cross(layouts[d].direction);
       if (across.norm() < 1e-6) continue;
       const Vector3d apart = layouts[d].point - layout.point;

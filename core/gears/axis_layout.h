@@ -73,7 +73,8 @@ struct AxisLayout {
 };
 
 /// The axis classes with their wheels, crossings and the bearings still without a place. Of no use when
-/// `stop` was requested meanwhile. Cost: O(classes^2 + joints).
+/// `stop` was requested meanwhile. Cost: O(joints + gears), and the
+/// square of the classes that one link holds.
 [[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
                                                   const GearTrain& train, const std::stop_token& stop = {});
 

@@ -114,11 +114,10 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
                    const std::vector<std::size_t>& order, Sides sides, WheelRooms rooms, double gap,
                    const std::stop_token& stop) {
   std::vector<int> standing;
-  const auto blocked = [&](const Plane& plane) {
-    return std::any_of(plane.wheels.begin(), plane.wheels.end(), [&](int w) {
-      return std::any_of(standing.begin(), standing.end(),
-                         [&](int other) { return rooms.collide(w, other); });
-    });
+  std::vector<std::pair<int, int>> near;  // wheels of the plane, and those that stand where they may come to
+  const auto blocked = [&] {
+    return std::any_of(near.begin(), near.end(),
+                       [&](const auto& pair) { return rooms.collide(pair.first, pair.second); });
   };
   Moves moves{std::vector<Vector3d>(planes.size())};
   for (const std::size_t p : order) {
@@ -133,8 +132,13 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
       const GearSpec& spec = train.wheels[static_cast<std::size_t>(w)].spec;
       step = std::max(step, spec.faceWidth + gap * spec.module);
     }
+    near.clear();
+    for (const int w : plane.wheels) {
+      for (std::size_t s = 0; plane.movable && s < standing.size(); ++s)
+        if (rooms.mayMeet(w, standing[s])) near.emplace_back(w, standing[s]);
+    }
     double at = 0, far = 0;
-    for (int attempt = 1; plane.movable && attempt < kMostTries && blocked(plane); ++attempt) {
+    for (int attempt = 1; attempt < kMostTries && blocked(); ++attempt) {
       if (stop.stop_requested()) return moves;
       const bool isFirst = attempt % 2 == 1 || sides != Sides::both;
       if (isFirst) far += attempt < kNearTries ? step : std::max(step, kStride * far);
@@ -143,7 +147,7 @@ Moves nearestMoves(const TrainWheels& train, const std::vector<Plane>& planes,
       at = goal;
     }
     moves.by[p] = at * direction;
-    moves.isClear = moves.isClear && !(plane.movable && blocked(plane));
+    moves.isClear = moves.isClear && !blocked();
     standing.insert(standing.end(), plane.wheels.begin(), plane.wheels.end());
   }
   return moves;
@@ -280,16 +284,14 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, cons
     near[static_cast<std::size_t>(pair.head)].insert(pair.tail);
   }
   std::vector<std::pair<int, int>> found;
-  for (std::size_t a = 0; a < train.wheels.size(); ++a) {
-    for (std::size_t b = a + 1; b < train.wheels.size(); ++b) {
-      if (stop.stop_requested()) return found;
-      const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
-      if (train.wheels[a].link == train.wheels[b].link || near[a].contains(static_cast<int>(b))) continue;
-      const auto isNeighbour = [&](int w) { return near[b].contains(w); };
-      if (rooms.collide(static_cast<int>(a), static_cast<int>(b)) &&
-          (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
-        found.emplace_back(static_cast<int>(a), static_cast<int>(b));
-    }
+  for (const auto& [one, other] : rooms.nearPairs(stop)) {
+    if (stop.stop_requested()) return found;
+    const auto a = static_cast<std::size_t>(one), b = static_cast<std::size_t>(other);
+    if (train.wheels[a].link == train.wheels[b].link || near[a].contains(other)) continue;
+    const bool coaxial = train.wheels[a].axisClass == train.wheels[b].axisClass;
+    const auto isNeighbour = [&](int w) { return near[b].contains(w); };
+    if (rooms.collide(one, other) && (coaxial || std::none_of(near[a].begin(), near[a].end(), isNeighbour)))
+      found.emplace_back(one, other);
   }
   return found;
 }

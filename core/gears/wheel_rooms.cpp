@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/gears/bevel_room.h"
 #include "core/gears/gear_body.h"
@@ -77,25 +78,92 @@ WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m
   const bool hasArms =
       std::any_of(m_orbits.begin(), m_orbits.end(), [](const WheelOrbit& orbit) { return orbit.about >= 0; });
   m_freeSide.assign(classes, Vector3d::Zero());
+  m_rooms.reserve(train.wheels.size());
   for (const TrainWheel& wheel : train.wheels) {
-    const AxialSpan span = axialSpan(wheel.spec);
-    Room room;
-    room.origin = wheel.origin;
-    room.axis = wheel.axis;
-    room.axisClass = wheel.axisClass;
-    room.low = span.low;
-    room.high = span.high;
-    room.bevel = wheel.spec.kind == GearKind::bevel;
-    const bool ring = wheel.spec.kind == GearKind::internal;
-    if (ring) room.inner = nominalTipRadius(wheel.spec);
-    room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
-    const auto c = static_cast<std::size_t>(wheel.axisClass);
-    room.orbit = m_orbits[c];
-    const double arm = hasArms && !room.bevel ? kArmRoom * wheel.spec.module : 0;
-    room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
-    if (room.bevel) m_freeSide[c] += wheel.axis;
-    m_rooms.push_back(std::move(room));
+    const Room& room = m_rooms.emplace_back(roomOf(wheel, hasArms));
+    if (room.bevel) m_freeSide[static_cast<std::size_t>(wheel.axisClass)] += wheel.axis;
   }
+}
+
+WheelRooms::Room WheelRooms::roomOf(const TrainWheel& wheel, bool hasArms) const {
+  const AxialSpan span = axialSpan(wheel.spec);
+  Room room;
+  room.origin = wheel.origin;
+  room.axis = wheel.axis;
+  room.axisClass = wheel.axisClass;
+  room.low = span.low;
+  room.high = span.high;
+  room.bevel = wheel.spec.kind == GearKind::bevel;
+  const bool ring = wheel.spec.kind == GearKind::internal;
+  if (ring) room.inner = nominalTipRadius(wheel.spec);
+  room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+  room.orbit = m_orbits[static_cast<std::size_t>(wheel.axisClass)];
+  room.hasArm = hasArms && !room.bevel;
+  const double arm = room.hasArm ? kArmRoom * wheel.spec.module : 0;
+  room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
+  double low = room.low - arm, high = room.high + arm, outer = room.outer;
+  if (room.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
+    for (const Circle& c : bevelOutline(wheel.spec)) {
+      low = std::min(low, c.height);
+      high = std::max(high, c.height);
+      outer = std::max(outer, c.radius);
+    }
+  }
+  room.middle = (low + high) / 2;
+  room.reach = std::hypot((high - low) / 2, outer);
+  return room;
+}
+
+void WheelRooms::update(int wheel) {
+  Room& known = m_rooms[static_cast<std::size_t>(wheel)];
+  known = roomOf(m_train.wheels[static_cast<std::size_t>(wheel)], known.hasArm);
+}
+
+std::vector<std::pair<int, int>> WheelRooms::nearPairs(const std::stop_token& stop) const {
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<std::pair<double, int>> starts;  // of the spheres along x, which sweeps over them
+  std::map<int, std::vector<int>> orbiting;    // by the axis that the carriers go round
+  std::size_t along = 0;
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (const Room& each : m_rooms) {
+    low = low.cwiseMin(each.centre());
+    high = high.cwiseMax(each.centre());
+  }
+  if (!m_rooms.empty()) (high - low).maxCoeff(&along);
+  for (std::size_t w = 0; w < m_rooms.size(); ++w) {
+    const Room& each = m_rooms[w];
+    starts.emplace_back(each.centre()[static_cast<Eigen::Index>(along)] - each.reach, static_cast<int>(w));
+    if (each.orbit.about >= 0) orbiting[each.orbit.about].push_back(static_cast<int>(w));
+  }
+  std::sort(starts.begin(), starts.end());
+  for (auto first = starts.begin(); first != starts.end() && !stop.stop_requested(); ++first) {
+    const Room& a = room(first->second);
+    const Vector3d centre = a.centre();
+    for (auto next = first + 1; next != starts.end() && next->first <= first->first + 2 * a.reach; ++next) {
+      const Room& b = room(next->second);
+      const double reach = a.reach + b.reach;
+      if ((b.centre() - centre).squaredNorm() <= reach * reach)
+        pairs.push_back(std::minmax(first->second, next->second));
+    }
+  }
+  for (const auto& [about, wheels] : orbiting) {
+    for (auto one = wheels.begin(); one != wheels.end() && !stop.stop_requested(); ++one) {
+      for (auto other = one + 1; other != wheels.end(); ++other) {
+        if (shareOrbit(room(*one), room(*other))) pairs.emplace_back(*one, *other);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+bool WheelRooms::mayMeet(int moving, int other) const {
+  const Room& a = room(moving);
+  const Room& b = room(other);
+  if (shareOrbit(a, b)) return true;
+  const double reach = a.reach + b.reach;
+  return acrossPart(b.centre() - a.centre(), a.axis).squaredNorm() <= reach * reach;
 }
 
 bool WheelRooms::covers(int wheel, int axisClass) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/gears/train_wheels.h"
@@ -30,6 +32,15 @@ class WheelRooms {
 
   /// @p by is along the wheel's axis.
   void move(int wheel, const Eigen::Vector3d& by);
+  /// Takes up a wheel's new face width.
+  void update(int wheel);
+  /// Every pair (a, b), a < b, that collide() may be true of: wheels whose bounding spheres overlap, and
+  /// wheels whose carriers go round one axis. Ordered by a, then b. Incomplete when `stop` was requested
+  /// meanwhile. Cost: O(n log n), and comparing those whose spheres overlap along one coordinate, and those
+  /// of one axis.
+  [[nodiscard]] std::vector<std::pair<int, int>> nearPairs(const std::stop_token& stop = {}) const;
+  /// May the wheels collide() wherever the first is moved along its axis?
+  [[nodiscard]] bool mayMeet(int moving, int other) const;
   /// Do two wheels take up the same room in the reference pose, or wheels on parallel axes ever?
   [[nodiscard]] bool collide(int a, int b) const;
   /// Does a parallel axis beside its own pass through the wheel, or ever come to?
@@ -47,8 +58,17 @@ class WheelRooms {
     double inner = 0, outer = 0;
     bool bevel = false;
     WheelOrbit orbit;
-    DiscHull hull;  ///< none of rings, which are hollow
+    DiscHull hull;                 ///< none of rings, which are hollow
+    double middle = 0, reach = 0;  ///< of the bounding sphere: coordinate of its centre, radius
+    bool hasArm = false;           ///< the hull leaves room for arms beside it
+
+    [[nodiscard]] Eigen::Vector3d centre() const { return origin + middle * axis; }
   };
+  [[nodiscard]] Room roomOf(const TrainWheel& wheel, bool hasArms) const;
+  /// Do both go round the same axis on different carriers, so that the reference pose says nothing?
+  [[nodiscard]] static bool shareOrbit(const Room& a, const Room& b) {
+    return a.orbit.about >= 0 && a.orbit.about == b.orbit.about && a.orbit.carrier != b.orbit.carrier;
+  }
   [[nodiscard]] const Room& room(int w) const { return m_rooms[static_cast<std::size_t>(w)]; }
   [[nodiscard]] static bool discsCollide(const Room& a, const Room& b);
   [[nodiscard]] static bool hullsCollide(const Room& a, const Room& b);
