@@ -430,6 +430,8 @@ BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, cons
   // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
   // And the frame leaves room for carriers that find none.
   PlanTries tries;
+  if (train.gears.size() > kMostRoutedGears)
+    return BodyPlanner(mechanism, placement, train, tries, stop).planSimply();
   BodyPlan plan;
   std::vector<BodyClash> clashes;
   constexpr int kMostTries = 16;

@@ -10,6 +10,10 @@
 
 namespace geargraph {
 
+/// Larger trains get straight bodies that are not routed past each other (BodyPlan::isSimple), and bevels
+/// keep their faces: to look for ways costs more than the square of the wheels, and it would take minutes.
+constexpr std::size_t kMostRoutedGears = 400;
+
 /// Where bodies go: bearings beside the wheels, arms where they pass them, shafts nested.
 struct BodyPlan {
   std::vector<AxisLayout> axes;
@@ -26,6 +30,7 @@ struct BodyPlan {
   std::vector<std::vector<int>> blocked;
   std::vector<std::pair<std::size_t, double>> hubs;  ///< gears, and the diameter that their hub has to have
   std::vector<std::vector<std::size_t>> shaftsOn;    ///< shafts by axis class
+  bool isSimple = false;                             ///< the train is too large for routes
 
   /// The link's shaft on the axis, of several the one nearest to the coordinate.
   [[nodiscard]] const ShaftSegment* shaftOf(int axisClass, int link, double near) const {

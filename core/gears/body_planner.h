@@ -49,6 +49,8 @@ class BodyPlanner {
 
   /// Carriers for whose arms there was no level.
   [[nodiscard]] const std::set<int>& wantRoom() const { return m_wantRoom; }
+  /// Bodies that go straight, whatever is in their way.
+  BodyPlan planSimply();
   /// Ends early, with a plan of no use, when `stop` was requested.
   BodyPlan plan() {
     for (std::size_t c = 0; c < m_plan.axes.size() && !isStopped(); ++c) planCoaxial(static_cast<int>(c));
@@ -75,6 +77,7 @@ class BodyPlanner {
 
  private:
   [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
+  void placeInRow(int axisClass);
   void planCoaxial(int axisClass);
   [[nodiscard]] bool isCoaxial(int axisClass) const { return m_coaxial[static_cast<std::size_t>(axisClass)]; }
   void placeCups();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <unordered_map>
@@ -68,6 +69,8 @@ class BodyCache {
  public:
   explicit BodyCache(std::size_t capacity = 512) : m_capacity(capacity) {}
 
+  /// Holds at least so many from now on.
+  void makeRoomFor(std::size_t solids) { m_capacity = std::max(m_capacity, solids); }
   /// The solid of this recipe, made when it is asked for, if it ever is.
   [[nodiscard]] std::shared_ptr<const DeferredSolid> deferred(const BodyRecipe& recipe, double tolerance);
 

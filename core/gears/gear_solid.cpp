@@ -126,6 +126,11 @@ std::size_t GearCache::size() const {
   return m_solids.size();
 }
 
+void GearCache::makeRoomFor(std::size_t solids) {
+  const std::lock_guard lock(m_mutex);
+  m_capacity = std::max(m_capacity, 2 * solids);
+}
+
 void GearCache::dropOldest() {
   m_solids.erase(std::min_element(m_solids.begin(), m_solids.end(), [](const auto& a, const auto& b) {
     return a.second.used < b.second.used;

@@ -43,6 +43,8 @@ class GearCache {
                                                                         double tolerance);
 
   [[nodiscard]] std::size_t size() const;
+  /// Holds at least so many from now on: all details of a train, and as many of the edit before.
+  void makeRoomFor(std::size_t solids);
 
  private:
   struct Key {

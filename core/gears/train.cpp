@@ -1,6 +1,7 @@
 #include "core/gears/train.h"
 
 #include "core/gears/bodies.h"
+#include "core/gears/body_plan.h"
 #include "core/gears/phase.h"
 #include "core/gears/train_bodies.h"
 #include "core/gears/train_findings.h"
@@ -35,7 +36,7 @@ TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
   TrainWheels wheels = wheelsOf(mechanism, placement, stop);
   shapeWheels(mechanism, wheels, stop);
   stackWheels(wheels, placement, stop);
-  shortenFaces(wheels, placement, stop);
+  if (wheels.wheels.size() <= kMostRoutedGears) shortenFaces(wheels, placement, stop);
   return wheels;
 }
 

@@ -26,7 +26,9 @@ constexpr int kCageBars = 5;
 class BodyBuilder {
  public:
   BodyBuilder(const BodyPlan& plan, const GearTrain& train, std::size_t links)
-      : m_plan(plan), m_train(train), m_recipes(links) {}
+      : m_plan(plan), m_train(train), m_recipes(links), m_armsOf(links) {
+    for (const ArmPlan& arm : plan.arms) m_armsOf[static_cast<std::size_t>(arm.link)].push_back(&arm);
+  }
 
   /// By link.
   std::vector<BodyRecipe> build() {
@@ -70,8 +72,9 @@ class BodyBuilder {
 
   /// An arm in the plane of the bearing has its eye there already, at either end.
   [[nodiscard]] bool isEyeOfArm(int c, const Bearing& bearing) const {
-    return std::any_of(m_plan.arms.begin(), m_plan.arms.end(), [&](const ArmPlan& arm) {
-      if (arm.link != bearing.parent) return false;
+    const auto& arms = m_armsOf[static_cast<std::size_t>(bearing.parent)];
+    return std::any_of(arms.begin(), arms.end(), [&](const ArmPlan* each) {
+      const ArmPlan& arm = *each;
       const bool parallel = axis(arm.from).direction.cross(axis(arm.to).direction).norm() < 1e-6;
       if (parallel && arm.to == c && arm.child == bearing.child) return true;
       return arm.from == c && std::abs(arm.level - bearing.at) < 1e-9 * axis(c).module &&
@@ -114,6 +117,7 @@ class BodyBuilder {
   const BodyPlan& m_plan;
   const GearTrain& m_train;
   std::vector<BodyRecipe> m_recipes;
+  std::vector<std::vector<const ArmPlan*>> m_armsOf;  ///< by link
 };
 
 /// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
@@ -294,6 +298,7 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
                const std::stop_token& stop) {
   const BodyPlan plan = planBodies(mechanism, placement, train, stop);
   if (stop.stop_requested()) return;
+  train.hasSimpleBodies = plan.isSimple;
   const Diagnostics blocked = blockedFindings(mechanism, plan);
   train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
@@ -304,6 +309,7 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
   const std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
   BodyCache once;
   BodyCache& solids = cache != nullptr ? *cache : once;
+  solids.makeRoomFor(4 * recipes.size());  // two details, of this edit and the one before
   for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
     const BodyRecipe& recipe = recipes[link];
     if (recipe.empty()) continue;

@@ -17,7 +17,8 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
   for (const LinkBody& body : train.bodies) {
     if (stop.stop_requested()) break;
     result.parts.push_back({body.link, "body of link " + std::to_string(mechanism.linkLabel(body.link)),
-                            Eigen::Isometry3d::Identity(), body.fine->solid()});
+                            Eigen::Isometry3d::Identity(),
+                            (tolerance < kFarthestTolerance ? body.fine : body.rough)->solid()});
   }
   return result;
 }

@@ -25,7 +25,8 @@ struct TrainParts {
 };
 
 /// Solids of all gears, then of all bodies, as parts of their links: what a view shows and a file holds.
-/// `tolerance` in modules. Those made by then when `stop` was requested meanwhile.
+/// `tolerance` in modules; bodies are as fine as kBodyTolerance, or coarse from kFarthestTolerance on. Those
+/// made by then when `stop` was requested meanwhile.
 [[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
                                     double tolerance, const std::stop_token& stop = {});
 

@@ -59,7 +59,7 @@ struct Twist3 {
   }
 };
 
-/// Something that is not shown, and why, in a sentence.
+/// Something that is not shown, or simplified, and why, in a sentence.
 struct StageNote {
   ElementId element;
   std::string text;

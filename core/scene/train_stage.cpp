@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 
 #include "core/drawing/palette.h"
+#include "core/gears/body_plan.h"
 #include "core/gears/body_recipe.h"
 #include "core/gears/toothless_gear.h"
 #include "core/gears/train.h"
@@ -17,6 +19,7 @@ namespace geargraph {
 namespace {
 
 constexpr int kMostCloseMeshes = 100;
+constexpr std::size_t kLevelsOfGear = 4;
 constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to come round
 
 Rgb colourOf(int link) {
@@ -63,16 +66,17 @@ class StageBuilder {
   const std::stop_token& m_stop;
   std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
   std::vector<int> m_links;
+  std::unordered_map<const Solid*, std::size_t> m_placeOf;  ///< among the scene's solids
   std::vector<std::optional<std::size_t>> m_instanceOfGear;
   std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
 };
 
 Instance& StageBuilder::add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose) {
   auto& solids = m_stage->scene.solids;
-  const auto known = std::find(solids.begin(), solids.end(), solid);
+  const auto [known, isNew] = m_placeOf.try_emplace(solid.get(), solids.size());
+  if (isNew) solids.push_back(solid);
   Instance instance;
-  instance.solid = static_cast<std::size_t>(known - solids.begin());
-  if (known == solids.end()) solids.push_back(solid);
+  instance.solid = known->second;
   instance.pose = pose;
   instance.colour = colourOf(link);
   instance.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
@@ -183,6 +187,15 @@ std::shared_ptr<Stage> StageBuilder::build() {
   BodyCache once;
   const GearTrain train =
       shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once, m_stop);
+  if (train.hasSimpleBodies) {
+    m_stage->notes.push_back(
+        {m_mechanism.links.front().id,
+         "A train of " + std::to_string(train.gears.size()) +
+             " gears: its shafts and arms are straight, and pass through what is in their "
+             "way (up to " +
+             std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
+  }
+  m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());
   m_labelOf.resize(m_mechanism.links.size());
   m_instanceOfGear.resize(train.gears.size());
   for (std::size_t gear = 0; gear < train.gears.size() && !m_stop.stop_requested(); ++gear)

@@ -12,7 +12,7 @@
 namespace geargraph {
 
 /// Larger trains get no 3D picture: their teeth would fill the memory, and nobody could tell them apart.
-constexpr int kMostStageLinks = 2'000;
+constexpr int kMostStageLinks = 4'000;
 
 class BodyCache;
 
@@ -37,7 +37,8 @@ class StageMemory {
 /// The mechanism as a stage: toothed wheels on their axes, shafts, arms and bearings, in the colours of the
 /// links, turning with the inputs. What the document leaves open is placed automatically; meshes that no
 /// wheels can be made for are left out; without valid inputs nothing moves. An empty scene where the turning
-/// joints are no spanning tree, or the mechanism has more than kMostStageLinks.
+/// joints are no spanning tree, or the mechanism has more than kMostStageLinks. Trains of more than
+/// kMostRoutedGears have simple bodies, as Stage::notes tells.
 ///
 /// A part selects its link. Wheels light up with their meshes too, shafts with their joints.
 ///

@@ -9,6 +9,7 @@
 #include "core/render/egl_host.h"
 #include "core/scene/train_stage.h"
 #include "core/schematic/schematic.h"
+#include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
@@ -44,6 +45,18 @@ void stageOfADrag(benchmark::State& state, const char* name, const char* mesh, i
       state.ResumeTiming();
     }
     benchmark::DoNotOptimize(trainStage(*drag[step++], *cache, nullptr, &*memory));
+  }
+}
+
+/// The first stage of a train in space, every solid new; `links` beyond the bound of routed bodies, too.
+/// Accept: 10 times the links at most 16 times the time.
+void stageOfADeepTrain(benchmark::State& state) {
+  const SnapshotPtr snapshot =
+      analyzeLive(std::make_shared<const Mechanism>(test::deepTrain(1, static_cast<int>(state.range(0)))));
+  for (auto _ : state) {
+    GearCache cache(1024);
+    StageMemory memory;
+    benchmark::DoNotOptimize(trainStage(*snapshot, cache, nullptr, &memory));
   }
 }
 
@@ -83,6 +96,13 @@ void quickLookOfADrag(benchmark::State& state, const char* name, const char* mes
 
 BENCHMARK_CAPTURE(stageOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(stageOfADeepTrain)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(300)
+    ->Arg(1'000)
+    ->Arg(3'000)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(schematicOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(schematicOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)

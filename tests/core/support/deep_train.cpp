@@ -38,6 +38,8 @@ Mechanism deepTrain(std::uint64_t seed, int links) {
   std::vector<Held> all{{}, newAxis({})};  // the ground, which nothing holds, and link 1
   train.link(0, all[1].axis);
   std::vector<GearMesh> meshes;
+  std::vector<int> children(static_cast<std::size_t>(links) + 1,
+                            0);  // by carrier: wheels that differ share nothing
   for (int link = 2; link <= links; ++link) {
     const int carrier = std::max(1, link - 1 - below(4));
     const Held& home = all[static_cast<std::size_t>(carrier)];
@@ -59,7 +61,7 @@ Mechanism deepTrain(std::uint64_t seed, int links) {
       mesh.id = MeshId("m" + std::to_string(meshes.size()));
       mesh.tail = LinkId(std::to_string(home.parent));
       mesh.head = LinkId(std::to_string(link));
-      mesh.tailTeeth = 17 + below(40);
+      mesh.tailTeeth = 17 + (5 * children[static_cast<std::size_t>(carrier)]++ + below(5)) % 40;
       mesh.headTeeth = 17 + below(40);
       mesh.kind = isParallel ? MeshKind::external : MeshKind::bevel;
       meshes.push_back(mesh);
