@@ -169,6 +169,21 @@ std::optional<bool> JsonObject::flag(std::string_view name) {
   return std::nullopt;
 }
 
+std::optional<JsonObject::Ends> JsonObject::ends(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (!value->is(JsonKind::array) || value->size() != 2) {
+    wrong(name, *value, "a list of two, each a number or null");
+    return std::nullopt;
+  }
+  Ends result;
+  value->forEachElement([&](JsonValue element, std::size_t position) {
+    if (element.is(JsonKind::null)) return;
+    result.at(position) = numberOf(element, pointerTo(name) + pointerStep(position));
+  });
+  return result;
+}
+
 int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
   const std::string expected =
       lowest == highest ? "the whole number " + std::to_string(lowest)

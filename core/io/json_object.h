@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ class JsonObject {
   [[nodiscard]] std::optional<Number> number(std::string_view name);
   [[nodiscard]] std::optional<NumberTriple> triple(std::string_view name);
   [[nodiscard]] std::optional<bool> flag(std::string_view name);
+  /// The ends of a range: a list of two, each a number or null.
+  using Ends = std::array<std::optional<Number>, 2>;
+  [[nodiscard]] std::optional<Ends> ends(std::string_view name);
   /// A whole number of the range, required; `lowest` where there is none.
   [[nodiscard]] int requiredWhole(std::string_view name, int lowest, int highest);
 

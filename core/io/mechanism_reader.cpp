@@ -125,6 +125,7 @@ class MechanismReader {
                joint.head = LinkId(from.requiredId("head"));
                joint.axis = AxisId(from.requiredId("axis"));
                joint.offset = from.number("offset").value_or(Number());
+               if (const auto ends = from.ends("limits")) joint.limits = {(*ends)[0], (*ends)[1]};
              });
     const auto axes = m_mechanism.turningJoints.empty()
                           ? root.member("axes")

@@ -89,6 +89,7 @@ class MechanismWriter {
     id("head", joint.head);
     id("axis", joint.axis);
     number("offset", joint.offset);
+    limits(joint.limits);
   }
 
   void members(const GearMesh& mesh) {
@@ -227,6 +228,20 @@ class MechanismWriter {
     if (!isPinned) return;
     m_json.key("pinned");
     m_json.json("true");
+  }
+
+  void limits(const JointLimits& limits) {
+    if (!limits.any()) return;
+    m_json.key("limits");
+    m_json.beginArray(Layout::row);
+    for (const std::optional<Number>& end : {limits.low, limits.high}) {
+      if (end) {
+        value(*end);
+      } else {
+        m_json.null();
+      }
+    }
+    m_json.endArray();
   }
 
   void unknown(const UnknownMembers& members) {

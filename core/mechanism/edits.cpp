@@ -79,7 +79,7 @@ Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId he
     return unknown(axis);
   }
   const JointId id(freshId(mechanism));
-  mechanism.turningJoints.push_back({id, tail, head, axis, Number(0), {}});
+  mechanism.turningJoints.push_back({id, tail, head, axis, Number(0)});
   return unlessLoop(std::move(mechanism), id);
 }
 
@@ -168,6 +168,7 @@ Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
     TurningJoint* joint = findIn(mechanism.turningJoints, JointId(element.id));
     if (joint == nullptr) return unknown(element);
     std::swap(joint->tail, joint->head);
+    joint->limits = opposite(joint->limits);
     return mechanism;
   }
   GearMesh* mesh =
@@ -286,6 +287,14 @@ Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number&
   TurningJoint* found = findIn(mechanism.turningJoints, joint);
   if (found == nullptr) return unknown(joint);
   found->offset = offset;
+  return mechanism;
+}
+
+Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint, const JointLimits& limits) {
+  TurningJoint* found = findIn(mechanism.turningJoints, joint);
+  if (found == nullptr) return unknown(joint);
+  if (const auto problem = limitsProblem(limits)) return refusal(Code::schema, *problem, {joint});
+  found->limits = limits;
   return mechanism;
 }
 

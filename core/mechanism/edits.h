@@ -71,6 +71,10 @@ namespace geargraph {
 
 [[nodiscard]] Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number& offset);
 
+/// How far the joint may turn; no end: as far as it likes. Refuses schema: limitsProblem().
+[[nodiscard]] Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint,
+                                                  const JointLimits& limits);
+
 /// The driven joints with their speeds, in column order; none leaves the choice to the program.
 [[nodiscard]] Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<Input>> inputs);
 

@@ -54,6 +54,14 @@ const Coupling* Mechanism::find(CouplingId id) const {
   return findIn(couplings, id);
 }
 
+JointLimits opposite(const JointLimits& limits) {
+  const auto negated = [](const std::optional<Number>& end) -> std::optional<Number> {
+    if (!end) return std::nullopt;
+    return Number(-end->exact());
+  };
+  return {negated(limits.high), negated(limits.low)};
+}
+
 Mechanism emptyMechanism() {
   Mechanism mechanism;
   mechanism.links.push_back({LinkId("0"), "ground"});

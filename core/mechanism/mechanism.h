@@ -51,6 +51,19 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
+/// How far a turning joint may turn from the reference pose, in degrees, positive in the sense of its speed;
+/// an end without a number is open. @pre of a well-formed mechanism: low <= 0 <= high and low < high
+struct JointLimits {
+  std::optional<Number> low = {};
+  std::optional<Number> high = {};
+
+  [[nodiscard]] bool any() const { return low || high; }
+  friend bool operator==(const JointLimits&, const JointLimits&) = default;
+};
+
+/// The same limits for a joint of which tail and head are exchanged.
+[[nodiscard]] JointLimits opposite(const JointLimits& limits);
+
 /// A turning pair. Positive speed turns `head` about +direction of the axis relative to `tail`; `offset` is
 /// where along the axis (from its point, along the unit direction) the bearing is drawn.
 struct TurningJoint {
@@ -59,7 +72,8 @@ struct TurningJoint {
   LinkId head;
   AxisId axis;
   Number offset;
-  UnknownMembers unknown;
+  JointLimits limits = {};
+  UnknownMembers unknown = {};
   friend bool operator==(const TurningJoint&, const TurningJoint&) = default;
 };
 

@@ -56,7 +56,9 @@ class ByteCount {
   void one(const ViewCamera& camera) { add(camera.unknown); }
   void one(const Link& link) { add(link.name, link.shapes, link.unknown); }
   void one(const Axis& axis) { add(axis.point, axis.direction, axis.unknown); }
-  void one(const TurningJoint& joint) { add(joint.offset, joint.unknown); }
+  void one(const TurningJoint& joint) {
+    add(joint.offset, joint.limits.low, joint.limits.high, joint.unknown);
+  }
   void one(const GearMesh& mesh) { add(mesh.pitchPoint, mesh.faceWidth, mesh.unknown); }
   void one(const Wheel& wheel) { add(wheel.profileShift, wheel.bore, wheel.backlash, wheel.unknown); }
   void one(const GearDefaults& all) { add(all.pressureAngle, all.backlash, all.faceWidth, all.unknown); }

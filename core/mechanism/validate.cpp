@@ -126,6 +126,8 @@ class WellFormedCheck {
       reference(joint.id, joint.head, m_links, at + "/head");
       reference(joint.id, joint.axis, m_axes, at + "/axis");
       notItself(joint.id, joint.tail, joint.head, "Turning joint", at);
+      if (const auto problem = limitsProblem(joint.limits))
+        add(Code::schema, *problem, {joint.id}, at + "/limits");
     }
   }
 
@@ -347,6 +349,14 @@ Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
 }
 
 }  // namespace
+
+std::optional<std::string> limitsProblem(const JointLimits& limits) {
+  const double low = limits.low ? limits.low->value() : -1;
+  const double high = limits.high ? limits.high->value() : 1;
+  if (low <= 0 && high >= 0 && low < high) return std::nullopt;
+  return "The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the "
+         "second at least 0, and not both 0.";
+}
 
 Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) {
   return WellFormedCheck(mechanism).run();

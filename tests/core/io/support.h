@@ -47,7 +47,7 @@ inline const std::string kEverything = R"({
   "axes": [{"id": "a", "point": [0, "22/7", 0.10], "direction": [0, 0, 1e-3], "pinned": true}, {"id": "p"}],
   "turningJoints": [
     {"id": 4, "tail": 0, "head": "sun", "axis": "a", "offset": -1.50},
-    {"id": 5, "tail": 0, "head": "arm", "axis": "a"},
+    {"id": 5, "tail": 0, "head": "arm", "axis": "a", "limits": [-170.0, null]},
     {"id": 6, "tail": "arm", "head": "planet", "axis": "p"}],
   "gearMeshes": [
     {"id": 7, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "external",

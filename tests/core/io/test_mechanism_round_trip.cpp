@@ -49,6 +49,9 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.axes[0].direction->at(2).exact() == Rational(1, 1000));
   QVERIFY(!m.axes[1].point && !m.axes[1].direction);
   QVERIFY(m.turningJoints[0].offset.exact() == Rational(-3, 2));
+  QVERIFY(!m.turningJoints[0].limits.any());
+  QCOMPARE(m.turningJoints[1].limits.low->text(), std::string("-170.0"));
+  QVERIFY(!m.turningJoints[1].limits.high);
   QVERIFY(m.turningJoints[1].tail == LinkId("0") && m.turningJoints[1].head == LinkId("arm"));
   QVERIFY(m.turningJoints[2].axis == AxisId("p"));
   const GearMesh& mesh = m.gearMeshes[0];

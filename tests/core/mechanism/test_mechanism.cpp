@@ -32,6 +32,33 @@ class MechanismTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void limitsOfJointsTurnOverWithTheJoint() {
+    const JointLimits limits{Number(-10), Number::fromText("170.5")};
+    const Mechanism limited = withJointLimits(robotTopology(), JointId("8"), limits).value();
+    QCOMPARE(limited.find(JointId("8"))->limits, limits);
+    const Mechanism flipped = withFlipped(limited, JointId("8")).value();
+    const JointLimits expected{Number::fromText("-170.5"), Number(10)};
+    QCOMPARE(flipped.find(JointId("8"))->limits, expected);
+    QVERIFY(withFlipped(flipped, JointId("8")).value() == limited);
+    const JointLimits open{std::nullopt, Number(90)};
+    QCOMPARE(opposite(open), (JointLimits{Number(-90), std::nullopt}));
+    QVERIFY(withJointLimits(limited, JointId("8"), {}).value() == robotTopology());
+  }
+
+  void limitsHoldTheReferencePose() {
+    const auto refused = [](const JointLimits& limits) {
+      return !withJointLimits(robotTopology(), JointId("8"), limits);
+    };
+    QVERIFY(refused({Number(1), Number(170)}));
+    QVERIFY(refused({Number(-170), Number(-1)}));
+    QVERIFY(refused({Number(0), Number(0)}));
+    QVERIFY(refused({Number(1), std::nullopt}));
+    QVERIFY(!refused({Number(0), std::nullopt}));
+    QVERIFY(!refused({Number(-720), Number(720)}));
+    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("8"), {Number(1), Number(2)})), Code::schema);
+    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("99"), {})), Code::unknownId);
+  }
+
   void numbersKeepTheirSpelling() {
     for (const char* text : {"22/7", "0.10", "1e-3", "-5", "0"}) {
       QCOMPARE(Number::fromText(text).value().text(), std::string(text));
