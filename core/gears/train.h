@@ -39,6 +39,8 @@ struct TrainMesh {
   double residual = 0;  ///< pitches by which the teeth miss each other, where a loop cannot be assembled
 };
 
+struct BodyPart;
+
 /// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
 /// it.
 struct LinkBody {
@@ -46,6 +48,7 @@ struct LinkBody {
   double module = 1;                           ///< the smallest of its parts
   std::shared_ptr<const DeferredSolid> fine;   ///< chords within kBodyTolerance, made when asked for
   std::shared_ptr<const DeferredSolid> rough;  ///< within kFarthestTolerance
+  std::shared_ptr<const std::vector<BodyPart>> recipe = {};  ///< what the solids are made of (BodyRecipe)
 
   [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
 };

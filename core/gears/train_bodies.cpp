@@ -306,17 +306,18 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
     GearSpec& spec = train.gears[gear].spec;
     spec.hub = std::max(diameter, 1.2 * spec.bore);
   }
-  const std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
+  std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
   BodyCache once;
   BodyCache& solids = cache != nullptr ? *cache : once;
   solids.makeRoomFor(4 * recipes.size());  // two details, of this edit and the one before
   for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
-    const BodyRecipe& recipe = recipes[link];
+    BodyRecipe& recipe = recipes[link];
     if (recipe.empty()) continue;
     const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
-    train.bodies.push_back(
-        {static_cast<int>(link), std::min_element(recipe.begin(), recipe.end(), byModule)->module,
-         solids.deferred(recipe, kBodyTolerance), solids.deferred(recipe, kFarthestTolerance)});
+    const double module = std::min_element(recipe.begin(), recipe.end(), byModule)->module;
+    train.bodies.push_back({static_cast<int>(link), module, solids.deferred(recipe, kBodyTolerance),
+                            solids.deferred(recipe, kFarthestTolerance),
+                            std::make_shared<const BodyRecipe>(std::move(recipe))});
   }
 }
 
