@@ -8,6 +8,7 @@
 #include "core/gears/phase.h"
 #include "core/gears/tooth_pair.h"
 #include "core/gears/train.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 
@@ -400,6 +401,15 @@ class TestFindings : public QObject {
       for (const std::size_t mesh : {1, 2}) robot.gearMeshes[mesh].faceWidth = Number(11);
       const Diagnostics found = findings(robot);
       QVERIFY2(count(found, Code::interference, "do not mesh. Use smaller face widths") > 0, listed(found));
+    }
+  }
+
+  /// One wheel far from all others: the ways of sleeves to it are sought on a grid that stays as small.
+  void wheelsFarAwayOnTheirAxisEndTheSearch() {
+    for (const double far : {1e6, 1e9, 1e12, 1e15, 1e17}) {
+      Mechanism simpson = test::example("simpson");
+      (*simpson.gearMeshes.front().pitchPoint)[2] = Number::fromDouble(far);
+      QVERIFY(!findings(simpson).empty());
     }
   }
 
