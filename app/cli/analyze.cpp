@@ -12,6 +12,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 
 namespace geargraph::cli {
 namespace {
@@ -21,8 +22,8 @@ std::variant<SnapshotPtr, UsageError> analysed(const Mechanism& document, const 
   auto mechanism = withInputOptions(document, arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return *error;
   const SolveOptions options{!arguments.has("--no-symbolic")};
-  return analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, {},
-                 options);
+  return analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0,
+                 arguments.stop, options);
 }
 
 int run(const Arguments& arguments) {
@@ -39,6 +40,7 @@ int run(const Arguments& arguments) {
     const auto result = analysed(*document, arguments);
     if (const auto* error = std::get_if<UsageError>(&result)) return wrongUsage(kAnalyze, error->message);
     snapshot = std::get<SnapshotPtr>(result);
+    if (!snapshot) return outOfTime(arguments, "the analysis");
   }
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,6 +23,7 @@ struct Option {
 struct Arguments {
   std::vector<std::string> files;
   std::map<std::string, std::vector<std::string>, std::less<>> options;
+  std::stop_token stop;  ///< of the time limit (time_limit.h)
 
   [[nodiscard]] bool has(std::string_view option) const { return options.contains(option); }
   /// The last value of the option, if it was given.

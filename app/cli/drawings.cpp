@@ -11,19 +11,19 @@
 namespace geargraph::cli {
 namespace {
 
-DisplayList digraph(const AnalysisSnapshot& snapshot) {
+DisplayList digraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*stop*/) {
   return digraphDrawing(*snapshot.mechanism, completedPositions(*snapshot.mechanism), {});
 }
 
-DisplayList ttGraph(const AnalysisSnapshot& snapshot) {
+DisplayList ttGraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*stop*/) {
   const TtGraph* graph = snapshot.kinematics ? snapshot.kinematics->ttGraph.get() : nullptr;
   const NodePositions places =
       ttPositions(ttLayout(*snapshot.mechanism, graph), snapshot.mechanism->view.ttNodes);
   return ttGraphDrawing(ttGraphGeometry(*snapshot.mechanism, graph, places), {});
 }
 
-DisplayList schematic(const AnalysisSnapshot& snapshot) {
-  return schematicDrawing(schematicGeometry(*snapshot.mechanism), {});
+DisplayList schematic(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  return schematicDrawing(schematicGeometry(*snapshot.mechanism, stop), {});
 }
 
 constexpr std::array kDrawings = {Drawing{"digraph", digraph}, Drawing{"ttgraph", ttGraph},

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 #include "core/analysis/analysis.h"
@@ -12,7 +13,8 @@ namespace geargraph::cli {
 /// A drawing that `export --to svg/pdf/png` knows by its name.
 struct Drawing {
   std::string_view name;
-  DisplayList (*draw)(const AnalysisSnapshot& snapshot);
+  /// Of no use when `stop` was requested meanwhile.
+  DisplayList (*draw)(const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 };
 
 /// Every drawing, in the order of the help. A new one is a line in the table of drawings.cpp.

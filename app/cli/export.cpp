@@ -61,7 +61,9 @@ constexpr std::array kOptions = {
     Option{"--gear", "MESH:SIDE", "one gear in its own frame: 15:tail or 15:head"},
     Option{"--link", "LABEL", "the solids of one link"},
     Option{"--animate", "SECONDS", "with glb: how long one period plays (without: as long as it takes)"},
-    Option{"--tolerance", "MODULES", "of solids: farthest chord from the exact form (0.002)"},
+    Option{"--tolerance", "MODULES",
+           "of solids: farthest chord from the exact form (0.002; of large trains as fine as 10 million "
+           "triangles allow)"},
     Option{"--view", "NAME",
            "of pictures: digraph, ttgraph or schematic; with png and glb also 3d, the train as seen"},
     Option{"--size", "WxH", "of pictures: pixels (as large as the drawing is; 3d: 1600x1000)"},

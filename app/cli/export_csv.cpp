@@ -13,6 +13,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 
 namespace geargraph::cli {
 namespace {
@@ -45,17 +46,20 @@ std::variant<CsvOptions, UsageError> csvOptions(const Arguments& arguments) {
                     arguments.has("--bom")};
 }
 
-/// Writes one table to a file, or to standard output for "-".
-std::optional<FileError> writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& options) {
-  if (path == "-") {
+/// Writes one table to a file, or to standard output for "-"; the exit status, `fine` where all went well.
+int writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& options,
+               const Arguments& arguments, int fine) {
+  if (path == "-") {  // what has begun is written to its end
     DescriptorSink out(STDOUT_FILENO);
     table.write(out, options);
-    if (out.failed()) return FileError{"Standard output could not be written."};
-    return std::nullopt;
+    return out.failed() ? fileFailure("Standard output could not be written.") : fine;
   }
   AtomicFile file(path);
-  table.write(file, options);
-  return file.commit();
+  StoppableSink sink(file, arguments.stop);
+  table.write(sink, options);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "\"" + path.string() + '"');
+  const auto error = file.commit();
+  return error ? fileFailure(error->message) : fine;
 }
 
 std::string tableNames(const std::vector<CsvTable>& tables) {
@@ -77,8 +81,7 @@ int exportOne(const std::vector<CsvTable>& tables, const Arguments& arguments, c
               << "; nothing was written.\n";
     return status == kFine ? kResourceLimit : status;
   }
-  const auto error = writeTable(*arguments.value("-o"), *table, options);
-  return error ? fileFailure(error->message) : status;
+  return writeTable(*arguments.value("-o"), *table, options, arguments, status);
 }
 
 int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, const CsvOptions& options,
@@ -100,8 +103,14 @@ int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, c
                          "\" is there already; nothing was written (--force overwrites).");
     }
   }
+  std::vector<std::unique_ptr<AtomicFile>> written;  // they take their names together
   for (const auto& [path, table] : files) {
-    if (const auto failure = writeTable(path, *table, options)) return fileFailure(failure->message);
+    StoppableSink sink(*written.emplace_back(std::make_unique<AtomicFile>(path)), arguments.stop);
+    table->write(sink, options);
+    if (arguments.stop.stop_requested()) return outOfTime(arguments, "\"" + path.string() + '"');
+  }
+  for (const auto& file : written) {
+    if (const auto failure = file->commit()) return fileFailure(failure->message);
   }
   return status;
 }
@@ -117,12 +126,14 @@ int exportCsv(const Arguments& arguments) {
   const std::string& file = arguments.files.front();
   auto document = loadOrSay(file);
   if (const int* status = std::get_if<int>(&document)) return *status;
-  SnapshotPtr snapshot =
-      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+  SnapshotPtr snapshot = analyzeLive(
+      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   const int status = hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--all") || arguments.value("--matrix") == "solution") {
-    snapshot = analyzeFully(snapshot, SolveOptions{false});
+    snapshot = analyzeFully(snapshot, SolveOptions{false}, arguments.stop);
+    if (!snapshot) return outOfTime(arguments, "the solution");
   }
   const auto write = arguments.has("--all") ? exportAll : exportOne;
   return write(csvTables(snapshot), arguments, std::get<CsvOptions>(options), status);

@@ -7,6 +7,7 @@
 #include "app/cli/drawings.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/io/file.h"
 
 namespace geargraph::cli {
@@ -46,11 +47,15 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   const std::string& file = arguments.files.front();
   auto document = loadOrSay(file);
   if (const int* status = std::get_if<int>(&document)) return *status;
-  const SnapshotPtr snapshot =
-      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+  const SnapshotPtr snapshot = analyzeLive(
+      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   picture.title = snapshot->mechanism->name;
-  const Expected<std::string> bytes = pictureOf(drawing->draw(*snapshot), picture);
+  const DisplayList drawn = drawing->draw(*snapshot, arguments.stop);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the drawing");
+  const Expected<std::string> bytes = pictureOf(drawn, picture);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the picture");
   if (!bytes) {
     std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
     return kResourceLimit;

@@ -9,6 +9,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
 #include "core/analysis/analysis.h"
 #include "core/io/file.h"
@@ -20,29 +21,40 @@
 namespace geargraph::cli {
 namespace {
 
-std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const std::string& file) {
+std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arguments) {
+  const std::string& file = arguments.files.front();
   auto document = loadOrSay(file);
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot =
-      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   GearCache cache;
   ShapeCache read;
-  const ShapeSource shapes{read, file == "-" ? "." : std::filesystem::absolute(file).parent_path()};
-  const StagePtr stage = trainStage(*snapshot, cache, &shapes);
+  const ShapeSource shapes{read, file == "-" ? "." : std::filesystem::absolute(file).parent_path(),
+                           arguments.stop};
+  const StagePtr stage = trainStage(*snapshot, cache, &shapes, nullptr, arguments.stop);
+  if (!stage) return outOfTime(arguments, "the 3D view");
   for (const StageNote& note : stage->notes) std::cerr << file << ": " << note.text << '\n';
+  if (stage->scene.instances.empty() && snapshot->mechanism->n() > kMostStageLinks) {
+    std::cerr << "geargraph-cli: A train of " << snapshot->mechanism->n()
+              << " links has no 3D, which is made of up to " << kMostStageLinks << " links.\n";
+    return static_cast<int>(kResourceLimit);
+  }
   if (!stage->scene.instances.empty()) return std::pair(snapshot, stage);
   std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
   return static_cast<int>(kMechanismErrors);
 }
 
-int failure(const ShotFailure& why) {
+int failure(const Arguments& arguments, const ShotFailure& why) {
+  if (why.kind == ShotFailure::Kind::stopped) return outOfTime(arguments, "the picture");
   if (why.kind == ShotFailure::Kind::file) return fileFailure(why.message);
   std::cerr << "geargraph-cli: " << why.message << '\n';
   return kResourceLimit;
 }
 
-int failure(const MeshFileError& why) {
+int failure(const Arguments& arguments, const MeshFileError& why) {
+  if (why.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, "the file");
   std::cerr << "geargraph-cli: " << why.message << '\n';
   return why.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
@@ -81,16 +93,20 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   const std::string path = *arguments.value("-o");
   if (arguments.has("--all") && path == "-")
     return wrongUsage(kExport, "--all writes a folder; \"-\" is none.");
-  const auto made = stageOf(arguments.files.front());
+  const auto made = stageOf(arguments);
   if (const int* status = std::get_if<int>(&made)) return *status;
   const auto& [snapshot, stage] = std::get<0>(made);
   const auto wish = shotOf(arguments, stage, *snapshot);
   if (const auto* error = std::get_if<UsageError>(&wish)) return wrongUsage(kExport, error->message);
   const auto& shot = std::get<StageShot>(wish);
   if (asSolids) {
-    if (const auto why = writeMesh(sceneOf(*stage, shot.view), MeshFormat::glb, path)) return failure(*why);
+    MeshWriteOptions options;
+    options.stop = arguments.stop;
+    if (const auto why = writeMesh(sceneOf(*stage, shot.view), MeshFormat::glb, path, options))
+      return failure(arguments, *why);
   } else {
     ShotRun run;
+    run.stop = arguments.stop;
     run.mayOverwrite = arguments.has("--force");
     const OverlayChoice overlay = overlayOf(arguments);
     if (overlay.any()) {
@@ -103,7 +119,7 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
     }
     const auto why =
         arguments.has("--all") ? writePictures(shot, path, run) : geargraph::writePicture(shot, path, run);
-    if (why) return failure(*why);
+    if (why) return failure(arguments, *why);
   }
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
 }

@@ -10,14 +10,15 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/drawing/svg_writer.h"
 #include "core/pages/report_pdf.h"
 
 namespace geargraph::cli {
 namespace {
 
-DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot) {
-  return drawingNamed(name)->draw(snapshot);
+DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  return drawingNamed(name)->draw(snapshot, stop);
 }
 
 /// Writes what `bytesOf` makes of the analysed file; the exit status.
@@ -33,10 +34,12 @@ int exportDerivation(const Arguments& arguments,
               << " links is not written: nobody could read it. The matrices are exported as CSV.\n";
     return kResourceLimit;
   }
-  const SnapshotPtr snapshot =
-      analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
+  const SnapshotPtr snapshot = analyze(
+      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   const Expected<std::string> bytes = bytesOf(snapshot);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the derivation");
   if (!bytes) {
     std::cerr << "geargraph-cli: " << bytes.error().front().message << '\n';
     return kResourceLimit;
@@ -49,20 +52,21 @@ int exportDerivation(const Arguments& arguments,
 }  // namespace
 
 int exportReport(const Arguments& arguments, ReportForm form) {
-  return exportDerivation(arguments, [form](const SnapshotPtr& snapshot) -> Expected<std::string> {
+  return exportDerivation(arguments, [&, form](const SnapshotPtr& snapshot) -> Expected<std::string> {
     return reportText(derivationReport(snapshot), form, [&] {
       const SheetLook look;
-      return ReportDrawings{svgOf(drawn("schematic", *snapshot), look),
-                            svgOf(drawn("digraph", *snapshot), look),
-                            svgOf(drawn("ttgraph", *snapshot), look)};
+      return ReportDrawings{svgOf(drawn("schematic", *snapshot, arguments.stop), look),
+                            svgOf(drawn("digraph", *snapshot, arguments.stop), look),
+                            svgOf(drawn("ttgraph", *snapshot, arguments.stop), look)};
     });
   });
 }
 
 int exportReportPages(const Arguments& arguments) {
-  return exportDerivation(arguments, [](const SnapshotPtr& snapshot) {
-    return reportPdf(derivationReport(snapshot), {drawn("schematic", *snapshot), drawn("digraph", *snapshot),
-                                                  drawn("ttgraph", *snapshot)});
+  return exportDerivation(arguments, [&](const SnapshotPtr& snapshot) {
+    return reportPdf(derivationReport(snapshot), {drawn("schematic", *snapshot, arguments.stop),
+                                                  drawn("digraph", *snapshot, arguments.stop),
+                                                  drawn("ttgraph", *snapshot, arguments.stop)});
   });
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load_train.h"
+#include "app/cli/time_limit.h"
 #include "core/drawing/palette.h"
 #include "core/meshfile/assembly.h"
 #include "core/meshfile/mesh_writer.h"
@@ -33,7 +34,8 @@ std::variant<double, UsageError> number(const Arguments& arguments, std::string_
                     ", not \"" + *text + "\"."};
 }
 
-int failure(const MeshFileError& error) {
+int failure(const Arguments& arguments, const MeshFileError& error) {
+  if (error.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, "the file");
   std::cerr << "geargraph-cli: " << error.message << '\n';
   return error.kind == MeshFileError::Kind::limit ? kResourceLimit : kUsageOrFile;
 }
@@ -68,6 +70,30 @@ bool isTooLarge(const LoadedTrain& loaded, double tolerance) {
   return true;
 }
 
+/// The solids of a train at the tolerance, or where --tolerance is not given at the finest coarser one that
+/// keeps them below the limit of triangles.
+TrainParts fittingParts(const LoadedTrain& loaded, const Arguments& arguments, GearCache& cache,
+                        double tolerance) {
+  std::vector<double> tolerances{tolerance};
+  if (!arguments.has("--tolerance"))
+    tolerances.insert(tolerances.end(), {kScreenTolerance, kFarTolerance, kFarthestTolerance, kCoarsest});
+  TrainParts made;
+  for (const double each : tolerances) {
+    const bool isLast = each == tolerances.back();
+    if (!isLast && expectedTriangles(loaded.train, each) > static_cast<double>(kMostTriangles)) continue;
+    made = trainParts(loaded.mechanism(), loaded.train, cache, each, arguments.stop);
+    std::size_t triangles = 0;
+    for (const LinkPart& part : made.parts) triangles += part.solid->triangles.size();
+    if (!isLast && triangles > kMostTriangles && !arguments.stop.stop_requested()) continue;
+    if (each != tolerance) {
+      std::cerr << "geargraph-cli: The train is so large that its chords are within " << each
+                << " modules instead of " << tolerance << " (--tolerance).\n";
+    }
+    break;
+  }
+  return made;
+}
+
 /// One gear, alone in its own frame.
 std::variant<MeshScene, int> gearScene(const LoadedTrain& loaded, const std::string& name, double tolerance) {
   const TrainGear* gear = gearNamed(loaded, name);
@@ -90,15 +116,21 @@ std::variant<MeshScene, int> gearScene(const LoadedTrain& loaded, const std::str
   return scene;
 }
 
-/// The whole train, or one link of it, with its motion where the format carries one.
+/// The whole train, or one link of it, with its motion where the format carries one. Gears that cannot be
+/// made are left out of a large train, as in the 3D view, and `status` tells; a train of few gears needs all
+/// of them.
 std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Arguments& arguments,
-                                        MeshFormat format, double tolerance, double seconds) {
+                                        MeshFormat format, double tolerance, double seconds, int& status) {
   const PlacedTrain placed = loaded.placed();
   GearCache cache;
-  TrainParts made = trainParts(placed.mechanism, placed.train, cache, tolerance);
+  TrainParts made = fittingParts(loaded, arguments, cache, tolerance);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the solids");
   if (!made.diagnostics.empty()) {
     std::cerr << diagnosticLines(arguments.files.front(), made.diagnostics);
-    return static_cast<int>(kMechanismErrors);
+    status = kMechanismErrors;
+    if (!loaded.train.hasSimpleBodies) return status;
+    std::cerr << "geargraph-cli: Left out: " << made.diagnostics.size() << " of " << loaded.train.gears.size()
+              << " gears, which cannot be made.\n";
   }
   if (const auto label = arguments.value("--link")) {
     std::erase_if(made.parts, [&](const LinkPart& part) {
@@ -115,7 +147,7 @@ std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Argumen
   }
   auto scene = linkScene(source, motion);
   const auto* error = std::get_if<MeshFileError>(&scene);
-  if (error != nullptr && seconds > 0) return failure(*error);
+  if (error != nullptr && seconds > 0) return failure(arguments, *error);
   if (error != nullptr) {
     std::cerr << "geargraph-cli: " << error->message << " The file stands still.\n";
     scene = linkScene(source, std::nullopt);
@@ -137,17 +169,20 @@ int exportSolids(const Arguments& arguments, MeshFormat format) {
   if (arguments.has("--gear") && arguments.has("--link")) {
     return wrongUsage(kExport, "Give --gear or --link, not both.");
   }
-  const auto loaded = loadTrain(arguments.files.front());
+  const auto loaded = loadTrain(arguments);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const LoadedTrain& train = std::get<LoadedTrain>(loaded);
   const double fineness = std::get<double>(tolerance);
-  if (isTooLarge(train, fineness)) return kResourceLimit;
+  if (isTooLarge(train, arguments.has("--tolerance") ? fineness : kCoarsest)) return kResourceLimit;
+  int fine = kFine;
   const auto scene = arguments.has("--gear")
                          ? gearScene(train, *arguments.value("--gear"), fineness)
-                         : trainScene(train, arguments, format, fineness, std::get<double>(seconds));
+                         : trainScene(train, arguments, format, fineness, std::get<double>(seconds), fine);
   if (const int* status = std::get_if<int>(&scene)) return *status;
-  const auto error = writeMesh(std::get<MeshScene>(scene), format, *arguments.value("-o"));
-  return error ? failure(*error) : kFine;
+  MeshWriteOptions options;
+  options.stop = arguments.stop;
+  const auto error = writeMesh(std::get<MeshScene>(scene), format, *arguments.value("-o"), options);
+  return error ? failure(arguments, *error) : fine;
 }
 
 int exportAssembly(const Arguments& arguments) {
@@ -158,7 +193,7 @@ int exportAssembly(const Arguments& arguments) {
   }
   if (*arguments.value("-o") == "-")
     return wrongUsage(kExport, "--to assembly writes a folder; \"-\" is none.");
-  const auto loaded = loadTrain(arguments.files.front());
+  const auto loaded = loadTrain(arguments);
   if (const int* status = std::get_if<int>(&loaded)) return *status;
   const LoadedTrain& train = std::get<LoadedTrain>(loaded);
   if (isTooLarge(train, std::get<double>(tolerance))) return kResourceLimit;
@@ -167,12 +202,13 @@ int exportAssembly(const Arguments& arguments) {
   GearCache cache;
   const auto count = static_cast<std::size_t>(std::get<double>(frames));
   const auto assembly = assemblyOf(train.placed(), cache, std::get<double>(tolerance), motions, count);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the assembly");
   if (!assembly) {
     std::cerr << diagnosticLines(arguments.files.front(), assembly.error());
     return kMechanismErrors;
   }
   const auto error = writeAssembly(*assembly, *arguments.value("-o"), arguments.has("--force"));
-  return error ? failure(*error) : kFine;
+  return error ? failure(arguments, *error) : kFine;
 }
 
 }  // namespace geargraph::cli

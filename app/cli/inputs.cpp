@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
 #include "core/matroid/input_sets.h"
 
@@ -21,12 +22,12 @@ struct Sets {
 };
 
 /// Nothing where the mechanism has no kinematics, or is too large.
-std::optional<Sets> setsOf(const AnalysisSnapshot& snapshot, std::size_t limit) {
+std::optional<Sets> setsOf(const AnalysisSnapshot& snapshot, std::size_t limit, const std::stop_token& stop) {
   const MatroidAnalysis* matroid = snapshot.matroid();
   if (matroid == nullptr) return std::nullopt;
-  const auto found = InputSets::of(*snapshot.kinematics->model, FusedField(), matroid->choice.joints);
+  const auto found = InputSets::of(*snapshot.kinematics->model, FusedField(), matroid->choice.joints, stop);
   if (!found) return std::nullopt;
-  Sets sets{found->count(), found->list(limit)};
+  Sets sets{found->count(stop), found->list(limit, stop)};
   for (std::vector<int>& set : sets.labels) {
     for (int& joint : set) joint = snapshot.graph->edgeLabel(joint);
   }
@@ -87,11 +88,14 @@ int run(const Arguments& arguments) {
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const SnapshotPtr snapshot = document ? analyzeLive(std::make_shared<const Mechanism>(*document)) : nullptr;
+  const SnapshotPtr snapshot =
+      document ? analyzeLive(std::make_shared<const Mechanism>(*document), 0, arguments.stop) : nullptr;
+  if (document && !snapshot) return outOfTime(arguments, "the analysis");
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   std::cerr << diagnosticLines(file, diagnostics);
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
-  const auto sets = snapshot ? setsOf(*snapshot, limit) : std::nullopt;
+  const auto sets = snapshot ? setsOf(*snapshot, limit, arguments.stop) : std::nullopt;
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the list of input sets");
   if (arguments.has("--json"))
     return print(asJson(sets.value_or(Sets{})), sets || status != kFine ? status : tooMany());
   if (sets) return print(asText(*sets), status);

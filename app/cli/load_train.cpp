@@ -5,17 +5,20 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
+#include "core/gears/body_plan.h"
+#include "core/scene/train_stage.h"
 
 namespace geargraph::cli {
 namespace {
 
-std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot) {
+std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   std::vector<std::vector<Rational>> motions;
   const MatroidAnalysis* matroid = snapshot.matroid();
   if (matroid == nullptr || !matroid->solution) return motions;
   const std::vector<int>& inputs = matroid->choice.joints;
   for (const auto& speeds : {matroid->speeds, restlessSpeeds(inputs.size())}) {
-    if (auto solution = solveExact(*snapshot.kinematics->model, inputs, speeds)) {
+    if (auto solution = solveExact(*snapshot.kinematics->model, inputs, speeds, stop)) {
       motions.push_back(std::move(solution->rates));
     }
   }
@@ -24,20 +27,36 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot) {
 
 }  // namespace
 
-std::variant<LoadedTrain, int> loadTrain(const std::string& file) {
+std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
+  const std::string& file = arguments.files.front();
   auto document = loadOrSay(file);
   if (const int* status = std::get_if<int>(&document)) return *status;
+  const int links = std::get<Mechanism>(document).n();
+  if (links > kMostStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
+    std::cerr << "geargraph-cli: A train of " << links << " links has no 3D, which is made of up to "
+              << kMostStageLinks << " links; --gear and --link export a part of it. Nothing was written.\n";
+    return static_cast<int>(kResourceLimit);
+  }
   LoadedTrain loaded;
-  loaded.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))));
+  loaded.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))),
+                                0, arguments.stop);
+  if (!loaded.snapshot) return outOfTime(arguments, "the analysis");
   const AnalysisSnapshot& snapshot = *loaded.snapshot;
   std::cerr << diagnosticLines(file, snapshot.diagnostics);
   if (hasErrors(snapshot.diagnostics) || !snapshot.kinematics) {
     std::cerr << "geargraph-cli: A mechanism with errors has no gears; nothing was written.\n";
     return static_cast<int>(kMechanismErrors);
   }
-  loaded.train = trainOf(loaded.mechanism(), snapshot.kinematics->placement);
+  loaded.train = trainOf(loaded.mechanism(), snapshot.kinematics->placement, arguments.stop);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the gear train");
   std::cerr << diagnosticLines(file, loaded.train.diagnostics);
-  loaded.motions = motionsOf(snapshot);
+  if (loaded.train.hasSimpleBodies) {
+    std::cerr << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over "
+              << kMostRoutedGears
+              << "): shafts and arms are straight, and pass through what is in their way.\n";
+  }
+  loaded.motions = motionsOf(snapshot, arguments.stop);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");
   return loaded;
 }
 

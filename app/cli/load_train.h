@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "core/analysis/analysis.h"
 #include "core/meshfile/train_files.h"
 
@@ -24,8 +25,9 @@ struct LoadedTrain {
   }
 };
 
-/// Reads a file and makes its gears. Findings go to standard error. The exit status where there is nothing to
-/// export: it could not be read, or has errors.
-[[nodiscard]] std::variant<LoadedTrain, int> loadTrain(const std::string& file);
+/// Reads the file and makes its gears. Findings go to standard error. The exit status where there is nothing
+/// to export: it could not be read, has errors, is too large, or the
+/// time limit was over.
+[[nodiscard]] std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments);
 
 }  // namespace geargraph::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/time_limit.h"
 
 namespace geargraph::cli {
 namespace {
@@ -28,11 +29,18 @@ std::string programHelp() {
   return text + "\n--help and --version work on every command.\n" + std::string(kExitStatus);
 }
 
+/// Its own, and those of every command.
+std::vector<Option> optionsOf(const Command& command) {
+  std::vector<Option> options(command.options.begin(), command.options.end());
+  options.push_back(kLimitOption);
+  return options;
+}
+
 std::string commandHelp(const Command& command) {
   std::string text = "Usage: geargraph-cli " + std::string(command.name) + ' ' + std::string(command.usage) +
                      "\n\n" + std::string(command.summary) + "\n\nOptions:\n";
   constexpr std::size_t kIndent = 28;
-  for (const Option& option : command.options) {
+  for (const Option& option : optionsOf(command)) {
     std::string line = "  " + std::string(option.name);
     if (!option.value.empty()) line += ' ' + std::string(option.value);
     line.resize(std::max(line.size() + 1, kIndent), ' ');
@@ -61,9 +69,14 @@ int run(const std::vector<std::string>& words) {
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (contains(rest, "--help")) return print(commandHelp(**command));
   if (contains(rest, "--version")) return print(version);
-  const auto arguments = parseArguments(rest, (*command)->options);
-  if (const auto* error = std::get_if<UsageError>(&arguments)) return wrongUsage(**command, error->message);
-  return (*command)->run(std::get<Arguments>(arguments));
+  auto parsed = parseArguments(rest, optionsOf(**command));
+  if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(**command, error->message);
+  auto& arguments = std::get<Arguments>(parsed);
+  const auto seconds = limitFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&seconds)) return wrongUsage(**command, error->message);
+  const TimeLimit limit(std::get<0>(seconds));
+  arguments.stop = limit.token();
+  return (*command)->run(arguments);
 }
 
 }  // namespace

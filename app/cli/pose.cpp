@@ -14,6 +14,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
 #include "core/pose/turning_lines.h"
 
@@ -139,8 +140,9 @@ int run(const Arguments& arguments) {
   if (const int* status = std::get_if<int>(&document)) return *status;
   auto mechanism = withInputOptions(std::get<Mechanism>(document), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
-  const SnapshotPtr snapshot =
-      analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))));
+  const SnapshotPtr snapshot = analyzeLive(
+      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   if (hasErrors(snapshot->diagnostics) || snapshot->matroid() == nullptr) return kMechanismErrors;
 

@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
 
 namespace geargraph::cli {
@@ -176,8 +177,12 @@ int run(const Arguments& arguments) {
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const SnapshotPtr snapshot =
-      document ? analyzeStates(analyzeLive(std::make_shared<const Mechanism>(*document))) : nullptr;
+  SnapshotPtr snapshot;
+  if (document) {
+    snapshot = analyzeLive(std::make_shared<const Mechanism>(*document), 0, arguments.stop);
+    if (snapshot) snapshot = analyzeStates(snapshot, {}, arguments.stop);
+    if (!snapshot) return outOfTime(arguments, "the shift table");
+  }
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   std::cerr << diagnosticLines(file, diagnostics);
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
+#include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
 
 namespace geargraph::cli {
@@ -25,10 +26,14 @@ std::string asJson(const Diagnostics& diagnostics) {
   return sink.take();
 }
 
-Diagnostics diagnosticsOf(const Mechanism& mechanism) {
-  const SnapshotPtr live = analyzeStates(analyzeLive(std::make_shared<const Mechanism>(mechanism)), {false});
+/// std::nullopt where `stop` was requested.
+std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, const std::stop_token& stop) {
+  SnapshotPtr live = analyzeLive(std::make_shared<const Mechanism>(mechanism), 0, stop);
+  if (live) live = analyzeStates(live, {false}, stop);
+  if (!live) return std::nullopt;
   Diagnostics diagnostics = live->diagnostics;
-  const Diagnostics teeth = toothFindings(*live);
+  const Diagnostics teeth = toothFindings(*live, stop);
+  if (stop.stop_requested()) return std::nullopt;
   diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
   return diagnostics;
 }
@@ -39,7 +44,9 @@ int run(const Arguments& arguments) {
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const Diagnostics diagnostics = document ? diagnosticsOf(*document) : document.error();
+  const auto found = document ? diagnosticsOf(*document, arguments.stop) : std::optional(document.error());
+  if (!found) return outOfTime(arguments, "the validation");
+  const Diagnostics& diagnostics = *found;
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
   if (arguments.has("--json")) return print(asJson(diagnostics), status);
   return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);

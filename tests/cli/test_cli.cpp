@@ -8,6 +8,7 @@
 #include "core/io/file.h"
 #include "core/io/mechanism_file.h"
 #include "tests/cli/cli_run.h"
+#include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
@@ -206,6 +207,47 @@ class TestCli : public QObject {
     for (const auto& [link, where] : far["links"].items())
       QVERIFY2(isNear(where["rotation"][0][0], 1), link.c_str());
     QCOMPARE(run({"pose", kRobot, "--json", "--angle=8=0.5rad", "--inputs=8,9"}).status, 1);
+  }
+
+  /// A second of work or more each, of which far less is allowed.
+  void everyCommand_endsAtItsTimeLimit_andLeavesNothing() {
+    save(test::deepTrain(1, 4000));
+    const QString file = path("m");
+    const std::vector<QStringList> commands = {
+        {"validate", file},
+        {"analyze", file, "--json"},
+        {"inputs", file, "--json"},
+        {"states", file, "--json"},
+        {"pose", file, "--angle", "4001=30deg"},
+        {"export", file, "--to", "csv", "--matrix", "p", "-o", path("out.csv")},
+        {"export", file, "--to", "csv", "--all", "-o", path("out")},
+        {"export", file, "--to", "glb", "-o", path("out.glb")},
+        {"export", file, "--to", "assembly", "-o", path("out")},
+        {"export", file, "--to", "svg", "--view", "digraph", "-o", path("out.svg")},
+        {"export", file, "--to", "png", "--view", "3d", "-o", path("out.png")},
+    };
+    for (QStringList words : commands) {
+      const QByteArray name = words.join(' ').toUtf8();
+      const Run stopped = run(words << "--limit-seconds"
+                                    << "0.001");
+      QVERIFY2(stopped.status == 3, name + ": " + QByteArray::number(stopped.status));
+      QVERIFY2(stopped.output.empty(), name);
+      QVERIFY2(stopped.errors.find("The limit of 0.001 s was over before ") != std::string::npos, name);
+    }
+    const QStringList left = QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden);
+    QCOMPARE(left, (QStringList{QFileInfo(file).fileName()}));
+    QVERIFY(QDir(path("out")).entryList(QDir::Files | QDir::Hidden).isEmpty());
+  }
+
+  void aTimeLimitThatSuffices_changesNothing() {
+    const Run free = run({"analyze", kRobot, "--json"});
+    const Run limited = run({"analyze", kRobot, "--json", "--limit-seconds=100"});
+    QCOMPARE(limited.status, 0);
+    QCOMPARE(limited.output, free.output);
+    for (const char* wrong : {"0", "-1", "soon", "inf", "1e300"})
+      QCOMPARE(run({"validate", kRobot, "--limit-seconds", wrong}).status, 2);
+    for (const char* command : {"validate", "analyze", "inputs", "states", "export", "pose"})
+      QVERIFY(run({command, "--help"}).output.find("--limit-seconds S") != std::string::npos);
   }
 
   void folders_areNotOverwrittenUnlessForced() {

@@ -200,9 +200,18 @@ class TestExportSolids : public QObject {
   }
 
   void moreTrianglesThanTheLimitAreRefusedBeforeTheyAreMade() {
-    const Run refused = run({"export", "-", "--to", "stl", "-o", "-"}, rowOfWheels({20, 100'000}));
+    const Run refused =
+        run({"export", "-", "--to", "stl", "--tolerance", "0.002", "-o", "-"}, rowOfWheels({20, 100'000}));
     QCOMPARE(refused.status, 3);
+    QVERIFY(refused.output.empty());
     QVERIFY(refused.errors.find("coarser --tolerance") != std::string::npos);
+  }
+
+  void withoutAToleranceALargeTrainGetsOneThatFits() {
+    const Run fitted = run({"export", "-", "--to", "stl", "-o", "-"}, rowOfWheels({20, 100'000}));
+    QCOMPARE(fitted.status, 0);
+    QVERIFY(fitted.errors.find(" modules instead of 0.002") != std::string::npos);
+    QVERIFY(!fitted.output.empty());
   }
 };
 

@@ -1,0 +1,45 @@
+#include "app/cli/time_limit.h"
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+#include "app/cli/command.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr double kLongest = 1e6;  // s
+
+}  // namespace
+
+const Option kLimitOption{"--limit-seconds", "S",
+                          "give up after this time (exit status 3); nothing is written then"};
+
+std::variant<std::optional<double>, UsageError> limitFrom(const Arguments& arguments) {
+  const auto text = arguments.value(kLimitOption.name);
+  if (!text) return std::optional<double>();
+  const auto seconds = numberFrom<double>(*text);
+  if (seconds && *seconds > 0 && *seconds <= kLongest) return seconds;
+  return UsageError{"--limit-seconds takes a number of seconds above 0, up to 1000000, not \"" + *text +
+                    "\"."};
+}
+
+TimeLimit::TimeLimit(std::optional<double> seconds) {
+  if (!seconds) return;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                                          std::chrono::duration<double>(*seconds));
+  m_clock = std::jthread([this, end](const std::stop_token& finished) {
+    std::unique_lock lock(m_mutex);
+    m_wake.wait_until(lock, finished, end, [] { return false; });
+    if (!finished.stop_requested()) m_over.request_stop();
+  });
+}
+
+int outOfTime(const Arguments& arguments, const std::string& what) {
+  std::cerr << "geargraph-cli: The limit of " << *arguments.value(kLimitOption.name) << " s was over before "
+            << what << " was finished; nothing was written.\n";
+  return kResourceLimit;
+}
+
+}  // namespace geargraph::cli
