@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -23,6 +24,8 @@ namespace {
 constexpr int kRowHeight = 23;
 constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
+constexpr int kLeastWidth = 64;     // px, of a column
+constexpr int kMostWidth = 420;
 
 }  // namespace
 
@@ -95,6 +98,7 @@ void ResultsPanel::makeTable() {
   m_table->setFrameShape(QFrame::NoFrame);
   m_table->setContentsMargins(8, 0, 8, 0);
   m_table->viewport()->installEventFilter(this);
+  connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, this, &ResultsPanel::fitColumns);
   connect(header, &ResultsHeader::sectionHovered, this, &ResultsPanel::hoverHead);
   connect(m_table, &QTableView::entered, this, &ResultsPanel::hoverRow);
   connect(m_table, &QTableView::clicked, this,
@@ -291,6 +295,7 @@ void ResultsPanel::renew() {
   if (!isWaiting() || m_absolute) m_symbols->setVisible(m_model->hasSymbols() && !m_absolute);
   m_symbols->setText(m_model->isSymbolic() ? tr("fractions") : tr("formulas"));
   renewNote();
+  m_measured.clear();
   fitColumns();
   paintVerdict();
 }
@@ -311,25 +316,36 @@ void ResultsPanel::renewNote() {
   m_note->setVisible(!note.isEmpty());
 }
 
+int ResultsPanel::widthOfColumn(int column) const {
+  const auto* delegate = static_cast<const ResultsDelegate*>(m_table->itemDelegate());
+  const int rows = std::min(m_model->rowCount(), kRowsMeasured);
+  int width = kLeastWidth;
+  for (int row = 0; row < rows; ++row) {
+    width = std::max(width, delegate->widthOf(m_model->index(row, column), m_table->font()));
+  }
+  return std::min(width, kMostWidth);
+}
+
+/// Hundreds of inputs make as many columns: those that are far to the right are measured when they are
+/// scrolled to.
 void ResultsPanel::fitColumns() {
   const int columns = m_model->columnCount();
   if (columns == 0) return;
-  const auto* delegate = static_cast<const ResultsDelegate*>(m_table->itemDelegate());
-  const int rows = std::min(m_model->rowCount(), kRowsMeasured);
+  m_measured.resize(static_cast<std::size_t>(columns), 0);
+  const int seen = m_table->horizontalScrollBar()->value() + 2 * m_table->viewport()->width();
   int all = 0;
   std::vector<int> widths;
   for (int column = 0; column < columns; ++column) {
-    int width = 64;
-    for (int row = 0; row < rows; ++row) {
-      width = std::max(width, delegate->widthOf(m_model->index(row, column), m_table->font()));
-    }
-    all += widths.emplace_back(std::min(width, 420));
+    int& measured = m_measured[static_cast<std::size_t>(column)];
+    const bool isLast = column == columns - 1;
+    if (measured == 0 && (all <= seen || isLast)) measured = widthOfColumn(column);
+    all += widths.emplace_back(std::max(measured, kLeastWidth));
   }
   widths.push_back(m_table->viewport()->width());
   if (widths == m_fitted) return;  // every section that is resized paints the table again
+  m_fitted = widths;               // before sections move, which scrolls
   for (int column = 0; column < columns; ++column)
     m_table->horizontalHeader()->resizeSection(column, widths[static_cast<std::size_t>(column)]);
-  m_fitted = std::move(widths);
   // Long formulas push what is looked for out of sight: then it stands before them.
   QHeaderView* header = m_table->horizontalHeader();
   const int now = columns - 1;
@@ -400,6 +416,7 @@ void ResultsPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && m_snapshot) paintVerdict();
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
     m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
+    m_measured.clear();
     fitColumns();
   }
 }

@@ -60,6 +60,7 @@ class ResultsPanel : public QWidget {
   void renew();
   void renewNote();
   void fitColumns();
+  [[nodiscard]] int widthOfColumn(int column) const;
   void paintVerdict();
   /// What there is to be said of the two methods; nothing while the last word stays for a moment.
   [[nodiscard]] std::optional<std::pair<QString, ColorRole>> verdictNow() const;
@@ -77,8 +78,9 @@ class ResultsPanel : public QWidget {
   QToolButton* m_motors;
   bool m_absolute = false;
   bool m_isAwake = true;
-  bool m_isBehind = false;    ///< what is shown is not renewed yet
-  std::vector<int> m_fitted;  ///< widths of columns; the last is that of the table
+  bool m_isBehind = false;      ///< what is shown is not renewed yet
+  std::vector<int> m_measured;  ///< widths of columns; 0: not yet
+  std::vector<int> m_fitted;    ///< widths of columns; the last is that of the table
   QToolButton* m_symbols;
   QStackedWidget* m_pages;
   QLabel* m_empty;
