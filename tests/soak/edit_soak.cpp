@@ -97,6 +97,9 @@ int EditSoak::run() {
     if (m_edits < nextWalk) continue;
     nextWalk += kWholeWalk;
     walkWholeHistory();
+    std::printf("  %ld edits, history of %d steps, %d findings\n", m_edits, m_document->undoStack().count(),
+                m_findings);
+    std::fflush(stdout);
   }
   walkWholeHistory();
   crashAndRecover();

@@ -32,6 +32,8 @@ namespace {
 
 using Random = RandomArguments;
 
+constexpr int kUsualTeeth = 500;  // the fixes of wheels with more take longer than all other edits together
+
 MeshKind meshKind(Random& random) {
   return static_cast<MeshKind>(random.below(3));
 }
@@ -85,6 +87,11 @@ Reduce inserted(Random& random, Expected<Mechanism> set) {
 
 /// A fix that the problems panel would offer: of the analysis or of the teeth.
 Reduce quickFix(Random& random) {
+  const auto isUsual = [](const GearMesh& mesh) {
+    return std::max(mesh.tailTeeth, mesh.headTeeth) <= kUsualTeeth;
+  };
+  const std::vector<GearMesh>& meshes = random.mechanism().gearMeshes;
+  if (!std::all_of(meshes.begin(), meshes.end(), isUsual)) return {};
   const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(random.mechanism()));
   Diagnostics findings = snapshot->diagnostics;
   if (snapshot->tree) {

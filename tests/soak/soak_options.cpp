@@ -23,12 +23,15 @@ std::optional<SoakOptions> readOptions(int argc, char** argv, const std::string&
       options.count = static_cast<long>(value);
     } else if (name == "--minutes") {
       options.minutes = value;
+    } else if (name == "--slack") {
+      options.slack = value;
     } else {
       isValid = false;
     }
   }
   if (isValid && (options.count || options.minutes)) return options;
-  std::fprintf(stderr, "usage: %s [--seed N] %s N | --minutes M [DOCUMENT ...]\n", argv[0], counted.c_str());
+  std::fprintf(stderr, "usage: %s [--seed N] %s N | --minutes M [--slack F] [DOCUMENT ...]\n", argv[0],
+               counted.c_str());
   return std::nullopt;
 }
 
