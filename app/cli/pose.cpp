@@ -16,6 +16,7 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
+#include "core/pose/angle.h"
 #include "core/pose/turning_lines.h"
 
 namespace geargraph::cli {
@@ -38,6 +39,11 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
   if (isDegrees || value.ends_with("rad")) value.remove_suffix(3);
   const auto angle = Rational::fromText(value);
   if (!angle) return UsageError{"--angle is like 8=30deg or 8=1/2rad: an input's label and its angle."};
+  if (!std::isfinite(angle->toDouble())) {
+    return UsageError{"The angle " + std::string(word) +
+                      " is too large: no program could represent it, the largest number is 1.79e308. Leave "
+                      "out whole turns."};
+  }
   const std::vector<int>& inputs = snapshot.matroid()->choice.joints;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (std::to_string(snapshot.graph->edgeLabel(inputs[i])) != label) continue;
@@ -47,8 +53,8 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
   return UsageError{"Joint \"" + label + "\" is not an input; see --inputs."};
 }
 
-/// The angles of all joints in rad, by joint: the rates' own relation, theta = K theta_E. Turns are taken off
-/// while the numbers are exact.
+/// The angles of all joints in rad, by joint, without whole turns: the rates' own relation, theta = K
+/// theta_E. Turns are taken off while the numbers are exact.
 std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAngles& inputs) {
   const KinematicModel& model = *snapshot.kinematics->model;
   const std::vector<int>& joints = snapshot.matroid()->choice.joints;
@@ -56,9 +62,7 @@ std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAng
   const auto inRadians = solveExact(model, joints, inputs.radians);
   std::vector<double> angles(static_cast<std::size_t>(model.t()));
   for (std::size_t joint = 0; joint < angles.size(); ++joint) {
-    Rational turns = inDegrees->rates[joint] / 360;
-    turns -= Rational::fromDouble(std::nearbyint(turns.toDouble()));
-    angles[joint] = turns.toDouble() * 360 * kDegree + inRadians->rates[joint].toDouble();
+    angles[joint] = reducedAngle(inDegrees->rates[joint] / 360, inRadians->rates[joint]);
   }
   return angles;
 }

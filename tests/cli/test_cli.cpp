@@ -206,6 +206,18 @@ class TestCli : public QObject {
     const json far = json::parse(run({"pose", kRobot, "--json", "--angle=8=9720000000deg"}).output);
     for (const auto& [link, where] : far["links"].items())
       QVERIFY2(isNear(where["rotation"][0][0], 1), link.c_str());
+    // 1e300 = 280 (mod 360), and joint 10 turns by half of it the other way: 1e300/2 = 320 (mod 360).
+    const json huge = json::parse(run({"pose", kRobot, "--json", "--angle=8=1e300deg"}).output);
+    QVERIFY(isNear(huge["jointAngles"]["8"], -80 * M_PI / 180));
+    QVERIFY(isNear(huge["jointAngles"]["10"], 40 * M_PI / 180));
+    const json radians = json::parse(run({"pose", kRobot, "--json", "--angle=8=1e22rad"}).output);
+    QVERIFY(isNear(std::sin(radians["jointAngles"]["8"].get<double>()), -0.8522008497671888));
+    for (const char* angle : {"--angle=8=1e400rad", "--angle=8=-1e400deg"}) {
+      const auto refused = run({"pose", kRobot, "--json", angle});
+      QCOMPARE(refused.status, 2);
+      QVERIFY(refused.output.empty());
+      QVERIFY(refused.errors.find("too large") != std::string::npos);
+    }
     QCOMPARE(run({"pose", kRobot, "--json", "--angle=8=0.5rad", "--inputs=8,9"}).status, 1);
   }
 
