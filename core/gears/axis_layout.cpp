@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kSameLevel = 1e-9;  // modules: what rounding leaves between levels that are one
+
 /// The module in the middle of all: an edit of one wheel seldom changes it, so that the others keep their
 /// bores.
 double middleModule(const GearTrain& train) {
@@ -71,15 +73,16 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, 
       }
       pull += at - middle;
     }
-    layout.bearingSide = pull < -1e-9 ? 1 : -1;
+    layout.bearingSide = pull < -kSameLevel * layout.module ? 1 : -1;
   }
 }
 
 }  // namespace
 
 bool AxisLayout::isFree(double low, double high) const {
+  const double same = kSameLevel * module;
   return std::none_of(taken.begin(), taken.end(),
-                      [&](const Stretch& s) { return low < s.high - 1e-9 && s.low < high - 1e-9; });
+                      [&](const Stretch& s) { return low < s.high - same && s.low < high - same; });
 }
 
 std::vector<double> AxisLayout::slotCandidates() const {
@@ -96,7 +99,8 @@ double AxisLayout::freeSlot(double wanted) const {
   if (slotIsFree(wanted)) return wanted;
   double best = outerSlot();
   for (const double middle : slotCandidates()) {
-    if (slotIsFree(middle) && std::abs(middle - wanted) < std::abs(best - wanted) - 1e-9) best = middle;
+    if (slotIsFree(middle) && std::abs(middle - wanted) < std::abs(best - wanted) - kSameLevel * module)
+      best = middle;
   }
   return best;
 }

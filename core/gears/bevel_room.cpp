@@ -6,6 +6,7 @@
 
 #include "core/gears/bodies.h"
 #include "core/gears/gear_body.h"
+#include "core/placement/tolerance.h"
 
 namespace geargraph {
 namespace {
@@ -121,7 +122,7 @@ bool bevelsCross(const TrainWheel& a, const TrainWheel& b) {
 bool bevelsCollide(const TrainWheel& a, const TrainWheel& b) {
   const Eigen::Vector3d apart = b.origin - a.origin;
   const bool oneLine = std::abs(std::abs(a.axis.dot(b.axis)) - 1) < 1e-12 &&
-                       (apart - apart.dot(a.axis) * a.axis).norm() < 1e-9 * (1 + apart.norm());
+                       (apart - apart.dot(a.axis) * a.axis).norm() <= kSameLine * a.workingRadius;
   if (!oneLine) return false;
   const Outline first = outlineOf(a, a), second = outlineOf(b, a);
   return cross(first, second) || holds(first, within(second)) || holds(second, within(first));

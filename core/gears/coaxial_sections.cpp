@@ -277,7 +277,7 @@ void SectionMaker::addWheel(const Wheel& wheel) {
   };
   if (ring) {
     const double middle = (nominalRootRadius(s) + rim) / 2 + 0.4 * m_made.module;  // clear of the spaces
-    forCells(wheel.span, middle - 1e-9, middle + 1e-9, own);
+    forCells(wheel.span, middle - 1e-9 * m_made.module, middle + 1e-9 * m_made.module, own);
   } else {
     forCells(wheel.span, m_made.innerRadius + 0.1 * m_made.cell, m_made.innerRadius + 0.9 * m_made.cell, own);
   }

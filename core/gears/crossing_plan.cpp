@@ -266,7 +266,7 @@ BodyPlanner::TriedArm BodyPlanner::bestArm(int link, int home, const Bearing& be
     const int hits = armHits(arm) + (own.emerges(link, level) ? 0 : kInside);
     const double cost = 100 * own.module * hits + std::abs(at - bearing.at) +
                         std::abs(level - own.coordinate(target.at(at))) + extra;
-    if (cost >= bestCost - 1e-9) return;
+    if (cost >= bestCost - 1e-9 * own.module) return;
     best = {arm, hits};
     bestCost = cost;
   };

@@ -52,10 +52,11 @@ std::vector<std::size_t> GearObstacles::inPlane(const Vector3d& point, const Vec
 bool GearObstacles::isClear(const std::vector<std::size_t>& gears, const Vector3d& a, const Vector3d& b,
                             double margin) const {
   const Vector3d bar = b - a;
+  const double squared = bar.squaredNorm();
   return std::none_of(gears.begin(), gears.end(), [&](std::size_t g) {
     const Gear& gear = m_gears[g];
     const Vector3d centre = gear.origin + (a - gear.origin).dot(gear.axis) * gear.axis;
-    const double part = std::clamp((centre - a).dot(bar) / std::max(bar.squaredNorm(), 1e-12), 0.0, 1.0);
+    const double part = squared > 0 ? std::clamp((centre - a).dot(bar) / squared, 0.0, 1.0) : 0;
     return (centre - a - part * bar).norm() < gear.tip + margin;
   });
 }

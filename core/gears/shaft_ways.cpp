@@ -98,7 +98,7 @@ bool BodyPlanner::shaftPasses(const Bearing& bearing, double at) const {
   if (bearing.parent == 0 && isPastCrossing(layout, held, at)) return false;
   const double from = at < held.low ? at : std::min(held.high, at);
   const double to = at < held.low ? held.low : at;
-  if (to - from < 1e-9) return true;
+  if (to - from < 1e-9 * layout.module) return true;
   const double radius = (kShaftRadius + 0.3) * layout.module;
   const WheelOrbit orbit = orbitOf(c, m_placement);
   for (const TrainGear& gear : m_train.gears) {
@@ -174,7 +174,8 @@ bool BodyPlanner::meetsArms(const Bearing& bearing, double at) const {
       return (apart - apart.dot(centre.direction) * centre.direction).eval();
     };
     const Vector3d from = off(arm.from), bar = off(arm.to) - from;
-    const double part = std::clamp(-from.dot(bar) / std::max(bar.squaredNorm(), 1e-12), 0.0, 1.0);
+    const double squared = bar.squaredNorm();
+    const double part = squared > 0 ? std::clamp(-from.dot(bar) / squared, 0.0, 1.0) : 0;
     const double nearest = (from + part * bar).norm(), farthest = std::max(from.norm(), (from + bar).norm());
     return nearest - room < orbit.radius && orbit.radius < farthest + room;
   });

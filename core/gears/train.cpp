@@ -6,6 +6,7 @@
 #include "core/gears/train_bodies.h"
 #include "core/gears/train_findings.h"
 #include "core/gears/train_wheels.h"
+#include "core/placement/recentred.h"
 
 namespace geargraph {
 namespace {
@@ -100,6 +101,26 @@ Diagnostics placeFindings(const Mechanism& mechanism, const Placement& placement
   return found;
 }
 
+Diagnostics diagnosticsOf(const Mechanism& mechanism, const Placement& placement,
+                          const std::stop_token& stop) {
+  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
+  if (stop.stop_requested()) return {};
+  shapeWheels(mechanism, wheels, stop);
+  if (stop.stop_requested()) return {};
+  const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
+  if (planned) {
+    stackWheels(wheels, placement, stop);
+    shortenFaces(wheels, placement, stop);
+    if (stop.stop_requested()) return {};
+  }
+  const GearTrain train = toothed(mechanism, wheels);
+  Diagnostics found = findingsOf(mechanism, placement, train, stop);
+  if (!planned || stop.stop_requested()) return found;
+  append(found, bodyDiagnostics(mechanism, placement, train, stop));
+  append(found, placeFindings(mechanism, placement, wheels, train, stop));
+  return found;
+}
+
 }  // namespace
 
 GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies,
@@ -129,22 +150,8 @@ GearTrain trainOf(const Mechanism& mechanism, const Placement& placement, const 
 Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                             const std::stop_token& stop) {
   if (!placement.tree || !placement.classes || stop.stop_requested()) return {};
-  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
-  if (stop.stop_requested()) return {};
-  shapeWheels(mechanism, wheels, stop);
-  if (stop.stop_requested()) return {};
-  const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
-  if (planned) {
-    stackWheels(wheels, placement, stop);
-    shortenFaces(wheels, placement, stop);
-    if (stop.stop_requested()) return {};
-  }
-  const GearTrain train = toothed(mechanism, wheels);
-  Diagnostics found = findingsOf(mechanism, placement, train, stop);
-  if (!planned || stop.stop_requested()) return found;
-  append(found, bodyDiagnostics(mechanism, placement, train, stop));
-  append(found, placeFindings(mechanism, placement, wheels, train, stop));
-  return found;
+  const std::optional<Placement> near = recentred(mechanism, placement);
+  return diagnosticsOf(mechanism, near ? *near : placement, stop);
 }
 
 }  // namespace geargraph

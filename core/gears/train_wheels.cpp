@@ -115,9 +115,10 @@ void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeom
   Vector3d ka = wide(lineA.direction);
   Vector3d kb = wide(lineB.direction);
   const Vector3d across = ka.cross(kb);
-  const Vector3d apart = wide(lineB.point) - wide(lineA.point);
-  const Vector3d apex = wide(lineA.point) + apart.cross(kb).dot(across) / across.squaredNorm() * ka;
-  const Vector3d line = wide(geometry.pitchPoint) - apex;
+  const Vector3d toApex =  // from the point of the tail's line
+      wide(geometry.tailToHead).cross(kb).dot(across) / across.squaredNorm() * ka;
+  const Vector3d apex = wide(lineA.point) + toApex;
+  const Vector3d line = wide(geometry.tailToPitch) - toApex;
   const double reach = line.norm();
   const auto isCrown = [&](const Vector3d& k) { return std::abs(k.dot(line)) < 1e-9 * reach; };
   if (ka.dot(line) < 0) ka = -ka;

@@ -7,6 +7,7 @@
 
 #include "core/gears/bevel_room.h"
 #include "core/gears/gear_body.h"
+#include "core/placement/tolerance.h"
 
 namespace geargraph {
 namespace {
@@ -188,13 +189,15 @@ bool WheelRooms::discsCollide(const Room& a, const Room& b) {
   const double sense = a.axis.dot(b.axis);
   const double low = sense < 0 ? -b.high : b.low;
   const double high = sense < 0 ? -b.low : b.high;
-  if (a.high <= low + along || high + along <= a.low) return false;
-  if (a.axisClass == b.axisClass) return !(b.outer <= a.inner || a.outer <= b.inner);
+  // Faces and rims that touch do not collide, however rounding has it.
+  const double touch = kSameLine * std::min({a.high - a.low, b.high - b.low, a.outer, b.outer});
+  if (a.high <= low + along + touch || high + along <= a.low + touch) return false;
+  if (a.axisClass == b.axisClass) return !(b.outer <= a.inner + touch || a.outer <= b.inner + touch);
   const double distance = nearestAxes(a.orbit, b.orbit, a.axis);
   const double now = acrossPart(b.origin - a.origin, a.axis).norm();
   const bool inside =
       std::max(distance, now) + b.outer <= a.inner || std::max(distance, now) + a.outer <= b.inner;
-  return !inside && distance < a.outer + b.outer;
+  return !inside && distance < a.outer + b.outer - touch;
 }
 
 bool WheelRooms::hullsCollide(const Room& a, const Room& b) {

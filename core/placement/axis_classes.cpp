@@ -2,37 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory_resource>
 #include <span>
 #include <string>
 #include <utility>
 
-#include "core/base/triple.h"
 #include "core/placement/tolerance.h"
 
 namespace geargraph {
 namespace {
 
-/// +1 or -1 where the lines coincide, pointing alike or against each other, else 0.
-int coincide(const AxisLine& a, const AxisLine& b) {
-  if (length(cross(a.direction, b.direction)) > kSameLine) return 0;
-  const Vector3 between = b.point - a.point;
-  const double size = 1 + length(a.point) + length(b.point);
-  if (length(cross(a.direction, between)) > kSameLine * size) return 0;
-  return dot(a.direction, b.direction) > 0 ? 1 : -1;
-}
-
-/// A number that changes little where a line changes little, and not with its direction's sense; its weights
-/// are arbitrary ones that tell drawn lines apart.
-double keyOf(const AxisLine& line) {
-  const Vector3& u = line.direction;
-  const Vector3 foot = line.point - dot(line.point, u) * u;
-  return dot(foot, Vector3{0.7310, 0.5179, 0.4451}) + 0.6133 * u[0] * u[0] + 0.2719 * u[1] * u[1] +
-         0.3557 * u[0] * u[1] + 0.1931 * u[1] * u[2] + 0.4373 * u[2] * u[0];
-}
+/// Arbitrary ones that tell drawn lines apart.
+constexpr Vector3 kKeyWeights{0.7310, 0.5179, 0.4451};
 
 /// Finds the classes from the ground outward: of the joints at a link, those on one line are of one class,
 /// that of the joint towards the ground or a new one.
@@ -44,15 +26,12 @@ double keyOf(const AxisLine& line) {
 class ClassFinder {
  public:
   ClassFinder(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
-      : m_mechanism(mechanism), m_tree(tree), m_lines(lines) {
+      : m_mechanism(mechanism), m_tree(tree), m_comparison(mechanism, *tree.graph, lines) {
+    const LineKeys keys(lines);
+    m_closeKeys = keys.window;
     m_axes.reserve(lines.size());
-    double farthest = 0;  // from the origin, squared
-    for (const AxisLine& line : lines) {
-      // The infinite key of a line that is not given is close to no other.
-      m_axes.push_back({line.automatic ? std::numeric_limits<double>::infinity() : keyOf(line)});
-      farthest = std::max(farthest, dot(line.point, line.point));
-    }
-    m_closeKeys = 8 * kSameLine * (1 + std::sqrt(farthest));
+    // The infinite key of a line that is not given is close to no other.
+    for (const AxisLine& line : lines) m_axes.push_back({keys.of(line, kKeyWeights)});
     m_found.reserve(tree.joints.size());
   }
 
@@ -140,7 +119,7 @@ class ClassFinder {
 
   void joinIfOneLine(int a, int b) {
     const auto [low, high] = std::minmax(m_groups[a].axis, m_groups[b].axis);
-    const int sense = coincide(m_lines[low], m_lines[high]);
+    const int sense = m_comparison.coincidence(low, high);
     if (sense == 0) return;
     m_merged.push_back({low, high, sense});
     const Group one = m_groups[a];
@@ -217,7 +196,7 @@ class ClassFinder {
 
   const Mechanism& m_mechanism;
   const JointTree& m_tree;
-  std::span<const AxisLine> m_lines;
+  LineComparison m_comparison;
   std::array<std::byte, 2048> m_buffer;  // enough for some dozens of joints
   std::pmr::monotonic_buffer_resource m_scratch{m_buffer.data(), m_buffer.size()};
   std::pmr::vector<AxisMark> m_axes{&m_scratch};

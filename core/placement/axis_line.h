@@ -14,6 +14,13 @@ namespace geargraph {
   return {triple[0].value(), triple[1].value(), triple[2].value()};
 }
 
+/// The same direction with 1 as its largest component, so that its doubles neither overflow nor vanish.
+/// @pre not 0
+[[nodiscard]] ExactVector3 scaledToOne(const ExactVector3& direction);
+/// The direction with length 1, of any length that a document can give. @pre not 0
+[[nodiscard]] Vector3 unitDirection(const NumberTriple& direction);
+[[nodiscard]] Vector3 unitDirection(const ExactVector3& direction);
+
 /// A line in fractions; the direction is of any length.
 struct ExactLine {
   ExactVector3 point;

@@ -9,6 +9,7 @@
 
 #include "core/placement/bevel_arranger.h"
 #include "core/placement/mesh_geometry.h"
+#include "core/placement/tolerance.h"
 
 namespace geargraph {
 namespace {
@@ -27,10 +28,11 @@ ExactVector3 acrossOf(const ExactVector3& direction) {
 class AxisPlacer {
  public:
   AxisPlacer(const Mechanism& mechanism, const JointTree* tree, const AxisClasses& classes,
-             const std::vector<std::optional<MeshWord>>& words)
+             const std::vector<std::optional<MeshWord>>& words, const LineComparison* train)
       : m_mechanism(mechanism),
         m_classes(classes),
         m_words(words),
+        m_train(train),
         m_lines(mechanism.axes.size()),
         m_meshesAt(mechanism.axes.size()),
         m_bevels(mechanism, tree, classes, words) {}
@@ -90,17 +92,20 @@ class AxisPlacer {
         if (!m_lines[a] || !m_lines[b] || !seen.insert({a, b}).second) continue;
         const PlacedLine& one = *m_lines[a];
         const PlacedLine& other = *m_lines[b];
-        if (positionOf({one.point, one.direction, other.point, other.direction, 1, 1}) ==
-            LinePosition::meeting)
-          m_bevels.stand(a, b, m_module.toDouble());
+        if (positionOfLines(one, other) == LinePosition::meeting) m_bevels.stand(a, b, m_module.toDouble());
       }
     }
+  }
+
+  [[nodiscard]] LinePosition positionOfLines(const PlacedLine& a, const PlacedLine& b) const {
+    const Vector3 apart = exactDifference(b.exact.point, a.exact.point);
+    return positionOf({{0, 0, 0}, a.direction, apart, b.direction, 1, 1}, *m_train);
   }
 
   static PlacedLine lineOf(ExactVector3 point, ExactVector3 direction, bool automatic) {
     PlacedLine line{{std::move(point), std::move(direction)}, {}, {}, automatic};
     line.point = toDoubles(line.exact.point);
-    line.direction = unit(toDoubles(line.exact.direction));
+    line.direction = unitDirection(line.exact.direction);
     return line;
   }
 
@@ -130,8 +135,7 @@ class AxisPlacer {
       const auto& b = m_lines[m_classes.classes[m_words[i]->headClass].axis];
       const int teeth = distanceTeeth(static_cast<int>(i));
       if (!a || !b || teeth == 0) continue;
-      if (positionOf({a->point, a->direction, b->point, b->direction, 1, 1}) != LinePosition::parallel)
-        continue;
+      if (positionOfLines(*a, *b) != LinePosition::parallel) continue;
       const ExactVector3 off = cross(a->exact.direction, b->exact.point - a->exact.point);
       const Rational square = dot(off, off) / dot(a->exact.direction, a->exact.direction);
       if (square.isZero()) continue;
@@ -202,7 +206,7 @@ class AxisPlacer {
     if (bevel) {
       direction = element.direction ? toFractions(*element.direction) : outward;
       if (!element.point) {
-        apex = m_bevels.place(axis, partner.axis, unit(toDoubles(direction)), m_module.toDouble(), apex);
+        apex = m_bevels.place(axis, partner.axis, unitDirection(direction), m_module.toDouble(), apex);
         point = from.exact.point +
                 scaledTo(from.exact.direction, Rational(BevelArranger::kStep * apex) * m_module);
       }
@@ -259,16 +263,18 @@ class AxisPlacer {
       const double half = m_module.toDouble() / 2;
       const double radiusA = half * distanceTeeth(partner.mesh);
       const double radiusB = half * distanceTeeth(other.mesh);
-      Vector3 between = b.point - a.point;
+      Vector3 between = exactDifference(b.exact.point, a.exact.point);
       between = between - dot(between, a.direction) * a.direction;
       const double distance = length(between);
-      if (distance < 1e-9 || distance > radiusA + radiusB || distance < std::abs(radiusA - radiusB)) continue;
+      if (distance <= kSameLine * (radiusA + radiusB) || distance > radiusA + radiusB ||
+          distance < std::abs(radiusA - radiusB))
+        continue;
       const double along = (distance * distance + radiusA * radiusA - radiusB * radiusB) / (2 * distance);
       const double up = std::sqrt(std::max(0.0, radiusA * radiusA - along * along));
       const Vector3 forward = unit(between);
-      const Vector3 point = a.point + along * forward + up * cross(a.direction, forward);
-      return ExactVector3{Rational::fromDouble(point[0]), Rational::fromDouble(point[1]),
-                          Rational::fromDouble(point[2])};
+      const Vector3 from = along * forward + up * cross(a.direction, forward);
+      return a.exact.point + ExactVector3{Rational::fromDouble(from[0]), Rational::fromDouble(from[1]),
+                                          Rational::fromDouble(from[2])};
     }
     return std::nullopt;
   }
@@ -276,6 +282,7 @@ class AxisPlacer {
   const Mechanism& m_mechanism;
   const AxisClasses& m_classes;
   const std::vector<std::optional<MeshWord>>& m_words;
+  const LineComparison* m_train;  ///< as given; none without a tree, where nothing is compared
   std::vector<std::optional<PlacedLine>> m_lines;
   std::vector<std::vector<Partner>> m_meshesAt;  ///< by axis
   Rational m_module = kDefaultModule;
@@ -284,26 +291,16 @@ class AxisPlacer {
 
 }  // namespace
 
-std::vector<AxisLine> givenLines(const Mechanism& mechanism) {
-  std::vector<AxisLine> lines;
-  lines.reserve(mechanism.axes.size());
-  for (const Axis& axis : mechanism.axes) {
-    AxisLine& line = lines.emplace_back();
-    line.automatic = !axis.point || !axis.direction;
-    if (line.automatic) continue;
-    line.point = toDoubles(*axis.point);
-    const Vector3 direction = toDoubles(*axis.direction);
-    line.direction = dot(direction, direction) == 1 ? direction : unit(direction);
-  }
-  return lines;
-}
-
 PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given, const JointTree* tree,
                       const AxisClasses& classes, const std::vector<std::optional<MeshWord>>& words) {
   // All given is the usual case, and needs no fractions.
   const bool open =
       std::any_of(given.begin(), given.end(), [](const AxisLine& axis) { return axis.automatic; });
-  if (open) return AxisPlacer(mechanism, tree, classes, words).run();
+  if (open) {
+    std::optional<LineComparison> train;
+    if (tree != nullptr) train.emplace(mechanism, *tree->graph, given);
+    return AxisPlacer(mechanism, tree, classes, words, train ? &*train : nullptr).run();
+  }
   return {std::move(given), {}, kDefaultModule, {}};
 }
 

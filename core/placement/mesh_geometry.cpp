@@ -5,19 +5,32 @@
 #include <cstdio>
 #include <string>
 
-#include "core/placement/tolerance.h"
-
 namespace geargraph {
 namespace {
 
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", std::abs(value) < 1e-12 ? 0.0 : value);
+std::string text(double value, int digits = 6) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value == 0 ? 0.0 : value);  // no -0
   return buffer;
 }
 
-std::string text(const Vector3& v) {
-  return "(" + text(v[0]) + ", " + text(v[1]) + ", " + text(v[2]) + ")";
+/// A place, with digits enough to see lengths of this size; what rounding leaves of a 0 is written as 0.
+std::string text(const Vector3& place, double size) {
+  constexpr int kDigits = 6;
+  constexpr int kAllDigits = 17;
+  const double reach = std::max(reachOf(place), size);
+  const double ratio = size > 0 ? reach / size : 1;
+  const int digits = std::clamp(kDigits + static_cast<int>(std::log10(ratio)), kDigits, kAllDigits);
+  std::string result;
+  for (const double component : place) {
+    const bool isRounding = std::abs(component) <= roundingOf(reach);
+    result += (result.empty() ? "(" : ", ") + text(isRounding ? 0 : component, digits);
+  }
+  return result + ")";
+}
+
+std::string pitchPointText(const MeshGeometry& found) {
+  return text(found.pitchPoint, reachOf(found.tailToPitch));
 }
 
 Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::string& message) {
@@ -38,13 +51,14 @@ Diagnostic finding(const Mechanism& mechanism, int mesh, Detail detail, const st
 double axisDistance(const GearPair<double>& pair) {
   const Vector3 normal = cross(pair.tailDirection, pair.headDirection);
   const Vector3 between = pair.headPoint - pair.tailPoint;
-  if (length(normal) < kSameLine) return length(cross(pair.tailDirection, between));
+  if (areParallel(pair.tailDirection, pair.headDirection)) return length(cross(pair.tailDirection, between));
   return std::abs(dot(between, unit(normal)));
 }
 
-/// The pitch point for these teeth on the side where `at` lies, at its size.
-std::optional<Vector3> fittingPoint(const GearPair<double>& pair, const Vector3& at, int sign) {
-  if (positionOf(pair) == LinePosition::parallel) {
+/// The pitch point for these teeth on the side where `at` lies, at its size. Places relative to the tail's.
+std::optional<Vector3> fittingPoint(const GearPair<double>& pair, LinePosition position, const Vector3& at,
+                                    int sign) {
+  if (position == LinePosition::parallel) {
     const bool internal = sign * dot(pair.tailDirection, pair.headDirection) > 0;
     if (internal && pair.tailTeeth == pair.headTeeth) return std::nullopt;
     return parallelPitchPoint(pair, internal, at);
@@ -58,35 +72,40 @@ std::optional<Vector3> fittingPoint(const GearPair<double>& pair, const Vector3&
   return apex + size * (unitPoint - apex);
 }
 
-std::string fit(const GearPair<double>& pair, const Vector3& at, int sign) {
-  const auto point = fittingPoint(pair, at, sign);
-  return point ? "the pitch point " + text(*point) : "another tooth count";
+/// `found` tells where the pair is.
+std::string fit(const GearPair<double>& pair, LinePosition position, const MeshGeometry& found, int sign) {
+  const auto point = fittingPoint(pair, position, found.tailToPitch, sign);
+  if (!point) return "another tooth count";
+  return "the pitch point " +
+         text(found.pitchPoint + (*point - found.tailToPitch), reachOf(found.tailToPitch));
 }
 
-Diagnostic onAxis(const Mechanism& mechanism, int mesh, const Vector3& point, bool ofTail) {
+Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& found, bool ofTail) {
   return finding(mechanism, mesh, Code::pitchPointOnAxis,
-                 "the pitch point " + text(point) + " lies on the axis of the " + (ofTail ? "tail" : "head") +
+                 "the pitch point " + pitchPointText(found) + " lies on the axis of the " +
+                     (ofTail ? "tail" : "head") +
                      " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.");
 }
 
-Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
-                    const Vector3& point) {
-  const bool parallel = positionOf(pair) == LinePosition::parallel;
+Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
+                    const MeshGeometry& found) {
+  const bool parallel = position == LinePosition::parallel;
   const Vector3 normal = parallel ? cross(pair.tailDirection, pair.headPoint - pair.tailPoint)
                                   : cross(pair.tailDirection, pair.headDirection);
-  if (length(normal) == 0) {
+  if (length(normal) <= roundingOf(length(pair.headPoint))) {
     return finding(mechanism, mesh, Detail::coincidentAxes,
                    "its two axes are the same line in the reference pose.");
   }
+  const Vector3& point = found.tailToPitch;
   const double off = std::abs(dot(point - pair.tailPoint, unit(normal)));
   const int sign = dot(cross(pair.tailDirection, point - pair.tailPoint),
                        cross(pair.headDirection, point - pair.headPoint)) < 0
                        ? -1
                        : 1;
   return finding(mechanism, mesh, Detail::pitchPointOffPlane,
-                 "the pitch point " + text(point) + " lies " + text(off) +
+                 "the pitch point " + pitchPointText(found) + " lies " + text(off) +
                      " off the plane of the two axes, so the teeth would lock. What fits: " +
-                     fit(pair, point, sign) + ", or none (then it follows from the axes).");
+                     fit(pair, position, found, sign) + ", or none (then it follows from the axes).");
 }
 
 Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
@@ -97,21 +116,21 @@ Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePo
 }
 
 Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
-                     const MeshGeometry& found) {
+                     LinePosition position, const MeshGeometry& found) {
   const bool saysInternal = found.kind != MeshKind::internal;  // what it is, is the other one
   std::string message = "it says " +
                         std::string(meshKindName(saysInternal ? MeshKind::internal : MeshKind::external)) +
-                        ", but the pitch point " + text(found.pitchPoint) + " lies " +
+                        ", but the pitch point " + pitchPointText(found) + " lies " +
                         (saysInternal ? "between the axes, which is an external pair."
                                       : "on one side of both axes, which is an internal pair.");
   const int fittingSign = -found.sign;
   message += " What fits: " + std::string(meshKindName(found.kind)) + ", or " +
-             fit(pair, found.pitchPoint, fittingSign) + ".";
+             fit(pair, position, found, fittingSign) + ".";
   return finding(mechanism, mesh, Detail::kindAgainstSides, message);
 }
 
 Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
-                      const MeshGeometry& found) {
+                      LinePosition position, const MeshGeometry& found) {
   const double tail = std::abs(found.tailRadius);
   const double head = std::abs(found.headRadius);
   const double fitting = pair.tailTeeth * head / tail;
@@ -121,7 +140,7 @@ Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<doubl
                      std::to_string(pair.headTeeth) + " (ratio " +
                      text(static_cast<double>(pair.tailTeeth) / pair.headTeeth) +
                      "). What fits: " + text(fitting) + " teeth on the head, or " +
-                     fit(pair, found.pitchPoint, found.sign) + ".");
+                     fit(pair, position, found, found.sign) + ".");
 }
 
 /// The unit vector or its opposite: the one whose first component that is not 0 is positive.
@@ -134,12 +153,12 @@ Vector3 oriented(const Vector3& direction) {
 
 }  // namespace
 
-LinePosition positionOf(const GearPair<double>& pair) {
-  const Vector3 normal = cross(pair.tailDirection, pair.headDirection);
-  if (dot(normal, normal) < kSameLine * kSameLine) return LinePosition::parallel;
-  const Vector3 between = pair.headPoint - pair.tailPoint;
-  const double size = length(between) + length(pair.tailPoint) + length(pair.headPoint);
-  return axisDistance(pair) <= kGeometryFits * size ? LinePosition::meeting : LinePosition::skew;
+LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train) {
+  if (areParallel(pair.tailDirection, pair.headDirection)) return LinePosition::parallel;
+  const double distance = axisDistance(pair);
+  const bool meet = distance <= kGeometryFits * length(pair.headPoint - pair.tailPoint) ||
+                    distance <= kGeometryFits * train.size();
+  return meet ? LinePosition::meeting : LinePosition::skew;
 }
 
 Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
@@ -161,18 +180,18 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
     diagnostics.push_back(std::move(why));
     return false;
   };
-  const Vector3 tail = cross(pair.tailDirection, geometry.pitchPoint - pair.tailPoint);
-  const Vector3 head = cross(pair.headDirection, geometry.pitchPoint - pair.headPoint);
+  const Vector3 tail = cross(pair.tailDirection, geometry.tailToPitch);
+  const Vector3 head = cross(pair.headDirection, geometry.tailToPitch - pair.headPoint);
   const double tailLength = length(tail);
   const double headLength = length(head);
   const double larger = std::max(tailLength, headLength);
   if (std::min(tailLength, headLength) <= kSameLine * larger) {
-    return refuse(onAxis(mechanism, mesh, geometry.pitchPoint, tailLength <= headLength));
+    return refuse(onAxis(mechanism, mesh, geometry, tailLength <= headLength));
   }
   const Vector3 off = cross(tail, head);
   const double slack = kGeometryFits * tailLength * headLength;
   if (dot(off, off) > slack * slack) {
-    return refuse(offPlane(mechanism, mesh, pair, geometry.pitchPoint));
+    return refuse(offPlane(mechanism, mesh, pair, position, geometry));
   }
 
   geometry.normal = oriented((1 / tailLength) * tail);
@@ -186,11 +205,11 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
   if (said && (*said == MeshKind::bevel) != (geometry.kind == MeshKind::bevel)) {
     return refuse(wrongKind(mechanism, mesh, *said, position));
   }
-  if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, geometry));
+  if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, position, geometry));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;
   if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;
-  return refuse(wrongTeeth(mechanism, mesh, pair, geometry));
+  return refuse(wrongTeeth(mechanism, mesh, pair, position, geometry));
 }
 
 }  // namespace geargraph

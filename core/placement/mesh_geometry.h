@@ -6,6 +6,7 @@
 #include "core/mechanism/mechanism.h"
 #include "core/placement/mesh_word.h"
 #include "core/placement/pitch_point.h"
+#include "core/placement/tolerance.h"
 
 namespace geargraph {
 
@@ -28,6 +29,10 @@ struct MeshGeometry {
   bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
   MeshKind kind = MeshKind::external;
   Vector3 pitchPoint{};
+  /// From the point of the tail's line to that of the head's and to the pitch point: free of what the
+  /// distance from the origin takes from the digits of places.
+  Vector3 tailToHead{};
+  Vector3 tailToPitch{};
   /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
   /// direction).
   Vector3 normal{};
@@ -35,15 +40,16 @@ struct MeshGeometry {
   double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
 };
 
-/// How two lines lie to each other.
+/// How two lines lie to each other, in a train that tells its size.
 enum class LinePosition { parallel, meeting, skew };
-[[nodiscard]] LinePosition positionOf(const GearPair<double>& pair);
+[[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
 
 /// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
 /// both radii are non-zero and parallel), which gives normal, radii, sign and kind. False, and
 /// pitch-point-on-axis, pitch-geometry or teeth-geometry with what was found and what would fit, where it
 /// does not fit.
-/// @pre the lines are not skew, `position` is theirs; the geometry has its pitch point
+/// @pre the lines are not skew, `position` is theirs; the pair's places are relative to the point of the
+/// tail's line, as tailToPitch is, which the geometry has beside its pitch point
 [[nodiscard]] bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
                                  LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
 

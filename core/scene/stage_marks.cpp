@@ -46,7 +46,7 @@ void addMeshes(Stage& stage, const StagedTrain& staged) {
       const Eigen::Vector3d through = wheel.pose.inverse() * mesh.pitchPoint;
       const Eigen::Vector2d place(through.head<2>().norm(), through.z());
       const bool isKnown = std::any_of(known.begin(), known.end(), [&](const Circle& circle) {
-        return circle.instance == instance && (circle.place - place).norm() < 1e-6 * (1 + place.norm());
+        return circle.instance == instance && (circle.place - place).norm() < 1e-6 * place.norm();
       });
       if (isKnown) continue;
       known.push_back({instance, place});

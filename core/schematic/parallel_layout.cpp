@@ -222,11 +222,12 @@ std::pair<RadialSystem, int> settled(const SheetLayout& layout, const TrainWheel
   }
 }
 
-void setPlanes(SheetLayout& layout, const std::vector<std::vector<double>>& ofWheels) {
+/// `radius`: of the largest wheel.
+void setPlanes(SheetLayout& layout, const std::vector<std::vector<double>>& ofWheels, double radius) {
   for (const auto& planes : ofWheels) layout.planes.insert(layout.planes.end(), planes.begin(), planes.end());
   std::sort(layout.planes.begin(), layout.planes.end());
   const double size = layout.planes.empty() ? 0 : layout.planes.back() - layout.planes.front();
-  const auto same = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * (1 + size); };
+  const auto same = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * (radius + size); };
   layout.planes.erase(std::unique(layout.planes.begin(), layout.planes.end(), same), layout.planes.end());
 }
 
@@ -247,9 +248,12 @@ void cutInHalf(SheetLayout& layout, const Placement& placement, int root) {
 Vector3 sideways(const SheetLayout& layout) {
   const SheetAxis& root = layout.axes[at(layout.root)];
   const auto across = [&](const Vector3& v) { return v - dot(v, root.direction) * root.direction; };
+  double farthest = 0;
+  for (const SheetAxis& axis : layout.axes)
+    farthest = std::max(farthest, length(across(axis.base - root.base)));
   for (const SheetAxis& axis : layout.axes) {
     const Vector3 apart = across(axis.base - root.base);
-    if (length(apart) > 1e-6 * (1 + length(axis.base))) return unit(apart);
+    if (length(apart) > 1e-6 * farthest) return unit(apart);
   }
   const Vector3 x = across({1, 0, 0});
   return unit(length(x) > 0.5 ? x : across({0, 1, 0}));
@@ -264,15 +268,17 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   layout.otherRadii = system.changed;
   layout.scale = scaleFor(system);
   const SheetAxis first = layout.axes.front();
+  double largest = 0;
   std::vector<double> along;
   std::vector<std::vector<double>> planes;  // by wheel
   for (const TrainWheel& wheel : train.wheels) {
+    largest = std::max(largest, wheel.workingRadius);
     along.push_back(first.spaceCoordinate(narrow(wheel.origin)));
     planes.emplace_back();
     for (const double plane : wheel.planes)
       planes.back().push_back(first.spaceCoordinate(narrow(wheel.origin + plane * wheel.axis)));
   }
-  setPlanes(layout, planes);
+  setPlanes(layout, planes, largest);
   layout.root = std::max(root, 0);
   layout.right = first.direction;
   layout.up = sideways(layout);

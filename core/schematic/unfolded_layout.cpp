@@ -9,6 +9,7 @@ namespace geargraph {
 namespace {
 
 constexpr double kFlat = 1e-4;  ///< rad, relative: axes given in decimals of five digits lie in one plane
+constexpr double kSamePlace = 1e-9;  ///< relative to the train: what rounding leaves of no distance
 
 std::size_t at(int position) {
   return static_cast<std::size_t>(position);
@@ -52,7 +53,11 @@ struct Plane {
 class Unfolder {
  public:
   Unfolder(SheetLayout& layout, const TrainWheels& train, const Placement& placement)
-      : m_layout(layout), m_train(train), m_placement(placement), m_placed(layout.axes.size()) {}
+      : m_layout(layout), m_train(train), m_placement(placement), m_placed(layout.axes.size()) {
+    for (const SheetAxis& axis : layout.axes)
+      m_size = std::max(m_size, length(axis.base - layout.axes.front().base));
+    for (const TrainWheel& wheel : train.wheels) m_size = std::max(m_size, wheel.workingRadius);
+  }
 
   void unfold() {
     const int first = root();
@@ -101,19 +106,27 @@ class Unfolder {
     int most = -1;
     for (const SheetAxis& other : m_layout.axes) {
       Vector3 side = across(other.direction, axis.direction);
-      if (length(side) < kFlat) side = across(other.base - axis.base, axis.direction);
-      if (length(side) < 1e-9) continue;
+      if (length(side) < kFlat) {
+        side = across(other.base - axis.base, axis.direction);
+        if (length(side) <= kSamePlace * m_size) continue;
+      }
       const Plane plane = Plane::along(axis.direction, side);
       int count = 0;
       for (const SheetAxis& a : m_layout.axes) {
         const Vector3 apart = a.base - axis.base;
-        count += plane.holds(a.direction, 1) && plane.holds(apart, 1 + length(apart)) ? 1 : 0;
+        count += plane.holds(a.direction, 1) && plane.holds(apart, reach(apart)) ? 1 : 0;
       }
       if (count <= most) continue;
       most = count;
       best = plane;
     }
     return best;
+  }
+
+  /// What the distance of two axes is measured by.
+  [[nodiscard]] double reach(const Vector3& apart) const {
+    constexpr double kLeast = 0.01;  // of the train, for axes that are near each other
+    return length(apart) + kLeast * m_size;
   }
 
   [[nodiscard]] bool share(int c, int d) const {
@@ -170,7 +183,7 @@ class Unfolder {
   void layBeside(const SheetAxis& by, SheetAxis& on) const {
     const Vector3 apart = across(on.base - by.base, by.direction);
     const double distance = length(apart);
-    const bool same = distance < 1e-9;
+    const bool same = distance <= kSamePlace * m_size;
     const Vector3 side = same ? by.upInSpace : unit(apart);
     const double sense = same ? 1 : sideOf(by, side, on);
     on.origin = by.at(by.spaceCoordinate(on.base), same ? 0 : sense * distance);
@@ -189,7 +202,7 @@ class Unfolder {
     const double cosine = dot(by.direction, on.direction);
     const double sine = std::sqrt(square);
     const Vector3 side = unit(across(on.direction, by.direction));
-    if (std::abs(dot(apart, normal)) > kFlat * sine * (1 + length(apart))) on.turned = true;  // skew
+    if (std::abs(dot(apart, normal)) > kFlat * sine * reach(apart)) on.turned = true;  // skew
     const double sense = sideOf(by, side, on);
     on.along = cosine * by.along + sense * sine * by.up;
     on.up = {on.along.y, -on.along.x};
@@ -197,6 +210,7 @@ class Unfolder {
     on.origin = by.at(atBy, 0) - atOn * on.along;
   }
 
+  double m_size = 0;  ///< of the train: its largest radius or distance from the first axis
   SheetLayout& m_layout;
   const TrainWheels& m_train;
   const Placement& m_placement;

@@ -1,7 +1,6 @@
 #include "core/ttgraph/axis_levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -29,6 +28,7 @@ class Classifier {
       : m_mechanism(mechanism),
         m_graph(graph),
         m_lines(lines),
+        m_comparison(mechanism, graph, lines.axes()),
         m_parent(joints(), &m_scratch),
         m_keys(&m_scratch),
         m_here(&m_scratch),
@@ -52,10 +52,6 @@ class Classifier {
  private:
   static constexpr double kNoLine = std::numeric_limits<double>::infinity();
 
-  struct Key {
-    double value = kNoLine;
-    double reach = 0;  ///< the line's point is no farther from the origin
-  };
   struct Candidate {
     double key = 0;
     int axis = 0;
@@ -78,38 +74,29 @@ class Classifier {
   }
 
   /// A number that changes little where a line changes little, and not with its direction's sign: a slanted
-  /// view of its foot below the origin, and of its direction squared. An axis without a line of its author's
-  /// gets none.
+  /// view of its foot, and of its direction squared. An axis without a line of its author's gets none.
   void giveKeys() {
     constexpr Vector3 kView{0.51, 0.67, 0.54};
-    m_keys.resize(m_mechanism.axes.size());
-    for (std::size_t axis = 0; axis < m_keys.size(); ++axis) {
-      const AxisLine* line = m_lines.axis(static_cast<int>(axis));
-      if (line == nullptr || line->automatic) continue;
-      const Vector3& p = line->point;
-      const double seen = dot(line->direction, kView);
-      m_keys[axis] = {dot(p, kView) + seen * (seen - dot(p, line->direction)),
-                      std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])};
-    }
+    const LineKeys keys(m_lines.axes());
+    m_window = keys.window;
+    m_keys.reserve(m_mechanism.axes.size());
+    for (const AxisLine& line : m_lines.axes()) m_keys.push_back(keys.of(line, kView));
+    m_keys.resize(m_mechanism.axes.size(), kNoLine);
   }
 
   void uniteAt(std::span<const int> here) {
     m_here.clear();
-    double reach = 0;
     for (const int joint : here) {
       const int axis = m_axisOf[static_cast<std::size_t>(joint)];
-      const Key& key = m_keys[static_cast<std::size_t>(axis)];
-      reach = std::max(reach, key.reach);
-      m_here.push_back({key.value, axis, joint});
+      m_here.push_back({m_keys[static_cast<std::size_t>(axis)], axis, joint});
     }
     std::sort(m_here.begin(), m_here.end(), [](const Candidate& a, const Candidate& b) {
       return a.key != b.key ? a.key < b.key : a.axis < b.axis;
     });
-    constexpr double kWindow = 1e-5;  // above what areCollinear() lets pass
-    for (std::size_t a = 0; a + 1 < m_here.size(); ++a) uniteWithNext(a, kWindow * (1 + reach));
+    for (std::size_t a = 0; a + 1 < m_here.size(); ++a) uniteWithNext(a);
   }
 
-  void uniteWithNext(std::size_t first, double window) {
+  void uniteWithNext(std::size_t first) {
     const Candidate& a = m_here[first];
     for (std::size_t next = first + 1; next < m_here.size(); ++next) {
       const Candidate& b = m_here[next];
@@ -117,8 +104,8 @@ class Classifier {
         unite(a.joint, b.joint);
         return;  // what follows is as near to this one, which is on the same axis
       }
-      if (!(b.key - a.key <= window)) return;
-      if (areCollinear(*m_lines.axis(a.axis), *m_lines.axis(b.axis))) unite(a.joint, b.joint);
+      if (!(b.key - a.key <= m_window)) return;
+      if (m_comparison.coincidence(a.axis, b.axis) != 0) unite(a.joint, b.joint);
     }
   }
 
@@ -236,9 +223,11 @@ class Classifier {
   const Mechanism& m_mechanism;
   const Digraph& m_graph;
   const ReferenceLines& m_lines;
+  LineComparison m_comparison;
   Scratch<> m_scratch;
-  std::pmr::vector<int> m_parent;  ///< union-find over joints
-  std::pmr::vector<Key> m_keys;    ///< by axis
+  std::pmr::vector<int> m_parent;   ///< union-find over joints
+  std::pmr::vector<double> m_keys;  ///< by axis
+  double m_window = 0;              ///< by how much those of one line may differ
   std::pmr::vector<Candidate> m_here;
   std::span<const int> m_axisOf;  ///< by joint: its axis, by position
   AxisLevels m_levels;

@@ -25,7 +25,6 @@ std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, co
 /// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
 /// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
 std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
-  constexpr double kMeets = 1e-6;
   if (pose.pitchPoint == nullptr) return std::nullopt;
   const double cosine = dot(tail.direction, head.direction);
   const double sineSquared = 1 - cosine * cosine;
@@ -35,7 +34,7 @@ std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, con
   const Vector3 apex = tail.point + ((toTail - cosine * toHead) / sineSquared) * tail.direction;
   const Vector3 pitchLine = *pose.pitchPoint - apex;
   const double reach = std::max(length(apart), length(pitchLine));
-  if (length(armTo(head, apex)) > kMeets * reach) return std::nullopt;
+  if (length(armTo(head, apex)) > kGeometryFits * reach) return std::nullopt;
 
   const double onTail = dot(pitchLine, tail.direction);
   const double onHead = dot(pitchLine, head.direction);
@@ -49,8 +48,9 @@ std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, con
 
 std::optional<int> meshSign(const MeshPose& pose) {
   if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
-    return areParallel(*pose.tailAxis, *pose.headAxis) ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
-                                                       : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
+    return areParallel(pose.tailAxis->direction, pose.headAxis->direction)
+               ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
+               : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
   }
   // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
   if (pose.kind == MeshKind::external) return -1;

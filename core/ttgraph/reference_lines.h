@@ -18,23 +18,26 @@ class ReferenceLines {
   [[nodiscard]] const AxisLine* axis(int position) const {
     return m_placement == nullptr ? nullptr : &m_placement->axes[static_cast<std::size_t>(position)];
   }
-  /// By position in Mechanism::gearMeshes, likewise.
-  [[nodiscard]] const Vector3* pitchPoint(int position) const {
-    if (m_placement == nullptr) return nullptr;
+  /// All of them, by position; none where nothing is placed.
+  [[nodiscard]] std::span<const AxisLine> axes() const {
+    if (m_placement == nullptr) return {};
+    return m_placement->axes;
+  }
+  /// Where things of a mesh are, by position in Mechanism::gearMeshes, seen from the point of the tail's
+  /// line; none where nothing says it.
+  struct MeshPlaces {
+    Vector3 headPoint{};  ///< the point of the head's line
+    Vector3 pitchPoint{};
+  };
+  [[nodiscard]] std::optional<MeshPlaces> placesOf(int position) const {
+    if (m_placement == nullptr) return std::nullopt;
     const auto& mesh = m_placement->meshes[static_cast<std::size_t>(position)];
-    return mesh ? &mesh->pitchPoint : nullptr;
+    if (!mesh) return std::nullopt;
+    return MeshPlaces{mesh->tailToHead, mesh->tailToPitch};
   }
 
  private:
   const Placement* m_placement = nullptr;
 };
-
-/// The same direction or the opposite one, as far as decimals tell.
-[[nodiscard]] inline bool areParallel(const AxisLine& a, const AxisLine& b) {
-  const Vector3 normal = cross(a.direction, b.direction);
-  return dot(normal, normal) <= kSameLine * kSameLine;
-}
-/// The same line in space, whichever way it points, as far as decimals tell.
-[[nodiscard]] bool areCollinear(const AxisLine& a, const AxisLine& b);
 
 }  // namespace geargraph

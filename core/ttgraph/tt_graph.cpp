@@ -6,6 +6,19 @@
 #include "core/ttgraph/mesh_sign.h"
 
 namespace geargraph {
+namespace {
+
+std::optional<int> signFromPlaces(const MeshPose& pose,
+                                  const std::optional<ReferenceLines::MeshPlaces>& places) {
+  if (!places) return meshSign(pose);
+  AxisLine tail = *pose.tailAxis;
+  AxisLine head = *pose.headAxis;
+  tail.point = {0, 0, 0};
+  head.point = places->headPoint;
+  return meshSign({&tail, &head, &places->pitchPoint, pose.kind});
+}
+
+}  // namespace
 
 TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree,
                  const ReferenceLines& lines)
@@ -57,11 +70,10 @@ void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lin
       continue;
     }
     const GearMesh& pair = mechanism.gearMeshes[at];
-    MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind};
+    const MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind};
     std::optional<int> sign = pair.kind ? meshSign(pose) : std::nullopt;
     if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
-      pose.pitchPoint = lines.pitchPoint(mesh);
-      sign = meshSign(pose);
+      sign = signFromPlaces(pose, lines.placesOf(mesh));
     }
     if (!sign) {
       m_unsigned.push_back(mesh);
