@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -91,8 +92,10 @@ std::string asJson(const AnalysisSnapshot* snapshot) {
 }
 
 std::string decimal(const Rational& value) {
+  constexpr double kMostPlain = 1e15;  // larger ones are written with an exponent
+  const double number = value.toDouble();
   char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.4f", value.toDouble());
+  std::snprintf(buffer, sizeof buffer, std::abs(number) < kMostPlain ? "%.4f" : "%.10g", number);
   return buffer;
 }
 

@@ -1,6 +1,7 @@
 #include "core/matroid/matroid_analysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory_resource>
 
 #include "core/base/position_index.h"
@@ -9,6 +10,39 @@
 
 namespace geargraph {
 namespace {
+
+/// The finding where speeds or ratios are beyond what a double can hold: the numbers would be infinite.
+std::optional<Diagnostic> overflowOf(const Mechanism& mechanism, const KinematicModel& model,
+                                     const LiveSolution& solution, std::span<const Vector3> velocities) {
+  const auto isFinite = [](double value) { return std::isfinite(value); };
+  constexpr const char* kRange = " is beyond the largest number that the analysis can hold, 1.79e308. ";
+  const auto beyond = [&](int joint, const char* what, const char* cure) {
+    const ElementId id = model.graph().edgeId(joint);
+    return Diagnostic{Code::schema,
+                      std::string(what) + std::to_string(mechanism.jointLabel(joint)) + kRange + cure,
+                      {id},
+                      {},
+                      0,
+                      0};
+  };
+  const auto ratio = std::find_if_not(solution.matrix.begin(), solution.matrix.end(), isFinite);
+  if (ratio != solution.matrix.end()) {
+    const auto row = static_cast<std::size_t>(ratio - solution.matrix.begin()) / solution.inputs.size();
+    return beyond(solution.outputs[row], "The ratio of an input to joint ",
+                  "Tooth counts nearer to each other, or fewer meshes in a row, give a ratio that it can.");
+  }
+  const auto rate = std::find_if_not(solution.rates.begin(), solution.rates.end(), isFinite);
+  if (rate != solution.rates.end()) {
+    return beyond(static_cast<int>(rate - solution.rates.begin()), "The speed of joint ",
+                  "Lower the speeds of the inputs.");
+  }
+  for (std::size_t link = 1; link < velocities.size(); ++link) {
+    if (std::all_of(velocities[link].begin(), velocities[link].end(), isFinite)) continue;
+    return beyond(model.tree().jointToParent(static_cast<int>(link)),
+                  "The speed of the link that turns about joint ", "Lower the speeds of the inputs.");
+  }
+  return std::nullopt;
+}
 
 class Analyzer {
  public:
@@ -20,10 +54,17 @@ class Analyzer {
     takeInputs();
     if (!trySolving() && !chooseAndSolve()) return std::nullopt;
     if (!explain()) return std::nullopt;
+    std::optional<Diagnostic> overflow;
     if (m_result.solution) {
       m_result.linkVelocities = linkVelocities(m_model, m_placement, m_result.solution->rates);
+      overflow = overflowOf(m_mechanism, m_model, *m_result.solution, m_result.linkVelocities);
     }
     m_result.diagnostics = findingsOf(m_mechanism, m_model, m_placement, m_result, m_wanted, m_stop);
+    if (overflow) {
+      m_result.diagnostics.push_back(std::move(*overflow));
+      m_result.solution.reset();  // of wrong numbers, none is shown
+      m_result.linkVelocities.clear();
+    }
     if (m_stop.stop_requested()) return std::nullopt;
     return std::move(m_result);
   }

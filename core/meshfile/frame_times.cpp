@@ -24,9 +24,15 @@ double largestGap(double pitches, std::size_t count) {
 
 std::vector<double> frameTimes(std::span<const double> pitches, std::size_t count) {
   GEARGRAPH_REQUIRE(count >= 2);
+  // Meshes so slow beside the fastest, or at all, that their time for a pitch has no digits left for others
+  // count as standing still.
+  constexpr double kSlowest = 1e-12;
+  constexpr double kLeast = 1e-300;
+  double fastest = 0;
+  for (const double rate : pitches) fastest = std::max(fastest, std::abs(rate));
   std::vector<double> moving;
   for (const double rate : pitches) {
-    if (rate != 0) moving.push_back(std::abs(rate));
+    if (std::abs(rate) > std::max(kSlowest * fastest, kLeast)) moving.push_back(std::abs(rate));
   }
   double end = 1;
   if (!moving.empty()) {

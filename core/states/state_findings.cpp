@@ -78,4 +78,12 @@ Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state, 
   return result;
 }
 
+Diagnostic ratioBeyondRange(const ShiftState& state) {
+  Diagnostic result = finding(state, Code::schema);
+  result.message +=
+      " has a ratio beyond the largest number that the analysis can hold, 1.79e308. Tooth counts nearer to "
+      "each other, or fewer meshes in a row, give one that it can.";
+  return result;
+}
+
 }  // namespace geargraph

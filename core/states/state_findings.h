@@ -20,4 +20,7 @@ namespace geargraph {
 [[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state,
                                          const Coupling& coupling);
 
+/// The ratio of the state is beyond the largest double.
+[[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);
+
 }  // namespace geargraph

@@ -1,6 +1,7 @@
 #include "core/states/state_solution.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/position_index.h"
 #include "core/exact/expansion.h"
@@ -144,6 +145,11 @@ class StateSolver {
     if (directions != 1) return;
     const int sign = senseOfDriven(m_linkAt.at(*state.drive), driven, turning->axisClass);
     result.ratio = (Rational(sign) * valueOf(field, *turning, phi)).inverse();
+    if (!std::isfinite(result.ratio->toDouble())) {
+      result.ratio.reset();
+      result.diagnostics.push_back(ratioBeyondRange(state));
+      return;
+    }
     if (m_ring) result.symbolicRatio = symbolicRatio(system, solved, *turning, sign);
   }
 

@@ -67,6 +67,25 @@ class TestMatroidFindings : public QObject {
     QCOMPARE(worked.analysis.kutzbachDof, 3);
   }
 
+  void ratiosAndSpeedsBeyondTheDoublesAreErrorsAndGiveNoNumbers() {
+    constexpr int kShafts = 80;  // each ten thousand times faster than the one before
+    TrainSketch train(kShafts);
+    for (int i = 1; i <= kShafts; ++i) train.joint(0, i, "axis " + std::to_string(i));
+    for (int i = 1; i < kShafts; ++i) train.mesh(i, i + 1, 100'000, 10);
+    const Worked chain(train.inputs({{kShafts + 1, "1"}}).build());
+    QVERIFY(!chain.analysis.solution && chain.analysis.linkVelocities.empty());
+    const Diagnostic ratio = find(chain.analysis, Code::schema);
+    QVERIFY(says(ratio, "The ratio of an input to joint 15"));  // to joint 158 it is 1e308
+    QCOMPARE(ratio.elements.size(), std::size_t{1});
+
+    Mechanism fast = robot();
+    for (Input& input : *fast.inputs) input.speed = Number::fromText("1.7e308").value();
+    const Worked worked(fast);
+    QVERIFY(!worked.analysis.solution);
+    QVERIFY(says(find(worked.analysis, Code::schema), "Lower the speeds"));
+    QCOMPARE(worked.analysis.rank, 4);
+  }
+
   void planetsBeyondTheFirstAreRedundant() {
     for (int planets = 1; planets <= 5; ++planets) {
       const Worked worked(planetary(24, 18, planets));
