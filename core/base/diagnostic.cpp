@@ -14,7 +14,7 @@ struct CodeEntry {
   Severity severity;
 };
 
-// In the order of the enumeration, which is the order of the file format's table.
+// In the order of the enumeration, which is that of the table in resources/schema/README.md.
 constexpr std::array kCodes = {
     CodeEntry{Code::syntax, "syntax", Severity::error},
     CodeEntry{Code::format, "format", Severity::error},

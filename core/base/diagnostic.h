@@ -11,8 +11,8 @@ namespace geargraph {
 
 enum class Severity { error, warning, info };
 
-/// What can be wrong with a document or a mechanism. Names and severities are those of the file format's
-/// table: people's scripts match on them, so they never change.
+/// What can be wrong with a document or a mechanism. Names and severities are those of the table in
+/// resources/schema/README.md: people's scripts match on them, so they never change.
 enum class Code {
   syntax,
   format,
@@ -47,7 +47,7 @@ enum class Code {
 
 /// The stable spelling of a code, e.g. "turning-loop".
 [[nodiscard]] std::string_view codeName(Code code);
-/// The severity that the file format's table gives the code.
+/// The severity that this table gives the code.
 [[nodiscard]] Severity severityOf(Code code);
 [[nodiscard]] std::string_view severityName(Severity severity);
 

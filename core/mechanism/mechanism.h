@@ -18,10 +18,10 @@ namespace geargraph {
 /// are kept and written back, so that a newer or foreign program's data survives an edit here.
 using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
 
-/// A 3D file (STL, OBJ, PLY, GLB) that is attached to a link beside its gears. `file` is a path from the
-/// folder of the document, with slashes. A point p of the file lies at position + R (scale p) in the base
-/// frame, in the reference pose; R turns by `orientation` (degrees) about x, then y, then z of the base
-/// frame.
+/// A 3D file (STL, OBJ, PLY, GLB) attached to a link beside its gears. `file` is a path from the folder of
+/// the document, with slashes, that stays inside it. A point p of the file lies at position + R (scale p) in
+/// the base frame, in the reference pose; R turns by `orientation` (degrees) about x, then y, then z of the
+/// base frame.
 struct LinkShape {
   std::string file;
   std::optional<NumberTriple> position = {};
