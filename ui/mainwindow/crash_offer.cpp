@@ -36,6 +36,9 @@ void showReport(const CrashReport& report, MainWindow* window) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   auto* copyButton = buttons->addButton(MainWindow::tr("Copy"), QDialogButtonBox::ActionRole);
   auto* deleteButton = buttons->addButton(MainWindow::tr("Delete"), QDialogButtonBox::DestructiveRole);
+  copyButton->setAutoDefault(false);
+  deleteButton->setAutoDefault(false);
+  buttons->button(QDialogButtonBox::Close)->setDefault(true);
   auto* layout = new QVBoxLayout(dialog);
   layout->addWidget(text);
   layout->addWidget(buttons);

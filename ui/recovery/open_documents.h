@@ -22,7 +22,7 @@ struct DocumentHolder {
 
 /// Which documents the running programs of this user have open, so that only one of them writes each: every
 /// program keeps a list in a common folder, locked while it lives, and listens for requests to show a window.
-/// Lists of programs that have died are removed. Documents are the same if isSameFile() says so, whatever
+/// Lists of programs that have died are removed. Documents are the same if isSameFile() holds, whatever
 /// their spelling and links. A folder that cannot be written to holds no lists: then nothing is known of
 /// other programs, and only the watch on the file (FileWatch) protects it.
 class OpenDocuments : public QObject {
