@@ -58,10 +58,34 @@ Image cutOut(const Image& image, int x, int y, int width, int height) {
   return part;
 }
 
+StageRange rangeOf(const Stage& stage, const StageView& view) {
+  if (!stage.range) return {};
+  std::vector<double> added = view.turned;
+  added.resize(stage.inputSpeeds.size(), 0);
+  return stage.range(added);
+}
+
+/// The time at which a motion is that turns round at the ends of its range.
+double turnedRound(const StageRange& range, double time) {
+  const double from = range.from.time;
+  const double to = range.to.time;
+  if (std::isfinite(from) && std::isfinite(to)) {
+    const double there = to - from;
+    if (there <= 0) return from;
+    const double place = std::fmod(std::fmod(time - from, 2 * there) + 2 * there, 2 * there);
+    return from + (place <= there ? place : 2 * there - place);
+  }
+  if (time > to) return 2 * to - time;
+  return time < from ? 2 * from - time : time;
+}
+
 }  // namespace
 
 double filmSpan(const Stage& stage, const Film& film) {
   if (film.seconds > 0) return film.seconds;
+  const StageRange range = rangeOf(stage, {});
+  const double thereAndBack = 2 * (range.to.time - range.from.time);
+  if (std::isfinite(thereAndBack) && thereAndBack > 0) return thereAndBack;
   return stage.period > 0 ? stage.period : kSpanWithoutPeriod;
 }
 
@@ -74,7 +98,7 @@ StageView filmView(const Stage& stage, const StageView& view, const Film& film, 
     now.camera = Camera::from(from.yaw() + 2 * std::numbers::pi * part, from.pitch())
                      .placedAt(from.target(), from.distance());
   } else {
-    now.time = view.time + filmSpan(stage, film) * part;
+    now.time = turnedRound(rangeOf(stage, view), view.time + filmSpan(stage, film) * part);
   }
   return now;
 }

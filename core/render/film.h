@@ -19,8 +19,8 @@ struct Film {
   FilmKind kind = FilmKind::turntable;
   int frames = 72;
   double framesPerSecond = 24;
-  double seconds =
-      0;  ///< of motion that the whole film shows; 0: one period, or a minute where there is none
+  double seconds = 0;  ///< of motion that the whole film shows; 0: one period, there and back between the
+                       ///< limits of joints, or a minute where there is none
 };
 
 /// How much of the motion the film shows, s.

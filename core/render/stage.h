@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -74,6 +76,20 @@ struct StageJoint {
   std::vector<double> gains;  ///< one an input
 };
 
+/// One end of the times that a motion may take.
+struct StageLimit {
+  double time = 0;   ///< s; infinite: there is none
+  std::string text;  ///< the joint that is at its limit there: "joint 8 at 170°"
+};
+
+/// The times that joints with limits leave to a motion.
+struct StageRange {
+  StageLimit from{-std::numeric_limits<double>::infinity(), {}};
+  StageLimit to{std::numeric_limits<double>::infinity(), {}};
+
+  [[nodiscard]] bool isLimited() const { return std::isfinite(from.time) || std::isfinite(to.time); }
+};
+
 /// A scene that moves: where every instance is for given angles of the inputs. Poses are a function of the
 /// angles, never a sum of steps, so nothing drifts however long the train runs.
 struct Stage {
@@ -89,6 +105,11 @@ struct Stage {
   double period = 0;  ///< seconds after which everything is where it was; 0: not known, or it never is
   /// Fills one pose an instance from one angle an input (rad; at 0 the reference pose). Empty: nothing moves.
   std::function<void(std::span<const double> angles, std::span<Pose> poses)> place;
+  /// How long the inputs may run at their speeds when so much (rad) was added to their angles; empty: as long
+  /// as they like.
+  std::function<StageRange(std::span<const double> added)> range;
+  /// A joint that is beyond its limits at these angles of the inputs, as in StageLimit; empty: none is.
+  std::function<std::string(std::span<const double> angles)> beyondLimits;
   /// Fills the twist of every instance, at these angles and speeds of the inputs. Empty: nothing moves.
   std::function<void(std::span<const double> angles, std::span<const double> speeds,
                      std::span<Twist3> twists)>

@@ -13,6 +13,7 @@
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
+#include "core/scene/joint_stops.h"
 #include "core/scene/stage_marks.h"
 
 namespace geargraph {
@@ -311,6 +312,7 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const Sh
   const auto mover =
       std::make_shared<const Mover>(Mover{tree, ForwardKinematics(tree, turningLines(placement)), *motion,
                                           builder.linkOfInstance(), std::move(reference)});
+  addJointStops(*stage, mechanism, *motion);
   stage->handles = handlesOf(*mover, tree);
   stage->joints = jointsOf(*mover, mechanism);
   stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };

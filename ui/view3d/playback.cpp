@@ -1,5 +1,6 @@
 #include "ui/view3d/playback.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace geargraph {
@@ -26,13 +27,33 @@ void Playback::setPeriod(double seconds) {
   setTime(m_time);
 }
 
+bool Playback::isLimited() const {
+  return std::isfinite(m_from) || std::isfinite(m_to);
+}
+
+void Playback::setRange(double from, double to) {
+  if (!(from <= to)) return;
+  const bool same = from == m_from && to == m_to;
+  m_from = from;
+  m_to = to;
+  setTime(m_time);
+  if (!same) emit rangeChanged();
+}
+
 void Playback::advance(double seconds) {
-  setTime(m_time + m_speed * seconds);
+  const double next = m_time + m_speed * seconds;
+  const bool isOut = next > m_to || next < m_from;
+  setTime(next);
+  if (!isOut) return;
+  emit endReached(next > m_to);
+  setSpeed(-m_speed);
 }
 
 void Playback::step(int sense) {
   setPlaying(false);
-  setTime(m_time + sense * kStep * std::abs(m_speed));
+  const double next = m_time + sense * kStep * std::abs(m_speed);
+  setTime(next);
+  if (next > m_to || next < m_from) emit endReached(next > m_to);
 }
 
 void Playback::setPlaying(bool playing) {
@@ -48,8 +69,11 @@ void Playback::setPlaying(bool playing) {
 
 void Playback::setTime(double seconds) {
   if (!std::isfinite(seconds)) return;
-  if (m_period > 0 && (seconds < 0 || seconds > m_period))
+  if (isLimited()) {
+    seconds = std::clamp(seconds, m_from, m_to);
+  } else if (m_period > 0 && (seconds < 0 || seconds > m_period)) {
     seconds -= m_period * std::floor(seconds / m_period);
+  }
   if (seconds == m_time) return;
   m_time = seconds;
   emit timeChanged(m_time);

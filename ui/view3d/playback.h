@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <limits>
 
 namespace geargraph {
 
@@ -18,6 +19,13 @@ class Playback : public QObject {
   [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
   [[nodiscard]] double speed() const { return m_speed; }  ///< seconds of motion a second; negative runs back
   [[nodiscard]] double period() const { return m_period; }  ///< s; 0 where there is none
+
+  /// Time stays from..to, either of which may be infinite; a motion that runs into an end turns round.
+  /// Without ends the period counts.
+  void setRange(double from, double to);
+  [[nodiscard]] double from() const { return m_from; }
+  [[nodiscard]] double to() const { return m_to; }
+  [[nodiscard]] bool isLimited() const;
 
   /// With a period, time stays within 0..period: the motion begins again as it was.
   void setPeriod(double seconds);
@@ -37,11 +45,16 @@ class Playback : public QObject {
   void timeChanged(double seconds);
   void playingChanged(bool playing);
   void speedChanged(double speed);
+  void rangeChanged();
+  /// Time was to leave the range, at its end or its beginning.
+  void endReached(bool isEnd);
 
  private:
   double m_time = 0;
   double m_speed = 1;
   double m_period = 0;
+  double m_from = -std::numeric_limits<double>::infinity();
+  double m_to = std::numeric_limits<double>::infinity();
   QTimer m_timer;
   QElapsedTimer m_sinceFrame;
 };

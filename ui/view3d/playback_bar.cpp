@@ -64,9 +64,10 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   connect(on, &QToolButton::clicked, playback, [playback] { playback->step(+1); });
   connect(m_scrub, &QSlider::sliderPressed, playback, [playback] { playback->setPlaying(false); });
   connect(m_scrub, &QSlider::valueChanged, playback,
-          [this, playback](int step) { playback->setTime(span() * step / kSteps); });
+          [this, playback](int step) { playback->setTime(start() + span() * step / kSteps); });
   connect(playback, &Playback::timeChanged, this, &PlaybackBar::showTime);
   connect(playback, &Playback::playingChanged, this, &PlaybackBar::refresh);
+  connect(playback, &Playback::rangeChanged, this, &PlaybackBar::refresh);
   connect(playback, &Playback::speedChanged, this, &PlaybackBar::showSpeed);
   refresh();
   showSpeed();
@@ -105,7 +106,14 @@ void PlaybackBar::showSpeed() {
 }
 
 double PlaybackBar::span() const {
-  return m_playback->period() > 0 ? m_playback->period() : kSpanWithoutPeriod;
+  const double round = m_playback->period() > 0 ? m_playback->period() : kSpanWithoutPeriod;
+  const double limited = m_playback->to() - m_playback->from();
+  return std::isfinite(limited) && limited > 0 ? limited : round;
+}
+
+double PlaybackBar::start() const {
+  if (std::isfinite(m_playback->from())) return m_playback->from();
+  return std::isfinite(m_playback->to()) ? m_playback->to() - span() : 0;
 }
 
 void PlaybackBar::setDark(bool dark) {
@@ -137,10 +145,11 @@ void PlaybackBar::refresh() {
 void PlaybackBar::showTime() {
   const double time = m_playback->time();
   const QSignalBlocker quiet(m_scrub);
-  m_scrub->setValue(
-      static_cast<int>(std::lround(kSteps * (time - span() * std::floor(time / span())) / span())));
+  const double rounds = (time - start()) / span();
+  const double place = m_playback->isLimited() ? rounds : rounds - std::floor(rounds);
+  m_scrub->setValue(static_cast<int>(std::lround(kSteps * place)));
   // Of a fixed size, that grows with what it has to show: else every tick would lay out the window anew.
-  const QString longest = timeText(std::min(span(), kMostTenths));
+  const QString longest = timeText(std::min(m_playback->isLimited() ? start() : span(), kMostTenths));
   const bool isOther = std::exchange(m_longest, longest) != longest;
   QSize room = m_time->minimumSize();
   if (isOther) {
@@ -153,6 +162,10 @@ void PlaybackBar::showTime() {
 }
 
 QString PlaybackBar::timeText(double time) const {
+  if (m_playback->isLimited()) {
+    const QString low = seconds(start());
+    return tr("%1 s (%2 … %3)").arg(seconds(time), low, seconds(start() + span()));
+  }
   return m_playback->period() > 0 ? tr("%1 s / %2 s").arg(seconds(time), seconds(span()))
                                   : tr("%1 s").arg(seconds(time));
 }

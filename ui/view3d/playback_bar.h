@@ -12,7 +12,8 @@ class QToolButton;
 
 namespace geargraph {
 
-/// Play and pause, single steps, a scrub bar over one period (over a minute where there is none), the time,
+/// Play and pause, single steps, a scrub bar over one period (over a minute where there is none, between the
+/// limits of joints where they have any), the time,
 /// and the speed with its direction.
 class PlaybackBar : public QWidget {
   Q_OBJECT
@@ -20,8 +21,9 @@ class PlaybackBar : public QWidget {
  public:
   explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr);
 
-  /// The period, or the stretch of time that the bar shows without one.
+  /// The length of time that the bar shows: what limits of joints leave, else the period, else a minute.
   [[nodiscard]] double span() const;
+  [[nodiscard]] double start() const;  ///< the time at its left end
   void setDark(bool dark);
   void refresh();  ///< after another period
 

@@ -93,6 +93,8 @@ class View3D::Private {
   void makeMoreButton();
   void placeStrip();
   void onOptionsChanged();
+  [[nodiscard]] StageRange range() const;
+  void renewRange();
   void openPartMenu(const std::optional<Hit>& hit, const QPointF& at);
   [[nodiscard]] std::optional<ElementId> selectedLink() const;
 
@@ -111,6 +113,20 @@ class View3D::Private {
   QLabel* painter;  ///< says so where the processor paints
   bool dark = false;
 };
+
+/// The times that the joints' limits leave to the motion from where hands have put it.
+StageRange View3D::Private::range() const {
+  const StagePtr& stage = viewer.stage();
+  if (stage == nullptr || !stage->range) return {};
+  std::vector<double> added = viewer.turnedByHand();
+  added.resize(stage->inputSpeeds.size(), 0);
+  return stage->range(added);
+}
+
+void View3D::Private::renewRange() {
+  const StageRange now = range();
+  playback.setRange(now.from.time, now.to.time);
+}
 
 void View3D::Private::place(QWidget* canvas) {
   canvas->setObjectName("view3dCanvas");
@@ -277,6 +293,15 @@ View3D::View3D(Selection* selection, QWidget* parent)
     d->viewer.setTime(seconds);
   });
   connect(&d->playback, &Playback::playingChanged, &d->viewer, &Viewer::setRunning);
+  connect(&d->playback, &Playback::endReached, this, [this](bool isEnd) {
+    const StageRange range = d->range();
+    const QString joint = QString::fromStdString((isEnd ? range.to : range.from).text);
+    emit noteMade(d->playback.isPlaying() ? tr("Limit reached: %1. The motion turns round.").arg(joint)
+                                          : tr("Limit reached: %1.").arg(joint));
+  });
+  connect(&d->viewer, &Viewer::turnedByHandChanged, this, [this] { d->renewRange(); });
+  connect(&d->viewer, &Viewer::limitReached, this,
+          [this](const QString& joint) { emit noteMade(tr("Limit reached: %1.").arg(joint)); });
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
   connect(&d->viewer, &Viewer::optionsChanged, this, [this] {
     d->onOptionsChanged();
@@ -296,6 +321,7 @@ View3D::~View3D() {
 void View3D::setStage(const StagePtr& stage) {
   d->viewer.setStage(stage);
   d->playback.setPeriod(stage ? stage->period : 0);
+  d->renewRange();
   d->viewer.setTime(d->playback.time());
   d->bar->refresh();
   setEmptyText(d->emptyText->text());
@@ -335,6 +361,12 @@ void View3D::setTurnedByHand(const std::vector<double>& angles) {
 }
 const std::vector<double>& View3D::turnedByHand() const {
   return d->viewer.turnedByHand();
+}
+
+void View3D::showMoment(double time) {
+  d->playback.setPlaying(false);
+  d->viewer.setTurnedByHand(std::vector<double>(d->viewer.turnedByHand().size(), 0));
+  d->playback.setTime(time);
 }
 
 const Camera& View3D::camera() const {

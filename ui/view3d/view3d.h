@@ -62,6 +62,8 @@ class View3D : public QWidget {
   void rideAlong(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const;
   void setHidden(std::set<ElementId> links);
+  /// Stops the motion at a time, with the inputs where their speeds take them: what hands have added goes.
+  void showMoment(double time);
   /// Looks along the line that the link turns about.
   void lookAlong(const ElementId& link);
   [[nodiscard]] bool hasAxis(const ElementId& link) const;

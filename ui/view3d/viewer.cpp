@@ -107,7 +107,15 @@ TracedPath Viewer::pathOf(const TracedPoint& point) const {
   if (!m_stage->place || m_stage->inputSpeeds.empty()) return {};
   std::vector<double> start = m_view.turned;
   start.resize(m_stage->inputSpeeds.size(), 0);
-  return tracedPath(*m_stage, point, start, m_stage->period > 0 ? m_stage->period : kTraceWithoutPeriod);
+  double duration = m_stage->period > 0 ? m_stage->period : kTraceWithoutPeriod;
+  const StageRange range = m_stage->range ? m_stage->range(start) : StageRange();
+  if (std::isfinite(range.from.time)) {
+    for (std::size_t k = 0; k < start.size(); ++k) start[k] += m_stage->inputSpeeds[k] * range.from.time;
+    duration = std::min(duration, range.to.time - range.from.time);
+  } else {
+    duration = std::min(duration, range.to.time);
+  }
+  return tracedPath(*m_stage, point, start, duration);
 }
 
 void Viewer::setTime(double seconds) {
@@ -118,6 +126,7 @@ void Viewer::setTime(double seconds) {
 void Viewer::setTurnedByHand(std::vector<double> angles) {
   m_view.turned = std::move(angles);
   place();
+  emit turnedByHandChanged();
 }
 
 std::optional<std::size_t> Viewer::instance(const std::optional<ElementId>& link) const {
@@ -219,6 +228,12 @@ void Viewer::turn(const QPointF& step) {
   const double angle = moved.dot(seen) / size;
   std::vector<double> turned = m_view.turned;
   for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * angle / strength;
+  if (m_stage->beyondLimits) {
+    StageView next = m_view;
+    next.turned = turned;
+    const std::string joint = m_stage->beyondLimits(inputAngles(*m_stage, next));
+    if (!joint.empty()) return emit limitReached(QString::fromStdString(joint));
+  }
   setTurnedByHand(std::move(turned));
   m_held->point = displacement() * before.inverse() * m_held->point;
 }

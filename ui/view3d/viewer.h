@@ -107,6 +107,8 @@ class Viewer : public QObject {
   void cameraChanged();
   void optionsChanged();  ///< of options, the ridden link, what is hidden, the traces
   void menuWanted(const std::optional<geargraph::Hit>& hit, const QPointF& place);
+  void turnedByHandChanged();
+  void limitReached(const QString& joint);  ///< a hand tried to turn a joint beyond its limit
   void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:

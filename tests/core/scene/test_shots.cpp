@@ -143,6 +143,19 @@ class TestShots : public QObject {
     QVERIFY(pictures[0] != pictures[1]);
   }
 
+  void aFilmOfALimitedMotionGoesThereAndBack() {
+    const Film film{FilmKind::motion, 8, 24, 0};
+    const StageShot shot = toyShot(film);
+    Stage limited = *shot.stage;
+    limited.range = [](std::span<const double>) { return StageRange{{-1, {}}, {3, {}}}; };
+    QCOMPARE(filmSpan(limited, film), 8.0);
+    StageView view = shot.view;
+    view.time = 0;
+    const std::vector<double> expected = {0, 1, 2, 3, 2, 1, 0, -1};
+    for (int picture = 0; picture < 8; ++picture)
+      QCOMPARE(filmView(limited, view, film, picture).time, expected[static_cast<std::size_t>(picture)]);
+  }
+
   void theFilmIsClosedAndEvenlySpaced() {
     const Film film{FilmKind::motion, 8, 24, 0};
     const StageShot shot = toyShot(film);

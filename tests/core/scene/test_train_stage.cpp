@@ -81,6 +81,30 @@ class TestTrainStage : public QObject {
   Q_OBJECT
 
  private slots:
+  /// Joint 8 turns at 1 rad/s, its mesh turns joint 10 back at half of that.
+  void limitsOfJointsLimitTheMotion() {
+    Mechanism robot = paperRobot();
+    for (TurningJoint& joint : robot.turningJoints) joint.limits = {};
+    GearCache cache;
+    const std::vector<double> none(3, 0);
+    QVERIFY(!stageOf(robot, cache)->range);
+    robot = withJointLimits(robot, JointId("8"), {std::nullopt, Number(180)}).value();
+    robot = withJointLimits(robot, JointId("10"), {Number(-60), Number(45)}).value();
+    const StagePtr stage = stageOf(robot, cache);
+    const StageRange range = stage->range(none);
+    constexpr double kDegree = std::numbers::pi / 180;
+    QVERIFY(std::abs(range.to.time - 120 * kDegree) < 1e-12);
+    QCOMPARE(range.to.text, std::string("joint 10 at -60°"));
+    QVERIFY(std::abs(range.from.time + 90 * kDegree) < 1e-12);
+    QCOMPARE(range.from.text, std::string("joint 10 at 45°"));
+    const std::vector<double> added = {20 * kDegree, 0, 0};  // by hand
+    QVERIFY(std::abs(stage->range(added).to.time - 100 * kDegree) < 1e-12);
+    const std::vector<double> within = {119 * kDegree, 0, 0};
+    const std::vector<double> beyond = {121 * kDegree, 0, 0};
+    QVERIFY(stage->beyondLimits(within).empty());
+    QCOMPARE(stage->beyondLimits(beyond), std::string("joint 10 at -60°"));
+  }
+
   void theRobotHasEightWheelsInTheColoursOfTheirLinks() {
     const Mechanism robot = paperRobot();
     std::multiset<std::pair<int, int>> linkAndTeeth;

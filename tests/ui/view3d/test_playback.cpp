@@ -36,6 +36,42 @@ class TestPlayback : public QObject {
     QCOMPARE(playback.time(), -1e6);
   }
 
+  void atAnEndOfItsRangeTheMotionTurnsRound() {
+    Playback playback;
+    playback.setPeriod(4);
+    playback.setRange(-1, 3);
+    QSignalSpy ends(&playback, &Playback::endReached);
+    playback.advance(2.5);
+    QVERIFY(ends.isEmpty());
+    playback.advance(1);
+    QCOMPARE(playback.time(), 3.0);
+    QCOMPARE(playback.speed(), -1.0);
+    QCOMPARE(ends.takeFirst().front().toBool(), true);
+    playback.advance(3.5);
+    QCOMPARE(playback.time(), -0.5);  // below 0 too: the period does not count
+    playback.advance(1);
+    QCOMPARE(playback.time(), -1.0);
+    QCOMPARE(playback.speed(), 1.0);
+    QCOMPARE(ends.takeFirst().front().toBool(), false);
+  }
+
+  void timeIsClampedToTheRange() {
+    Playback playback;
+    playback.setRange(-1, 3);
+    playback.setTime(7);
+    QCOMPARE(playback.time(), 3.0);
+    QSignalSpy ends(&playback, &Playback::endReached);
+    playback.step(1);
+    QCOMPARE(playback.time(), 3.0);
+    QCOMPARE(ends.count(), 1);
+    playback.setRange(-1, 2);
+    QCOMPARE(playback.time(), 2.0);
+    const double open = std::numeric_limits<double>::infinity();
+    playback.setRange(-open, open);
+    playback.setTime(7);
+    QCOMPARE(playback.time(), 7.0);
+  }
+
   void lengthsOfTheScaleBarReadWell() {
     QCOMPARE(niceLength(1, 110), 100.0);
     QCOMPARE(niceLength(0.42, 110), 20.0);
