@@ -44,7 +44,7 @@ const std::string kOld = "what was there before";
 /// A program that writes into a folder.
 struct Task {
   const char* name;
-  std::vector<std::string> words;   ///< "@" stands for the folder
+  std::vector<std::string> words;   ///< "@": the folder
   std::vector<std::string> before;  ///< files that are there, with kOld
   bool writesSeveral = false;       ///< files
 };
