@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/contract.h"
+#include "core/collision/motion_findings.h"
 #include "core/fitting/fitted_edits.h"
 #include "core/render/egl_host.h"
 #include "core/scene/train_stage.h"
@@ -94,6 +95,18 @@ void quickLookOfADrag(benchmark::State& state, const char* name, const char* mes
   for (auto _ : state) look();
 }
 
+/// The check of a motion for collisions, from the snapshot on.
+void motionCheck(benchmark::State& state, const char* name) {
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(test::example(name)));
+  for (auto _ : state) {
+    const auto report = checkMotion(*snapshot);
+    GEARGRAPH_REQUIRE(report && report->check.isComplete);
+    benchmark::DoNotOptimize(report);
+  }
+}
+
+BENCHMARK_CAPTURE(motionCheck, robot, "robot")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(motionCheck, eight_speed_gearbox, "eight-speed-gearbox")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, eight_speed_gearbox, "eight-speed-gearbox", "25", 20)
     ->Unit(benchmark::kMillisecond);
