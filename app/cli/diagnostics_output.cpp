@@ -1,7 +1,9 @@
 #include "app/cli/diagnostics_output.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace geargraph::cli {
@@ -50,6 +52,7 @@ void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics) {
     json.member("message", diagnostic.message);
     json.key("elements");
     writeElements(json, diagnostic.elements);
+    if (diagnostic.time) json.member("time", *diagnostic.time);
     if (!diagnostic.pointer.empty()) json.member("pointer", diagnostic.pointer);
     if (diagnostic.line > 0) {
       json.member("line", diagnostic.line);
@@ -58,6 +61,45 @@ void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics) {
     json.endObject();
   }
   json.endArray();
+}
+
+void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& report) {
+  json.key("motion");
+  if (!report) return json.null();
+  const MotionCheck& check = report->check;
+  json.beginObject(Layout::row);
+  json.member("from", check.from);
+  json.member("to", check.to);
+  json.member("coversAll", check.coversAll);
+  json.member("isComplete", check.isComplete);
+  json.key("collisions");
+  json.beginArray(Layout::row);
+  for (const MotionCollision& collision : check.collisions) {
+    json.beginObject(Layout::row);
+    json.key("links");
+    json.beginArray(Layout::row);
+    for (const int link : {collision.one, collision.other}) json.number(std::int64_t{link});
+    json.endArray();
+    json.member("time", collision.time);
+    json.endObject();
+  }
+  json.endArray();
+  json.endObject();
+}
+
+std::string motionCheckLine(std::string_view file, const std::optional<MotionReport>& report) {
+  std::string text(file);
+  if (!report)
+    return text + ": motion not checked: nothing moves, or the mechanism has errors or too many links\n";
+  const MotionCheck& check = report->check;
+  const auto seconds = [](double time) {
+    std::ostringstream shown;
+    shown << std::fixed << std::setprecision(1) << time << " s";
+    return shown.str();
+  };
+  text += ": motion checked from " + seconds(check.from) + " to " + seconds(check.to);
+  text += check.coversAll ? ", all of it" : ", it does not repeat sooner";
+  return text + (check.isComplete ? "\n" : "; given up: too many parts come near each other\n");
 }
 
 }  // namespace geargraph::cli

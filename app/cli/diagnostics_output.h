@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/diagnostic.h"
+#include "core/collision/motion_findings.h"
 #include "core/io/json_writer.h"
 
 namespace geargraph::cli {
@@ -14,5 +16,10 @@ namespace geargraph::cli {
 /// The value of the member "diagnostics": severity, code, message, the ids by their lists; for findings in
 /// the text of the file also pointer, line and column.
 void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics);
+
+/// The member "motion": what a check of the motion has looked at; null where there was nothing to check.
+void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& report);
+/// The same in a line, as diagnosticLines().
+[[nodiscard]] std::string motionCheckLine(std::string_view file, const std::optional<MotionReport>& report);
 
 }  // namespace geargraph::cli

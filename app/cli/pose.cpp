@@ -17,6 +17,7 @@
 #include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
 #include "core/pose/angle.h"
+#include "core/pose/joint_limits.h"
 #include "core/pose/turning_lines.h"
 
 namespace geargraph::cli {
@@ -71,6 +72,38 @@ std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std
   return ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement)).poses(angles);
 }
 
+/// The same with all their turns, which limits count.
+std::vector<double> wholeAngles(const AnalysisSnapshot& snapshot, const InputAngles& inputs) {
+  const KinematicModel& model = *snapshot.kinematics->model;
+  const std::vector<int>& joints = snapshot.matroid()->choice.joints;
+  const auto inDegrees = solveExact(model, joints, inputs.degrees);
+  const auto inRadians = solveExact(model, joints, inputs.radians);
+  std::vector<double> angles(static_cast<std::size_t>(model.t()));
+  for (std::size_t joint = 0; joint < angles.size(); ++joint)
+    angles[joint] = inDegrees->rates[joint].toDouble() * kDegree + inRadians->rates[joint].toDouble();
+  return angles;
+}
+
+/// "170 deg", or "none" for an open end.
+std::string limitText(double angle) {
+  if (!std::isfinite(angle)) return "none";
+  return std::to_string(std::lround(angle / kDegree)) + " deg";
+}
+
+/// One line a joint that is turned beyond its limits.
+std::string warningsBeyondLimits(const std::string& file, const AnalysisSnapshot& snapshot,
+                                 const std::vector<double>& angles, const std::vector<int>& beyond) {
+  const std::vector<AngleLimits> limits = angleLimits(*snapshot.mechanism);
+  std::string text;
+  for (const int joint : beyond) {
+    const auto j = static_cast<std::size_t>(joint);
+    text += file + ": warning: joint " + std::to_string(snapshot.graph->edgeLabel(joint)) + " at " +
+            limitText(angles[j]) + " is beyond its limits (" + limitText(limits[j].low) + ", " +
+            limitText(limits[j].high) + ")\n";
+  }
+  return text;
+}
+
 void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
   json.beginArray(JsonWriter::Layout::row);
   for (const double component : triple) json.number(component);
@@ -78,7 +111,7 @@ void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
 }
 
 std::string asJson(const AnalysisSnapshot& snapshot, const std::vector<double>& angles,
-                   const std::vector<Eigen::Isometry3d>& links) {
+                   const std::vector<Eigen::Isometry3d>& links, const std::vector<int>& beyond) {
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -91,6 +124,12 @@ std::string asJson(const AnalysisSnapshot& snapshot, const std::vector<double>& 
       json.member(std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))), angles[joint]);
     }
     json.endObject();
+    if (!beyond.empty()) {
+      json.key("beyondLimits");
+      json.beginArray(JsonWriter::Layout::row);
+      for (const int joint : beyond) json.number(std::int64_t{snapshot.graph->edgeLabel(joint)});
+      json.endArray();
+    }
     json.key("links");
     json.beginObject();
     for (std::size_t node = 0; node < links.size(); ++node) {
@@ -157,7 +196,11 @@ int run(const Arguments& arguments) {
   }
   const std::vector<double> angles = jointAngles(*snapshot, inputs);
   const auto links = poses(*snapshot, angles);
-  return print(arguments.has("--json") ? asJson(*snapshot, angles, links) : asText(*snapshot, angles, links));
+  const std::vector<double> whole = wholeAngles(*snapshot, inputs);
+  const std::vector<int> beyond = jointsBeyondLimits(angleLimits(*snapshot->mechanism), whole);
+  std::cerr << warningsBeyondLimits(file, *snapshot, whole, beyond);
+  return print(arguments.has("--json") ? asJson(*snapshot, angles, links, beyond)
+                                       : asText(*snapshot, angles, links));
 }
 
 constexpr std::array kOptions = {

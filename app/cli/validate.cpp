@@ -1,18 +1,21 @@
-// `validate FILE [--json]`: only the diagnostics.
+// `validate FILE [--motion] [--json]`: only the diagnostics.
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/analysis/analysis.h"
+#include "core/collision/motion_findings.h"
 
 namespace geargraph::cli {
 namespace {
 
-std::string asJson(const Diagnostics& diagnostics) {
+/// `motion`: what `--motion` has looked at; null where it was not asked for.
+std::string asJson(const Diagnostics& diagnostics, const std::optional<MotionReport>* motion) {
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -21,13 +24,15 @@ std::string asJson(const Diagnostics& diagnostics) {
     json.member("version", 1);
     json.key("diagnostics");
     writeDiagnostics(json, diagnostics);
+    if (motion != nullptr) writeMotionCheck(json, *motion);
     json.endObject();
   }
   return sink.take();
 }
 
 /// std::nullopt where `stop` was requested.
-std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, const std::stop_token& stop) {
+std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::optional<MotionReport>* motion,
+                                         const std::stop_token& stop) {
   SnapshotPtr live = analyzeLive(std::make_shared<const Mechanism>(mechanism), 0, stop);
   if (live) live = analyzeStates(live, {false}, stop);
   if (!live) return std::nullopt;
@@ -35,6 +40,12 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, const std::
   const Diagnostics teeth = toothFindings(*live, stop);
   if (stop.stop_requested()) return std::nullopt;
   diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
+  if (motion != nullptr) {
+    *motion = checkMotion(*live, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    if (*motion)
+      diagnostics.insert(diagnostics.end(), (*motion)->diagnostics.begin(), (*motion)->diagnostics.end());
+  }
   return diagnostics;
 }
 
@@ -44,18 +55,27 @@ int run(const Arguments& arguments) {
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const auto found = document ? diagnosticsOf(*document, arguments.stop) : std::optional(document.error());
+  std::optional<MotionReport> report;
+  auto* const motion = arguments.has("--motion") ? &report : nullptr;
+  const auto found =
+      document ? diagnosticsOf(*document, motion, arguments.stop) : std::optional(document.error());
   if (!found) return outOfTime(arguments, "the validation");
   const Diagnostics& diagnostics = *found;
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
-  if (arguments.has("--json")) return print(asJson(diagnostics), status);
-  return print(diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics), status);
+  if (arguments.has("--json")) return print(asJson(diagnostics, motion), status);
+  std::string text = diagnostics.empty() ? file + ": no problems\n" : diagnosticLines(file, diagnostics);
+  if (motion != nullptr) text += motionCheckLine(file, report);
+  return print(text, status);
 }
 
-constexpr std::array kOptions = {Option{"--json", "", "as JSON"}};
+constexpr std::array kOptions = {
+    Option{"--motion", "", "also look for links that collide while the inputs run at their speeds"},
+    Option{"--json", "", "as JSON"},
+};
 
 }  // namespace
 
-const Command kValidate = {"validate", "FILE [--json]", "Says what is wrong with a file.", kOptions, run};
+const Command kValidate = {"validate", "FILE [--motion] [--json]", "Says what is wrong with a file.",
+                           kOptions, run};
 
 }  // namespace geargraph::cli

@@ -78,6 +78,7 @@ constexpr std::array kDetails = {
     DetailEntry{Detail::planetsOverlap, Code::interference, "interference/planets-overlap"},
     DetailEntry{Detail::wheelsOverlap, Code::interference, "interference/wheels-overlap"},
     DetailEntry{Detail::bodiesOverlap, Code::interference, "interference/bodies-overlap"},
+    DetailEntry{Detail::motionCollision, Code::interference, "interference/motion-collision"},
 };
 
 const DetailEntry& entryOf(Detail detail) {

@@ -85,6 +85,7 @@ enum class Detail {
   planetsOverlap,   ///< tips of neighbouring planets
   wheelsOverlap,    ///< gears that do not mesh with each other
   bodiesOverlap,    ///< shafts, arms and carriers for which no clear route was found
+  motionCollision,  ///< links that meet while the mechanism moves (Diagnostic::time)
 };
 
 /// The stable spelling of a detail behind its code, e.g. "interference/wheels-overlap"; empty for none.

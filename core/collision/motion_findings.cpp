@@ -45,7 +45,10 @@ bool isKnown(const Diagnostics& known, const ElementId& one, const ElementId& ot
       return std::find(diagnostic.elements.begin(), diagnostic.elements.end(), link) !=
              diagnostic.elements.end();
     };
-    return diagnostic.code == Code::interference && names(one) && names(other);
+    const bool isOverlap = diagnostic.detail == Detail::bodiesOverlap ||
+                           diagnostic.detail == Detail::wheelsOverlap ||
+                           diagnostic.detail == Detail::planetsOverlap;
+    return isOverlap && names(one) && names(other);
   });
 }
 
@@ -60,6 +63,7 @@ class Wording {
                               std::to_string(mechanism.linkLabel(collision.other));
     Diagnostic diagnostic;
     diagnostic.code = Code::interference;
+    diagnostic.detail = Detail::motionCollision;
     diagnostic.message = collision.time == 0
                              ? links + " overlap in the reference pose: leave more room between them."
                              : links + " collide " + when(collision.time) + ", with " +
@@ -112,7 +116,7 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   const auto turns = [](double rate) { return rate != 0; };
   if (!rates || std::none_of(rates->rates.begin(), rates->rates.end(), turns)) return std::nullopt;
 
-  const GearTrain train = trainOf(mechanism, snapshot.kinematics->placement);
+  const GearTrain train = trainOf(mechanism, snapshot.kinematics->placement, stop);
   if (stop.stop_requested()) return std::nullopt;
   const std::vector<double> reference(rates->rates.size(), 0);
   const MotionRange range = motionRange(angleLimits(mechanism), reference, rates->rates);

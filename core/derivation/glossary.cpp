@@ -77,6 +77,8 @@ const std::vector<Definition>& glossary() {
        "by the right-hand rule.",
        7},
       {Term::offset, "", "Offset", "Where along the axis the bearing is drawn, from the axis' point.", 0},
+      {Term::jointLimits, "", "Joint limits",
+       "How far the joint may turn from the reference pose, both ways, in degrees.", 0},
       {Term::teeth, "N", "Teeth",
        "The whole number of teeth of a wheel. Pitch diameters are proportional to it.", 20},
       {Term::module, "m", "Module",

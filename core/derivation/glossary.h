@@ -33,6 +33,7 @@ enum class Term {
   axisPoint,
   axisDirection,
   offset,
+  jointLimits,
   teeth,
   module,
   meshKind,

@@ -26,6 +26,7 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
+#include "ui/motion/motion_check_service.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_service(
           new AnalysisService(this, [this](const SnapshotPtr& snapshot) { m_stages->request(snapshot); })),
       m_stages(new StageService(this)),  // behind what calls it: children go in the order in which they came
+      m_motionCheck(new MotionCheckService(this)),
       m_actions(std::make_unique<WindowActions>(this)) {
   connect(m_document, &Document::changed, this,
           &MainWindow::requestAnalysis);  // before all others hear of it
@@ -203,6 +205,14 @@ void MainWindow::wireViews() {
     }
     setTheme(themeOf(QApplication::palette()));
   });
+  connect(m_motionCheck, &MotionCheckService::reportReady, this, [this](const MotionReportPtr& report) {
+    m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics());
+    tellWhenSettled();
+  });
+  connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
+    m_view3d->showMoment(time);
+    findChild<QDockWidget*>(QStringLiteral("dock.view3d"))->raise();
+  });
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
@@ -281,8 +291,8 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 }
 
 bool MainWindow::isSettled() const {
-  return m_service->isComplete() && m_stages->isUpToDate() && m_schematic->isSettled() &&
-         m_digraph->isSettled();
+  return m_service->isComplete() && m_stages->isUpToDate() && m_motionCheck->isUpToDate() &&
+         m_schematic->isSettled() && m_digraph->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {
@@ -311,6 +321,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_gearbox->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
+  if (snapshot->isComplete) m_motionCheck->request(snapshot);
   m_status->setSnapshot(snapshot);
   m_derivation->setSnapshot(snapshot, whyNoDerivation());
   m_view3d->setEmptyText(whyNoGears(*snapshot));

@@ -25,6 +25,7 @@ class InputsPanel;
 class InsertSetDialog;
 class MatricesPanel;
 class NoticeBar;
+class MotionCheckService;
 class MotionPanel;
 class PictureJobs;
 class Presentation;
@@ -177,6 +178,7 @@ class MainWindow : public QMainWindow {
   Selection* m_selection;
   AnalysisService* m_service;
   StageService* m_stages;
+  MotionCheckService* m_motionCheck;
   std::unique_ptr<WindowActions> m_actions;
   std::unique_ptr<WindowFiles> m_files;
 

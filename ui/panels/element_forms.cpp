@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -137,6 +138,8 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
       m_point(new TripleField(QStringLiteral("axisPoint"))),
       m_direction(new TripleField(QStringLiteral("axisDirection"))),
       m_offset(makeNumber(QStringLiteral("offset"))),
+      m_low(makeNumber(QStringLiteral("lowLimit"))),
+      m_high(makeNumber(QStringLiteral("highLimit"))),
       m_pin(makePin(tr("Axis pinned"), tr("The axis keeps its place while other things change."), axisOf)) {
   m_pin->setObjectName(QStringLiteral("pinAxis"));
   m_axis->setObjectName(QStringLiteral("axis"));
@@ -145,6 +148,7 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
   addRow(tr("Point"), Term::axisPoint, m_point);
   addRow(tr("Direction"), Term::axisDirection, m_direction);
   addRow(tr("Offset"), Term::offset, m_offset);
+  addLimits();
   auto* flip = new QPushButton(tr("Flip"), this);
   flip->setToolTip(tr("Exchange tail and head: the arrow turns round, and the speed changes its sign."));
   addButtons({flip, m_pin});
@@ -169,6 +173,31 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
               placeAxes(index, number, ofPoint);
             });
   }
+}
+
+/// Two angles in degrees from the reference pose, side by side; an empty field is an open end.
+void JointForm::addLimits() {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (NumberField* field : {m_low, m_high}) {
+    const bool isLow = field == m_low;
+    field->setOptional(true);
+    field->setStep(Rational(5));
+    field->setToolTip(isLow ? tr("The joint turns back no farther than this from the reference pose, in "
+                                 "degrees: 0 or less. Empty: no limit.")
+                            : tr("The joint turns on no farther than this from the reference pose, in "
+                                 "degrees: 0 or more. Empty: no limit."));
+    row->addWidget(field);
+    connect(field, &NumberField::edited, this, [this, isLow](const std::optional<Number>& number) {
+      apply(tr("Limit joint"), [number, isLow](Mechanism before, const ElementId& joint) {
+        JointLimits limits = before.find(JointId(joint.id))->limits;
+        (isLow ? limits.low : limits.high) = number;
+        return withJointLimits(std::move(before), JointId(joint.id), limits);
+      });
+    });
+  }
+  addRow(tr("Limits, deg"), Term::jointLimits, both);
 }
 
 void JointForm::chooseAxis(int item) {
@@ -226,6 +255,13 @@ void JointForm::refresh() {
   refreshAxes(all);
   m_offset->setLengthUnit(mechanism().unit);
   m_offset->setNumber(shared(all, [](const TurningJoint& joint) { return joint.offset; }));
+  showLimit(*m_low, shared(all, [](const TurningJoint& joint) { return joint.limits.low; }));
+  showLimit(*m_high, shared(all, [](const TurningJoint& joint) { return joint.limits.high; }));
+}
+
+void JointForm::showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit) {
+  field.setEmptyText(limit ? tr("none") : tr("several"));
+  field.setNumber(limit ? *limit : std::nullopt);
 }
 
 void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {

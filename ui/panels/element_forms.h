@@ -49,11 +49,16 @@ class JointForm : public PropertyForm {
   void chooseAxis(int item);
   void fillAxes();
   void refreshAxes(const std::vector<const TurningJoint*>& joints);
+  void addLimits();
+  /// No value: the joints differ; no number in it: none has a limit.
+  static void showLimit(NumberField& field, const std::optional<std::optional<Number>>& limit);
 
   QComboBox* m_axis;
   TripleField* m_point;
   TripleField* m_direction;
   NumberField* m_offset;
+  NumberField* m_low;  ///< limits, degrees
+  NumberField* m_high;
   QCheckBox* m_pin;
 };
 

@@ -97,6 +97,8 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
           [this](const QModelIndex& index) { m_selection->hover(m_model->elementsOf(index)); });
   connect(m_list, &QListView::clicked, this, [this](const QModelIndex& index) {
     m_selection->select(m_model->elementsOf(index));
+    const auto time = m_model->diagnostics()[static_cast<std::size_t>(index.row())].time;
+    if (time) emit momentWanted(*time);
     if (m_list->indexWidget(index) == nullptr) offerFixes(index);
   });
 
@@ -138,6 +140,12 @@ void ProblemsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   renew();
 }
 
+void ProblemsPanel::setMotionFindings(const Diagnostics& findings) {
+  if (findings == m_motionFindings) return;
+  m_motionFindings = findings;
+  renew();
+}
+
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
   const bool mends =
@@ -176,7 +184,9 @@ void ProblemsPanel::clearFileProblems() {
 
 void ProblemsPanel::renew() {
   const bool ofFile = !m_fileName.isEmpty();
-  m_model->setDiagnostics(ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics());
+  Diagnostics shown = ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics();
+  if (!ofFile && m_snapshot) shown.insert(shown.end(), m_motionFindings.begin(), m_motionFindings.end());
+  m_model->setDiagnostics(std::move(shown));
   m_banner->setVisible(ofFile);
   const auto count = m_fileProblems.size();
   const QString problems = count == 1 ? tr("1 problem") : tr("%1 problems").arg(count);

@@ -27,6 +27,8 @@ class ProblemsPanel : public QWidget {
 
   /// The findings of the newest analysis.
   void setSnapshot(const SnapshotPtr& snapshot);
+  /// What the check of the motion has found for this snapshot's mechanism, or nothing yet.
+  void setMotionFindings(const Diagnostics& findings);
   /// The findings of a file that was not opened stay on top until it is dismissed or another file opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
   void clearFileProblems();
@@ -37,6 +39,7 @@ class ProblemsPanel : public QWidget {
  signals:
   void countChanged(int count);
   void fixWanted(const geargraph::Fix& fix);
+  void momentWanted(double time);  ///< s of the motion, at which a finding that was clicked shows
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -55,6 +58,7 @@ class ProblemsPanel : public QWidget {
   QLabel* m_bannerText = nullptr;
   QString m_fileName;
   Diagnostics m_fileProblems;
+  Diagnostics m_motionFindings;
   SnapshotPtr m_snapshot;
 };
 

@@ -9,6 +9,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/panels/problems_panel.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
@@ -124,6 +125,37 @@ class WindowProblemsTest : public QObject {
     QTRY_VERIFY(window->isSettled());
     QCOMPARE(window->findChild<QLabel*>("noInputs")->text(),
              QString("There is nothing to drive: the mechanism has no degree of freedom."));
+  }
+
+  void aClickOnACollisionShowsThePoseInWhichItHappens() {
+    QVERIFY(codes().isEmpty());
+    change([](const Mechanism& before) {
+      Mechanism free = before;
+      for (TurningJoint& joint : free.turningJoints) joint.limits = {};
+      return Expected<Mechanism>(free);
+    });
+    DiagnosticModel& model = window->problems().model();
+    QVERIFY(model.rowCount() > 0);
+    const Diagnostic first = model.diagnostics().front();
+    QCOMPARE(first.code, Code::interference);
+    QVERIFY(first.time && *first.time > 1);
+    QCOMPARE(first.elements.size(), std::size_t{2});
+
+    View3D& view = window->view3d();
+    view.setTurnedByHand({1, 1, 1});
+    view.playback().setPlaying(true);
+    QListView& list = window->problems().list();
+    const QRect row = list.visualRect(list.model()->index(0, 0));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(60, 12));
+    QVERIFY(!view.playback().isPlaying());
+    QCOMPARE(view.playback().time(), *first.time);
+    QCOMPARE(view.turnedByHand(), std::vector<double>(3, 0));
+    QCOMPARE(window->selection().selected(),
+             std::set<ElementId>(first.elements.begin(), first.elements.end()));
+
+    QTest::keyClick(&window->digraph(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(codes().isEmpty());
   }
 
   void problemsOfAFileAreNotMendedHere() {

@@ -120,6 +120,24 @@ class EditingPanelsTest : public QObject {
     QVERIFY(property("axisDirection.x")->QObject::property("wrong").toBool());  // is no length
   }
 
+  void limitsOfAJointAreTypedAndTakenAway() {
+    selection.select({ElementId(JointId("8"))});
+    const auto limits = [this] { return document->mechanism()->find(JointId("8"))->limits; };
+    type(property("highLimit"), QStringLiteral("170"));
+    QCOMPARE(limits(), (JointLimits{std::nullopt, Number(170)}));
+    QCOMPARE(document->undoStack().count(), 1);  // one step, however many keys
+    type(property("lowLimit"), QStringLiteral("-90"));
+    QCOMPARE(limits(), (JointLimits{Number(-90), Number(170)}));
+    type(property("lowLimit"), QStringLiteral("90"));  // the reference pose has to be within
+    QCOMPARE(limits().low.value_or(Number(1)).value() <= 0, true);
+    document->undoStack().undo();
+    QCOMPARE(limits(), (JointLimits{std::nullopt, Number(170)}));
+    focus(property("highLimit"));
+    property("highLimit")->selectAll();
+    QTest::keyClick(property("highLimit"), Qt::Key_Delete);
+    QCOMPARE(limits(), JointLimits());
+  }
+
   void severalMeshesChangeTogether() {
     selection.select({ElementId(MeshId("15")), ElementId(MeshId("16"))});
     QVERIFY(property("tailTeeth")->text().isEmpty());  // 18 and 20
