@@ -103,7 +103,7 @@ struct Diagnostic {
   std::string pointer;              ///< JSON pointer into the file (schema errors), else empty
   int line = 0;                     ///< 1-based place in the file (syntax errors), else 0
   int column = 0;
-  Detail detail = Detail::none;  ///< one of `code`
+  Detail detail = Detail::none;     ///< one of `code`
   std::optional<double> time = {};  ///< s of the motion at which it shows (collisions in motion)
 
   [[nodiscard]] Severity severity() const { return severityOf(code); }

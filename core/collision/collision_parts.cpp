@@ -26,7 +26,7 @@ TurningLine axisOf(const Eigen::Isometry3d& frame) {
 
 /// The solid that the tips of a wheel sweep, in the wheel's frame.
 Solid sweptWheel(const GearSpec& spec) {
-  std::vector<Circle> outline;
+  std::vector<ProfileVertex> outline;
   if (spec.kind == GearKind::bevel) {
     outline = bevelOutline(spec);
   } else {

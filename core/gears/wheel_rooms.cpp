@@ -104,7 +104,7 @@ WheelRooms::Room WheelRooms::roomOf(const TrainWheel& wheel, bool hasArms) const
   room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
   double low = room.low - arm, high = room.high + arm, outer = room.outer;
   if (room.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
-    for (const Circle& c : bevelOutline(wheel.spec)) {
+    for (const ProfileVertex& c : bevelOutline(wheel.spec)) {
       low = std::min(low, c.height);
       high = std::max(high, c.height);
       outer = std::max(outer, c.radius);

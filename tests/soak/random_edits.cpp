@@ -11,12 +11,11 @@
 #include "core/fitting/module_fit.h"
 #include "core/fixes/fixes.h"
 #include "core/gears/train.h"
-#include "core/io/view_members.h"
-#include "core/io/view_places.h"
 #include "core/mechanism/drawn_mesh.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/fragment.h"
 #include "core/mechanism/pins.h"
+#include "core/mechanism/shapes.h"
 #include "core/mechanism/shift_edits.h"
 #include "core/schematic/sheet_edits.h"
 #include "core/synthesis/bevel_sets.h"
@@ -156,10 +155,6 @@ std::vector<LinkShape> shapes(Random& random) {
   return worn;
 }
 
-std::string viewMember(Random& random) {
-  return random.oneIn(8) ? "otherNodes" : std::string(kTtNodes);
-}
-
 /// A kind of edit whose arguments, after the mechanism, are what `draw` draws.
 template <auto function, class Draw>
 EditKind kind(std::string name, Draw draw, int weight = 4) {
@@ -212,8 +207,6 @@ std::vector<EditKind> drawnEdits() {
                              }),
       kind<withoutElements>(
           "withoutElements", [](Random& r) { return std::tuple{r.elements(3)}; }, 8),
-      kind<withoutDrawn>(
-          "withoutDrawn", [](Random& r) { return std::tuple{r.elements(4)}; }, 8),
       kind<withFlipped>("withFlipped", [](Random& r) { return std::tuple{r.element()}; }),
       kind<withName>("withName",
                      [](Random& r) {
@@ -231,18 +224,25 @@ std::vector<EditKind> drawnEdits() {
                            const std::vector<ElementId> chosen = r.elements(4);
                            return std::tuple{fragmentOf(r.mechanism(), {chosen.begin(), chosen.end()})};
                          }),
-      kind<withViewPlaces>("withViewPlaces",
-                           [](Random& r) {
-                             return std::tuple{viewMember(r), places(r)};
-                           }),
-      kind<withoutLostPlaces>("withoutLostPlaces", [](Random& r) { return std::tuple{viewMember(r)}; }),
-      kind<withoutViewPlaces>(
-          "withoutViewPlaces", [](Random& r) { return std::tuple{viewMember(r)}; }, 1),
-      {"withCamera",
+      kind<withTtNodesMoved>("withTtNodesMoved", [](Random& r) { return std::tuple{places(r)}; }),
+      {"ttNodes.clear",
+       [](Random&) -> Reduce {
+         return [](Mechanism before) -> Expected<Mechanism> {
+           before.view.ttNodes.clear();
+           return before;
+         };
+       },
+       1},
+      kind<withJointLimits>(
+          "withJointLimits",
+          [](Random& r) {
+            return std::tuple{r.joint(), JointLimits{r.maybe(r.number()), r.maybe(r.number())}};
+          }),
+      {"camera",
        [](Random& r) -> Reduce {
          const ViewCamera camera{{r.place().x, r.place().y, 0}, r.place().x, r.place().y / 10, 400};
          return [camera](Mechanism before) -> Expected<Mechanism> {
-           before.view = withCamera(before.view, camera);
+           before.view.camera = camera;
            return before;
          };
        },

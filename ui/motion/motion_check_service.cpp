@@ -1,10 +1,21 @@
 #include "ui/motion/motion_check_service.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/mechanism/difference.h"
 
 namespace geargraph {
+namespace {
+
+/// Does the document place all axes? Of a bare graph the program chooses the places, so that a collision is
+/// nothing that its author did.
+bool isPlaced(const Mechanism& mechanism) {
+  return std::all_of(mechanism.axes.begin(), mechanism.axes.end(),
+                     [](const Axis& axis) { return axis.point && axis.direction; });
+}
+
+}  // namespace
 
 MotionCheckService::MotionCheckService(QObject* parent)
     : QObject(parent),
@@ -16,7 +27,11 @@ void MotionCheckService::request(const SnapshotPtr& snapshot) {
   m_mechanism = snapshot->mechanism;
   if (same) return;
   ++m_wanted;
-  m_worker.request({snapshot, m_wanted});
+  if (isPlaced(*snapshot->mechanism)) {
+    m_worker.request({snapshot, m_wanted});
+  } else {
+    m_arrived = m_wanted;
+  }
   if (std::exchange(m_report, nullptr)) emit reportReady(nullptr);
 }
 

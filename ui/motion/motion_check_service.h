@@ -20,7 +20,8 @@ class MotionCheckService : public QObject {
   explicit MotionCheckService(QObject* parent = nullptr);
 
   /// Another mechanism than the last one's: its report is void at once (reportReady(nullptr)), and a new one
-  /// follows. A request that changes nothing of the train is answered by the report there is.
+  /// follows, if the document places all of its axes. A request that changes nothing of the train is answered
+  /// by the report there is.
   void request(const SnapshotPtr& snapshot);
   [[nodiscard]] const MotionReportPtr& report() const { return m_report; }
   /// Has the newest request been answered?

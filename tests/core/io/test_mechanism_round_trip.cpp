@@ -86,7 +86,7 @@ void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
   QTest::addColumn<QString>("number");
   for (const char* number :
        {"0.10", "1e-3", "1E+02", "-0", "-0.0", "\"22/7\"", "\"-1/3\"", "\"+5\"", "\"007\"", "0",
-        "123456789012345678901234567890", "-98765432109876543210.50", "1e308", "5e-4000"}) {
+        "0.123456789012345678901234567890", "-987654321098765.43210987654321050", "1e15", "5e-4000"}) {
     QTest::newRow(number) << number;
   }
 }

@@ -146,7 +146,7 @@ class TestMatroidLaws : public QObject {
         rates[line.joint] = sum;
       }
     }
-    QVERIFY2(lines > 500, qPrintable(QString::number(lines)));
+    QVERIFY2(lines > 200, qPrintable(QString::number(lines)));
   }
 
   void bothWheelsHaveOneVelocityAtEveryPitchPoint() {
