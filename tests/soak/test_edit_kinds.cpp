@@ -12,9 +12,10 @@ namespace {
 
 /// Functions that return a document and are no edit of one.
 const std::set<QString> kNoEdits = {
-    "emptyMechanism",                                             // the first document
-    "fragmentOf",                                                 // what withFragment takes
-    "readMechanism",  "readDocument", "unlessBroken", "fitAxes",  // parts of the fitted edits
+    "emptyMechanism",                              // the first document
+    "fragmentOf",                                  // what withFragment takes
+    "readMechanism",  "readDocument", "readView",  // how documents come in
+    "unlessBroken",   "fitAxes",                   // parts of the fitted edits
 };
 
 /// The names of all functions of headers that return a mechanism or its view.
