@@ -1,11 +1,13 @@
 #include "core/collision/collision_pair.h"
 
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
+#include <fcl/narrowphase/detail/traversal/collision_node.h>
+#include <fcl/narrowphase/detail/traversal/distance/mesh_distance_traversal_node.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/contract.h"
 #include "core/collision/collision_shape.h"
 
 namespace geargraph {
@@ -25,38 +27,50 @@ CollisionPair::CollisionPair(const CollisionPart& p, const CollisionPart& q, con
       m_step(resolution.step * std::min(p.module, q.module) / speed),
       m_precision(resolution.bisection * m_step) {}
 
-double CollisionPair::distanceAt(double time) const {
+double CollisionPair::distanceAt(double time, std::int64_t& budget) const {
   const Eigen::Isometry3d placed = m_motion.displacement(time);
+  --budget;
   const double balls = (placed * m_q.centre - m_p.centre).norm() - m_p.radius - m_q.radius;
   if (balls > 0.2 * (m_p.radius + m_q.radius)) return balls;
   const fcl::DistanceRequestd request(false, false, kDistanceError, 0);
   fcl::DistanceResultd result;
-  fcl::distance(&m_p.shape->model(), Eigen::Isometry3d::Identity(), &m_q.shape->model(), placed, request,
-                result);
+  fcl::detail::MeshDistanceTraversalNodeOBBRSSd node;
+  const bool isReady = fcl::detail::initialize(node, m_p.shape->model(), Eigen::Isometry3d::Identity(),
+                                               m_q.shape->model(), placed, request, result);
+  GEARGRAPH_REQUIRE(isReady);
+  node.enableStatistics(true);
+  fcl::detail::distance(&node);
+  budget -= node.num_bv_tests + node.num_leaf_tests;
   return std::max(0.0, result.min_distance) / (1 + kDistanceError);
 }
 
-bool CollisionPair::touchAt(double time) const {
+bool CollisionPair::touchAt(double time, std::int64_t& budget) const {
   const fcl::CollisionRequestd request(1, false);
   fcl::CollisionResultd result;
-  fcl::collide(&m_p.shape->model(), Eigen::Isometry3d::Identity(), &m_q.shape->model(),
-               m_motion.displacement(time), request, result);
+  fcl::detail::MeshCollisionTraversalNodeOBBRSSd node;
+  const bool isReady =
+      fcl::detail::initialize(node, m_p.shape->model(), Eigen::Isometry3d::Identity(), m_q.shape->model(),
+                              m_motion.displacement(time), request, result);
+  GEARGRAPH_REQUIRE(isReady);
+  node.enableStatistics(true);
+  fcl::detail::collide(&node);
+  budget -= 1 + node.num_bv_tests + node.num_leaf_tests;
   return result.isCollision();
 }
 
-std::optional<double> CollisionPair::firstContact(double until, std::int64_t& queries,
+std::optional<double> CollisionPair::firstContact(double until, std::int64_t& budget,
                                                   const std::stop_token& stop) const {
   const double sense = until < 0 ? -1 : 1;
   const double end = std::abs(until);
   double clear = 0;  // the latest time at which they were seen apart
   for (double time = 0; time <= end;) {
-    if (stop.stop_requested() || --queries < 0) return std::nullopt;
-    const double distance = distanceAt(sense * time);
-    if (distance <= 0 && touchAt(sense * time)) {
+    if (stop.stop_requested() || budget < 0) return std::nullopt;
+    const double distance = distanceAt(sense * time, budget);
+    if (distance <= 0 && touchAt(sense * time, budget)) {
       double touching = time;
       while (touching - clear > m_precision) {
         const double middle = (clear + touching) / 2;
-        (touchAt(sense * middle) ? touching : clear) = middle;
+        (touchAt(sense * middle, budget) ? touching : clear) = middle;
       }
       return sense * touching;
     }

@@ -24,16 +24,16 @@ class CollisionPair {
                 const CollisionResolution& resolution = {});
 
   /// The first time of contact from 0 to `until` (negative: backwards), by conservative advancement: where
-  /// the parts are a distance d apart they cannot touch before d / speed has passed. Nothing where they do
-  /// not touch, the queries are used up, or `stop` was requested. `queries`: how many more distances may be
-  /// asked for; counted down. Cost: a distance of two bounding volume hierarchies a step, some tens of
-  /// microseconds.
-  [[nodiscard]] std::optional<double> firstContact(double until, std::int64_t& queries,
+  /// the parts are a distance d apart they cannot touch before d / speed has passed. std::nullopt if they do
+  /// not touch, the budget is spent, or cancelled. `budget`: tests of two bounding volumes or two triangles
+  /// that may still be made; counted down, below 0 when spent. Cost: per step a distance of two bounding
+  /// volume hierarchies, some tens of microseconds; per test about a tenth of one.
+  [[nodiscard]] std::optional<double> firstContact(double until, std::int64_t& budget,
                                                    const std::stop_token& stop) const;
 
  private:
-  [[nodiscard]] double distanceAt(double time) const;
-  [[nodiscard]] bool touchAt(double time) const;
+  [[nodiscard]] double distanceAt(double time, std::int64_t& budget) const;
+  [[nodiscard]] bool touchAt(double time, std::int64_t& budget) const;
 
   const CollisionPart& m_p;
   const CollisionPart& m_q;

@@ -89,14 +89,16 @@ CollisionPart collisionPart(int link, const Solid& solid, double module,
   return part;
 }
 
-std::vector<CollisionPart> collisionParts(const GearTrain& train) {
+std::vector<CollisionPart> collisionParts(const GearTrain& train, const std::stop_token& stop) {
   std::vector<CollisionPart> parts;
   for (const TrainGear& gear : train.gears) {
+    if (stop.stop_requested()) return parts;
     parts.push_back(collisionPart(gear.link, moved(sweptWheel(gear.spec), gear.pose), gear.spec.module,
                                   axisOf(gear.pose)));
   }
   for (const LinkBody& body : train.bodies) {
     for (const BodyPart& part : *body.recipe) {
+      if (stop.stop_requested()) return parts;
       const auto axis = isRevolved(part) ? std::optional(axisOf(part.placed)) : std::nullopt;
       parts.push_back(collisionPart(body.link, madeBy({part}, kCollisionTolerance), part.module, axis));
     }

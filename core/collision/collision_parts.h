@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/gears/train.h"
@@ -29,8 +30,9 @@ struct CollisionPart {
 constexpr double kCollisionTolerance = 0.05;
 
 /// The parts of all links of a train. Windows of wheels are filled: what passes through one is hit when the
-/// wheel turns on. Cost: O(triangles), about 0.1 ms a wheel.
-[[nodiscard]] std::vector<CollisionPart> collisionParts(const GearTrain& train);
+/// wheel turns on. Those made by then if `stop` was requested. Cost: O(triangles), about 0.1 ms a wheel.
+[[nodiscard]] std::vector<CollisionPart> collisionParts(const GearTrain& train,
+                                                        const std::stop_token& stop = {});
 
 /// A part from a solid in the base frame. @pre it has triangles
 [[nodiscard]] CollisionPart collisionPart(int link, const Solid& solid, double module,

@@ -21,20 +21,25 @@ struct MotionCollision {
 /// What was looked at, and what was found.
 struct MotionCheck {
   std::vector<MotionCollision>
-      collisions;   ///< by time, those of the motion forwards first; one a pair of links
-  double from = 0;  ///< s; below 0 where limits let the motion run backwards
+      collisions;  ///< by time, those of the motion forwards first; one a pair of links
+  /// s: all pairs of parts were followed from `from` to `to`, each until it repeats; `from` is below 0 where
+  /// limits let the motion run backwards.
+  double from = 0;
   double to = 0;
-  /// Was all of the motion looked at: up to the limits of the joints, or until each two parts are as they
-  /// were?
+  /// Was all of the motion examined: up to the limits of the joints, or until each pair of parts repeats?
   bool coversAll = true;
-  bool isComplete = true;  ///< false: stopped, or given up because there is too much to look at
+  bool isComplete = true;  ///< false: cancelled, or the budget was spent; pairs may be missing
 };
+
+/// Tests in whose time the broad phase finds a pair and its relative motion.
+constexpr std::int64_t kPairWork = 10;
 
 struct MotionCheckOptions {
   /// Of parts whose relative motion does not repeat sooner: turns of the fastest joint between them.
   double mostTurns = 20;
-  /// Distances that are asked for at most, all in all; the bounds of a pair count as one.
-  std::int64_t mostQueries = 100'000;
+  /// Tests of two bounding volumes or two triangles that are made at most, all in all, about a tenth of a
+  /// microsecond each; what is done before them for a pair of parts counts as kPairWork.
+  std::int64_t mostTests = 20'000'000;
 };
 
 /// Checks the parts of different links for collisions over the motion that starts in the reference pose.
@@ -51,7 +56,8 @@ struct MotionCheckOptions {
 /// a module may be missed. Parts that overlap in the reference pose are reported at time 0.
 ///
 /// Cost: a broad phase over the boxes that the parts sweep, then some tens of microseconds a step for each
-/// pair that comes near (tests/bench/bench_scene.cpp, motionCheck).
+/// pair that comes near; at most `mostTests` in all (tests/bench/bench_scene.cpp, motionCheck). The token is
+/// polled for each pair and each step.
 [[nodiscard]] MotionCheck motionCollisions(std::span<const CollisionPart> parts, const JointRates& motion,
                                            const MotionRange& range, const std::stop_token& stop = {},
                                            const MotionCheckOptions& options = {});

@@ -18,10 +18,16 @@ namespace {
 /// Joints times inputs up to which rates are solved in fractions, which periods need.
 constexpr std::size_t kMostExactGains = 20'000;
 
-/// With one decimal and no -0.
+/// Inputs whose angles a finding gives.
+constexpr std::size_t kMostNamedInputs = 6;
+
+/// With one decimal, below 1 with two digits that count, and no -0.
 std::string rounded(double value) {
+  const double size = std::abs(value);
+  const int decimals = size >= 1 || size < 1e-12 ? 1 : 1 - static_cast<int>(std::floor(std::log10(size)));
+  const double unit = std::pow(10, decimals);
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << std::round(value * 10) / 10 + 0.0;
+  text << std::fixed << std::setprecision(decimals) << std::round(value * unit) / unit + 0.0;
   return text.str();
 }
 
@@ -64,11 +70,10 @@ class Wording {
     Diagnostic diagnostic;
     diagnostic.code = Code::interference;
     diagnostic.detail = Detail::motionCollision;
-    diagnostic.message = collision.time == 0
-                             ? links + " overlap in the reference pose: leave more room between them."
-                             : links + " collide " + when(collision.time) + ", with " +
-                                   inputs(collision.time) +
-                                   ". Leave more room between them, or give joints limits. " + checked();
+    diagnostic.message = collision.time == 0 ? links + " overlap in the reference pose: give them clearance."
+                                             : links + " collide " + when(collision.time) + ", with " +
+                                                   inputs(collision.time) +
+                                                   ". Give them clearance, or limit joints. " + checked();
     for (const int link : {collision.one, collision.other})
       diagnostic.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
     diagnostic.time = collision.time;
@@ -77,8 +82,8 @@ class Wording {
 
  private:
   static std::string when(double time) {
-    if (time < 0) return "after " + rounded(-time) + " s of the motion backwards";
-    return "after " + rounded(time) + " s of the motion";
+    if (time < 0) return "after " + secondsText(-time) + " of the motion backwards";
+    return "after " + secondsText(time) + " of the motion";
   }
 
   [[nodiscard]] std::string inputs(double time) const {
@@ -89,16 +94,17 @@ class Wording {
       angles.push_back(std::to_string(m_snapshot.graph->edgeLabel(joint)) + " at " +
                        rounded(angle * 180 / std::numbers::pi) + " deg");
     }
-    return (angles.size() == 1 ? "joint " : "joints ") + listed(angles, kAllNames);
+    return (angles.size() == 1 ? "joint " : "joints ") + listed(angles, kMostNamedInputs);
   }
 
   [[nodiscard]] std::string checked() const {
-    const std::string until = rounded(m_check.to) + " s";
-    if (m_isLimited)
-      return "(Checked between the limits of the joints, from " + rounded(m_check.from) + " s to " + until +
-             ".)";
-    if (m_check.coversAll) return "(Checked until the motion repeats.)";
-    return "(Checked for the first " + until + ": the motion does not repeat sooner.)";
+    if (!m_check.isComplete) return "(Only part of the motion was checked.)";
+    const std::string until = secondsText(m_check.to);
+    if (!m_check.coversAll)
+      return "(Checked for the first " + until + ": the motion does not repeat sooner.)";
+    if (!m_isLimited) return "(Checked until the motion repeats.)";
+    return "(Checked between the limits of the joints, from " + secondsText(m_check.from) + " to " + until +
+           ".)";
   }
 
   const AnalysisSnapshot& m_snapshot;
@@ -121,7 +127,7 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   const std::vector<double> reference(rates->rates.size(), 0);
   const MotionRange range = motionRange(angleLimits(mechanism), reference, rates->rates);
   MotionReport report;
-  report.check = motionCollisions(collisionParts(train), *rates, range, stop, options);
+  report.check = motionCollisions(collisionParts(train, stop), *rates, range, stop, options);
   if (stop.stop_requested()) return std::nullopt;
   const Wording wording(snapshot, report.check, range.isLimited());
   std::size_t unlisted = 0;
@@ -136,8 +142,26 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   }
   if (unlisted > 0)
     report.diagnostics.back().message +=
-        " (Later, " + std::to_string(unlisted) + " more pairs of links collide.)";
+        " (" + std::to_string(unlisted) +
+        (unlisted == 1 ? " more pair of links collides later.)" : " more pairs of links collide later.)");
   return report;
+}
+
+std::string secondsText(double seconds) {
+  return rounded(seconds) + " s";
+}
+
+std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report) {
+  if (snapshot.mechanism->n() > kMostCheckedLinks && !hasErrors(snapshot.diagnostics))
+    return "The motion of more than " + std::to_string(kMostCheckedLinks) +
+           " links is not checked for collisions.";
+  if (report == nullptr) return {};
+  const MotionCheck& check = report->check;
+  if (!check.isComplete)
+    return "Only part of the motion was checked for collisions: too many parts come close to each other.";
+  if (check.coversAll) return {};
+  return "The motion was checked for collisions for its first " + secondsText(check.to) +
+         ": it does not repeat sooner.";
 }
 
 }  // namespace geargraph

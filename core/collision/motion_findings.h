@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <string>
 
 #include "core/analysis/analysis.h"
 #include "core/collision/motion_collisions.h"
@@ -17,8 +18,8 @@ constexpr std::size_t kMostMotionFindings = 20;
 /// The motion of a mechanism with its inputs at their speeds, and what collides in it.
 struct MotionReport {
   MotionCheck check;
-  /// One `interference` a pair of links, with the time at which they meet. Links of which the train's
-  /// findings say already that they overlap in the reference pose are left out.
+  /// One `interference/motion-collision` a pair of links, with the time of their first contact. Pairs that
+  /// the train's diagnostics report as overlapping in the reference pose are left out.
   Diagnostics diagnostics;
 };
 
@@ -30,5 +31,13 @@ struct MotionReport {
 [[nodiscard]] std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot,
                                                       const std::stop_token& stop = {},
                                                       const MotionCheckOptions& options = {});
+
+/// "4.5 s"; below 1 s with two digits that count.
+[[nodiscard]] std::string secondsText(double seconds);
+
+/// One sentence on motion that was not checked, for a person: too many links, the budget spent, or no
+/// repetition within what was checked. Empty if all of it was checked, or nothing is known yet (`report`
+/// null).
+[[nodiscard]] std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report);
 
 }  // namespace geargraph

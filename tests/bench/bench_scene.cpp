@@ -105,6 +105,19 @@ void motionCheck(benchmark::State& state, const char* name) {
   }
 }
 
+/// The same of random trains that are deep in space, where the budget may end it (then `complete` is 0).
+void motionCheckOfADeepTrain(benchmark::State& state) {
+  const auto links = static_cast<int>(state.range(0));
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(test::deepTrain(1, links)));
+  for (auto _ : state) {
+    const auto report = checkMotion(*snapshot);
+    GEARGRAPH_REQUIRE(report);
+    state.counters["complete"] = report->check.isComplete ? 1 : 0;
+    state.counters["collisions"] = static_cast<double>(report->check.collisions.size());
+  }
+}
+
+BENCHMARK(motionCheckOfADeepTrain)->Arg(30)->Arg(80)->Arg(300)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(motionCheck, robot, "robot")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(motionCheck, eight_speed_gearbox, "eight-speed-gearbox")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stageOfADrag, robot, "robot", "15", 18)->Unit(benchmark::kMillisecond);

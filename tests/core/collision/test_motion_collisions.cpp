@@ -10,6 +10,7 @@
 #include "core/collision/motion_findings.h"
 #include "core/gears/bodies.h"
 #include "core/pose/turning_lines.h"
+#include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -166,6 +167,29 @@ class TestMotionCollisions : public QObject {
     QVERIFY(std::abs(check.collisions[0].time + contact) < 1e-3);
   }
 
+  /// The slow pair is followed for longer than the fast one, which does not repeat: only what both cover
+  /// counts.
+  void coverageIsThatOfThePairThatIsFollowedForTheShortestTime() {
+    const TurningLine right{{15, 0, 0}, Vector3d::UnitZ()};
+    const TurningLine above{{15, 3, 0}, Vector3d::UnitZ()};
+    Arms arms({{kZ, -1}, {right, 8}, {above, 0.1}});
+    arms.add(1, {-1, 0, -1}, {1, 9, 1});
+    arms.add(2, {14, 0, -1}, {16, 9, 0});
+    arms.add(3, {14, 3, 0.5}, {16, 11, 1});
+    MotionCheckOptions options;
+    options.mostTurns = 2;
+    const MotionCheck check = arms.check({}, options);
+    QVERIFY(!check.coversAll);
+    const RelativeMotion fast(arms.motion, arms.parts[0], arms.parts[1]);
+    const RelativeMotion slow(arms.motion, arms.parts[0], arms.parts[2]);
+    QVERIFY(!pairBounds(slow, arms.parts[0], arms.parts[2]).isClear);
+    QVERIFY(slow.fastestRate() < fast.fastestRate());
+    QVERIFY(std::abs(check.to - 2 * kTurn / fast.fastestRate()) < 1e-9);
+    const MotionRange beyond{-1000, 1000, 0, 0};
+    QVERIFY(std::abs(arms.check(beyond, options).to - check.to) < 1e-9);
+    QVERIFY(std::abs(arms.check(beyond, options).from + check.to) < 1e-9);
+  }
+
   void overlapInTheReferencePoseIsAtTimeZero() {
     Arms arms = sweepingBar();
     arms.add(0, {8, -0.5, -0.5}, {12, 0.5, 0.5});
@@ -242,13 +266,13 @@ class TestMotionCollisions : public QObject {
     const MotionCheck cancelled = arms.check({}, {}, stop.get_token());
     QVERIFY(!cancelled.isComplete && cancelled.collisions.empty());
     MotionCheckOptions few;
-    few.mostQueries = 2;
+    few.mostTests = 20;
     QVERIFY(!arms.check({}, few).isComplete);
     const RelativeMotion relative(arms.motion, arms.parts[1], arms.parts[0]);
-    std::int64_t queries = 1000;
+    std::int64_t budget = 1000;
     const CollisionPair pair(arms.parts[1], arms.parts[0], relative, 12);
-    QVERIFY(!pair.firstContact(kTurn, queries, stop.get_token()));
-    QCOMPARE(queries, std::int64_t{1000});  // the token is polled before the first distance
+    QVERIFY(!pair.firstContact(kTurn, budget, stop.get_token()));
+    QCOMPARE(budget, std::int64_t{1000});  // the token is polled before the first distance
     QVERIFY(!checkMotion(*analyzed(test::example("robot")), stop.get_token()));
   }
 
@@ -291,6 +315,34 @@ class TestMotionCollisions : public QObject {
     const auto& links = snapshot->mechanism->links;
     QCOMPARE(found.elements, (std::vector<ElementId>{links[static_cast<std::size_t>(first[0])].id,
                                                      links[static_cast<std::size_t>(first[1])].id}));
+  }
+
+  void whatWasNotCheckedIsToldInOneSentence() {
+    const SnapshotPtr robot = analyzed(withoutLimits(test::example("robot")));
+    const auto whole = checkMotion(*robot);
+    QVERIFY(whole && whole->check.isComplete && whole->check.coversAll);
+    QCOMPARE(motionNote(*robot, &*whole), std::string());
+    QCOMPARE(motionNote(*robot, nullptr), std::string());
+
+    MotionCheckOptions few;
+    few.mostTests = 50'000;
+    const auto part = checkMotion(*robot, {}, few);
+    QVERIFY(part && !part->check.isComplete);
+    QCOMPARE(motionNote(*robot, &*part), std::string("Only part of the motion was checked for collisions: "
+                                                     "too many parts come close to each other."));
+
+    MotionReport sampled;
+    sampled.check.to = 125.66;
+    sampled.check.coversAll = false;
+    QCOMPARE(motionNote(*robot, &sampled), std::string("The motion was checked for collisions for its first "
+                                                       "125.7 s: it does not repeat sooner."));
+    const SnapshotPtr large = analyzed(test::deepTrain(1, kMostCheckedLinks + 1));
+    QVERIFY(!checkMotion(*large));
+    QCOMPARE(motionNote(*large, nullptr),
+             std::string("The motion of more than 300 links is not checked for collisions."));
+    QCOMPARE(secondsText(4.46), std::string("4.5 s"));
+    QCOMPARE(secondsText(0.01234), std::string("0.012 s"));
+    QCOMPARE(secondsText(-0.0), std::string("0.0 s"));
   }
 
   /// Arm 2, the end-effector 3 and the planets 7 are within gear 1 or its carrier at 4.5 s.
