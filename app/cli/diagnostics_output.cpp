@@ -1,9 +1,7 @@
 #include "app/cli/diagnostics_output.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <map>
-#include <sstream>
 #include <vector>
 
 namespace geargraph::cli {
@@ -90,16 +88,13 @@ void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& repor
 std::string motionCheckLine(std::string_view file, const std::optional<MotionReport>& report) {
   std::string text(file);
   if (!report)
-    return text + ": motion not checked: nothing moves, or the mechanism has errors or too many links\n";
+    return text + ": motion not checked: nothing moves, the mechanism has errors, or it has more than " +
+           std::to_string(kMostCheckedLinks) + " links\n";
   const MotionCheck& check = report->check;
-  const auto seconds = [](double time) {
-    std::ostringstream shown;
-    shown << std::fixed << std::setprecision(1) << time << " s";
-    return shown.str();
-  };
-  text += ": motion checked from " + seconds(check.from) + " to " + seconds(check.to);
-  text += check.coversAll ? ", all of it" : ", it does not repeat sooner";
-  return text + (check.isComplete ? "\n" : "; given up: too many parts come near each other\n");
+  if (!check.isComplete)
+    return text + ": motion checked in part only: too many parts come close to each other\n";
+  text += ": motion checked from " + secondsText(check.from) + " to " + secondsText(check.to);
+  return text + (check.coversAll ? ", all of it\n" : "; it does not repeat sooner\n");
 }
 
 }  // namespace geargraph::cli

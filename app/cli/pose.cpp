@@ -84,10 +84,12 @@ std::vector<double> wholeAngles(const AnalysisSnapshot& snapshot, const InputAng
   return angles;
 }
 
-/// "170 deg", or "none" for an open end.
+/// "170 deg", "-133.33333 deg", or "none" for an open end.
 std::string limitText(double angle) {
   if (!std::isfinite(angle)) return "none";
-  return std::to_string(std::lround(angle / kDegree)) + " deg";
+  std::ostringstream text;
+  text << std::setprecision(8) << angle / kDegree << " deg";
+  return text.str();
 }
 
 /// One line a joint that is turned beyond its limits.
