@@ -1,6 +1,7 @@
 #include "ui/panels/number_field.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QStyle>
 #include <QWheelEvent>
@@ -32,7 +33,10 @@ QString NumberField::hint() const {
 }
 
 std::optional<Number> NumberField::read(const QString& text) const {
-  const std::string typed = text.trimmed().toStdString();
+  QString point = text.trimmed();
+  if (QLocale().decimalPoint() == QLatin1String(",") && !point.contains(QLatin1Char('.')))
+    point.replace(QLatin1Char(','), QLatin1Char('.'));
+  const std::string typed = point.toStdString();
   return m_unit ? lengthFromText(typed, *m_unit) : Number::fromText(typed);
 }
 
@@ -66,6 +70,10 @@ void NumberField::onText(const QString& typed) {
   setWrong({});
   m_number = number;
   emit edited(number);
+}
+
+void NumberField::reject(const QString& why) {
+  setWrong(why);
 }
 
 void NumberField::setWrong(const QString& why) {

@@ -9,7 +9,7 @@
 namespace geargraph {
 
 /// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end. What
-/// is no number turns red and changes nothing.
+/// is no number turns red and changes nothing. Where the locale writes a decimal comma it may be typed.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
@@ -29,6 +29,9 @@ class NumberField : public QLineEdit {
   /// Shows the document's number; leaves the text alone while somebody types that number.
   void setNumber(const std::optional<Number>& number);
   [[nodiscard]] std::optional<Number> number() const { return m_number; }
+  /// The number of edited() was not accepted: what was typed turns red, and gives way to the number of the
+  /// next setNumber() when the field is left.
+  void reject(const QString& why);
 
  signals:
   void edited(const std::optional<geargraph::Number>& number);

@@ -131,13 +131,14 @@ void PropertyForm::apply(const QString& text, const Change& change) {
 void PropertyForm::applyAtOnce(const QString& text,
                                const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
   QString why;
-  m_document->apply({text,
-                     [&](const Mechanism& before) {
-                       Expected<Mechanism> next = reduce(before);
-                       if (!next) why = shownText(next.error().front().message);
-                       return next;
-                     },
-                     m_gesture});
+  const auto heard = connect(m_document, &Document::refused, this,
+                             [&why](const Diagnostics& found) { why = shownText(found.front().message); });
+  m_document->apply({text, reduce, m_gesture});
+  disconnect(heard);
+  if (!why.isEmpty()) {
+    if (auto* field = qobject_cast<NumberField*>(focusWidget())) field->reject(why);
+    refresh();  // or fields would go on showing what the document does not hold
+  }
   showWrong(why);
 }
 

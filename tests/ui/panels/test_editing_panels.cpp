@@ -2,7 +2,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QTest>
 
 #include "core/fitting/fitted_edits.h"
@@ -136,6 +138,49 @@ class EditingPanelsTest : public QObject {
     property("highLimit")->selectAll();
     QTest::keyClick(property("highLimit"), Qt::Key_Delete);
     QCOMPARE(limits(), JointLimits());
+  }
+
+  void limitsThatAreRejectedLeaveTheFieldWithItsReason() {
+    selection.select({ElementId(JointId("8"))});
+    const auto limits = [this] { return document->mechanism()->find(JointId("8"))->limits; };
+    const auto wrong = [this] { return properties->findChild<QLabel*>(QStringLiteral("wrong")); };
+    NumberField* low = property("lowLimit");
+    type(low, QStringLiteral("abc"));
+    QVERIFY(low->QObject::property("wrong").toBool());
+    QCOMPARE(limits(), JointLimits());
+    type(property("highLimit"), QStringLiteral("-45"));  // would leave the reference pose outside
+    QVERIFY(property("highLimit")->QObject::property("wrong").toBool());
+    QVERIFY(wrong()->isVisible());
+    QVERIFY2(wrong()->text().contains(QStringLiteral("the second at least 0")), qPrintable(wrong()->text()));
+    QCOMPARE(property("highLimit")->text(), QStringLiteral("-45"));  // to be corrected
+    QCOMPARE(limits(), JointLimits());
+    focus(low);
+    QCOMPARE(property("highLimit")->text(), QString());
+    QVERIFY(!property("highLimit")->QObject::property("wrong").toBool());
+    QVERIFY(!wrong()->isVisible());
+    type(property("highLimit"), QStringLiteral("45"));
+    type(low, QStringLiteral("50"));  // above the upper end
+    QVERIFY(low->QObject::property("wrong").toBool());
+    QTest::keyClick(low, Qt::Key_Down);  // from the document's value on
+    QCOMPARE(limits(), (JointLimits{Number(-5), Number(45)}));
+    QVERIFY(!low->QObject::property("wrong").toBool());
+  }
+
+  void decimalCommasMayBeTypedWhereTheLocaleWritesThem() {
+    selection.select({ElementId(JointId("8"))});
+    const auto high = [this] { return document->mechanism()->find(JointId("8"))->limits.high; };
+    NumberField* field = property("highLimit");
+    const auto restored = qScopeGuard([before = QLocale()] { QLocale::setDefault(before); });
+    QLocale::setDefault(QLocale(QLocale::German));
+    type(field, QStringLiteral("170,5"));
+    QVERIFY(!field->QObject::property("wrong").toBool());
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
+    type(field, QStringLiteral("1,7,5"));
+    QVERIFY(field->QObject::property("wrong").toBool());
+    QLocale::setDefault(QLocale::c());
+    type(field, QStringLiteral("1,500"));  // no decimal comma there: it could mean a thousand
+    QVERIFY(field->QObject::property("wrong").toBool());
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(1));
   }
 
   void severalMeshesChangeTogether() {
