@@ -206,12 +206,15 @@ void MainWindow::wireViews() {
     setTheme(themeOf(QApplication::palette()));
   });
   connect(m_motionCheck, &MotionCheckService::reportReady, this, [this](const MotionReportPtr& report) {
-    m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics());
+    m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics(),
+                                  shownText(motionNote(*m_service->snapshot(), report.get())));
     tellWhenSettled();
   });
   connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
     m_view3d->showMoment(time);
-    findChild<QDockWidget*>(QStringLiteral("dock.view3d"))->raise();
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
+    dock->show();
+    dock->raise();
   });
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});

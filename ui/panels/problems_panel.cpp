@@ -83,7 +83,8 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
       m_selection(selection),
       m_model(new DiagnosticModel(this)),
       m_list(new QListView(this)),
-      m_pages(new QStackedWidget(this)) {
+      m_pages(new QStackedWidget(this)),
+      m_motionNote(new QLabel(this)) {
   m_list->setModel(m_model);
   m_list->setObjectName(QStringLiteral("problemList"));
   m_list->setItemDelegate(new FindingDelegate(m_list));
@@ -102,6 +103,10 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
     if (m_list->indexWidget(index) == nullptr) offerFixes(index);
   });
 
+  m_motionNote->setObjectName(QStringLiteral("motionNote"));
+  m_motionNote->setProperty("look", "hint");
+  m_motionNote->setWordWrap(true);
+  m_motionNote->setContentsMargins(kIconRoom, 6, kRight, 8);
   auto* fine =
       emptyLabel(this, tr("No problems. Every link is tied to the ground, and the turning joints make a "
                           "spanning tree."));
@@ -112,6 +117,7 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(makeBanner());
   layout->addWidget(m_pages, 1);
+  layout->addWidget(m_motionNote);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   renew();
@@ -140,9 +146,10 @@ void ProblemsPanel::setSnapshot(const SnapshotPtr& snapshot) {
   renew();
 }
 
-void ProblemsPanel::setMotionFindings(const Diagnostics& findings) {
-  if (findings == m_motionFindings) return;
+void ProblemsPanel::setMotionFindings(const Diagnostics& findings, const QString& note) {
+  if (findings == m_motionFindings && note == m_motionNote->text()) return;
   m_motionFindings = findings;
+  m_motionNote->setText(note);
   renew();
 }
 
@@ -188,6 +195,7 @@ void ProblemsPanel::renew() {
   if (!ofFile && m_snapshot) shown.insert(shown.end(), m_motionFindings.begin(), m_motionFindings.end());
   m_model->setDiagnostics(std::move(shown));
   m_banner->setVisible(ofFile);
+  m_motionNote->setVisible(!ofFile && !m_motionNote->text().isEmpty());
   const auto count = m_fileProblems.size();
   const QString problems = count == 1 ? tr("1 problem") : tr("%1 problems").arg(count);
   m_bannerText->setText(

@@ -27,8 +27,9 @@ class ProblemsPanel : public QWidget {
 
   /// The findings of the newest analysis.
   void setSnapshot(const SnapshotPtr& snapshot);
-  /// What the check of the motion has found for this snapshot's mechanism, or nothing yet.
-  void setMotionFindings(const Diagnostics& findings);
+  /// What the check of the motion has found, after the other findings, and below them a sentence on what was
+  /// not checked (motionNote()), or nothing.
+  void setMotionFindings(const Diagnostics& findings, const QString& note);
   /// The findings of a file that was not opened stay on top until it is dismissed or another file opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
   void clearFileProblems();
@@ -39,7 +40,7 @@ class ProblemsPanel : public QWidget {
  signals:
   void countChanged(int count);
   void fixWanted(const geargraph::Fix& fix);
-  void momentWanted(double time);  ///< s of the motion, at which a finding that was clicked shows
+  void momentWanted(double time);  ///< s of the motion: the time of a finding that was clicked
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -54,6 +55,7 @@ class ProblemsPanel : public QWidget {
   DiagnosticModel* m_model;
   QListView* m_list;
   QStackedWidget* m_pages;
+  QLabel* m_motionNote;
   QFrame* m_banner = nullptr;
   QLabel* m_bannerText = nullptr;
   QString m_fileName;

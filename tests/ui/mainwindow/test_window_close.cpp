@@ -53,6 +53,7 @@ class WindowCloseTest : public QObject {
   void closingEndsAllWork_data() {
     QTest::addColumn<std::function<Mechanism()>>("document");
     QTest::addRow("1,000 links") << std::function([] { return test::deepTrain(1, 1000); });
+    QTest::addRow("300 links") << std::function([] { return test::deepTrain(3, 300); });
     QTest::addRow("180 links") << std::function([] { return test::deepTrain(2, 180); });
     QTest::addRow("many teeth") << std::function(robotOfManyTeeth);
     QTest::addRow("far offsets") << std::function([] { return farOffsets("eight-speed-gearbox"); });

@@ -4,7 +4,9 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "core/collision/motion_findings.h"
 #include "core/mechanism/edits.h"
+#include "tests/core/support/deep_train.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
@@ -156,6 +158,18 @@ class WindowProblemsTest : public QObject {
     QTest::keyClick(&window->digraph(), Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY(window->isSettled());
     QVERIFY(codes().isEmpty());
+  }
+
+  void motionThatIsNotCheckedIsToldBelowTheList() {
+    auto* note = window->problems().findChild<QLabel*>(QStringLiteral("motionNote"));
+    QVERIFY(!note->isVisible());
+    window->document().replace(test::deepTrain(1, kMostCheckedLinks + 1), {});
+    QTRY_VERIFY_WITH_TIMEOUT(window->isSettled(), 60'000);
+    QVERIFY(note->isVisible());
+    QCOMPARE(note->text(), QString("The motion of more than 300 links is not checked for collisions."));
+    QVERIFY(window->openDocument(robotExamplePath()));
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(!note->isVisible());
   }
 
   void problemsOfAFileAreNotMendedHere() {
