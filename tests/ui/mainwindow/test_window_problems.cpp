@@ -146,9 +146,12 @@ class WindowProblemsTest : public QObject {
     View3D& view = window->view3d();
     view.setTurnedByHand({1, 1, 1});
     view.playback().setPlaying(true);
+    auto* dock = window->findChild<QDockWidget*>("dock.view3d");
+    dock->close();
     QListView& list = window->problems().list();
     const QRect row = list.visualRect(list.model()->index(0, 0));
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, row.topLeft() + QPoint(60, 12));
+    QVERIFY(dock->isVisible());
     QVERIFY(!view.playback().isPlaying());
     QCOMPARE(view.playback().time(), *first.time);
     QCOMPARE(view.turnedByHand(), std::vector<double>(3, 0));
