@@ -11,18 +11,28 @@ namespace geargraph {
 namespace {
 
 constexpr int kMostSteps = 60;
+constexpr double kTouch = 1e-9;  // of both sizes: hulls that touch are near, however rounding has it
+
+/// Across a disc's axis, relative to the direction: less is rounding, which must not choose a point of the
+/// rim.
+constexpr double kAcross = 1e-10;
+/// A triangle or tetrahedron this flat, in parts of the product of its edges, holds no point that its edges
+/// or faces do not come as near to; rounding decides whether it does.
+constexpr double kFlatTriangle = 1e-14;
+constexpr double kFlatTetrahedron = 1e-10;
 
 /// The hull's point that lies farthest in a direction.
 Vector3 farthest(const DiscHull& hull, const Vector3& direction) {
   Vector3 best{};
   double most = -1e300;
+  const double least = kAcross * length(direction);
   for (const Disc& disc : hull) {
     const Vector3 across = direction - dot(direction, disc.axis) * disc.axis;
     const double width = length(across);
     const double reach = dot(disc.centre, direction) + disc.radius * width;
     if (reach <= most) continue;
     most = reach;
-    best = width > 0 ? disc.centre + (disc.radius / width) * across : disc.centre;
+    best = width > least ? disc.centre + (disc.radius / width) * across : disc.centre;
   }
   return best;
 }
@@ -86,12 +96,15 @@ class Simplex {
     if (count == 3) {
       const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), pa = -dot(p[0], a), pb = -dot(p[0], b);
       const double whole = aa * bb - ab * ab;
+      if (whole <= kFlatTriangle * aa * bb) return std::nullopt;
       const double s = (pa * bb - pb * ab) / whole, t = (pb * aa - pa * ab) / whole;
       if (!(s > 0 && t > 0 && s + t < 1)) return std::nullopt;
       return p[0] + s * a + t * b;
     }
     const Vector3 c = p[3] - p[0], origin = -1.0 * p[0];
     const double whole = dot(a, cross(b, c));
+    const double edges = std::max(length(a), length(origin)) * length(b) * length(c);
+    if (std::abs(whole) <= kFlatTetrahedron * edges) return std::nullopt;
     const double s = dot(origin, cross(b, c)) / whole, t = dot(origin, cross(c, a)) / whole,
                  u = dot(origin, cross(a, b)) / whole;
     if (!(s > 0 && t > 0 && u > 0 && s + t + u < 1)) return std::nullopt;
@@ -108,7 +121,8 @@ bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
   GEARGRAPH_REQUIRE(!a.empty() && !b.empty());
   const Ball ballA(a), ballB(b);
   const double size = ballA.radius + ballB.radius;
-  if (length(ballA.centre - ballB.centre) > size + margin) return false;
+  const double near = margin + kTouch * size;
+  if (length(ballA.centre - ballB.centre) > size + near) return false;
   Simplex simplex;
   Vector3 nearest = ballA.centre - ballB.centre;  // no point of the difference, but a direction
   if (length(nearest) == 0) return true;
@@ -118,10 +132,10 @@ bool areNear(const DiscHull& a, const DiscHull& b, double margin) {
     if (!p) return true;
     nearest = *p;
     const double distance = length(nearest);
-    if (distance <= margin || distance <= 1e-9 * size) return true;
+    if (distance <= near) return true;
     const Vector3 next = farthest(a, -1.0 * nearest) - farthest(b, nearest);
-    if (dot(nearest, next) > margin * distance) return false;  // a plane keeps them apart
-    if (distance * distance - dot(nearest, next) < 1e-9 * size * distance) return false;
+    if (dot(nearest, next) > near * distance) return false;  // a plane keeps them apart
+    if (distance * distance - dot(nearest, next) < kTouch * size * distance) return false;
     simplex.add(next);
   }
   return true;

@@ -17,9 +17,9 @@ struct Disc {
 /// arm.
 using DiscHull = std::vector<Disc>;
 
-/// Do two hulls come nearer to each other than `margin`, or overlap? By the nearest point of their difference
-/// (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, IEEE Journal on Robotics and Automation 4(2), 1988,
-/// 193-203). Cost: some ten steps over all discs. @pre neither is empty, margin >= 0
+/// Do two hulls come nearer to each other than `margin`, overlap or touch? By the nearest point of their
+/// difference (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, IEEE Journal on Robotics and Automation 4(2),
+/// 1988, 193-203). Cost: some ten steps over all discs. @pre neither is empty, margin >= 0
 [[nodiscard]] bool areNear(const DiscHull& a, const DiscHull& b, double margin = 0);
 
 /// The hull turned about a line by an angle (rad). `direction` is a unit vector.

@@ -1,5 +1,7 @@
 #include <QtTest>
+#include <cmath>
 #include <numbers>
+#include <random>
 
 #include "core/placement/disc_hull.h"
 
@@ -42,6 +44,35 @@ class TestDiscHull : public QObject {
     QVERIFY(!areNear(frustum, ball({2.6, 0, 5})));
     QVERIFY(areNear(frustum, ball({0, 0, 9})));  // deep within
     QVERIFY(!areNear(frustum, ball({0, 0, 10.1})));
+  }
+
+  /// Large discs beside small ones, on one axis and beside each other, at known distances: flat simplices,
+  /// in which rounding would find anything.
+  void smallHullsBesideLargeOnesAreNearOnlyWhereTheyAreWhereverTurnedTo() {
+    std::mt19937_64 random(5);
+    const auto number = [&](double from, double to) {
+      return std::uniform_real_distribution(from, to)(random);
+    };
+    for (int i = 0; i < 500; ++i) {
+      const double large = std::pow(10, number(0, 4)), thick = large * number(0.1, 1);
+      const DiscHull plate = cylinder({0, 0, 0}, kZ, thick, large);
+      const double inside = i % 2 == 0 ? 0 : number(0, large);  // on the plate's axis, or beside it
+      const double gap = large * std::pow(10, number(-5, 1));
+      const DiscHull above{{{inside, 0, thick + gap}, kZ, 2},
+                           {{inside, 0, thick + gap + 3}, kZ, number(0, 2)}};
+      const DiscHull within{{{inside, 0, thick - gap}, kZ, 2}, {{inside, 0, thick + 3}, kZ, 1}};
+      const DiscHull touching{{{inside, 0, thick}, kZ, 2}, {{inside, 0, thick + 3}, kZ, 1}};
+      for (int k = 0; k < 20; ++k) {
+        const Vector3 some{number(-1, 1), number(-1, 1), number(-1, 1)};
+        const Vector3 axis = (1 / length(some)) * some;
+        const Vector3 point{number(-large, large), number(-large, large), number(-large, large)};
+        const double angle = k == 0 ? 0 : number(-3, 3);
+        const auto turn = [&](const DiscHull& hull) { return turned(hull, point, axis, angle); };
+        QVERIFY2(!areNear(turn(plate), turn(above)), qPrintable(QString("%1 %2").arg(i).arg(k)));
+        QVERIFY2(areNear(turn(within), turn(plate)), qPrintable(QString("%1 %2").arg(i).arg(k)));
+        QVERIFY2(areNear(turn(plate), turn(touching)), qPrintable(QString("%1 %2").arg(i).arg(k)));
+      }
+    }
   }
 
   void aTurnedHullIsWhereTheTurnTakesIt() {
