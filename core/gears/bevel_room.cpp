@@ -59,10 +59,9 @@ Eigen::Vector2d within(const Outline& outline) {
   return (outline.front() + outline.back() + outline[outline.size() - 2]) / 3;
 }
 
-constexpr double kPace = 0.7;     // modules between the points that are looked at
-constexpr double kUnseen = 0.15;  // modules by which wheels may lie in each other
-constexpr int kMostTurns = 1500;  // points of a circle; a wheel of 330 teeth has as many at that pace
-constexpr int kMostPieces = 250;  // of an edge of the outline
+constexpr double kPace = 0.7;        // modules between the points that are looked at
+constexpr double kUnseen = 0.15;     // modules by which wheels may lie in each other
+constexpr double kMostTurns = 1500;  // points of a circle; a wheel of 330 teeth has as many at that pace
 
 /// How deep a point lies within the outline: its distance from the nearest edge, below 0 outside. It changes
 /// by no more than the way between two points of space.
@@ -78,45 +77,88 @@ double depthIn(const Outline& outline, const Eigen::Vector2d& p) {
   return holds(outline, p) ? nearest : -nearest;
 }
 
-int piecesOf(double length, double pace, int fewest, int most) {
-  return static_cast<int>(std::clamp(std::ceil(length / pace), double(fewest), double(most)));
+/// Radius of a ball that an outline's wheel fits in.
+double sizeOf(const Outline& outline) {
+  double radius = 0, low = 1e300, high = -1e300;
+  for (const Eigen::Vector2d& c : outline) {
+    radius = std::max(radius, std::abs(c.x()));
+    low = std::min(low, c.y());
+    high = std::max(high, c.y());
+  }
+  return std::hypot(radius, (high - low) / 2);
+}
+
+/// A frame on the wheel whose x points to the other one, so that the same points are looked at wherever both
+/// are turned to. Of coaxial wheels any x will do.
+Eigen::Isometry3d frameTowards(const TrainWheel& wheel, const TrainWheel& other) {
+  const Eigen::Vector3d apart = other.origin - wheel.origin;
+  const Eigen::Vector3d across = apart - apart.dot(wheel.axis) * wheel.axis;
+  const double size = wheel.workingRadius + other.workingRadius;
+  return frameAlong(wheel.origin, wheel.axis, across.norm() > kSameLine * size ? across : other.axis);
 }
 
 /// Does a point of one wheel's surface lie in the other? A point outside of it tells how far the next ones
-/// are outside, too: of a circle that stays clear only few are looked at.
-bool reachesInto(const TrainWheel& wheel, const TrainWheel& other) {
-  const Outline own = outlineOf(wheel, wheel), its = outlineOf(other, other);
-  const Eigen::Isometry3d frame = frameAlong(wheel.origin, wheel.axis);
-  const double pace = kPace * wheel.spec.module;
-  const double deep = kUnseen * other.spec.module;
-  const auto isIn = [&](const Eigen::Vector2d& p) {
-    const double circle = 2 * std::numbers::pi * std::abs(p.x());
-    const int turns = piecesOf(circle, pace, 8, kMostTurns);
-    for (int i = 0; i < turns;) {
-      const double angle = 2 * std::numbers::pi * i / turns;
-      const Eigen::Vector3d at =
-          frame * Eigen::Vector3d(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()) - other.origin;
-      const double along = at.dot(other.axis);
-      const double missing = deep - depthIn(its, {(at - along * other.axis).norm(), along});
-      if (missing < 0) return true;
-      const double passed = std::floor(missing * turns / std::max(circle, 1e-300));
-      i += 1 + static_cast<int>(std::min(passed, double(turns)));
+/// are outside, too: of a large wheel only few points are looked at but where a small one is near.
+class SurfaceSearch {
+ public:
+  SurfaceSearch(const TrainWheel& wheel, const TrainWheel& other)
+      : m_own(outlineOf(wheel, wheel)),
+        m_its(outlineOf(other, other)),
+        m_other(other),
+        m_frame(frameTowards(wheel, other)) {
+    const double module = std::min(wheel.spec.module, other.spec.module);
+    const double size = std::min(sizeOf(m_own), sizeOf(m_its));
+    m_pace = std::max(kPace * module, 2 * std::numbers::pi * size / kMostTurns);
+    m_deep = kUnseen * module;
+  }
+
+  [[nodiscard]] bool reachesInto() const {
+    return anyEdge(m_own, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+      const double edge = (b - a).norm();
+      for (double at = 0; at < edge || at == 0;) {
+        const double missing = ofCircle(a + (b - a) * (edge > 0 ? at / edge : 0));
+        if (missing < 0) return true;
+        at += std::max(m_pace, missing);
+      }
+      return false;
+    });
+  }
+
+ private:
+  /// What every point of the circle misses at least to lie deep enough in the other wheel; below 0 where one
+  /// does. Each point is passed by what the one before misses, so those between miss half of that.
+  [[nodiscard]] double ofCircle(const Eigen::Vector2d& p) const {
+    const double radius = std::abs(p.x());
+    double least = 1e300;
+    for (double angle = 0; angle < 2 * std::numbers::pi;) {
+      const double missing = ofPoint(p, angle);
+      least = std::min(least, missing);
+      if (missing < 0) break;
+      const double way = std::max(m_pace, missing);
+      if (way >= 2 * std::numbers::pi * radius) break;
+      angle += way / radius;
     }
-    return false;
-  };
-  return anyEdge(own, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const int pieces = piecesOf((b - a).norm(), pace, 1, kMostPieces);
-    for (int i = 0; i < pieces; ++i) {
-      if (isIn(a + (b - a) * i / pieces)) return true;
-    }
-    return false;
-  });
-}
+    return least < 0 ? least : least / 2;
+  }
+
+  [[nodiscard]] double ofPoint(const Eigen::Vector2d& p, double angle) const {
+    const Eigen::Vector3d at =
+        m_frame * Eigen::Vector3d(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()) - m_other.origin;
+    const double along = at.dot(m_other.axis);
+    return m_deep - depthIn(m_its, {(at - along * m_other.axis).norm(), along});
+  }
+
+  Outline m_own, m_its;
+  const TrainWheel& m_other;
+  Eigen::Isometry3d m_frame;
+  double m_pace = 0;  ///< between points
+  double m_deep = 0;
+};
 
 }  // namespace
 
 bool bevelsCross(const TrainWheel& a, const TrainWheel& b) {
-  return reachesInto(a, b) || reachesInto(b, a);
+  return SurfaceSearch(a, b).reachesInto() || SurfaceSearch(b, a).reachesInto();
 }
 
 bool bevelsCollide(const TrainWheel& a, const TrainWheel& b) {

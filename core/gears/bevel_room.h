@@ -9,8 +9,9 @@ namespace geargraph {
 [[nodiscard]] bool bevelsCollide(const TrainWheel& a, const TrainWheel& b);
 
 /// The same of bevel wheels anywhere, from points of the outlines at some paces round the axes: what overlaps
-/// by less than a module, or of wheels of more than 330 teeth by less than a 250th of their radius, may go
-/// unseen. Cost: some 0.1 ms at 20 teeth, 10 ms at most at any number (tests/bench/bench_gears.cpp).
+/// by less than the smaller module, or where both have more than 330 teeth by less than a 250th of the
+/// smaller radius, may go unseen, wherever the two are turned to alike. Cost: some 0.1 ms at 20 teeth, 10 ms
+/// at most at any number (tests/bench/bench_gears.cpp).
 [[nodiscard]] bool bevelsCross(const TrainWheel& a, const TrainWheel& b);
 
 }  // namespace geargraph
