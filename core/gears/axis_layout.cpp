@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSameLevel = 1e-9;  // modules: what rounding leaves between levels that are one
-
 /// The module in the middle of all: an edit of one wheel seldom changes it, so that the others keep their
 /// bores.
 double middleModule(const GearTrain& train) {
@@ -80,9 +78,8 @@ void addCrossings(const Placement& placement, std::vector<AxisLayout>& layouts, 
 }  // namespace
 
 bool AxisLayout::isFree(double low, double high) const {
-  const double same = kSameLevel * module;
   return std::none_of(taken.begin(), taken.end(),
-                      [&](const Stretch& s) { return low < s.high - same && s.low < high - same; });
+                      [&](const Stretch& s) { return overlap(low, high, s.low, s.high); });
 }
 
 std::vector<double> AxisLayout::slotCandidates() const {
@@ -109,7 +106,7 @@ double AxisLayout::outerSlot() const {
   double outer = 0;
   bool first = true;
   for (const double middle : slotCandidates()) {
-    if (first || bearingSide * middle > bearingSide * outer) outer = middle;
+    if (first || isBelow(bearingSide * outer, bearingSide * middle)) outer = middle;
     first = false;
   }
   return outer;
@@ -133,10 +130,10 @@ bool AxisLayout::nests(const Bearing& bearing, double at) const {
     if (!other.placed || !passed || other.child == bearing.child || other.child == bearing.parent)
       return false;
     const double middle = (passed->low + passed->high) / 2;
-    const double side = other.at < middle ? -1 : 1;
-    const bool beyond = side * at > side * middle;
-    const bool through = !own || side * (own->low + own->high) / 2 < side * middle;
-    return beyond && through && side * at < side * other.at;
+    const double side = isBelow(other.at, middle) ? -1 : 1;
+    const bool beyond = isBelow(side * middle, side * at);
+    const bool through = !own || isBelow(side * (own->low + own->high) / 2, side * middle);
+    return beyond && through && isBelow(side * at, side * other.at);
   });
 }
 
@@ -149,7 +146,8 @@ bool AxisLayout::emerges(int link, double level) const {
     if (!other.placed || !passed || other.child == link) return false;
     const double low = std::min(passed->low, other.at);
     const double high = std::max(passed->high, other.at);
-    return low < level && level < high && (own->at < low || own->at > high);
+    const bool within = isBelow(low, level) && isBelow(level, high);
+    return within && (isBelow(own->at, low) || isBelow(high, own->at));
   });
 }
 

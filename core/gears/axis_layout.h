@@ -9,6 +9,8 @@
 
 namespace geargraph {
 
+constexpr double kSameLevel = 1e-9;  ///< modules: what rounding leaves between levels that are one
+
 /// A stretch of an axis that something fills.
 struct Stretch {
   double low = 0;
@@ -49,6 +51,13 @@ struct AxisLayout {
 
   [[nodiscard]] double coordinate(const Eigen::Vector3d& p) const { return (p - point).dot(direction); }
   [[nodiscard]] Eigen::Vector3d at(double coordinate) const { return point + coordinate * direction; }
+  /// Is one coordinate below another by more than rounding? What is equal stays so wherever the train is
+  /// turned to.
+  [[nodiscard]] bool isBelow(double a, double b) const { return a < b - kSameLevel * module; }
+  /// Do two stretches overlap by more than rounding?
+  [[nodiscard]] bool overlap(double lowA, double highA, double lowB, double highB) const {
+    return isBelow(lowA, highB) && isBelow(lowB, highA);
+  }
   [[nodiscard]] bool isFree(double low, double high) const;
   [[nodiscard]] double width() const { return thickness * module; }  ///< of bearings and arms
   [[nodiscard]] double gap() const { return 0.6 * module; }

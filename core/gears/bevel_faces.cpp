@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/gears/wheel_rooms.h"
 
@@ -82,8 +83,20 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
     return pair.kind == MeshKind::bevel && pair.openFace;
   });
   if (!open) return;
+  // In the order of meshes, of each the smaller wheel first: tail and head make no difference.
+  const auto rank = [&](int w) {
+    const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
+    return std::pair(wheel.meshes.front(), wheel.workingRadius);
+  };
+  std::vector<std::pair<int, int>> pairs = wheelsInOnePlace(train, placement, stop);
+  for (auto& [a, b] : pairs) {
+    if (rank(b) < rank(a)) std::swap(a, b);
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& x, const auto& y) {
+    return std::pair(rank(x.first), rank(x.second)) < std::pair(rank(y.first), rank(y.second));
+  });
   FaceShortener shortener(train, placement, stop);
-  for (const auto& [a, b] : wheelsInOnePlace(train, placement, stop)) {
+  for (const auto& [a, b] : pairs) {
     if (stop.stop_requested()) return;
     shortener.part(a, b);
   }

@@ -14,6 +14,13 @@ namespace geargraph {
 
 using Eigen::Vector3d;
 
+namespace {
+
+/// Modules: lengths that differ by less are equal where they are sorted.
+constexpr double kEqual = 1e-6;
+
+}  // namespace
+
 /// Linked sets: sleeves, discs and drums of one axis, with the bearings and arms on it.
 void BodyPlanner::planCoaxial(int axisClass) {
   if (!needsCoaxialPlan(axisClass, m_placement, m_train)) return;
@@ -58,7 +65,7 @@ bool BodyPlanner::cutsPlanets(const TrainGear& ring, double plate) const {
     const auto span = axis(c).wheelsOf(gear.link);
     const auto [low, high] =
         std::minmax({carried(c, span->low, ring.axisClass), carried(c, span->high, ring.axisClass)});
-    return low < plate + half && plate - half < high;
+    return own.overlap(low, high, plate - half, plate + half);
   });
 }
 
@@ -117,6 +124,7 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
       if (!bearing.placed) here.push_back(&bearing);
     }
     if (!parallel(home, c)) continue;
+    const auto rounded = [&](double depth) { return std::round(depth / (kEqual * layout.module)); };
     const auto depth = [&](const Bearing* b) {
       if (m_tries.roomFor.contains(b->child)) return 1e300;
       double nearest = -1e300;                 // a link without wheels has the inmost shaft
@@ -125,8 +133,9 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
       }
       return nearest;
     };
-    std::stable_sort(here.begin(), here.end(),
-                     [&](const Bearing* x, const Bearing* y) { return depth(x) > depth(y); });
+    std::stable_sort(here.begin(), here.end(), [&](const Bearing* x, const Bearing* y) {
+      return rounded(depth(x)) > rounded(depth(y));
+    });
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (rounds.size() <= i) rounds.emplace_back();
       rounds[i].push_back(here[i]);
@@ -204,10 +213,11 @@ std::optional<double> BodyPlanner::commonLevel(int link, int home, const std::ve
   std::sort(edges.begin(), edges.end());
   const auto cost = [&](double x) {
     double sum = std::abs(x - wanted);
-    if (link == 0 && x != wanted) {
-      const auto beyond = edges.end() - std::upper_bound(edges.begin(), edges.end(), side * x);
+    if (link == 0 && std::abs(x - wanted) > kSameLevel * axis(home).module) {
+      const auto beyond = edges.end() - std::upper_bound(edges.begin(), edges.end(),
+                                                         side * x + kSameLevel * axis(home).module);
       sum += 1000 * axis(home).module * static_cast<double>(beyond);
-    } else if (side * (x - wanted) > 0) {
+    } else if (axis(home).isBelow(side * wanted, side * x)) {
       sum += 2 * axis(home).module;
     }
     if (link != 0) sum += 1000 * axis(home).module * static_cast<double>(enclosedBy(link, home, x));
@@ -216,9 +226,11 @@ std::optional<double> BodyPlanner::commonLevel(int link, int home, const std::ve
   std::vector<std::pair<double, double>> byCost;
   for (const double x : candidates) {
     if (isStopped()) return std::nullopt;
-    byCost.emplace_back(cost(x), x);
+    byCost.emplace_back(std::round(cost(x) / (kEqual * axis(home).module)), x);
   }
-  std::sort(byCost.begin(), byCost.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(byCost.begin(), byCost.end(), [side](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : side * a.second < side * b.second;
+  });
   std::transform(byCost.begin(), byCost.end(), candidates.begin(),
                  [](const auto& each) { return each.second; });
   const auto same = [&](double a, double b) { return std::abs(a - b) < 1e-6 * axis(home).module; };
@@ -279,11 +291,11 @@ std::optional<double> BodyPlanner::heldLevel(int axisClass, int link) const {
   if (bearing.parent != 0) return std::nullopt;
   for (const std::size_t a : m_armsOf[0]) {
     const ArmPlan& arm = m_plan.arms[a];
-    if (arm.from != axisClass || arm.level == bearing.at) continue;
+    if (arm.from != axisClass || std::abs(arm.level - bearing.at) <= kSameLevel * layout.module) continue;
     const double low = std::min(arm.level, bearing.at);
     const double high = std::max(arm.level, bearing.at);
     const bool blocked = std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
-      return s.link != link && s.link != 0 && s.low < high && s.high > low;
+      return s.link != link && s.link != 0 && layout.overlap(s.low, s.high, low, high);
     });
     if (!blocked) return arm.level;
   }
@@ -295,8 +307,9 @@ namespace {
 /// Does an axis cross this one between the shaft and a place outside of it?
 bool isAcross(const AxisLayout& layout, const ShaftSegment& shaft, double place) {
   const double low = std::min(shaft.high, place), high = std::max(shaft.low, place);
-  return std::any_of(layout.taken.begin(), layout.taken.end(),
-                     [&](const Stretch& s) { return s.link < 0 && s.low < high && low < s.high; });
+  return std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
+    return s.link < 0 && layout.overlap(s.low, s.high, low, high);
+  });
 }
 
 }  // namespace
@@ -360,7 +373,7 @@ void BodyPlanner::addShaft(int axisClass, int link) {
   const auto away = [&](const Bearing& b) { return std::max({b.at - shaft.high, shaft.low - b.at, 0.0}); };
   for (const Bearing& b : layout.bearings) {
     if (!b.isEye()) continue;
-    if (b.parent == link && (nearest == nullptr || away(b) < away(*nearest))) nearest = &b;
+    if (b.parent == link && (nearest == nullptr || layout.isBelow(away(b), away(*nearest)))) nearest = &b;
     if (turns && (b.child == link || b.parent == link)) shaft.include(b.at - half, b.at + half);
   }
   if (!turns && nearest != nullptr && !isAcross(layout, shaft, nearest->at)) {
@@ -404,16 +417,18 @@ void BodyPlanner::nestShafts(int axisClass) {
   for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
     shafts.push_back(&m_plan.shafts[s]);
   }
-  std::stable_sort(shafts.begin(), shafts.end(), [](const ShaftSegment* a, const ShaftSegment* b) {
-    return a->high - a->low > b->high - b->low;
-  });
   const double module = axis(axisClass).module;
+  const auto length = [&](const ShaftSegment* s) {
+    return std::round((s->high - s->low) / (kEqual * module));
+  };
+  std::stable_sort(shafts.begin(), shafts.end(),
+                   [&](const ShaftSegment* a, const ShaftSegment* b) { return length(a) > length(b); });
   double scale = 1;
   for (std::size_t i = 0; i < shafts.size(); ++i) {
     ShaftSegment& shaft = *shafts[i];
     double inside = 0;
     for (std::size_t k = 0; k < i; ++k) {
-      const bool over = shafts[k]->low < shaft.high && shaft.low < shafts[k]->high;
+      const bool over = axis(axisClass).overlap(shafts[k]->low, shafts[k]->high, shaft.low, shaft.high);
       if (over) inside = std::max(inside, shafts[k]->outer);
     }
     shaft.wrap(inside, module);

@@ -60,7 +60,7 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
   if ((foot - start).norm() < kNear * from.module) {
     const auto [near, far] = std::minmax({arm.level, from.coordinate(end)});
     for (const Stretch& s : from.taken)
-      count += s.link >= 0 && s.link != arm.link && s.low < far && near < s.high;
+      count += s.link >= 0 && s.link != arm.link && from.overlap(s.low, s.high, near, far);
   }
   double low = arm.at - to.width() / 2;
   double high = arm.at + to.width() / 2;
@@ -71,8 +71,8 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
   if (const auto meeting = crossingOf(arm.from, arm.to)) {
     constexpr int kThrough = 6;  // places in gears that shafts through each other weigh as much as
     const Stretch own = reachOf(arm);
-    const bool through = own.low < meeting->first && meeting->first < own.high && low < meeting->second &&
-                         meeting->second < high;
+    const bool through = from.isBelow(own.low, meeting->first) && from.isBelow(meeting->first, own.high) &&
+                         to.isBelow(low, meeting->second) && to.isBelow(meeting->second, high);
     count += through ? kThrough : 0;
   }
   const double reach = kShaftRadius * to.module + 0.5 * from.width();
@@ -80,14 +80,14 @@ int BodyPlanner::shaftHits(const ArmPlan& arm) const {
   const double postEnd = (reach + 0.5 * to.module) / sine;  // nearer to the shaft the post does not come
   const auto isInShaft = [&](const Vector3d& p) {
     const double along = to.coordinate(p);
-    return along > low && along < high && (p - to.at(along)).norm() < reach;
+    return to.isBelow(low, along) && to.isBelow(along, high) && to.isBelow((p - to.at(along)).norm(), reach);
   };
   constexpr int kPlaces = 24;
   for (int i = 1; i <= kPlaces; ++i) {
     const double part = static_cast<double>(i) / kPlaces;
     const Vector3d onPost = end + part * (foot - end);
-    const bool inBearing =
-        std::abs(to.coordinate(onPost) - arm.at) <= to.width() / 2 || (onPost - end).norm() < postEnd;
+    const bool inBearing = !to.isBelow(to.width() / 2, std::abs(to.coordinate(onPost) - arm.at)) ||
+                           to.isBelow((onPost - end).norm(), postEnd);
     count += isInShaft(start + part * (foot - start)) ? 1 : 0;
     count += !inBearing && isInShaft(onPost) ? 1 : 0;
   }
@@ -103,7 +103,8 @@ bool BodyPlanner::isAround(int home, int link, double level) const {
            const auto passed = own.wheelsOf(other.child);
            if (other.child == link || !passed) return false;
            const double low = std::min(passed->low, other.at), high = std::max(passed->high, other.at);
-           return wheels->high > low && wheels->low < high && (level < low || level > high);
+           return own.overlap(wheels->low, wheels->high, low, high) &&
+                  (own.isBelow(level, low) || own.isBelow(high, level));
          });
 }
 
@@ -117,7 +118,8 @@ std::vector<Bearing>::iterator BodyPlanner::heldByTee(int link, int axisClass, d
     const auto wheels = target.wheelsOf(b->child);
     if (b->parent != link || b->placed) continue;
     if (!wheels) return none;
-    (wheels->low < at && wheels->high > at ? passing : wheels->high <= at ? below : above).push_back(b);
+    const bool isPassing = target.isBelow(wheels->low, at) && target.isBelow(at, wheels->high);
+    (isPassing ? passing : target.isBelow(at, wheels->high) ? above : below).push_back(b);
   }
   if (passing.size() == 1) return passing.front();
   if (!passing.empty() || below.empty() == above.empty() || below.size() + above.size() < 2) return none;
@@ -127,7 +129,7 @@ std::vector<Bearing>::iterator BodyPlanner::heldByTee(int link, int axisClass, d
   };
   const auto& all = below.empty() ? above : below;
   return *std::min_element(all.begin(), all.end(),
-                           [&](const auto& x, const auto& y) { return away(x) < away(y); });
+                           [&](const auto& x, const auto& y) { return target.isBelow(away(x), away(y)); });
 }
 
 /// Where axes meet, the link's own shaft can end in an eye about the shaft that passes the crossing or begins
@@ -138,8 +140,8 @@ bool BodyPlanner::placeTee(int link, int home, int axisClass) {
   const auto meeting = crossingOf(home, axisClass);
   if (link == 0 || !meeting) return false;
   const auto [level, at] = *meeting;
-  const auto isOthers = [](const Stretch& s, double low, double high) {
-    return s.link >= 0 && s.low < high && low < s.high;
+  const auto isOthers = [&](const Stretch& s, double low, double high) {
+    return s.link >= 0 && own.overlap(s.low, s.high, low, high);
   };
   const double half = target.width() / 2 + target.gap() / 2;
   const double reach = (kShaftRadius + 1.5) * own.module;
@@ -148,7 +150,7 @@ bool BodyPlanner::placeTee(int link, int home, int axisClass) {
   }
   for (const Stretch& s : own.taken) {
     if (isOthers(s, level - reach, level + reach)) return false;
-    if (s.link == link && s.low < level && level < s.high) return false;
+    if (s.link == link && own.isBelow(s.low, level) && own.isBelow(level, s.high)) return false;
   }
   if (isAround(home, link, level)) return false;
   const auto through = heldByTee(link, axisClass, at);
@@ -157,7 +159,8 @@ bool BodyPlanner::placeTee(int link, int home, int axisClass) {
   for (const Bearing& b : target.bearings) {  // what runs on the shaft stands on one side
     const auto wheels = target.wheelsOf(b.child);
     if (&b == &*through || b.parent != link) continue;
-    if (!wheels || b.placed || (wheels->low < at && wheels->high > at)) return false;
+    if (!wheels || b.placed) return false;
+    if (target.isBelow(wheels->low, at) && target.isBelow(at, wheels->high)) return false;
     tee.low = std::min(tee.low, wheels->low);
     tee.high = std::max(tee.high, wheels->high);
   }
@@ -205,12 +208,12 @@ std::optional<PinPlan> BodyPlanner::pinFor(int link, int home, const Bearing& be
   if (!wheels || !meeting) return std::nullopt;
   PinPlan pin{link, home, meeting->first, c};
   pin.from = meeting->second;
-  if (wheels->low < pin.from && wheels->high > pin.from) return std::nullopt;
+  if (target.isBelow(wheels->low, pin.from) && target.isBelow(pin.from, wheels->high)) return std::nullopt;
   const double end = 2 * target.gap();
-  pin.to = wheels->low >= pin.from ? wheels->high + end : wheels->low - end;
+  pin.to = target.isBelow(wheels->low, pin.from) ? wheels->low - end : wheels->high + end;
   const auto inTheWay = [&](const Stretch& s) {
-    return s.link >= 0 && s.link != bearing.child && s.low < std::max(pin.from, pin.to) &&
-           s.high > std::min(pin.from, pin.to);
+    return s.link >= 0 && s.link != bearing.child &&
+           target.overlap(s.low, s.high, std::min(pin.from, pin.to), std::max(pin.from, pin.to));
   };
   if (std::any_of(target.taken.begin(), target.taken.end(), inTheWay)) return std::nullopt;
   for (const Bearing& other : own.bearings) {  // shafts of others through the crossing
@@ -218,7 +221,7 @@ std::optional<PinPlan> BodyPlanner::pinFor(int link, int home, const Bearing& be
     const auto span = own.wheelsOf(other.child);
     const double low = std::min(other.at, span ? span->low : other.at);
     const double high = std::max(other.at, span ? span->high : other.at);
-    if (low < pin.level && high > pin.level) return std::nullopt;
+    if (own.isBelow(low, pin.level) && own.isBelow(pin.level, high)) return std::nullopt;
   }
   return pin;
 }

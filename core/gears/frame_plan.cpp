@@ -51,6 +51,7 @@ std::vector<int> BodyPlanner::reserveRoom() {
 std::vector<BodyPlanner::Bar> BodyPlanner::barsOf(int link, int home, const std::vector<Bearing*>& round,
                                                   double level) const {
   const auto place = [&](int c) { return axis(c).at(carried(home, level, c)); };
+  const auto isShorter = [&](double a, double b) { return axis(home).isBelow(a, b); };
   struct Open {
     Bar bar;
     double length = 0;
@@ -66,8 +67,9 @@ std::vector<BodyPlanner::Bar> BodyPlanner::barsOf(int link, int home, const std:
   std::vector<Bar> bars;
   std::vector<int> joined{home};
   while (!open.empty()) {
-    const auto next = std::min_element(open.begin(), open.end(),
-                                       [](const Open& a, const Open& b) { return a.length < b.length; });
+    const auto next = std::min_element(open.begin(), open.end(), [&](const Open& a, const Open& b) {
+      return isShorter(a.length, b.length);
+    });
     Bar bar = next->bar;
     open.erase(next);
     for (const int other : joined) {
@@ -79,7 +81,7 @@ std::vector<BodyPlanner::Bar> BodyPlanner::barsOf(int link, int home, const std:
     joined.push_back(bar.to);
     for (Open& each : open) {
       const double length = (place(each.bar.to) - place(bar.to)).norm();
-      if (link == 0 && length < each.length) each = {{bar.to, each.bar.to}, length};
+      if (link == 0 && isShorter(length, each.length)) each = {{bar.to, each.bar.to}, length};
     }
   }
   return bars;
@@ -92,7 +94,7 @@ double BodyPlanner::outmostLevel(int home, const std::vector<Bearing*>& round) c
   for (const Bearing* b : round) {
     const int c = classOf(*b);
     for (const double x : axis(c).slotCandidates())
-      if (side * carried(c, x, home) > side * outmost) outmost = carried(c, x, home);
+      if (axis(home).isBelow(side * outmost, side * carried(c, x, home))) outmost = carried(c, x, home);
   }
   return outmost;
 }

@@ -17,7 +17,8 @@ namespace {
 /// place.
 bool isPastCrossing(const AxisLayout& layout, const Stretch& held, double at) {
   return std::any_of(layout.taken.begin(), layout.taken.end(), [&](const Stretch& s) {
-    return s.link == -1 && std::min(held.low, at) < s.low && s.high < std::max(held.high, at);
+    return s.link == -1 && layout.isBelow(std::min(held.low, at), s.low) &&
+           layout.isBelow(s.high, std::max(held.high, at));
   });
 }
 
@@ -60,7 +61,7 @@ bool BodyPlanner::isCutOff(int axisClass, int link, const Stretch& held, double 
   const AxisLayout& layout = axis(axisClass);
   const auto isBetween = [&](const Bearing& b) {
     const Stretch other = heldStretch(axisClass, b.child);
-    return b.child != link && other.low < at && at < other.high;
+    return b.child != link && layout.isBelow(other.low, at) && layout.isBelow(at, other.high);
   };
   if (std::any_of(layout.bearings.begin(), layout.bearings.end(), isBetween)) return true;
   const double middle = (held.low + held.high) / 2;
@@ -68,7 +69,9 @@ bool BodyPlanner::isCutOff(int axisClass, int link, const Stretch& held, double 
     const Stretch other = heldStretch(axisClass, b.child);
     if (!b.placed || !b.isEye() || b.child == link || other.low > other.high) return false;
     const double others = (other.low + other.high) / 2;
-    const auto passes = [](double from, double to, double x) { return (from < x) == (x < to); };
+    const auto passes = [&](double from, double to, double x) {
+      return layout.isBelow(from, x) == layout.isBelow(x, to);
+    };
     const bool passed = passes(middle, at, others), isPassed = passes(others, b.at, middle);
     if (passed && isPassed) return true;
     // The outer shaft of two ends before the inner one.
@@ -105,7 +108,7 @@ bool BodyPlanner::shaftPasses(const Bearing& bearing, double at) const {
     if (gear.axisClass == c || gear.link == bearing.child || !parallel(c, gear.axisClass)) continue;
     const double middle = layout.coordinate(gear.pose.translation());
     const double half = gear.spec.faceWidth / 2;
-    if (middle + half <= from || to <= middle - half) continue;
+    if (!layout.overlap(middle - half, middle + half, from, to)) continue;
     const double distance = nearestAxes(orbit, orbitOf(gear.axisClass, m_placement), layout.direction);
     if (gear.spec.kind == GearKind::internal) {
       const Vector3d apart = axis(gear.axisClass).point - layout.point;
@@ -120,7 +123,7 @@ bool BodyPlanner::shaftPasses(const Bearing& bearing, double at) const {
     const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
     if (ring.axisClass == c || !parallel(c, ring.axisClass)) return false;
     const double plate = carried(ring.axisClass, cup.plate, c), half = axis(ring.axisClass).width() / 2;
-    if (plate + half <= from || to <= plate - half) return false;
+    if (!layout.overlap(plate - half, plate + half, from, to)) return false;
     const Vector3d apart = axis(ring.axisClass).point - layout.point;
     const double now = (apart - apart.dot(layout.direction) * layout.direction).norm();
     return now < rimDiameter(ring.spec) / 2 + radius;
@@ -140,8 +143,9 @@ std::ptrdiff_t BodyPlanner::enclosedBy(int link, int home, double level) const {
     own->high = std::max(own->high, b.at);
   }
   const double low = std::min(own->high, level), high = std::max(own->low, level);
-  return std::count_if(axis(home).wheels.begin(), axis(home).wheels.end(),
-                       [&](const Stretch& s) { return s.link != link && low < s.high && s.low < high; });
+  return std::count_if(axis(home).wheels.begin(), axis(home).wheels.end(), [&](const Stretch& s) {
+    return s.link != link && axis(home).overlap(low, high, s.low, s.high);
+  });
 }
 
 /// Does a carrier with nothing but its arm on its axis come from there to its bearing through what others

@@ -26,13 +26,15 @@ struct Spanned {
 
 using SpansOfAxis = std::map<int, Spanned>;  // by link
 
-int enclosed(const SpansOfAxis& links) {
+/// `same`: what rounding leaves between heights that are one.
+int enclosed(const SpansOfAxis& links, double same) {
   int count = 0;
   for (const auto& [link, span] : links) {
     for (const auto& [other, spanOfOther] : links) {
       if (other == link) continue;
-      count += static_cast<int>(std::count_if(spanOfOther.at.begin(), spanOfOther.at.end(),
-                                              [&](double z) { return span.low < z && z < span.high; }));
+      count += static_cast<int>(std::count_if(spanOfOther.at.begin(), spanOfOther.at.end(), [&](double z) {
+        return span.low + same < z && z < span.high - same;
+      }));
     }
   }
   return count;
@@ -54,7 +56,7 @@ bool isBetter(const Verdict& a, const Verdict& b) {
 
 class Stack {
  public:
-  explicit Stack(const StackPlanes& planes) : m_planes(planes) {}
+  explicit Stack(const StackPlanes& planes) : m_planes(planes), m_same(1e-9 * planes.gap) {}
 
   /// Each plane on top of those before it that it meets.
   [[nodiscard]] std::vector<double> heightsOf(const std::vector<std::size_t>& order) const {
@@ -87,12 +89,12 @@ class Stack {
       if (axis == axes.end()) continue;
       const double z = heights[static_cast<std::size_t>(cover.plane)] + cover.offset;
       verdict.enclosed +=
-          static_cast<int>(std::count_if(axis->second.begin(), axis->second.end(), [z](const auto& entry) {
-            return entry.second.low < z && z < entry.second.high;
+          static_cast<int>(std::count_if(axis->second.begin(), axis->second.end(), [&](const auto& entry) {
+            return entry.second.low + m_same < z && z < entry.second.high - m_same;
           }));
     }
     for (const auto& [axis, links] : axes) {
-      verdict.enclosed += enclosed(links);
+      verdict.enclosed += enclosed(links, m_same);
       for (const auto& [link, span] : links) verdict.shafts += span.high - span.low;
     }
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
@@ -115,10 +117,11 @@ class Stack {
     SpansOfAxis below = axis, above = axis;
     below[carrier.link].add(low);
     above[carrier.link].add(high);
-    axis = enclosed(above) < enclosed(below) ? std::move(above) : std::move(below);
+    axis = enclosed(above, m_same) < enclosed(below, m_same) ? std::move(above) : std::move(below);
   }
 
   const StackPlanes& m_planes;
+  double m_same;
 };
 
 /// Every order.

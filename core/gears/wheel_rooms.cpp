@@ -175,7 +175,8 @@ bool WheelRooms::covers(int wheel, int axisClass) const {
   const double shaft = 2 * m_train.wheels[static_cast<std::size_t>(wheel)].spec.module;
   const double nearest = nearestAxes(covering.orbit, m_orbits[c], covering.axis);
   const double now = acrossPart(m_orbits[c].at - covering.orbit.at, covering.axis).norm();
-  return std::max(nearest, now) + shaft > covering.inner && nearest < covering.outer + shaft;
+  const double touch = kSameLine * covering.outer;
+  return std::max(nearest, now) + shaft > covering.inner + touch && nearest < covering.outer + shaft - touch;
 }
 
 void WheelRooms::move(int wheel, const Vector3d& by) {
@@ -195,8 +196,8 @@ bool WheelRooms::discsCollide(const Room& a, const Room& b) {
   if (a.axisClass == b.axisClass) return !(b.outer <= a.inner + touch || a.outer <= b.inner + touch);
   const double distance = nearestAxes(a.orbit, b.orbit, a.axis);
   const double now = acrossPart(b.origin - a.origin, a.axis).norm();
-  const bool inside =
-      std::max(distance, now) + b.outer <= a.inner || std::max(distance, now) + a.outer <= b.inner;
+  const double far = std::max(distance, now);
+  const bool inside = far + b.outer <= a.inner + touch || far + a.outer <= b.inner + touch;
   return !inside && distance < a.outer + b.outer - touch;
 }
 

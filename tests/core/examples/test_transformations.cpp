@@ -1,6 +1,7 @@
 #include <QTest>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/analysis/analysis.h"
@@ -44,8 +45,8 @@ bool meshesFollowFromOrder(Code code) {
          code == Code::assembly;
 }
 
-/// Which way bodies take round each other is searched for, and where two ways cost the same, rounding
-/// chooses: a train whose axes point elsewhere, or that is listed in another order, may get other bodies.
+/// Routing of bodies prefers the positive end of an axis and the earlier of equal choices: a train some of
+/// whose axes point the other way, or that is listed in another order, may get other bodies.
 bool isOfBodies(const Diagnostic& finding) {
   return finding.message.starts_with("Found no way for the bodies");
 }
@@ -180,9 +181,12 @@ class TransformationsTest : public QObject {
   }
 
   void everyRandomTrainIsTheSameTrainHoweverItIsWritten() {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    std::vector<std::uint64_t> seeds(60);
+    std::iota(seeds.begin(), seeds.end(), 1);
+    seeds.insert(seeds.end(), {100, 101});  // modules of 2 and 400 beside each other
+    for (const std::uint64_t seed : seeds) {
       const int links = 3 + static_cast<int>(seed % 12);
-      compare(test::randomTrain(seed, links, links - 1 - static_cast<int>(seed % 3)), seed, false);
+      compare(test::randomTrain(seed, links, links - 1 - static_cast<int>(seed % 3)), seed, true);
       if (QTest::currentTestFailed()) {
         qWarning() << "random train" << seed;
         return;

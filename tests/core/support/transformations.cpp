@@ -24,9 +24,8 @@ Transformation movedBy(const Mechanism& mechanism, const std::string& name, cons
                                     {distance, Rational(-2) * distance, Rational(3) * distance})};
 }
 
-Transformation turned(const Mechanism& mechanism, const std::string& name, const ExactRotation& by,
-                      bool byRightAngles) {
-  return {"turned by " + name, moved(mechanism, by, {0, 0, 0}), true, byRightAngles};
+Transformation turned(const Mechanism& mechanism, const std::string& name, const ExactRotation& by) {
+  return {"turned by " + name, moved(mechanism, by, {0, 0, 0})};
 }
 
 Transformation scaledBy(const Mechanism& mechanism, const std::string& name, const Rational& factor) {
@@ -150,11 +149,11 @@ std::vector<Transformation> transformationsOf(const Mechanism& mechanism, std::u
       movedBy(mechanism, "1e9", billion),
       movedBy(mechanism, "1e-9", billion.inverse()),
       movedBy(mechanism, "1/3", Rational(1, 3)),
-      turned(mechanism, "90 degrees about x", rotation(1, 1, 0, 0), true),
-      turned(mechanism, "90 degrees about y", rotation(1, 0, 1, 0), true),
-      turned(mechanism, "180 degrees about z", rotation(0, 0, 0, 1), true),
-      turned(mechanism, "the angle of 3-4-5 about z", rotation(2, 0, 0, 1), false),
-      turned(mechanism, "an oblique rational angle", rotation(3, 1, -2, 1), false),
+      turned(mechanism, "90 degrees about x", rotation(1, 1, 0, 0)),
+      turned(mechanism, "90 degrees about y", rotation(1, 0, 1, 0)),
+      turned(mechanism, "180 degrees about z", rotation(0, 0, 0, 1)),
+      turned(mechanism, "the angle of 3-4-5 about z", rotation(2, 0, 0, 1)),
+      turned(mechanism, "an oblique rational angle", rotation(3, 1, -2, 1)),
       scaledBy(mechanism, "1e-9", billion.inverse()),
       scaledBy(mechanism, "1e-4", Rational(1, 10'000)),
       scaledBy(mechanism, "22/7", Rational(22, 7)),
@@ -166,7 +165,6 @@ std::vector<Transformation> transformationsOf(const Mechanism& mechanism, std::u
   };
   Transformation both{"small, far away and turned", moved(withLengthsScaled(mechanism, Rational(1, 1000)),
                                                           rotation(2, 1, 0, 0), {billion, billion, 7})};
-  both.keepsDirections = false;
   both.length = Rational(1, 1000);
   all.push_back(std::move(both));
   return all;

@@ -15,7 +15,7 @@ struct Transformation {
   std::string name;
   Mechanism mechanism;
   bool keepsOrder = true;       ///< of the document's lists
-  bool keepsDirections = true;  ///< of its axes, or turns them by right angles
+  bool keepsDirections = true;  ///< of its axes, or turns them all together
   Rational length = 1;          ///< factor of lengths
   /// By joint of the original: -1 where its rate changes its sign; empty: none does.
   std::vector<int> jointSigns = {};
