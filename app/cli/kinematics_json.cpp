@@ -158,7 +158,7 @@ void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
     writeRows(json, "exact", rows, columns,
               [&](auto row, auto column) { json.string(at(row, column).toString()); });
     writeRows(json, "numeric", rows, columns,
-              [&](auto row, auto column) { json.number(at(row, column).toDouble()); });
+              [&](auto row, auto column) { json.numberOrNull(at(row, column).toDouble()); });
   } else {
     writeNull(json, "exact");
     const std::vector<double>& live = snapshot.matroid()->solution->matrix;

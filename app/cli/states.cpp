@@ -49,7 +49,7 @@ class StatesJson {
     m_json.key("ratio");
     solution.ratio ? m_json.string(solution.ratio->toString()) : m_json.null();
     m_json.key("ratioNumeric");
-    solution.ratio ? m_json.number(solution.ratio->toDouble()) : m_json.null();
+    solution.ratio ? m_json.numberOrNull(solution.ratio->toDouble()) : m_json.null();
     m_json.key("ratioSymbolic");
     solution.symbolicRatio ? m_json.string(solution.symbolicRatio->toText()) : m_json.null();
   }

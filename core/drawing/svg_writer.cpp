@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
+#include "core/base/contract.h"
 #include "core/base/wording.h"
 
 namespace geargraph {
 namespace {
 
-/// To a hundredth of a pixel, without the zeros behind, whatever the locale.
+/// To a hundredth of a pixel, without the zeros behind, whatever the locale. @pre finite
 std::string number(double value) {
-  std::array<char, 40> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
-  std::string out(text.data(), end.ptr);
+  GEARGRAPH_REQUIRE(std::isfinite(value));
+  std::array<char, 320> text{};  // the largest double has 309 digits
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
+  GEARGRAPH_REQUIRE(error == std::errc{});
+  std::string out(text.data(), end);
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;

@@ -51,10 +51,7 @@ CsvWriter::CsvWriter(ByteSink& sink, std::span<const std::string> columnLabels, 
 }
 
 char* CsvWriter::putReal(char* out, double value) const {
-  if (!std::isfinite(value)) {
-    *out = m_options.separator;
-    return out + 1;
-  }
+  GEARGRAPH_REQUIRE(std::isfinite(value));
   const bool isQuoted = m_options.decimalPoint == m_options.separator;
   char* const begin = isQuoted ? out + 1 : out;
   char* end = std::to_chars(begin, begin + kLongestReal - 3, value).ptr;

@@ -47,9 +47,10 @@ class CsvWriter {
   /// The fastest: fields are copied eight columns at a time. @pre sign is 1 or -1, a word for each 64 columns
   void signRow(std::string_view label, std::span<const std::uint64_t> columns, int sign);
   /// A row of real numbers: each the shortest decimal that reads back as the same double, quoted where its
-  /// decimal point is the separator; an empty field where it is not finite. @pre as many as columns
+  /// decimal point is the separator. @pre as many as columns, all finite
   void row(std::string_view label, std::span<const double> values);
-  /// A row of real numbers from its non-zeros: anything with `column` and `value`, in column order.
+  /// A row of real numbers from its non-zeros: anything with `column` and `value`, in column order. @pre all
+  /// finite
   /// Cost: that of copying its zeros, and some 50 ns for each non-zero.
   template <class Entry>
   void sparseRow(std::string_view label, std::span<const Entry> entries);

@@ -62,11 +62,15 @@ void JsonWriter::number(std::int64_t value) {
 }
 
 void JsonWriter::number(double value) {
-  if (!std::isfinite(value)) return null();
+  GEARGRAPH_REQUIRE(std::isfinite(value));
   std::array<char, 32> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0);
   GEARGRAPH_REQUIRE(error == std::errc{});
   json(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
+}
+
+void JsonWriter::numberOrNull(double value) {
+  std::isfinite(value) ? number(value) : null();
 }
 
 void JsonWriter::json(std::string_view text) {

@@ -25,9 +25,10 @@ class JsonWriter {
 
   void string(std::string_view text);
   void number(std::int64_t value);
-  /// The shortest decimal that reads back as the same double; 0 for -0; null where it is not
-  /// finite.
+  /// The shortest decimal that reads back as the same double; 0 for -0. @pre finite
   void number(double value);
+  /// The same of a value that a double may not hold, such as an exact ratio's: null where it is not finite.
+  void numberOrNull(double value);
   void boolean(bool value) { json(value ? "true" : "false"); }
   void null() { json("null"); }
   /// A value that is JSON already.

@@ -29,8 +29,9 @@ Float3 facetNormal(const Float3& a, const Float3& b, const Float3& c) {
 
 void appendFacet(std::string& bytes, const Solid& solid, const Triangle& triangle) {
   std::array<Float3, 4> facet;
-  for (std::size_t k = 0; k < 3; ++k) facet[k + 1] = withoutNegativeZeros(solid.positions[triangle[k]]);
-  facet[0] = facetNormal(facet[1], facet[2], facet[3]);
+  for (std::size_t k = 0; k < 3; ++k)
+    facet[k + 1] = finite(withoutNegativeZeros(solid.positions[triangle[k]]));
+  facet[0] = finite(facetNormal(facet[1], facet[2], facet[3]));
   std::array<char, kFacetSize> record{};  // two bytes of attributes stay 0
   std::memcpy(record.data(), facet.data(), sizeof facet);
   bytes.append(record.data(), record.size());
@@ -57,8 +58,8 @@ std::array<std::uint8_t, 3> bytesOf(const Float3& colour) {
 
 void appendVertices(std::string& bytes, const Solid& solid, const std::array<std::uint8_t, 3>& colour) {
   for (std::size_t i = 0; i < solid.positions.size(); ++i) {
-    appendRaw(bytes, withoutNegativeZeros(solid.positions[i]));
-    appendRaw(bytes, solid.normals[i]);
+    appendRaw(bytes, finite(withoutNegativeZeros(solid.positions[i])));
+    appendRaw(bytes, finite(solid.normals[i]));
     appendRaw(bytes, colour);
   }
 }

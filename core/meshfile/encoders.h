@@ -2,12 +2,14 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "core/base/contract.h"
 #include "core/meshfile/mesh_writer.h"
 
 namespace geargraph {
@@ -56,9 +58,16 @@ void appendRaw(std::string& bytes, const Value& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// The shortest decimal that reads back as the same number.
+/// The point, which an encoder is about to write. @pre finite: encodedMesh() rejects other scenes
+[[nodiscard]] inline const Float3& finite(const Float3& point) {
+  GEARGRAPH_REQUIRE(std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]));
+  return point;
+}
+
+/// The shortest decimal that reads back as the same number. @pre finite
 template <class Number>
 void appendDecimal(std::string& text, Number value) {
+  if constexpr (std::is_floating_point_v<Number>) GEARGRAPH_REQUIRE(std::isfinite(value));
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   text.append(digits.data(), end);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -40,6 +41,7 @@ class Buffer {
  public:
   template <class Element>
   std::size_t add(const std::vector<Element>& elements, Accessor accessor) {
+    if (accessor.component == kFloat) requireFinite(elements.data(), elements.size() * sizeof(Element));
     accessor.offset = m_bytes.size();
     accessor.bytes = elements.size() * sizeof(Element);
     accessor.count = elements.size() * (sizeof(Element) / sizeof(float)) / widthOf(accessor.type);
@@ -51,6 +53,13 @@ class Buffer {
   [[nodiscard]] const std::string& bytes() const { return m_bytes; }
 
  private:
+  static void requireFinite(const void* floats, std::size_t bytes) {
+    for (std::size_t at = 0; at < bytes; at += sizeof(float)) {
+      float number = 0;
+      std::memcpy(&number, static_cast<const char*>(floats) + at, sizeof number);
+      GEARGRAPH_REQUIRE(std::isfinite(number));
+    }
+  }
   static std::size_t widthOf(std::string_view type) { return type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4; }
 
   std::string m_bytes;

@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -74,6 +78,41 @@ std::optional<MeshFileError> toFiles(const std::filesystem::path& path, const Fi
   return std::nullopt;
 }
 
+bool isFinite(const Float3& point) {
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
+/// The largest distance of a vertex from the solid's origin; infinite where a number of it is not finite.
+double reachOf(const Solid& solid) {
+  double reach = 0;
+  for (const Float3& p : solid.positions) {
+    if (!isFinite(p)) return INFINITY;
+    reach = std::max(reach, std::hypot(double{p[0]}, double{p[1]}, double{p[2]}));
+  }
+  return std::all_of(solid.normals.begin(), solid.normals.end(), isFinite) ? reach : INFINITY;
+}
+
+/// Are all numbers finite, and all vertices within what a float holds wherever their nodes put them?
+bool isWithinFloats(const MeshScene& scene) {
+  const std::vector<Eigen::Isometry3d> world = worldPoses(scene);
+  std::map<const Solid*, double> reaches;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const MeshNode& node = scene.nodes[i];
+    double reach = 0;
+    if (node.solid) {
+      const auto [known, isNew] = reaches.try_emplace(node.solid.get());
+      if (isNew) known->second = reachOf(*node.solid);
+      reach = known->second;
+    }
+    const double far = std::max(node.pose.translation().norm(), world[i].translation().norm()) + reach;
+    if (!(far < std::numeric_limits<float>::max())) return false;
+    if (!node.pose.linear().allFinite()) return false;
+    for (const RotationKey& key : node.keys)
+      if (!std::isfinite(static_cast<float>(key.seconds)) || !key.rotation.coeffs().allFinite()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string& stem,
@@ -86,6 +125,11 @@ Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string&
                                                          "; choose a coarser tolerance."};
   }
   if (options.stop.stop_requested()) return stopped();
+  if (!isWithinFloats(scene)) {
+    return MeshFileError{MeshFileError::Kind::limit,
+                         "The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the "
+                         "parts nearer to each other, or scale them down."};
+  }
   switch (format) {
     case MeshFormat::stl:
       return plain(stlBytes(scene, options), stem, format);

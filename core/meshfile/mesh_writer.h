@@ -18,7 +18,7 @@ namespace geargraph {
 struct MeshFileError {
   enum class Kind {
     stopped,  ///< somebody asked for it
-    limit,    ///< larger than the stated limit
+    limit,    ///< larger than the stated limit, or numbers beyond those of 3D files
     file      ///< the file system refused, or the file is not what its name says
   };
   Kind kind = Kind::file;
@@ -50,6 +50,7 @@ struct EncodedFile {
 /// Frames   STL and PLY hold one mesh and OBJ one group a solid, at rest, in the world's frame. 3MF holds an
 ///          object a solid with its place; GLB the tree of nodes, with motion.
 /// Vertices are the solid's, so that welding equal positions closes the mesh again.
+/// Numbers  a scene with one that is not finite, or beyond a float, is rejected: no file can hold it.
 /// The same scene gives the same bytes every time.
 /// Stopping is looked at before each solid and each piece of 1 MiB. Cost: O(triangles).
 [[nodiscard]] std::variant<std::vector<EncodedFile>, MeshFileError> encodedMesh(

@@ -146,7 +146,9 @@ class Sampler {
   std::vector<double> m_times;
 };
 
+/// An empty field where speeds near the end of the doubles have no finite value here.
 void appendNumber(std::string& text, double value) {
+  if (!std::isfinite(value)) return;
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   text.append(digits.data(), end);

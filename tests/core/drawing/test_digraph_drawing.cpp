@@ -1,5 +1,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/drawing/coupling_marks.h"
@@ -11,6 +13,7 @@
 #include "core/mechanism/edits.h"
 #include "core/mechanism/shift_edits.h"
 #include "tests/core/drawing/drawing_checks.h"
+#include "tests/core/support/aborts.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -409,6 +412,18 @@ class TestDigraphDrawing : public QObject {
     QCOMPARE(xml.groups, static_cast<int>(list.marks.size()) + 1);
     QVERIFY(svg.find("stroke-dasharray") != std::string::npos);
     QVERIFY(svg != svgOf(list, {.theme = Theme::dark}));
+  }
+
+  void svgOfNumbersThatAreNotFiniteIsABrokenContract() {
+    const auto circleAt = [](double x) {
+      DisplayList list;
+      list.marks.push_back({ElementId(), MarkRole::line, 0, Fill{Circle{{x, 0}, 1}, ColorRole::secondary}});
+      return list;
+    };
+    const auto infinity = std::numeric_limits<double>::infinity();
+    for (const double x : {infinity, -infinity, std::nan("")})
+      QVERIFY(test::aborts([&] { (void)svgOf(circleAt(x), {}); }));
+    QVERIFY(parsed(svgOf(circleAt(1e300), {})).error.isEmpty());
   }
 
   void emptyDrawingIsAnEmptySheet() {

@@ -1,8 +1,12 @@
 #include <QtTest>
+#include <cmath>
+#include <limits>
 
+#include "core/meshfile/encoders.h"
 #include "core/meshfile/mesh_reader.h"
 #include "core/meshfile/mesh_writer.h"
 #include "tests/core/meshfile/cogs.h"
+#include "tests/core/support/aborts.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -102,6 +106,46 @@ class TestMeshWriting : public QObject {
     const auto& error = std::get<MeshFileError>(result);
     QCOMPARE(int(error.kind), int(MeshFileError::Kind::limit));
     QVERIFY(error.message.find(std::to_string(triangleCount(movingScene()))) != std::string::npos);
+  }
+
+  void numbersBeyondFloatsAreRejected_data() { addFormats(); }
+  void numbersBeyondFloatsAreRejected() {
+    QFETCH(MeshFormat, format);
+    const auto kindOf = [&](const MeshScene& scene) {
+      const auto result = encodedMesh(scene, format, "wheels");
+      const auto* error = std::get_if<MeshFileError>(&result);
+      return error != nullptr ? int(error->kind) : -1;
+    };
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    QCOMPARE(kindOf(movingScene()), -1);
+    for (const double far : {1e39, std::nan("")}) {  // beyond a float, where the vertices themselves are not
+      MeshScene scene = movingScene();
+      scene.nodes[1].pose.translation().x() = far;
+      QCOMPARE(kindOf(scene), int(MeshFileError::Kind::limit));
+    }
+    for (const float number : {kInfinity, -kInfinity, std::nanf("")}) {
+      MeshScene scene = movingScene(), shaded = scene;
+      Solid solid = cog(12, 3, 1);
+      solid.positions[0][1] = number;
+      scene.nodes[3].solid = std::make_shared<const Solid>(solid);
+      QCOMPARE(kindOf(scene), int(MeshFileError::Kind::limit));
+      solid = cog(12, 3, 1);
+      solid.normals[0][1] = number;
+      shaded.nodes[3].solid = std::make_shared<const Solid>(solid);
+      QCOMPARE(kindOf(shaded), int(MeshFileError::Kind::limit));
+    }
+  }
+
+  void encodersWriteNoSuchNumbers() {
+    MeshScene scene = movingScene();
+    Solid solid = cog(12, 3, 1);
+    solid.positions[solid.triangles[0][0]][1] = std::numeric_limits<float>::infinity();
+    scene.nodes[3].solid = std::make_shared<const Solid>(solid);
+    QVERIFY(aborts([&] { (void)stlBytes(scene, {}); }));
+    QVERIFY(aborts([&] { (void)plyBytes(scene, {}); }));
+    QVERIFY(aborts([&] { (void)objTexts(scene, "wheels.mtl", {}); }));
+    QVERIFY(aborts([&] { (void)glbBytes(scene, {}); }));
+    QVERIFY(aborts([&] { (void)threeMfBytes(scene, {}); }));
   }
 
   void formatNamesGoBothWays() {
