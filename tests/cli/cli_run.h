@@ -7,7 +7,7 @@
 
 namespace geargraph::test {
 
-/// What one call of the built program printed, and its exit status; -1 where it crashed.
+/// What one call of the built program printed, and its exit status; -1 where it crashed or did not end.
 struct Run {
   int status = -1;
   std::string output;
@@ -21,7 +21,11 @@ inline Run run(const QStringList& words, const QByteArray& input = {}) {
   process.start(QStringLiteral(GEARGRAPH_CLI), words);
   process.write(input);
   process.closeWriteChannel();
-  process.waitForFinished(kLongestRun);
+  if (!process.waitForFinished(kLongestRun)) {
+    process.kill();
+    process.waitForFinished();
+    return {-1, {}, "The program did not end."};
+  }
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           process.readAllStandardOutput().toStdString(), process.readAllStandardError().toStdString()};
 }

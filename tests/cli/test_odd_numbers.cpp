@@ -3,7 +3,9 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/meshfile/mesh_reader.h"
@@ -60,6 +62,13 @@ json longChain(int shafts) {
   return document;
 }
 
+/// The pair with several members replaced.
+json pairOfWheels(const json& members) {
+  json document = pairOfWheels();
+  for (const auto& [path, value] : members.items()) document[json::json_pointer(path)] = value;
+  return document;
+}
+
 json withLengths(json document, const std::function<json(double)>& to) {
   const auto each = [&](json& list) {
     for (json& value : list) value = to(value.get<double>());
@@ -79,30 +88,27 @@ std::string digits(int count) {
 struct Odd {
   const char* name;
   json document;
+  bool hasSolids = false;    ///< export its solids, too
+  bool hasPictures = false;  ///< and its pictures
 };
 
 const std::vector<Odd>& oddDocuments() {
   static const std::vector<Odd> all = [] {
     std::vector<Odd> list{
         {"robot", robot()},
-        {"robot of a nanometre", withLengths(robot(), [](double x) { return json(x * 1e-12); })},
-        {"robot of a million kilometres", withLengths(robot(), [](double x) { return json(x * 1e9); })},
-        {"robot far away", withLengths(robot(), [](double x) { return json(x + 1e12); })},
+        {"robot of a nanometre", withLengths(robot(), [](double x) { return json(x * 1e-12); }), true},
+        {"robot of a million kilometres", withLengths(robot(), [](double x) { return json(x * 1e9); }), true},
+        {"robot far away", withLengths(robot(), [](double x) { return json(x + 1e12); }), true},
         {"speeds at the end of the doubles", robot()},
-        {"subnormal speeds", robot()},
+        {"subnormal speeds", robot(), true},
         {"a chain beyond all doubles", longChain(80)},
         {"a subnormal distance", pairOfWheels("/axes/1/point", {0, 5e-324, 0})},
         {"one line", pairOfWheels("/axes/1/point", {0, 0, 0})},
         {"a direction of length 0", pairOfWheels("/axes/1/direction", {0, 0, 0})},
-        {"a subnormal direction", pairOfWheels("/axes/1/direction", {0, 0, 5e-324})},
-        {"a direction of 1e308", pairOfWheels("/axes/1/direction", {0, 0, 1e308})},
-        {"a direction below the doubles",
-         pairOfWheels("/axes/1/direction", {"0", "0", "1/1" + std::string(400, '0')})},
         {"nearly parallel axes", pairOfWheels("/axes/1/direction", {0, 1e-9, 1})},
         {"axes that meet far away", pairOfWheels("/axes/1/direction", {0, 1e-5, 1})},
         {"skew axes", pairOfWheels("/axes/1/direction", {1, 0, 0})},
         {"a pitch point on an axis", pairOfWheels("/gearMeshes/0/pitchPoint", {0, 0, 7})},
-        {"a pitch point of 1e300", pairOfWheels("/gearMeshes/0/pitchPoint", {0, 1e300, 0})},
         {"fractions of 1,000 digits", pairOfWheels("/axes/1/point", {0, digits(1000) + "/" + digits(999),
                                                                      digits(999) + "/" + digits(1000)})},
         {"one tooth each", pairOfWheels("/gearMeshes/0/tailTeeth", 1)},
@@ -111,12 +117,90 @@ const std::vector<Odd>& oddDocuments() {
         {"a pressure angle of 90", pairOfWheels("/gearDefaults", {{"pressureAngle", 90}})},
         {"a pressure angle of -1e9", pairOfWheels("/gearDefaults", {{"pressureAngle", -1e9}})},
         {"a backlash of 1e9 modules", pairOfWheels("/gearDefaults", {{"backlash", 1e9}})},
-        {"nodes at the end of the doubles", pairOfWheels("/view", {{"nodes", {{"1", {1e308, -1e308}}}}})},
     };
     list[4].document["inputs"][0]["speed"] = 1.7e308;
     list[4].document["inputs"][1]["speed"] = 1.7e308;
     list[5].document["inputs"][0]["speed"] = 5e-324;
     return list;
+  }();
+  return all;
+}
+
+/// Documents at the very edge of what lengths may be, for every output there is.
+const std::vector<Odd>& edgeDocuments() {
+  static constexpr double kMost = 1e15, kLeast = 1e-15;
+  static const std::vector<Odd> all = [] {
+    const auto edge = [](const char* name, json document) {
+      return Odd{name, std::move(document), true, true};
+    };
+    const auto pair = [&](const char* name, const json& members) {
+      return edge(name, pairOfWheels(members));
+    };
+    const json far = {0, kMost, 0};
+    return std::vector<Odd>{
+        edge("robot as large as it may be",
+             withLengths(robot(), [](double x) { return json(std::clamp(x * 1e13, -kMost, kMost)); })),
+        edge("robot as far as it may be", withLengths(robot(), [](double x) { return json(kMost - x); })),
+        pair("an axis 1e15 away", {{"/axes/1/point", far}}),
+        pair("axes 2e15 apart",
+             {{"/axes/0/point", {-kMost, -kMost, -kMost}}, {"/axes/1/point", {kMost, kMost, kMost}}}),
+        pair("a pair of 1e-15", {{"/axes/1/point", {0, kLeast, 0}}}),
+        pair("a pair of 1e-15 at 1e15",
+             {{"/axes/0/point", far}, {"/axes/1/point", {0, "1000000000000000", kLeast}}}),
+        pair("directions of 1e-15 and 1e15",
+             {{"/axes/0/direction", {0, 0, kLeast}}, {"/axes/1/direction", {0, 0, kMost}}}),
+        pair("a direction of 1e-15 beside 1e15", {{"/axes/1/direction", {kLeast, 0, kMost}}}),
+        pair("axes that meet 1e15 away", {{"/axes/1/direction", {0, kLeast, 1}}}),
+        pair("axes that meet near 1e15",
+             {{"/axes/1/point", {0, kMost, 0}}, {"/axes/1/direction", {0, 1, 0}}}),
+        pair("a pitch point 1e15 along the axes", {{"/gearMeshes/0/pitchPoint", {0, 20, kMost}}}),
+        pair("a pitch point 1e15 beside the axes", {{"/gearMeshes/0/pitchPoint", {kMost, 20, 0}}}),
+        pair("bearings 2e15 apart",
+             {{"/turningJoints/0/offset", -kMost}, {"/turningJoints/1/offset", kMost}}),
+        pair("faces of 1e15", {{"/gearMeshes/0/faceWidth", kMost}}),
+        pair("a backlash and an angle of 1e15",
+             {{"/gearDefaults", {{"backlash", kMost}, {"pressureAngle", kMost}, {"faceWidth", kLeast}}}}),
+        pair("wheels of 1e15",
+             {{"/wheels", {{{"id", "w"}, {"link", "1"}, {"profileShift", kMost}, {"bore", kMost}}}},
+              {"/gearMeshes/0/tailWheel", "w"}}),
+        pair("nodes 2e15 apart", {{"/view", {{"nodes", {{"1", {kMost, -kMost}}, {"2", {-kMost, kMost}}}}}}}),
+        pair("a camera at 1e15", {{"/view/camera",
+                                   {{"target", {kMost, -kMost, kMost}},
+                                    {"azimuth", 30},
+                                    {"elevation", 30},
+                                    {"distance", kMost}}}}),
+    };
+  }();
+  return all;
+}
+
+/// What the reader rejects, and the member that is to blame.
+struct Rejected {
+  const char* name;
+  const char* pointer;
+  json document;
+};
+
+const std::vector<Rejected>& rejectedDocuments() {
+  static const std::vector<Rejected> all = [] {
+    const auto pair = [](const char* name, const char* pointer, const char* path, const json& value) {
+      return Rejected{name, pointer, pairOfWheels(path, value)};
+    };
+    return std::vector<Rejected>{
+        pair("a coordinate of 1e308", "/axes/1/point/1", "/axes/1/point", {0, 1e308, 0}),
+        pair("a coordinate just beyond 1e15", "/axes/1/point/0", "/axes/1/point",
+             {-1.0000000000000002e15, 0, 0}),
+        pair("a direction of 1e308", "/axes/1/direction/2", "/axes/1/direction", {0, 0, 1e308}),
+        pair("a subnormal direction", "/axes/1/direction", "/axes/1/direction", {0, 0, 5e-324}),
+        pair("a direction just below 1e-15", "/axes/1/direction", "/axes/1/direction", {0, 9.9e-16, 0}),
+        pair("a direction below the doubles", "/axes/1/direction", "/axes/1/direction",
+             {"0", "0", "1/1" + std::string(400, '0')}),
+        pair("a pitch point of 1e300", "/gearMeshes/0/pitchPoint/1", "/gearMeshes/0/pitchPoint",
+             {0, 1e300, 0}),
+        pair("an offset of 1e17", "/turningJoints/0/offset", "/turningJoints/0/offset", 1e17),
+        pair("a face of 1e308", "/gearMeshes/0/faceWidth", "/gearMeshes/0/faceWidth", 1e308),
+        pair("a node at 1e308", "/view/nodes/1/0", "/view", {{"nodes", {{"1", {1e308, 0}}}}}),
+    };
   }();
   return all;
 }
@@ -151,9 +235,10 @@ bool isFinite(const MeshScene& scene) {
     for (const RotationKey& key : node.keys)
       if (!std::isfinite(key.seconds) || !key.rotation.coeffs().allFinite()) return false;
     if (!node.solid) continue;
-    for (const Float3& vertex : node.solid->positions)
-      for (const float component : vertex)
-        if (!std::isfinite(component)) return false;
+    for (const auto* list : {&node.solid->positions, &node.solid->normals})
+      for (const Float3& vertex : *list)
+        for (const float component : vertex)
+          if (!std::isfinite(component)) return false;
   }
   return true;
 }
@@ -164,29 +249,68 @@ bool isFinite(const MeshScene& scene) {
 class OddNumbersTest : public QObject {
   Q_OBJECT
  private slots:
-  void noOutputHasANumberThatIsNone_data() {
-    QTest::addColumn<int>("position");
-    for (std::size_t i = 0; i < oddDocuments().size(); ++i)
-      QTest::newRow(oddDocuments()[i].name) << static_cast<int>(i);
-  }
+  void noOutputHasANumberThatIsNone_data() { addRows(oddDocuments()); }
   void noOutputHasANumberThatIsNone() {
     QFETCH(int, position);
-    const Odd& odd = oddDocuments()[static_cast<std::size_t>(position)];
-    QTemporaryDir folder;
-    const QString file = folder.filePath("odd.geargraph");
-    QFile out(file);
-    QVERIFY(out.open(QIODevice::WriteOnly));
-    out.write(QByteArray::fromStdString(odd.document.dump()));
-    out.close();
+    checkOutputs(oddDocuments()[static_cast<std::size_t>(position)]);
+  }
 
-    for (const char* command : {"validate", "analyze", "inputs", "states", "pose"}) {
-      checkPrinted({command, file});
-      checkPrinted({command, file, "--json"});
+  void documentsAtTheEdgeOfTheRangeEndInNumbersOrErrors_data() { addRows(edgeDocuments()); }
+  void documentsAtTheEdgeOfTheRangeEndInNumbersOrErrors() {
+    QFETCH(int, position);
+    checkOutputs(edgeDocuments()[static_cast<std::size_t>(position)]);
+  }
+
+  void numbersBeyondTheRangeAreRejectedWithTheirPlace_data() { addRows(rejectedDocuments()); }
+  void numbersBeyondTheRangeAreRejectedWithTheirPlace() {
+    QFETCH(int, position);
+    constexpr int kErrors = 1;
+    const Rejected& rejected = rejectedDocuments()[static_cast<std::size_t>(position)];
+    QTemporaryDir folder;
+    const QString file = written(folder, rejected.document);
+    const Run validated = run({"validate", file, "--json"});
+    QCOMPARE(validated.status, kErrors);
+    const json findings = json::parse(validated.output)["diagnostics"];
+    QCOMPARE(findings.size(), std::size_t{1});
+    QCOMPARE(findings[0]["code"].get<std::string>(), std::string("schema"));
+    QCOMPARE(findings[0]["pointer"].get<std::string>(), std::string(rejected.pointer));
+    for (const char* command : {"analyze", "inputs", "pose"}) QCOMPARE(run({command, file}).status, kErrors);
+    const QString out = folder.filePath("out");
+    for (const QStringList& form : {QStringList{"md"}, {"csv", "--all"}, {"glb"}, {"assembly"}}) {
+      QCOMPARE(run(QStringList{"export", file, "-o", out, "--to"} + form).status, kErrors);
+      QVERIFY2(!QFileInfo::exists(out), qPrintable(form.front()));
     }
-    const std::string input = odd.document["inputs"][0]["joint"].get<std::string>();
-    if (input == "8" || input == "3") {
+  }
+
+ private:
+  template <class Document>
+  static void addRows(const std::vector<Document>& documents) {
+    QTest::addColumn<int>("position");
+    for (std::size_t i = 0; i < documents.size(); ++i)
+      QTest::newRow(documents[i].name) << static_cast<int>(i);
+  }
+
+  static QString written(const QTemporaryDir& folder, const json& document) {
+    const QString path = folder.filePath("odd.geargraph");
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return {};
+    file.write(QByteArray::fromStdString(document.dump()));
+    return path;
+  }
+
+  static void checkOutputs(const Odd& odd) {
+    QTemporaryDir folder;
+    const QString file = written(folder, odd.document);
+    for (const char* command : {"validate", "analyze", "pose"}) checkPrinted({command, file});
+    for (const char* command : {"validate", "analyze", "inputs", "pose"})
+      checkPrinted({command, file, "--json"});
+    if (odd.document.contains("states")) {
+      checkPrinted({"states", file});
+      checkPrinted({"states", file, "--json"});
+    }
+    if (odd.document["inputs"][0]["joint"] == "8") {
       for (const char* angle : {"1e300deg", "1e300rad", "5e-324rad", "1/3deg"})
-        checkPrinted({"pose", file, "--json", "--angle", QString::fromStdString(input) + "=" + angle});
+        checkPrinted({"pose", file, "--json", "--angle", QStringLiteral("8=") + angle});
     }
     for (const char* form : {"latex", "md", "html"}) checkPrinted({"export", file, "--to", form, "-o", "-"});
     for (const char* view : {"digraph", "ttgraph", "schematic"})
@@ -194,15 +318,35 @@ class OddNumbersTest : public QObject {
     const Run tables = run({"export", file, "--to", "csv", "--all", "-o", folder.filePath("tables")});
     checkRun(tables, "csv --all");
     checkFolder(folder.filePath("tables"));
-    if (position > 5) return;  // solids of the robot only: many bytes, and the same code for all
+    if (odd.hasPictures) checkPictures(file);
+    if (odd.hasSolids) checkSolids(file, folder);
+  }
+
+  /// What cannot be searched for words: written whole, or nothing and an error.
+  static void checkPictures(const QString& file) {
+    const auto check = [&](QStringList options, const char* begin) {
+      const QStringList words = QStringList{"export", file, "-o", "-"} + options;
+      const Run done = run(words);
+      checkRun(done, words.join(' '));
+      const bool isWhole = done.output.starts_with(begin);
+      QVERIFY2(isWhole || (done.output.empty() && done.status != 0), qPrintable(words.join(' ')));
+    };
+    check({"--to", "pdf"}, "%PDF");
+    check({"--to", "pdf", "--view", "schematic"}, "%PDF");
+    for (const char* view : {"digraph", "schematic"}) check({"--to", "png", "--view", view}, "\x89PNG");
+    check({"--to", "png", "--view", "3d", "--size", "64x48"}, "\x89PNG");
+    check({"--to", "glb", "--view", "3d"}, "glTF");
+  }
+
+  static void checkSolids(const QString& file, const QTemporaryDir& folder) {
     for (const MeshFormat format : allMeshFormats()) {
       const QString name =
           QString::fromUtf8(meshFormatName(format).data(), qsizetype(meshFormatName(format).size()));
       const QString path = folder.filePath("solids." + name);
       checkRun(run({"export", file, "--to", name, "--tolerance", "0.1", "-o", path}), name);
-      QFile written(path);
-      if (!written.open(QIODevice::ReadOnly)) continue;
-      const auto scene = readMesh(written.readAll().toStdString(), format);
+      QFile solids(path);
+      if (!solids.open(QIODevice::ReadOnly)) continue;
+      const auto scene = readMesh(solids.readAll().toStdString(), format);
       const auto* read = std::get_if<MeshScene>(&scene);
       QVERIFY2(read != nullptr && isFinite(*read), qPrintable(name));
     }
@@ -212,7 +356,6 @@ class OddNumbersTest : public QObject {
     checkFolder(folder.filePath("assembly"));
   }
 
- private:
   static void checkRun(const Run& done, const QString& what) {
     QVERIFY2(done.status >= 0 && done.status <= 3,
              qPrintable(what + ": " + QString::fromStdString(done.errors)));
