@@ -11,6 +11,8 @@
 
 #include "core/gears/train.h"
 #include "core/matroid/input_sets.h"
+#include "core/meshfile/mesh_writer.h"
+#include "core/scene/stage_picture.h"
 #include "core/scene/train_stage.h"
 #include "core/schematic/schematic.h"
 #include "tests/core/support/deep_train.h"
@@ -88,6 +90,16 @@ Mechanism stretched(const char* name) {
 class StoppingTest : public QObject {
   Q_OBJECT
 
+  void exportsOf(const char* name, const Mechanism& mechanism) {
+    GearCache gears;
+    const StagePtr stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, nullptr);
+    QTest::addRow("solids, %s", name) << Work([stage](const std::stop_token& stop) {
+      MeshWriteOptions how;
+      how.stop = stop;
+      return std::any(encodedMesh(sceneOf(*stage, {}, stop), MeshFormat::glb, "train", how));
+    });
+  }
+
   void worksOn(const char* name, const Mechanism& mechanism) {
     const MechanismPtr document = shared(mechanism);
     const SnapshotPtr live = analyzeLive(document);
@@ -123,6 +135,8 @@ class StoppingTest : public QObject {
     worksOn("many teeth", robotOfManyTeeth());
     worksOn("robot, far offsets", stretched("robot"));
     worksOn("gearbox, far offsets", stretched("eight-speed-gearbox"));
+    exportsOf("180 links", test::deepTrain(2, 180));
+    exportsOf("gearbox", test::example("eight-speed-gearbox"));
   }
   void workEndsWithinATenthOfASecond() {
     QFETCH(Work, work);

@@ -1,11 +1,17 @@
+#include <QDir>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <ctime>
 
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/ui/mainwindow/hand.h"
+#include "ui/mainwindow/picture_dialog.h"
+#include "ui/mainwindow/picture_jobs.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 namespace {
@@ -59,7 +65,6 @@ class WindowCloseTest : public QObject {
     QTest::addRow("far offsets") << std::function([] { return farOffsets("eight-speed-gearbox"); });
   }
   void closingEndsAllWork() {
-    constexpr double kWorkers = 3;  // that are at work at once, a tenth of a second each
     QFETCH(std::function<Mechanism()>, document);
     const Mechanism mechanism = document();
     for (const int after : {0, 40, 400, 2000}) {
@@ -68,13 +73,46 @@ class WindowCloseTest : public QObject {
       QVERIFY(QTest::qWaitForWindowExposed(window.get()));
       window->document().replace(mechanism, {});
       QTest::qWait(after);
-      QVERIFY(window->close());
-      const double before = secondsOfOthers();
-      window.reset();
-      const double more = secondsOfOthers() - before;
-      QVERIFY2(more < kWorkers * 0.1,
-               qPrintable(QStringLiteral("%1 s more after %2 ms").arg(more).arg(after)));
+      const double more = secondsOfClosing(std::move(window));
+      QVERIFY2(more < kMostSeconds, qPrintable(QStringLiteral("%1 s more after %2 ms").arg(more).arg(after)));
     }
+  }
+
+  /// Nothing is written, not in part either.
+  void closingEndsTheExportOfSolids() {
+    PictureWish wish;
+    wish.view = QStringLiteral("3d");
+    wish.solid = SolidForm::glb;
+    const Mechanism mechanism = test::deepTrain(2, 180);
+    for (const int after : {0, 60}) {
+      auto window = std::make_unique<MainWindow>();
+      window->show();
+      QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+      window->document().replace(mechanism, {});
+      QTRY_VERIFY_WITH_TIMEOUT(window->isSettled() && window->view3d().stage(), 120'000);
+      const QTemporaryDir folder;
+      bool isDone = false;
+      connect(window.get(), &MainWindow::pictureExported, window.get(), [&] { isDone = true; });
+      window->exportPicture(wish, folder.filePath("export"));
+      QVERIFY(window->pictures().isBusy());
+      QTest::qWait(after);
+      if (isDone) return;  // faster than the test
+      const double more = secondsOfClosing(std::move(window));
+      QVERIFY2(more < kMostSeconds, qPrintable(QStringLiteral("%1 s more after %2 ms").arg(more).arg(after)));
+      const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
+      QCOMPARE(QDir(folder.path()).entryList(all), QStringList());
+    }
+  }
+
+ private:
+  static constexpr double kMostSeconds = 0.3;  // three workers at once, a tenth of a second each
+
+  /// Processor time that goes on in other threads while the window is destroyed.
+  static double secondsOfClosing(std::unique_ptr<MainWindow> window) {
+    if (!window->close()) return HUGE_VAL;
+    const double before = secondsOfOthers();
+    window.reset();
+    return secondsOfOthers() - before;
   }
 };
 
