@@ -104,6 +104,7 @@ class MotionSearch {
     if (!relative.isMoving()) return;
     const double period = relative.period();
     const double stretch = m_options.mostTurns * 2 * std::numbers::pi / relative.fastestRate();
+    if (!std::isfinite(stretch)) return;  // so slow that a turn takes longer than any number
     const bool repeats = period > 0 && period <= stretch * (1 + 1e-9);
     const double longest = repeats ? period : stretch;
     const double ahead = std::min(longest, m_range.to);

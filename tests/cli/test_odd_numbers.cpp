@@ -304,6 +304,7 @@ class OddNumbersTest : public QObject {
     for (const char* command : {"validate", "analyze", "pose"}) checkPrinted({command, file});
     for (const char* command : {"validate", "analyze", "inputs", "pose"})
       checkPrinted({command, file, "--json"});
+    checkPrinted({"validate", file, "--motion", "--json"});
     if (odd.document.contains("states")) {
       checkPrinted({"states", file});
       checkPrinted({"states", file, "--json"});
