@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/base/contract.h"
+#include "core/base/position_index.h"
 #include "core/mechanism/fresh_ids.h"
 #include "core/mechanism/validate.h"
 
@@ -39,8 +40,9 @@ void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
 
 Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint> View::*drawing,
                                std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  const PositionIndex<LinkTag> links(mechanism.links);
   for (const auto& [link, point] : nodes) {
-    if (mechanism.find(link) == nullptr) return unknown(link);
+    if (links.positionOf(link) < 0) return unknown(link);
     (mechanism.view.*drawing)[link] = point;
   }
   return mechanism;
@@ -300,9 +302,10 @@ Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint, const Jo
 
 Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<Input>> inputs) {
   if (inputs) {
+    const PositionIndex<JointTag> joints(mechanism.turningJoints);
     std::set<JointId> seen;
     for (const Input& input : *inputs) {
-      if (mechanism.find(input.joint) == nullptr) return unknown(input.joint);
+      if (joints.positionOf(input.joint) < 0) return unknown(input.joint);
       if (!seen.insert(input.joint).second) {
         return refusal(Code::duplicateId, "The joint is an input already.", {input.joint});
       }

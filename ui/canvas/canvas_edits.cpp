@@ -14,24 +14,32 @@ QString tr(const char* text) {
   return QCoreApplication::translate("canvas", text);
 }
 
-}  // namespace
-
-Carrying carryingJoint(const Mechanism& mechanism, LinkId link) {
+Carrying carryingJoint(const Mechanism& mechanism, const Digraph& graph,
+                       const std::optional<SpanningTree>& tree, LinkId link) {
   if (link == mechanism.links.front().id) return {{}, tr("the ground does not move")};
-  const Digraph graph(mechanism);
-  if (const std::optional<SpanningTree> tree = SpanningTree::of(graph)) {
-    const int joint = tree->jointToParent(graph.nodeOf(link));
+  const int node = graph.nodeOf(link);
+  if (tree) {
+    const int joint = tree->jointToParent(node);
     return {mechanism.turningJoints[static_cast<std::size_t>(joint)].id, {}};
   }
   std::vector<JointId> into;
   std::vector<JointId> all;
-  for (const TurningJoint& joint : mechanism.turningJoints) {
-    if (joint.head == link) into.push_back(joint.id);
-    if (joint.head == link || joint.tail == link) all.push_back(joint.id);
+  for (const int joint : graph.turningEdgesAt(node)) {
+    const JointId id = mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
+    if (!all.empty() && all.back() == id) continue;  // from the link to itself
+    if (graph.turningEdge(joint).head == node) into.push_back(id);
+    all.push_back(id);
   }
   if (into.size() == 1) return {into.front(), {}};
   if (all.size() == 1) return {all.front(), {}};
   return {{}, all.empty() ? tr("no turning joint carries it yet") : tr("several turning joints: click one")};
+}
+
+}  // namespace
+
+Carrying carryingJoint(const Mechanism& mechanism, LinkId link) {
+  const Digraph graph(mechanism);
+  return carryingJoint(mechanism, graph, SpanningTree::of(graph), link);
 }
 
 bool isInput(const Mechanism& mechanism, JointId joint) {
@@ -41,22 +49,26 @@ bool isInput(const Mechanism& mechanism, JointId joint) {
 }
 
 Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint) {
+  return withInputsToggled(mechanism, {joint});
+}
+
+Expected<Mechanism> withInputsToggled(const Mechanism& mechanism, const std::set<JointId>& joints) {
   std::vector<Input> inputs = mechanism.inputs.value_or(std::vector<Input>{});
-  if (isInput(mechanism, joint)) {
-    std::erase_if(inputs, [&](const Input& input) { return input.joint == joint; });
-  } else {
-    inputs.push_back({joint, Number(1), {}});
-  }
+  std::set<JointId> added = joints;
+  std::erase_if(inputs, [&](const Input& input) { return added.erase(input.joint) > 0; });
+  for (const JointId joint : added) inputs.push_back({joint, Number(1), {}});
   if (inputs.empty()) return withInputs(mechanism, std::nullopt);
   return withInputs(mechanism, std::move(inputs));
 }
 
 std::set<JointId> jointsDrivenBy(const Mechanism& mechanism, const std::set<ElementId>& elements) {
   std::set<JointId> joints;
+  const Digraph graph(mechanism);
+  const std::optional<SpanningTree> tree = SpanningTree::of(graph);
   for (const ElementId& element : elements) {
     if (element.kind == ElementKind::turningJoint) joints.insert(JointId(element.id));
     if (element.kind != ElementKind::link) continue;
-    const Carrying carrying = carryingJoint(mechanism, LinkId(element.id));
+    const Carrying carrying = carryingJoint(mechanism, graph, tree, LinkId(element.id));
     if (carrying.joint) joints.insert(*carrying.joint);
   }
   return joints;
@@ -65,7 +77,12 @@ std::set<JointId> jointsDrivenBy(const Mechanism& mechanism, const std::set<Elem
 std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh) {
   const GearMesh* found = mechanism.find(mesh);
   if (found == nullptr || found->kind) return found == nullptr ? std::nullopt : found->kind;
-  const Placement placement = placementOf(mechanism);
+  return shownKind(mechanism, mesh, placementOf(mechanism));
+}
+
+std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh, const Placement& placement) {
+  const GearMesh* found = mechanism.find(mesh);
+  if (found == nullptr || found->kind) return found == nullptr ? std::nullopt : found->kind;
   const auto& geometry = placement.meshes[static_cast<std::size_t>(found - mechanism.gearMeshes.data())];
   return geometry ? std::optional(geometry->kind) : std::nullopt;
 }

@@ -10,6 +10,8 @@
 
 namespace geargraph {
 
+struct Placement;
+
 /// The turning joint that carries a link: the one towards the ground, or the only one that could be it while
 /// the tree is not complete. Without one, `why` says so in words for a menu.
 struct Carrying {
@@ -22,13 +24,20 @@ struct Carrying {
 
 /// The joint becomes an input with a speed of 1 rad/s, or is none any more.
 [[nodiscard]] Expected<Mechanism> withInputToggled(const Mechanism& mechanism, JointId joint);
+/// The same for several joints. Cost: O(n + t + c).
+[[nodiscard]] Expected<Mechanism> withInputsToggled(const Mechanism& mechanism,
+                                                    const std::set<JointId>& joints);
 
 /// What the selected elements drive: their joints, and those that carry their links.
+/// Cost: O(n + t + c + elements).
 [[nodiscard]] std::set<JointId> jointsDrivenBy(const Mechanism& mechanism,
                                                const std::set<ElementId>& elements);
 
 /// The kind that a mesh states, else the one that its geometry tells; nothing where there is neither.
 [[nodiscard]] std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh);
+/// The same with the placement of the mechanism, which else is worked out. Cost: O(c).
+[[nodiscard]] std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh,
+                                                const Placement& placement);
 
 /// "link 3", "turning joint 8", "3 elements"
 [[nodiscard]] QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements);

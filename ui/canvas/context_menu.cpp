@@ -73,7 +73,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
 }
 
 void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const ContextActions& actions) {
-  const std::optional<MeshKind> kind = shownKind(mechanism, mesh);
+  const std::optional<MeshKind> kind = actions.kindOf(mesh);
   if (!kind) return;
   const GearMesh& element = *mechanism.find(mesh);
   if (*kind == MeshKind::bevel) {

@@ -13,7 +13,8 @@ namespace geargraph {
 /// What the entries of a context menu do; the view carries it out. Links are added and drawings tidied only
 /// where it says how.
 struct ContextActions {
-  std::set<ElementId> selected;  ///< the element of the menu among them
+  std::set<ElementId> selected;                           ///< the element of the menu among them
+  std::function<std::optional<MeshKind>(MeshId)> kindOf;  ///< as shownKind()
   std::function<void()> rename;
   std::function<void()> toggleInput;
   std::function<void()> makeGround;

@@ -13,21 +13,6 @@
 namespace geargraph {
 namespace {
 
-bool exists(const Mechanism& mechanism, const ElementId& element) {
-  switch (element.kind) {
-    case ElementKind::link:
-      return mechanism.find(LinkId(element.id)) != nullptr;
-    case ElementKind::turningJoint:
-      return mechanism.find(JointId(element.id)) != nullptr;
-    case ElementKind::gearMesh:
-      return mechanism.find(MeshId(element.id)) != nullptr;
-    case ElementKind::coupling:
-      return mechanism.find(CouplingId(element.id)) != nullptr;
-    default:
-      return true;  // other views' elements are theirs to drop
-  }
-}
-
 Theme themeOf(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128 ? Theme::dark : Theme::light;
 }
@@ -64,8 +49,8 @@ DrawingView::DrawingView(Document* document, Selection* selection, DrawingScene*
 
 void DrawingView::showDocument() {
   rebuild();
-  const MechanismPtr& now = m_document->mechanism();
-  m_selection->keepOnly([&](const ElementId& element) { return exists(*now, element); });
+  m_selection->keepOnly(
+      [this](const ElementId& element) { return m_document->elements().contains(element); });
   updateEmphases();
   updateMessage();
 }
@@ -345,6 +330,14 @@ void DrawingView::openElement(const ElementId& element) {
   }
 }
 
+/// The geometry of a large train takes long: that of the analysis is asked where it is of this document.
+std::optional<MeshKind> DrawingView::kindNow(MeshId mesh) const {
+  const bool isAnalyzed =
+      m_snapshot && m_snapshot->kinematics && m_snapshot->revision == m_document->mechanicsRevision();
+  return isAnalyzed ? shownKind(mechanism(), mesh, m_snapshot->kinematics->placement)
+                    : shownKind(mechanism(), mesh);
+}
+
 QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
   return contextMenuFor(elementUnder(viewportPlace), toSheetPoint(mapToScene(viewportPlace)));
 }
@@ -360,6 +353,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.flip = [this] { flipSelected(); };
   actions.attachGear = [this, link] { m_commands.attachGear(link); };
   actions.selected = m_selection->selected();
+  actions.kindOf = [this](MeshId which) { return kindNow(which); };
   actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
   actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };

@@ -96,14 +96,8 @@ QString ElementCommands::toggleInputs(const std::set<ElementId>& elements) {
     }
     return why;
   }
-  apply(tr("Drive or release"), [joints](Mechanism mechanism) -> Expected<Mechanism> {
-    for (const JointId joint : joints) {
-      Expected<Mechanism> next = withInputToggled(mechanism, joint);
-      if (!next) return next.error();
-      mechanism = std::move(next).value();
-    }
-    return mechanism;
-  });
+  apply(tr("Drive or release"),
+        [joints](const Mechanism& mechanism) { return withInputsToggled(mechanism, joints); });
   return {};
 }
 

@@ -86,6 +86,11 @@ Document::Document(QObject* parent)
           [this](bool clean) { emit modifiedChanged(!clean); });
 }
 
+const ElementIndex& Document::elements() const {
+  if (!m_elements) m_elements.emplace(m_mechanism);
+  return *m_elements;
+}
+
 bool Document::apply(const Edit& edit) {
   Expected<Mechanism> next = edit.reduce(*m_mechanism);
   if (!next) {
@@ -177,6 +182,7 @@ void Document::publish(const MechanismPtr& mechanism) {
   keepWhole(m_mechanism);
   keepWhole(mechanism);
   m_mechanism = mechanism;
+  m_elements.reset();
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;
   emit changed();

@@ -5,8 +5,10 @@
 #include <QUndoStack>
 #include <deque>
 #include <functional>
+#include <optional>
 
 #include "core/base/expected.h"
+#include "core/mechanism/element_index.h"
 #include "core/mechanism/mechanism.h"
 
 namespace geargraph {
@@ -37,6 +39,8 @@ class Document : public QObject {
   explicit Document(QObject* parent = nullptr);
 
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
+  /// The elements of the mechanism as it is now, by id: made when first asked for after an edit.
+  [[nodiscard]] const ElementIndex& elements() const;
   [[nodiscard]] quint64 revision() const { return m_revision; }
   /// The revision that last changed more than where things stand in the drawings: what was computed for it
   /// holds for the mechanism now.
@@ -79,8 +83,9 @@ class Document : public QObject {
   void shortenHistory();
 
   MechanismPtr m_mechanism;
-  std::deque<MechanismPtr> m_keptWhole;  ///< the newest first
-  MechanismPtr m_gestureStart;           ///< what the newest step began with
+  mutable std::optional<ElementIndex> m_elements;  ///< of m_mechanism; empty: not asked for yet
+  std::deque<MechanismPtr> m_keptWhole;            ///< the newest first
+  MechanismPtr m_gestureStart;                     ///< what the newest step began with
   std::size_t m_historyBytes = 0;
   std::size_t m_historyLimit = kHistoryLimit;
   bool m_rebuilding = false;  ///< the history; nothing is published then

@@ -8,7 +8,6 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
-#include <unordered_set>
 
 #include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
@@ -41,23 +40,7 @@
 namespace geargraph {
 namespace {
 
-/// All that can be selected or hovered: asked once an edit, whatever the number of what is selected.
-std::unordered_set<ElementId> elementsOf(const Mechanism& mechanism) {
-  std::unordered_set<ElementId> all;
-  const auto add = [&all](const auto& list) {
-    for (const auto& element : list) all.insert(element.id);
-  };
-  add(mechanism.links);
-  add(mechanism.axes);
-  add(mechanism.turningJoints);
-  add(mechanism.gearMeshes);
-  add(mechanism.wheels);
-  add(mechanism.couplings);
-  return all;
-}
-
-constexpr int kTitleBar = 40;             // px: at most that of a window manager
-constexpr std::size_t kMostChecked = 64;  // what a click selects; more come from the document itself
+constexpr int kTitleBar = 40;  // px: at most that of a window manager
 
 /// Where the document's own files are; empty while it has no file.
 std::filesystem::path folderOf(const Document& document) {
@@ -273,21 +256,15 @@ void MainWindow::onStage(const StagePtr& stage) {
 
 /// Views may show what is gone (the last picture in 3D): it cannot be selected.
 void MainWindow::onSelectionChanged() {
-  const Mechanism& mechanism = *m_document->mechanism();
+  const ElementIndex& elements = m_document->elements();
+  const auto isThere = [&](const ElementId& element) { return elements.contains(element); };
   const auto& selected = m_selection->selected();
-  const bool few = selected.size() <= kMostChecked;
-  const bool gone = few && std::any_of(selected.begin(), selected.end(), [&](const ElementId& element) {
-                      return !labelOf(mechanism, element);
-                    });
-  if (gone) {
-    return m_selection->keepOnly(
-        [&](const ElementId& element) { return labelOf(mechanism, element).has_value(); });
-  }
+  if (!std::all_of(selected.begin(), selected.end(), isThere)) return m_selection->keepOnly(isThere);
   renewActions();
 }
 
 void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
-  if (!labelOf(*m_document->mechanism(), element)) return;
+  if (!m_document->elements().contains(element)) return;
   QMenu* menu = drawing().contextMenuFor(element, {});
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->popup(at);
@@ -309,9 +286,8 @@ void MainWindow::requestAnalysis() {
 
 void MainWindow::onDocumentChanged() {
   if (!m_selection->selected().empty() || !m_selection->hovered().empty()) {
-    m_selection->keepOnly([there = elementsOf(*m_document->mechanism())](const ElementId& element) {
-      return there.contains(element);
-    });
+    m_selection->keepOnly(
+        [this](const ElementId& element) { return m_document->elements().contains(element); });
   }
   m_status->clearRefusal();
   renewActions();

@@ -43,17 +43,17 @@ int asTeeth(const Number& number) {
   return static_cast<int>(number.value());
 }
 
-ElementId itself(const Mechanism&, const ElementId& element) {
+ElementId itself(const ElementIndex&, const ElementId& element) {
   return element;
 }
-ElementId axisOf(const Mechanism& mechanism, const ElementId& joint) {
-  return mechanism.find(JointId(joint.id))->axis;
+ElementId axisOf(const ElementIndex& index, const ElementId& joint) {
+  return index.find(JointId(joint.id))->axis;
 }
-ElementId tailOf(const Mechanism& mechanism, const ElementId& mesh) {
-  return mechanism.find(MeshId(mesh.id))->tail;
+ElementId tailOf(const ElementIndex& index, const ElementId& mesh) {
+  return index.find(MeshId(mesh.id))->tail;
 }
-ElementId headOf(const Mechanism& mechanism, const ElementId& mesh) {
-  return mechanism.find(MeshId(mesh.id))->head;
+ElementId headOf(const ElementIndex& index, const ElementId& mesh) {
+  return index.find(MeshId(mesh.id))->head;
 }
 
 const NumberTriple kOrigin{Number(0), Number(0), Number(0)};
@@ -143,6 +143,9 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
       m_pin(makePin(tr("Axis pinned"), tr("The axis keeps its place while other things change."), axisOf)) {
   m_pin->setObjectName(QStringLiteral("pinAxis"));
   m_axis->setObjectName(QStringLiteral("axis"));
+  // Else the width of every axis' name is measured whenever a joint is selected.
+  m_axis->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_axis->setMinimumContentsLength(8);
   m_offset->setEmptyText(tr("several"));
   addRow(tr("Axis"), Term::axis, m_axis);
   addRow(tr("Point"), Term::axisPoint, m_point);
@@ -231,7 +234,7 @@ void JointForm::placeAxes(int index, const std::optional<Number>& number, bool o
 
 std::vector<const TurningJoint*> JointForm::joints() const {
   std::vector<const TurningJoint*> found;
-  for (const ElementId& element : elements()) found.push_back(mechanism().find(JointId(element.id)));
+  for (const ElementId& element : elements()) found.push_back(index().find(JointId(element.id)));
   return found;
 }
 
@@ -274,7 +277,7 @@ void JointForm::refreshAxes(const std::vector<const TurningJoint*>& all) {
   TripleField::Triples points;
   TripleField::Triples directions;
   for (const TurningJoint* joint : all) {
-    const Axis& placed = *mechanism().find(joint->axis);
+    const Axis& placed = *index().find(joint->axis);
     points.push_back(placed.point);
     directions.push_back(placed.direction);
   }
@@ -378,7 +381,7 @@ void MeshForm::connectTeeth() {
 
 std::vector<const GearMesh*> MeshForm::meshes() const {
   std::vector<const GearMesh*> found;
-  for (const ElementId& element : elements()) found.push_back(mechanism().find(MeshId(element.id)));
+  for (const ElementId& element : elements()) found.push_back(index().find(MeshId(element.id)));
   return found;
 }
 

@@ -41,11 +41,11 @@ PropertyForm::PropertyForm(Document* document, std::vector<ElementId> elements)
 
 bool PropertyForm::isAboutExisting() const {
   return std::all_of(m_elements.begin(), m_elements.end(),
-                     [this](const ElementId& element) { return labelOf(mechanism(), element).has_value(); });
+                     [this](const ElementId& element) { return index().contains(element); });
 }
 
 QString PropertyForm::label(const ElementId& element) const {
-  return shownText(labelOf(mechanism(), element).value_or(std::string()));
+  return shownText(index().labelOf(element).value_or(std::string()));
 }
 
 void PropertyForm::setTitle(const QString& title) {
@@ -93,9 +93,8 @@ QCheckBox* PropertyForm::makePin(const QString& text, const QString& tip, const 
   box->setToolTip(tip);
   connect(box, &QCheckBox::clicked, this, [this, of](bool on) {
     newGesture();
-    apply(on ? tr("Pin") : tr("Unpin"), [of, on](Mechanism before, const ElementId& element) {
-      const ElementId part = of(before, element);
-      return withPinned(std::move(before), part, on);
+    apply(on ? tr("Pin") : tr("Unpin"), [this, of, on](Mechanism before, const ElementId& element) {
+      return withPinned(std::move(before), of(index(), element), on);
     });
   });
   return box;
@@ -104,10 +103,10 @@ QCheckBox* PropertyForm::makePin(const QString& text, const QString& tip, const 
 void PropertyForm::showPin(QCheckBox& box, const PinnedPart& of) const {
   const QSignalBlocker quiet(&box);
   box.setChecked(std::all_of(m_elements.begin(), m_elements.end(), [&](const ElementId& element) {
-    const ElementId part = of(mechanism(), element);
-    if (part.kind == ElementKind::axis) return isPinned(*mechanism().find(AxisId(part.id)));
-    if (part.kind == ElementKind::gearMesh) return isPinned(*mechanism().find(MeshId(part.id)));
-    return isPinned(*mechanism().find(LinkId(part.id)));
+    const ElementId part = of(index(), element);
+    if (part.kind == ElementKind::axis) return isPinned(*index().find(AxisId(part.id)));
+    if (part.kind == ElementKind::gearMesh) return isPinned(*index().find(MeshId(part.id)));
+    return isPinned(*index().find(LinkId(part.id)));
   }));
 }
 
@@ -188,7 +187,7 @@ std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& tri
 PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {
   std::vector<ElementId> elements;
   for (const ElementId& element : selected) {
-    if (labelOf(*document->mechanism(), element)) elements.push_back(element);
+    if (document->elements().contains(element)) elements.push_back(element);
   }
   if (elements.empty()) return new DocumentForm(document);
   const ElementKind kind = elements.front().kind;

@@ -34,6 +34,8 @@ class PropertyForm : public QWidget {
   PropertyForm(Document* document, std::vector<ElementId> elements);
 
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
+  /// Its elements by id: a form may be about all of a document.
+  [[nodiscard]] const ElementIndex& index() const { return m_document->elements(); }
   [[nodiscard]] const std::vector<ElementId>& elements() const { return m_elements; }
   [[nodiscard]] QString label(const ElementId& element) const;
   void setTitle(const QString& title);
@@ -43,7 +45,7 @@ class PropertyForm : public QWidget {
   void addNote(const QString& text);
   NumberField* makeNumber(const QString& objectName);
   /// A box that pins, of each element of the form, what `of` says.
-  using PinnedPart = std::function<ElementId(const Mechanism&, const ElementId&)>;
+  using PinnedPart = std::function<ElementId(const ElementIndex&, const ElementId&)>;
   QCheckBox* makePin(const QString& text, const QString& tip, const PinnedPart& of);
   void showPin(QCheckBox& box, const PinnedPart& of) const;
 

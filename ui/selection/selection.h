@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -33,12 +34,8 @@ class Selection : public QObject {
   /// Drops what `exists` denies: after every change of the document.
   template <class Exists>
   void keepOnly(Exists exists) {
-    std::set<ElementId> selected = m_selected;
-    std::erase_if(selected, [&](const ElementId& element) { return !exists(element); });
-    select(std::move(selected));
-    std::set<ElementId> hovered = m_hovered;
-    std::erase_if(hovered, [&](const ElementId& element) { return !exists(element); });
-    hover(std::move(hovered));
+    if (!std::all_of(m_selected.begin(), m_selected.end(), exists)) select(kept(m_selected, exists));
+    if (!std::all_of(m_hovered.begin(), m_hovered.end(), exists)) hover(kept(m_hovered, exists));
   }
 
  signals:
@@ -46,6 +43,12 @@ class Selection : public QObject {
   void hoverChanged();
 
  private:
+  template <class Exists>
+  static std::set<ElementId> kept(std::set<ElementId> elements, Exists exists) {
+    std::erase_if(elements, [&](const ElementId& element) { return !exists(element); });
+    return elements;
+  }
+
   std::set<ElementId> m_selected;
   std::set<ElementId> m_hovered;
 };
