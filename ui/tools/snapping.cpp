@@ -1,34 +1,51 @@
 #include "ui/tools/snapping.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace geargraph {
 namespace {
 
-/// Keeps the smaller correction that brings `from` to `to`.
-void consider(double from, double to, double reach, std::optional<double>& line, double& correction) {
-  const double wanted = to - from;
-  if (std::abs(wanted) > reach || (line && std::abs(wanted) >= std::abs(correction))) return;
-  line = to;
-  correction = wanted;
+/// The line that moved nodes are pulled onto, and how far.
+struct Pull {
+  std::optional<double> line;
+  double correction = 0;
+
+  void consider(double from, double to, double reach) {
+    const double wanted = to - from;
+    if (std::abs(wanted) > reach || (line && std::abs(wanted) >= std::abs(correction))) return;
+    line = to;
+    correction = wanted;
+  }
+};
+
+/// Of all pairs of a moved and a resting node, the least correction in one coordinate: only the neighbours of
+/// a node among the sorted lines can give it.
+Pull nearestLine(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting,
+                 double SheetPoint::*coordinate, double shift, double reach) {
+  std::vector<double> lines;
+  lines.reserve(resting.size());
+  for (const SheetPoint& node : resting) lines.push_back(node.*coordinate);
+  std::sort(lines.begin(), lines.end());
+  Pull pull;
+  for (const SheetPoint& node : moving) {
+    const double at = node.*coordinate + shift;
+    const auto next = std::lower_bound(lines.begin(), lines.end(), at);
+    if (next != lines.end()) pull.consider(at, *next, reach);
+    if (next != lines.begin()) pull.consider(at, *std::prev(next), reach);
+  }
+  return pull;
 }
 
 }  // namespace
 
 Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx, double dy,
              double reach) {
-  Snap snap{dx, dy, {}, {}};
-  double pullX = 0;
-  double pullY = 0;
-  for (const SheetPoint& node : moving) {
-    for (const SheetPoint& other : resting) {
-      consider(node.x + dx, other.x, reach, snap.column, pullX);
-      consider(node.y + dy, other.y, reach, snap.row, pullY);
-    }
-  }
-  snap.dx += pullX;
-  snap.dy += pullY;
-  return snap;
+  const Pull toColumn = nearestLine(moving, resting, &SheetPoint::x, dx, reach);
+  const Pull toRow = nearestLine(moving, resting, &SheetPoint::y, dy, reach);
+  return {dx + toColumn.correction, dy + toRow.correction, toColumn.line, toRow.line};
 }
 
 SheetPoint onGrid(SheetPoint point, double step) {

@@ -17,7 +17,7 @@ struct Snap {
 };
 
 /// Pulls moved nodes onto the nearest row and column of a resting one, if that is at most `reach` away.
-/// `moving` are the places before the drag. Cost: O(moving · resting).
+/// `moving` are the places before the drag. Cost: O((moving + resting) log resting).
 [[nodiscard]] Snap snapped(std::span<const SheetPoint> moving, std::span<const SheetPoint> resting, double dx,
                            double dy, double reach);
 

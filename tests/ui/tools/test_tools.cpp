@@ -1,4 +1,5 @@
 #include <QtTest>
+#include <random>
 #include <set>
 
 #include "ui/tools/snapping.h"
@@ -242,6 +243,32 @@ class TestTools : public QObject {
     const std::vector<SheetPoint> resting{{103, 50}, {98, 200}, {300, 46}};
     const Snap snap = snapped(moving, resting, 100, 47, 6);
     QCOMPARE(snap, (Snap{98, 46, 98.0, 46.0}));
+  }
+
+  void snapsAsIfEveryPairWereCompared() {
+    std::mt19937 random(5);
+    const auto places = [&](int count) {
+      std::vector<SheetPoint> all;
+      for (int i = 0; i < count; ++i)
+        all.push_back(
+            {0.25 * static_cast<double>(random() % 4000), 0.25 * static_cast<double>(random() % 4000)});
+      return all;
+    };
+    for (int round = 0; round < 200; ++round) {
+      const std::vector<SheetPoint> moving = places(1 + static_cast<int>(random() % 5));
+      const std::vector<SheetPoint> resting = places(static_cast<int>(random() % 40));
+      constexpr double kReach = 6;
+      std::optional<double> least;  // of all corrections in x
+      for (const SheetPoint& node : moving) {
+        for (const SheetPoint& other : resting) {
+          const double pull = std::abs(other.x - node.x - 13);
+          if (pull <= kReach && (!least || pull < *least)) least = pull;
+        }
+      }
+      const Snap snap = snapped(moving, resting, 13, -7, kReach);
+      QCOMPARE(snap.column.has_value(), least.has_value());
+      QCOMPARE(std::abs(snap.dx - 13), least.value_or(0));
+    }
   }
 
   void farNodesDoNotPull() {
