@@ -9,15 +9,17 @@
 namespace geargraph {
 namespace {
 
+constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 12 ms
+
 /// How many outlines an element has: an arrow's line and label, a node's disc and badge, a coupling's line
 /// and plates.
-int outlinesOf(const EdgePlace&) {
+std::size_t outlinesOf(const EdgePlace&) {
   return 2;
 }
-int outlinesOf(const NodePlace& node) {
+std::size_t outlinesOf(const NodePlace& node) {
   return node.input ? 2 : 1;
 }
-int outlinesOf(const CouplingPlace&) {
+std::size_t outlinesOf(const CouplingPlace&) {
   return 2;
 }
 
@@ -48,9 +50,8 @@ void DigraphScene::show(const Mechanism& mechanism, NodePositions positions) {
 void DigraphScene::show(NodePositions positions, DigraphGeometryPtr geometry) {
   m_positions = std::move(positions);
   const DigraphGeometryPtr former = std::exchange(m_geometry, std::move(geometry));
-  if (isDrawn() && hasSameOutlines(*former, *m_geometry)) {
+  if (!m_putUp && hasSameOutlines(*former, *m_geometry)) {
     drawWhatDiffers(*former);
-    growSheet();
   } else {
     drawAll();
   }
@@ -59,8 +60,20 @@ void DigraphScene::show(NodePositions positions, DigraphGeometryPtr geometry) {
 void DigraphScene::drawAll() {
   constexpr std::size_t kLarge = 4'000;  // elements, which take some 50 ms
   const std::size_t size = sizeOf(*m_geometry);
-  const bool isUnderWay = !isDrawn();
+  const bool isUnderWay = m_putUp.has_value();
   editableOutlines().clear();
+  m_slots.clear();
+  std::size_t slot = 0;
+  const auto take = [&](const auto& places) {
+    for (const auto& place : places) m_slots.push_back(std::exchange(slot, slot + outlinesOf(place)));
+  };
+  take(m_geometry->edges);
+  take(m_geometry->nodes);
+  take(m_geometry->couplings);
+  m_isStale.assign(size, false);
+  m_staleCount = 0;
+  m_staleFrom = 0;
+  m_isMoving = false;
   beginDrawing();
   m_putUp = 0;
   if (size <= kLarge) {
@@ -72,14 +85,8 @@ void DigraphScene::drawAll() {
 
 void DigraphScene::putUp(std::size_t end) {
   std::vector<Outline>& all = editableOutlines();
-  const std::size_t edges = m_geometry->edges.size();
-  const std::size_t nodes = m_geometry->nodes.size();
   for (; *m_putUp < end; ++*m_putUp) {
-    const std::size_t at = *m_putUp;
-    const std::vector<Outline> outlines = at < edges ? draw(m_geometry->edges[at])
-                                          : at < edges + nodes
-                                              ? draw(m_geometry->nodes[at - edges])
-                                              : draw(m_geometry->couplings[at - edges - nodes]);
+    const std::vector<Outline> outlines = drawAt(*m_putUp);
     all.insert(all.end(), outlines.begin(), outlines.end());
   }
   if (end < sizeOf(*m_geometry)) return;
@@ -88,8 +95,7 @@ void DigraphScene::putUp(std::size_t end) {
 }
 
 void DigraphScene::putUpSlice() {
-  constexpr std::size_t kSlice = 1'000;  // elements
-  if (isDrawn()) return;                 // a small drawing came in between
+  if (!m_putUp) return;  // a small drawing came in between
   const std::size_t size = sizeOf(*m_geometry);
   putUp(std::min(*m_putUp + kSlice, size));
   if (isDrawn()) {
@@ -100,18 +106,66 @@ void DigraphScene::putUpSlice() {
 }
 
 void DigraphScene::drawWhatDiffers(const DigraphGeometry& former) {
-  auto slot = editableOutlines().begin();
-  const auto update = [&](const auto& before, const auto& now) {
-    if (before == now) {
-      slot += outlinesOf(now);
-      return;
+  std::size_t at = 0;
+  const auto compare = [&](const auto& before, const auto& now) {
+    for (std::size_t i = 0; i < now.size(); ++i, ++at) {
+      if (!(before[i] == now[i])) markStale(at);
     }
-    for (const Outline& outline : draw(now)) *slot++ = outline;
   };
-  for (std::size_t i = 0; i < former.edges.size(); ++i) update(former.edges[i], m_geometry->edges[i]);
-  for (std::size_t i = 0; i < former.nodes.size(); ++i) update(former.nodes[i], m_geometry->nodes[i]);
-  for (std::size_t i = 0; i < former.couplings.size(); ++i)
-    update(former.couplings[i], m_geometry->couplings[i]);
+  compare(former.edges, m_geometry->edges);
+  compare(former.nodes, m_geometry->nodes);
+  compare(former.couplings, m_geometry->couplings);
+  m_isMoving = m_staleCount > kSlice;
+  drawStale();
+}
+
+void DigraphScene::markStale(std::size_t at) {
+  if (m_isStale[at]) return;
+  m_isStale[at] = true;
+  ++m_staleCount;
+  m_staleFrom = std::min(m_staleFrom, at);
+}
+
+void DigraphScene::drawStale() {
+  if (m_staleCount <= kSlice) return drawStaleSlice();
+  if (!std::exchange(m_isSliceDue, true)) QTimer::singleShot(0, this, &DigraphScene::drawStaleSlice);
+}
+
+void DigraphScene::drawStaleSlice() {
+  constexpr std::size_t kMany = 100;
+  if (m_staleCount > kMany) update();  // uniting the areas of so many items would cost the square of them
+  m_isSliceDue = false;
+  for (std::size_t left = std::min(kSlice, m_staleCount); left > 0; ++m_staleFrom) {
+    if (!m_isStale[m_staleFrom]) continue;
+    m_isStale[m_staleFrom] = false;
+    --m_staleCount;
+    --left;
+    const std::vector<Outline> outlines = drawAt(m_staleFrom);
+    if (!m_putUp) {  // else they come with the others
+      std::copy(outlines.begin(), outlines.end(),
+                editableOutlines().begin() + static_cast<std::ptrdiff_t>(m_slots[m_staleFrom]));
+    }
+  }
+  if (m_staleCount > 0) return drawStale();
+  m_staleFrom = m_isStale.size();
+  if (!m_putUp) growSheet();
+  if (std::exchange(m_isMoving, false)) emit drawn();
+}
+
+ElementId DigraphScene::elementAt(std::size_t at) const {
+  const std::size_t edges = m_geometry->edges.size();
+  const std::size_t nodes = m_geometry->nodes.size();
+  if (at < edges) return m_geometry->edges[at].element;
+  if (at < edges + nodes) return m_geometry->nodes[at - edges].link;
+  return m_geometry->couplings[at - edges - nodes].coupling;
+}
+
+std::vector<Outline> DigraphScene::drawAt(std::size_t at) {
+  const std::size_t edges = m_geometry->edges.size();
+  const std::size_t nodes = m_geometry->nodes.size();
+  if (at < edges) return draw(m_geometry->edges[at]);
+  if (at < edges + nodes) return draw(m_geometry->nodes[at - edges]);
+  return draw(m_geometry->couplings[at - edges - nodes]);
 }
 
 std::vector<Outline> DigraphScene::draw(const NodePlace& node) {
@@ -145,15 +199,10 @@ void DigraphScene::redraw(const ElementId& element, DisplayList drawing, int dep
 }
 
 void DigraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
-  for (const NodePlace& node : m_geometry->nodes) {
-    if (changed.contains(node.link)) draw(node);
+  for (std::size_t at = 0; at < m_isStale.size(); ++at) {
+    if (changed.contains(elementAt(at))) markStale(at);
   }
-  for (const EdgePlace& edge : m_geometry->edges) {
-    if (changed.contains(edge.element)) draw(edge);
-  }
-  for (const CouplingPlace& place : m_geometry->couplings) {
-    if (changed.contains(place.coupling)) draw(place);
-  }
+  drawStale();
 }
 
 DisplayList DigraphScene::displayList(const Emphases& emphases) const {

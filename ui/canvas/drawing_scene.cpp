@@ -23,7 +23,8 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
 
 }  // namespace
 
-DrawingScene::DrawingScene(QObject* parent) : QGraphicsScene(parent), m_overlay(new MarkItem(kGhostDepth)) {
+DrawingScene::DrawingScene(QObject* parent)
+    : QGraphicsScene(parent), m_overlay(new MarkItem(kGhostDepth, m_theme)) {
   addItem(m_overlay);
   setSceneRect(-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround);
 }
@@ -63,8 +64,7 @@ void DrawingScene::setPart(const ElementId& element, int depth, std::vector<Mark
   Part& part = m_parts[{element, depth}];
   part.drawing = m_drawing;
   if (!part.item) {
-    part.item = std::make_unique<MarkItem>(depth);
-    part.item->setTheme(m_theme);
+    part.item = std::make_unique<MarkItem>(depth, m_theme);
     addItem(part.item.get());
   }
   part.item->setMarks(std::move(marks));
@@ -93,8 +93,7 @@ void DrawingScene::drawAgain(const std::unordered_set<ElementId>&) {
 
 void DrawingScene::setTheme(Theme theme) {
   m_theme = theme;
-  m_overlay->setTheme(theme);
-  for (auto& [key, part] : m_parts) part.item->setTheme(theme);
+  update();
   setBackgroundBrush(toQColor(colorOf(ColorRole::sheet, theme)));
 }
 

@@ -7,7 +7,7 @@
 
 namespace geargraph {
 
-MarkItem::MarkItem(double depth) {
+MarkItem::MarkItem(double depth, const Theme& theme) : m_theme(theme) {
   setZValue(depth);
   setAcceptedMouseButtons(Qt::NoButton);
 }
@@ -18,12 +18,6 @@ void MarkItem::setMarks(std::vector<Mark> marks) {
   m_marks = std::move(marks);
   m_bounds = {};
   for (const Mark& mark : m_marks) m_bounds |= toQRect(extentOf(mark).grown(1));
-  update();
-}
-
-void MarkItem::setTheme(Theme theme) {
-  if (theme == m_theme) return;
-  m_theme = theme;
   update();
 }
 

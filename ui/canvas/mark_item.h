@@ -10,11 +10,12 @@ namespace geargraph {
 /// is not its business: the view asks the outlines of the display list.
 class MarkItem final : public QGraphicsItem {
  public:
-  explicit MarkItem(double depth);
+  /// In the colours of `theme` as it is when the item is painted: the scene's, which repaints when it
+  /// changes.
+  MarkItem(double depth, const Theme& theme);
 
   /// Shows other marks; repaints only if they differ.
   void setMarks(std::vector<Mark> marks);
-  void setTheme(Theme theme);
 
   [[nodiscard]] QRectF boundingRect() const override { return m_bounds; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -22,7 +23,7 @@ class MarkItem final : public QGraphicsItem {
  private:
   std::vector<Mark> m_marks;
   QRectF m_bounds;
-  Theme m_theme = Theme::light;
+  const Theme& m_theme;
 };
 
 }  // namespace geargraph

@@ -1,5 +1,6 @@
 #include <QUndoStack>
 
+#include "core/drawing/hit_test.h"
 #include "tests/ui/canvas/view_driver.h"
 
 using namespace geargraph;
@@ -360,6 +361,50 @@ class TestDigraphView : public QObject {
     }
     QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
     QVERIFY(isDrawnAs(moved));
+  }
+
+  void thousandsOfElementsAreDrawnAgainInSlices() {
+    Mechanism large = test::randomTree(23, 1200, 600);
+    large.view.nodes = layoutOf(large);
+    ViewDriver d(large);
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    const auto halos = [&] {
+      const auto items = d.view.scene()->items();
+      return std::count_if(items.begin(), items.end(),
+                           [](const QGraphicsItem* item) { return item->zValue() == kHaloDepth; });
+    };
+    constexpr int kAll = 1201 + 1200 + 600;
+    QCOMPARE(halos(), 0);
+    d.view.selectAll();
+    QVERIFY(halos() < kAll / 2);  // no event has been asked to do all of it
+    QTRY_COMPARE_WITH_TIMEOUT(halos(), kAll, 60000);
+
+    const LinkId link = d.link(700);
+    d.selection.select({link});  // the newest selection is what is seen in the end
+    QTRY_COMPARE_WITH_TIMEOUT(halos(), 1, 60000);
+    QCOMPARE(d.view.displayList().marks,
+             digraphDrawing(d.mechanism(), large.view.nodes, {{link, {.selected = true}}}).marks);
+  }
+
+  void allNodesMoveInSlices() {
+    Mechanism large = test::randomTree(23, 1200, 600);
+    large.view.nodes = layoutOf(large);
+    ViewDriver d(large);
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    const QRectF before = static_cast<DrawingScene*>(d.view.scene())->drawnRect();
+    const auto edit = [](const Mechanism& m) -> Expected<Mechanism> {
+      Mechanism moved = m;
+      for (auto& [link, place] : moved.view.nodes) place = place + SheetPoint{300, 700};
+      return moved;
+    };
+    QVERIFY(d.document.apply({QStringLiteral("Move"), edit, 0}));
+    QVERIFY(!d.view.isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    const QRectF after = static_cast<DrawingScene*>(d.view.scene())->drawnRect();
+    QCOMPARE(after.topLeft(), before.topLeft() + QPointF(300, 700));
+    QCOMPARE(after.size(), before.size());
+    const auto& outlines = static_cast<DrawingScene*>(d.view.scene())->outlines();
+    QCOMPARE(elementAt(outlines, d.center(5)), std::optional<ElementId>(d.link(5)));
   }
 
   void largeDocumentsAreLaidOutBesideTheWindowsThread() {
