@@ -69,15 +69,15 @@ int ResultsModel::inputCount() const {
 }
 
 ElementId ResultsModel::outputAt(int row) const {
-  return m_snapshot->graph->edgeId(solution()->outputs[static_cast<std::size_t>(row)]);
+  return m_snapshot->graph->edgeId(jointAt(row));
 }
 
 ElementId ResultsModel::inputAt(int input) const {
   return m_snapshot->graph->edgeId(solution()->inputs[static_cast<std::size_t>(input)]);
 }
 
-ElementId ResultsModel::linkOf(const ElementId& joint) const {
-  return m_snapshot->mechanism->find(JointId(joint.id))->head;
+ElementId ResultsModel::linkAt(int row) const {
+  return m_snapshot->graph->nodeId(linkNodeAt(row));
 }
 
 int ResultsModel::rowCount(const QModelIndex& parent) const {
@@ -130,7 +130,7 @@ int ResultsModel::referenceJoint() const {
 }
 
 QString ResultsModel::rateNow(int row, bool asDecimal) const {
-  const auto joint = static_cast<std::size_t>(solution()->outputs[static_cast<std::size_t>(row)]);
+  const auto joint = static_cast<std::size_t>(jointAt(row));
   const int reference = referenceJoint();
   if (m_snapshot->solved && m_snapshot->solved->exact && !asDecimal) {
     const std::vector<Rational>& rates = m_snapshot->solved->exact->rates;
@@ -161,12 +161,10 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
   const int row = index.row();
   const int input = index.column() - 1;
   const bool ofInput = input >= 0 && input < inputCount();
-  const ElementId joint = outputAt(row);
-  const std::string link = labelOf(*m_snapshot->mechanism, linkOf(joint)).value();
   switch (role) {
     case Qt::DisplayRole:
       if (ofInput) return coefficient(row, input);
-      if (input < 0) return tr("link %1").arg(QString::fromStdString(link));
+      if (input < 0) return tr("link %1").arg(m_snapshot->graph->nodeLabel(linkNodeAt(row)));
       return rateNow(row, false);
     case Qt::ToolTipRole:
       if (input == inputCount()) return tr("%1 rad/s").arg(rateNow(row, true));
@@ -176,9 +174,9 @@ QVariant ResultsModel::data(const QModelIndex& index, int role) const {
     case SymbolRole:
       return ofInput && !isZero(row, input) && symbolAt(row, input) != nullptr;
     case JointLabelRole:
-      return QString::fromStdString(labelOf(*m_snapshot->mechanism, joint).value());
+      return QString::number(m_snapshot->graph->edgeLabel(jointAt(row)));
     case LinkLabelRole:
-      return QString::fromStdString(link).toInt();
+      return m_snapshot->graph->nodeLabel(linkNodeAt(row));
     default:
       return {};
   }
@@ -190,7 +188,7 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
   if (section < 0 || section >= columnCount()) return {};
   if (input < 0) return tr("joint");
   if (input == inputCount()) return headOfRates();
-  return QString::fromStdString(labelOf(*m_snapshot->mechanism, inputAt(input)).value());
+  return QString::number(m_snapshot->graph->edgeLabel(solution()->inputs[static_cast<std::size_t>(input)]));
 }
 
 }  // namespace geargraph

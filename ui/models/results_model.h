@@ -37,8 +37,8 @@ class ResultsModel : public QAbstractTableModel {
   /// By their ordinals. @pre the row or input is there
   [[nodiscard]] ElementId outputAt(int row) const;
   [[nodiscard]] ElementId inputAt(int input) const;
-  /// The link that a joint carries: its head.
-  [[nodiscard]] ElementId linkOf(const ElementId& joint) const;
+  /// The link that the joint of a row carries: its head.
+  [[nodiscard]] ElementId linkAt(int row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -49,6 +49,9 @@ class ResultsModel : public QAbstractTableModel {
 
  private:
   [[nodiscard]] const LiveSolution* solution() const;
+  /// By their ordinals in the snapshot's digraph, which knows labels and ends without a search.
+  [[nodiscard]] int jointAt(int row) const { return solution()->outputs[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int linkNodeAt(int row) const { return m_snapshot->graph->turningEdge(jointAt(row)).head; }
   [[nodiscard]] std::size_t at(int row, int input) const;
   [[nodiscard]] const RationalFunction* symbolAt(int row, int input) const;
   [[nodiscard]] QString coefficient(int row, int input) const;

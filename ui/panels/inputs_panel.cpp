@@ -31,19 +31,27 @@ QPixmap linkDot(int label, qreal ratio) {
   return pixmap;
 }
 
-/// "8 4": the labels of the joint and of the link that it drives.
-std::string titleOf(const Mechanism& mechanism, JointId id) {
-  const TurningJoint& joint = *mechanism.find(id);
-  return labelOf(mechanism, id).value() + ' ' + labelOf(mechanism, joint.head).value();
-}
+/// Rows that are made at once: each is half a dozen widgets, and a train may have thousands of inputs.
+constexpr std::size_t kRowsAtOnce = 30;
 
 }  // namespace
 
 InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_grid(new QGridLayout) {
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_grid(new QGridLayout),
+      m_mostRows(kRowsAtOnce) {
   m_empty =
       emptyLabel(this, tr("No joint is driven yet. Choose the input tool (I), then click a turning joint."));
   m_empty->setObjectName(QStringLiteral("noInputs"));
+  m_more = new QToolButton(this);
+  m_more->setObjectName(QStringLiteral("moreInputs"));
+  m_more->setProperty("look", "control");
+  connect(m_more, &QToolButton::clicked, this, [this] {
+    m_mostRows += kRowsAtOnce;
+    renew();
+  });
   m_choose = new QToolButton(this);
   m_choose->setObjectName(QStringLiteral("chooseInputs"));
   m_choose->setProperty("look", "control");
@@ -55,31 +63,47 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(m_grid);
+  layout->addWidget(m_more, 0, Qt::AlignHCenter);
   layout->addWidget(m_empty);
   layout->addWidget(m_choose, 0, Qt::AlignHCenter);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
   connect(document, &Document::changed, this, &InputsPanel::renew);
+  connect(document, &Document::replaced, this, [this] {
+    m_mostRows = kRowsAtOnce;
+    if (m_rows.size() > m_mostRows) renew();
+  });
   renew();
 }
 
+std::string InputsPanel::titleOf(JointId joint) const {
+  const ElementIndex& index = m_document->elements();
+  return index.labelOf(joint).value() + ' ' + index.labelOf(index.find(joint)->head).value();
+}
+
 void InputsPanel::renew() {
-  const Mechanism& mechanism = *m_document->mechanism();
-  const std::vector<Input> inputs = mechanism.inputs.value_or(std::vector<Input>{});
+  static const std::vector<Input> kNone;
+  const auto& stated = m_document->mechanism()->inputs;
+  const std::vector<Input>& inputs = stated ? *stated : kNone;
+  const std::size_t shown = std::min(inputs.size(), m_mostRows);
   std::vector<std::string> titles;
-  for (const Input& input : inputs) titles.push_back(titleOf(mechanism, input.joint));
-  const bool sameJoints =
-      std::equal(inputs.begin(), inputs.end(), m_rows.begin(), m_rows.end(),
-                 [](const Input& input, const Row& row) { return input.joint == row.joint; });
-  if (!sameJoints || titles != m_shownTitles) {
-    m_shownTitles = titles;
-    rebuild(mechanism);
-  }
-  for (std::size_t i = 0; i < inputs.size(); ++i) showSpeed(m_rows[i], inputs[i].speed);
+  for (std::size_t i = 0; i < shown; ++i) titles.push_back(titleOf(inputs[i].joint));
+  const bool areFirst =
+      m_rows.size() <= shown &&
+      std::equal(m_rows.begin(), m_rows.end(), inputs.begin(),
+                 [](const Row& row, const Input& input) { return row.joint == input.joint; }) &&
+      std::equal(m_shownTitles.begin(), m_shownTitles.end(), titles.begin());
+  if (!areFirst) clearRows();
+  while (m_rows.size() < shown)
+    m_rows.push_back(makeRow(inputs[m_rows.size()], static_cast<int>(m_rows.size())));
+  m_shownTitles = std::move(titles);
+  for (std::size_t i = 0; i < shown; ++i) showSpeed(m_rows[i], inputs[i].speed);
+  m_more->setText(tr("Show more: %1 of %2 inputs are listed").arg(shown).arg(inputs.size()));
+  m_more->setVisible(shown < inputs.size());
   m_empty->setVisible(inputs.empty());
 }
 
-void InputsPanel::rebuild(const Mechanism& mechanism) {
+void InputsPanel::clearRows() {
   for (const Row& row : m_rows) {
     for (QWidget* widget : row.widgets) {
       m_grid->removeWidget(widget);
@@ -88,19 +112,17 @@ void InputsPanel::rebuild(const Mechanism& mechanism) {
     }
   }
   m_rows.clear();
-  if (!mechanism.inputs) return;
-  for (const Input& input : *mechanism.inputs) {
-    m_rows.push_back(makeRow(mechanism, input, static_cast<int>(m_rows.size())));
-  }
+  m_shownTitles.clear();
 }
 
-InputsPanel::Row InputsPanel::makeRow(const Mechanism& mechanism, const Input& input, int line) {
+InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   Row row;
   row.joint = input.joint;
-  const TurningJoint& joint = *mechanism.find(input.joint);
-  const QString jointLabel = shownText(labelOf(mechanism, input.joint).value());
-  const QString head = shownText(labelOf(mechanism, joint.head).value());
-  const QString tail = shownText(labelOf(mechanism, joint.tail).value());
+  const ElementIndex& index = m_document->elements();
+  const TurningJoint& joint = *index.find(input.joint);
+  const QString jointLabel = shownText(index.labelOf(input.joint).value());
+  const QString head = shownText(index.labelOf(joint.head).value());
+  const QString tail = shownText(index.labelOf(joint.tail).value());
 
   auto* dot = new QLabel(this);
   dot->setPixmap(linkDot(head.toInt(), devicePixelRatioF()));
@@ -141,7 +163,7 @@ InputsPanel::Row InputsPanel::makeRow(const Mechanism& mechanism, const Input& i
 QToolButton* InputsPanel::makeExchange(JointId joint) {
   auto* button = new QToolButton(this);
   button->setObjectName(QStringLiteral("exchange.") +
-                        shownText(labelOf(*m_document->mechanism(), joint).value()));
+                        shownText(m_document->elements().labelOf(joint).value()));
   button->setText(QStringLiteral("⇄"));
   button->setProperty("look", "control");
   button->setToolTip(tr("Drive another joint instead; the motion stays as it is"));

@@ -45,8 +45,10 @@ class InputsPanel : public QWidget {
   };
 
   void renew();
-  void rebuild(const Mechanism& mechanism);
-  Row makeRow(const Mechanism& mechanism, const Input& input, int line);
+  void clearRows();
+  Row makeRow(const Input& input, int line);
+  /// "8 4": the labels of the joint and of the link that it drives.
+  [[nodiscard]] std::string titleOf(JointId joint) const;
   void showSpeed(Row& row, const Number& speed);
   void setSpeed(JointId joint, const Number& speed);
   QToolButton* makeExchange(JointId joint);
@@ -58,10 +60,12 @@ class InputsPanel : public QWidget {
   Selection* m_selection;
   QGridLayout* m_grid;
   QLabel* m_empty;
+  QToolButton* m_more;
   QToolButton* m_choose;
   SnapshotPtr m_snapshot;
-  std::vector<Row> m_rows;
+  std::vector<Row> m_rows;  ///< of the first inputs
   std::vector<std::string> m_shownTitles;
+  std::size_t m_mostRows;  ///< the others come when they are asked for
   quint64 m_gesture = 0;
 };
 

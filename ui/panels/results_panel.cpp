@@ -25,6 +25,7 @@ constexpr int kRowHeight = 23;
 constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
 constexpr int kLeastWidth = 64;     // px, of a column
+constexpr int kMostNamed = 12;      // inputs in the note: wrapping thousands of labels takes seconds
 constexpr int kMostWidth = 420;
 
 }  // namespace
@@ -50,6 +51,7 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);
   m_pages->addWidget(m_links);
+  m_note->setObjectName(QStringLiteral("inputsNote"));
   m_note->setProperty("look", "hint");
   m_note->setWordWrap(true);
   m_note->setContentsMargins(16, 0, 16, 0);
@@ -88,6 +90,7 @@ void ResultsPanel::makeTable() {
   m_table->setItemDelegate(new ResultsDelegate(m_selection, m_table));
   auto* header = new ResultsHeader(m_table);
   m_table->setHorizontalHeader(header);
+  header->setDefaultSectionSize(kLeastWidth);  // so that only columns that were measured are resized
   m_table->verticalHeader()->hide();
   m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(kRowHeight));
   m_table->setShowGrid(false);
@@ -276,7 +279,7 @@ bool ResultsPanel::isWaiting() const {
 void ResultsPanel::hoverRow(const QModelIndex& index) {
   const int input = index.column() - 1;
   const ElementId joint = m_model->outputAt(index.row());
-  std::set<ElementId> elements{joint, m_model->linkOf(joint)};
+  std::set<ElementId> elements{joint, m_model->linkAt(index.row())};
   if (input >= 0 && input < m_model->inputCount()) elements.insert(m_model->inputAt(input));
   m_selection->hover(std::move(elements));
 }
@@ -306,8 +309,9 @@ void ResultsPanel::renewNote() {
   if (m_model->columnCount() > 0 && matroid != nullptr && !matroid->inputsGiven &&
       m_model->inputCount() > 0) {
     QStringList joints;
-    for (int i = 0; i < m_model->inputCount(); ++i)
+    for (int i = 0; i < std::min(m_model->inputCount(), kMostNamed); ++i)
       joints << m_model->headerData(i + 1, Qt::Horizontal).toString();
+    if (m_model->inputCount() > kMostNamed) joints << tr("… (%1 in all)").arg(m_model->inputCount());
     note = tr("No joint is driven, so %1 stands for the inputs, at 1 rad/s each.")
                .arg(joints.size() == 1 ? tr("joint %1").arg(joints.first())
                                        : tr("the set of joints %1").arg(joints.join(QStringLiteral(", "))));

@@ -51,7 +51,7 @@ class ResultsModelTest : public QObject {
     QCOMPARE(model.headerData(4, Qt::Horizontal).toString(), QStringLiteral("now"));
     QCOMPARE(model.outputAt(1), ElementId(JointId("12")));
     QCOMPARE(model.inputAt(2), ElementId(JointId("11")));
-    QCOMPARE(model.linkOf(JointId("12")), ElementId(LinkId("2")));
+    QCOMPARE(model.linkAt(1), ElementId(LinkId("2")));
     QCOMPARE(model.index(1, 0).data(ResultsModel::LinkLabelRole).toInt(), 2);
     QVERIFY(model.index(0, 2).data(ResultsModel::ZeroRole).toBool());
   }

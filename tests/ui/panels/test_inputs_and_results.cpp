@@ -9,11 +9,13 @@
 #include <QToolButton>
 
 #include "core/mechanism/edits.h"
+#include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "ui/models/freedom_text.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/panels/results_panel.h"
+#include "ui/panels/speed_slider.h"
 
 namespace geargraph {
 
@@ -205,6 +207,32 @@ class InputsAndResultsTest : public QObject {
     results->setAwake(true);
     QVERIFY(pages->currentIndex() != page);
     QVERIFY(verdict->text().isEmpty());
+  }
+
+  void thousandsOfInputsCostWidgetsOnlyWhenAskedFor() {
+    document->replace(test::randomTrain(7, 400, 0), {});
+    settle();
+    QCOMPARE(snapshot->matroid()->choice.joints.size(), std::size_t{400});
+    const auto* note = results->findChild<QLabel*>(QStringLiteral("inputsNote"));
+    QVERIFY(note->text().contains(QStringLiteral("(400 in all)")));
+    QVERIFY2(note->text().size() < 200, qPrintable(note->text()));
+
+    inputs->drive(snapshot->matroid()->choice.joints);
+    QCOMPARE(document->mechanism()->inputs->size(), std::size_t{400});
+    const auto rows = [&] {
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      return inputs->findChildren<SpeedSlider*>().size();
+    };
+    QCOMPARE(rows(), 30);
+    auto* more = inputs->findChild<QToolButton*>(QStringLiteral("moreInputs"));
+    QVERIFY(more->isVisibleTo(inputs.get()));
+    more->click();
+    QCOMPARE(rows(), 60);
+    QCOMPARE(more->text(), QStringLiteral("Show more: 60 of 400 inputs are listed"));
+
+    document->undoStack().undo();
+    QCOMPARE(rows(), 0);
+    QVERIFY(!more->isVisibleTo(inputs.get()));
   }
 
   void nothingSolvedIsNotCalledEqual() {
