@@ -17,6 +17,7 @@ constexpr std::pair<Theme, const char*> kThemeNames[] = {
     {Theme::light, "light"}, {Theme::dark, "dark"}, {Theme::highContrast, "highContrast"}};
 const QString kThemeKey = QStringLiteral("theme");
 constexpr const char* kScaleProperty = "geargraphTypeScale";
+constexpr const char* kStyledProperty = "geargraphStyled";
 
 }  // namespace
 
@@ -89,11 +90,16 @@ int smallPixels() {
 
 void applyTheme(QApplication& application, Theme theme, double typeScale) {
   application.setProperty(kScaleProperty, typeScale);
-  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  // Each of these polishes all widgets of the program again, so what stays as it is is not set.
+  if (!application.property(kStyledProperty).toBool()) {
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setProperty(kStyledProperty, true);
+  }
+  if (QFont font = application.font(); font.pixelSize() != bodyPixels()) {
+    font.setPixelSize(bodyPixels());
+    application.setFont(font);
+  }
   application.setPalette(paletteOf(theme));
-  QFont font = application.font();
-  font.setPixelSize(bodyPixels());
-  application.setFont(font);
   application.setStyleSheet(styleSheetOf(theme));
 }
 
