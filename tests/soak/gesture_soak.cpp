@@ -58,7 +58,7 @@ GestureSoak::GestureSoak(const SoakOptions& options) : m_options(options), m_ran
   QApplication::setQuitOnLastWindowClosed(false);
   applyTheme(*qApp, Theme::light);
   m_windows = std::make_unique<WindowSet>(m_folder.filePath(QStringLiteral("recovery")));
-  m_watchdog = std::make_unique<test::StallWatchdog>();
+  m_watchdog = std::make_unique<test::StallWatchdog>(kOpening);
 }
 
 GestureSoak::~GestureSoak() {

@@ -25,7 +25,8 @@ double milliseconds(clockid_t clock) {
 
 }  // namespace
 
-StallWatchdog::StallWatchdog(QObject* parent) : QObject(parent) {
+StallWatchdog::StallWatchdog(const QString& activity, QObject* parent)
+    : QObject(parent), m_activity(activity), m_postedActivity(activity) {
   pthread_getcpuclockid(pthread_self(), &m_cpuClock);
   pingType();
   m_thread = std::jthread([this](const std::stop_token& quit) { watch(quit); });

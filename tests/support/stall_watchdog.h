@@ -21,7 +21,8 @@ class StallWatchdog : public QObject {
     double wall = 0;  ///< ms
   };
 
-  explicit StallWatchdog(QObject* parent = nullptr);
+  /// `activity` is what is going on to begin with.
+  explicit StallWatchdog(const QString& activity = {}, QObject* parent = nullptr);
   ~StallWatchdog() override;
 
   /// What is going on from now on: stalls are kept by it.
