@@ -126,10 +126,11 @@ Camera Camera::fitted(std::span<const Eigen::Vector3d> points, const Viewport& v
   const double slopeRight = slopeUp * viewport.aspect();
   Slab rightward, upward;
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+  const Eigen::Vector3d ahead = forward(), aside = right(), above = up();
   for (const Eigen::Vector3d& point : points) {
-    const double along = point.dot(forward());
-    rightward.add(point.dot(right()), along, slopeRight);
-    upward.add(point.dot(up()), along, slopeUp);
+    const double along = point.dot(ahead);
+    rightward.add(point.dot(aside), along, slopeRight);
+    upward.add(point.dot(above), along, slopeUp);
     nearest = std::min(nearest, along);
     farthest = std::max(farthest, along);
   }
@@ -137,7 +138,7 @@ Camera Camera::fitted(std::span<const Eigen::Vector3d> points, const Viewport& v
   const double middle = (nearest + farthest) / 2;
   Camera next = *this;
   next.m_distance = std::clamp(middle - eyeAlong, kNearest, kFarthest);
-  next.m_target = rightward.across() * right() + upward.across() * up() + middle * forward();
+  next.m_target = rightward.across() * aside + upward.across() * above + middle * ahead;
   return next;
 }
 

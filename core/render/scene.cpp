@@ -38,8 +38,8 @@ std::vector<Eigen::Vector3d> cornersOf(const Scene& scene) {
 
 namespace {
 
-/// The vertices of a solid that reach farthest in directions all round.
-std::vector<Eigen::Vector3d> farthestOf(const Solid& solid) {
+/// The vertices of a solid that reach farthest in directions all round, of about `samples` of them.
+std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples) {
   constexpr int kRound = 16;
   std::vector<Eigen::Vector3f> directions;
   for (const double rise : {-1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0}) {
@@ -53,7 +53,7 @@ std::vector<Eigen::Vector3d> farthestOf(const Solid& solid) {
   std::vector<float> reach(directions.size(), -std::numeric_limits<float>::infinity());
   std::vector<std::size_t> farthest(directions.size(), 0);
   // A solid has thousands of vertices, of which neighbours reach equally far: some will do.
-  const std::size_t step = 1 + solid.positions.size() / 4096;
+  const std::size_t step = 1 + solid.positions.size() / samples;
   for (std::size_t i = 0; i < solid.positions.size(); i += step) {
     const Float3& p = solid.positions[i];
     for (std::size_t d = 0; d < directions.size(); ++d) {
@@ -76,12 +76,16 @@ std::vector<Eigen::Vector3d> farthestOf(const Solid& solid) {
 }  // namespace
 
 std::vector<Eigen::Vector3d> outlineOf(const Scene& scene) {
+  // Among hundreds of solids each is a small part of the picture, and the window waits for the answer.
+  constexpr std::size_t kMostSamples = std::size_t{1} << 18U;
+  const std::size_t samples = std::clamp(kMostSamples / std::max(scene.solids.size(), std::size_t{1}),
+                                         std::size_t{64}, std::size_t{4096});
   std::vector<std::optional<std::vector<Eigen::Vector3d>>> farthest(scene.solids.size());
   std::vector<Eigen::Vector3d> points;
   for (const Instance& instance : scene.instances) {
     auto& own = farthest[instance.solid];
     const Solid& solid = *scene.solids[instance.solid];
-    if (!own) own = solid.positions.empty() ? std::vector<Eigen::Vector3d>() : farthestOf(solid);
+    if (!own) own = solid.positions.empty() ? std::vector<Eigen::Vector3d>() : farthestOf(solid, samples);
     for (const Eigen::Vector3d& point : *own) points.push_back(instance.pose * point);
   }
   return points;
