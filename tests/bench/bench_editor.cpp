@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QMenu>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -373,6 +374,54 @@ void openALargeDocument(benchmark::State& state) {
   state.SetLabel(name);
 }
 
+/// How long the window does not answer, at most, in what one gesture brings about in a document of many
+/// links, until all has come to rest.
+void stallOf(benchmark::State& state, const std::function<void(MainWindow&, int)>& gesture) {
+  auto& stand = stands()[10'000];
+  if (!stand) stand = std::make_unique<Stand>(bench::drivenTree(10'000));
+  MainWindow& window = stand->window();
+  window.drawing().fit();
+  stand->settle();
+  auto* const application = static_cast<WatchedApplication*>(QCoreApplication::instance());
+  double longest = 0;
+  std::string name;
+  int step = 0;
+  for (auto _ : state) {
+    application->forget();
+    QMetaObject::invokeMethod(
+        &window, [&] { gesture(window, step); }, Qt::QueuedConnection);
+    QCoreApplication::processEvents();
+    stand->settle();
+    ++step;
+    if (application->longest() > longest) {
+      longest = application->longest();
+      name = application->longestName();
+    }
+  }
+  state.counters["stall_ms"] = longest;
+  state.SetLabel(name);
+}
+
+void selectOrUnselectAll(MainWindow& window, int step) {
+  step % 2 == 0 ? window.drawing().selectAll()
+                : static_cast<void>(QTest::keyClick(&window.drawing(), Qt::Key_Escape));
+}
+
+void moveEverything(MainWindow& window, int step) {
+  if (step == 0) window.drawing().selectAll();
+  QTest::keyClick(&window.drawing(), step % 2 == 0 ? Qt::Key_Right : Qt::Key_Left);
+}
+
+void openAMenu(MainWindow& window, int step) {
+  const auto& meshes = window.document().mechanism()->gearMeshes;
+  const MeshId mesh = meshes[static_cast<std::size_t>(step) * 7 % meshes.size()].id;
+  delete window.drawing().contextMenuFor(ElementId(mesh), {});
+}
+
+void changeTheme(MainWindow& window, int step) {
+  window.setTheme(step % 2 == 0 ? Theme::dark : Theme::light);
+}
+
 BENCHMARK(addALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(openALargeDocument)
     ->Arg(1'000)
@@ -382,6 +431,10 @@ BENCHMARK(openALargeDocument)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1);
+BENCHMARK_CAPTURE(stallOf, select_or_unselect_all, selectOrUnselectAll)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stallOf, move_everything, moveEverything)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stallOf, open_a_menu, openAMenu)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stallOf, change_theme, changeTheme)->Unit(benchmark::kMillisecond);
 BENCHMARK(hoverALink)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(dragALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(drawAMesh)->Arg(1000)->Unit(benchmark::kMillisecond);
