@@ -17,6 +17,7 @@
 #include "core/schematic/schematic.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/extreme_documents.h"
 
 namespace geargraph {
 namespace {
@@ -63,25 +64,6 @@ Seconds overtime(const Work& work, Seconds after) {
 
 MechanismPtr shared(Mechanism mechanism) {
   return std::make_shared<const Mechanism>(std::move(mechanism));
-}
-
-/// The paper's robot with bevels of 20,000 and 30,000 teeth, beside each other.
-Mechanism robotOfManyTeeth() {
-  Mechanism robot = test::example("robot");
-  for (GearMesh& mesh : robot.gearMeshes) {
-    mesh.tailTeeth *= 1000;
-    mesh.headTeeth *= 1000;
-  }
-  return robot;
-}
-
-/// The example with its bearings at the edges of what a document may say.
-Mechanism stretched(const char* name) {
-  Mechanism mechanism = test::example(name);
-  std::int64_t sign = 1;
-  for (TurningJoint& joint : mechanism.turningJoints)
-    joint.offset = Number((sign = -sign) * 1'000'000'000'000'000);
-  return mechanism;
 }
 
 }  // namespace
@@ -132,9 +114,9 @@ class StoppingTest : public QObject {
     QTest::addColumn<Work>("work");
     worksOn("1,000 links", test::deepTrain(1, 1000));
     worksOn("180 links", test::deepTrain(2, 180));
-    worksOn("many teeth", robotOfManyTeeth());
-    worksOn("robot, far offsets", stretched("robot"));
-    worksOn("gearbox, far offsets", stretched("eight-speed-gearbox"));
+    worksOn("many teeth", test::robotOfManyTeeth());
+    worksOn("robot, far offsets", test::farOffsets("robot"));
+    worksOn("gearbox, far offsets", test::farOffsets("eight-speed-gearbox"));
     exportsOf("180 links", test::deepTrain(2, 180));
     exportsOf("gearbox", test::example("eight-speed-gearbox"));
   }

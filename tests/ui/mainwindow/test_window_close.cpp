@@ -6,7 +6,7 @@
 #include <ctime>
 
 #include "tests/core/support/deep_train.h"
-#include "tests/core/support/example_files.h"
+#include "tests/core/support/extreme_documents.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/picture_jobs.h"
@@ -27,23 +27,6 @@ double secondsOfOthers() {
   return secondsOn(CLOCK_PROCESS_CPUTIME_ID) - secondsOn(CLOCK_THREAD_CPUTIME_ID);
 }
 
-Mechanism robotOfManyTeeth() {
-  Mechanism robot = test::example("robot");
-  for (GearMesh& mesh : robot.gearMeshes) {
-    mesh.tailTeeth *= 1000;
-    mesh.headTeeth *= 1000;
-  }
-  return robot;
-}
-
-Mechanism farOffsets(const char* name) {
-  Mechanism mechanism = test::example(name);
-  std::int64_t sign = 1;
-  for (TurningJoint& joint : mechanism.turningJoints)
-    joint.offset = Number((sign = -sign) * 1'000'000'000'000'000);
-  return mechanism;
-}
-
 }  // namespace
 
 /// The program ends as soon as its window is closed, whatever was being worked on.
@@ -61,8 +44,8 @@ class WindowCloseTest : public QObject {
     QTest::addRow("1,000 links") << std::function([] { return test::deepTrain(1, 1000); });
     QTest::addRow("300 links") << std::function([] { return test::deepTrain(3, 300); });
     QTest::addRow("180 links") << std::function([] { return test::deepTrain(2, 180); });
-    QTest::addRow("many teeth") << std::function(robotOfManyTeeth);
-    QTest::addRow("far offsets") << std::function([] { return farOffsets("eight-speed-gearbox"); });
+    QTest::addRow("many teeth") << std::function(test::robotOfManyTeeth);
+    QTest::addRow("far offsets") << std::function([] { return test::farOffsets("eight-speed-gearbox"); });
   }
   void closingEndsAllWork() {
     QFETCH(std::function<Mechanism()>, document);
