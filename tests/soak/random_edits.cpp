@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "core/fitting/axis_drag.h"
@@ -219,6 +220,10 @@ std::vector<EditKind> drawnEdits() {
           "withGround", [](Random& r) { return std::tuple{r.link()}; }, 1),
       kind<withInputs>("withInputs", [](Random& r) { return std::tuple{r.maybe(inputs(r))}; }),
       kind<withInputToggled>("withInputToggled", [](Random& r) { return std::tuple{r.joint()}; }),
+      kind<withInputsToggled>("withInputsToggled",
+                              [](Random& r) {
+                                return std::tuple{std::set<JointId>{r.joint(), r.joint()}};
+                              }),
       kind<withFragment>("withFragment",
                          [](Random& r) {
                            const std::vector<ElementId> chosen = r.elements(4);
