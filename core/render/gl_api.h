@@ -20,7 +20,7 @@ namespace geargraph {
   F(DELETERENDERBUFFERS, DeleteRenderbuffers) F(DELETESHADER, DeleteShader) F(DELETETEXTURES, DeleteTextures) \
   F(DELETEVERTEXARRAYS, DeleteVertexArrays) F(DEPTHFUNC, DepthFunc) F(DEPTHMASK, DepthMask) \
   F(DISABLE, Disable) F(DRAWARRAYS, DrawArrays) F(DRAWELEMENTSINSTANCED, DrawElementsInstanced) \
-  F(ENABLE, Enable) F(VERTEXATTRIBDIVISOR, VertexAttribDivisor) F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
+  F(ENABLE, Enable) F(VERTEXATTRIBDIVISOR, VertexAttribDivisor) F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FINISH, Finish) F(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) \
   F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) F(GENBUFFERS, GenBuffers) F(GENFRAMEBUFFERS, GenFramebuffers) \
   F(GENRENDERBUFFERS, GenRenderbuffers) F(GENTEXTURES, GenTextures) F(GENVERTEXARRAYS, GenVertexArrays) \
   F(GETERROR, GetError) F(GETINTEGERV, GetIntegerv) F(GETPROGRAMINFOLOG, GetProgramInfoLog) \

@@ -72,6 +72,10 @@ class GlSolid {
 
   [[nodiscard]] bool hasEdges() const { return m_edgeIndices >= 0; }
   void setEdges(std::span<const std::uint32_t> edges);
+  /// Of one instance. @pre edges, where they are asked for, have been given
+  [[nodiscard]] std::size_t indices(Part part) const {
+    return static_cast<std::size_t>(part == Part::triangles ? m_triangleIndices : m_edgeIndices);
+  }
   /// The first `count` of the instances that are set. @pre edges, where they are painted, have been given
   void draw(Part part, std::size_t count) const;
 

@@ -141,6 +141,10 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
   }
 }
 
+/// A picture that may be stopped waits for the driver after so many indices: what the driver has queued
+/// cannot be stopped, and a rasterizer in software takes some 50 ms for them.
+constexpr std::size_t kMostQueuedIndices = 600'000;
+
 // The order of the scene decides, not that of addresses: the same scene gives the same picture.
 template <class Look>
 void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
@@ -156,11 +160,16 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showin
     m_batches[place->second].instances.push_back(*instance);
   });
   const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
+  std::size_t queued = 0;
   for (const Batch& batch : m_batches) {
     if (frame.stop.stop_requested()) break;
     if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
     m_passes.draw(*batch.solid, part, batch.instances);
     if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);
+    queued += batch.solid->indices(part) * batch.instances.size();
+    if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
+    m_gl->Finish();
+    queued = 0;
   }
 }
 
