@@ -69,7 +69,7 @@ class BodyCache {
  public:
   explicit BodyCache(std::size_t capacity = 512) : m_capacity(capacity) {}
 
-  /// Holds at least so many from now on.
+  /// Raises the capacity to at least `solids`.
   void makeRoomFor(std::size_t solids) { m_capacity = std::max(m_capacity, solids); }
   /// The solid of this recipe, made when it is asked for, if it ever is.
   [[nodiscard]] std::shared_ptr<const DeferredSolid> deferred(const BodyRecipe& recipe, double tolerance);

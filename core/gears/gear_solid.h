@@ -43,7 +43,7 @@ class GearCache {
                                                                         double tolerance);
 
   [[nodiscard]] std::size_t size() const;
-  /// Holds at least so many from now on: all details of a train, and as many of the edit before.
+  /// Raises the capacity to `solids`: all details of a train, and as many of the edit before.
   void makeRoomFor(std::size_t solids);
 
  private:

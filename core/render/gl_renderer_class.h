@@ -141,7 +141,7 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
   }
 }
 
-/// A picture that may be stopped waits for the driver after so many indices: what the driver has queued
+/// A picture that may be stopped waits for the driver after this many indices: what the driver has queued
 /// cannot be stopped, and a rasterizer in software takes some 50 ms for them.
 constexpr std::size_t kMostQueuedIndices = 600'000;
 

@@ -22,7 +22,7 @@ class SoakOptions {
       }
     }
   }
-  /// After so many runs: is there another?
+  /// Is another run due?
   [[nodiscard]] bool goesOn(long runs) const { return m_runs > 0 ? runs < m_runs : Clock::now() < m_end; }
 
   std::uint64_t seed = 1;

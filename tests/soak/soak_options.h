@@ -12,7 +12,7 @@ struct SoakOptions {
   std::uint64_t seed = 1;
   std::optional<long> count;      ///< `--edits N`, `--gestures N`
   std::optional<double> minutes;  ///< `--minutes M`
-  double slack = 1;               ///< `--slack F`: stalls may be so many times as long, on a loaded machine
+  double slack = 1;               ///< `--slack F`: factor by which stalls may be longer, on a loaded machine
   std::vector<std::string> documents;
 
   [[nodiscard]] bool isEnough(long done, double seconds) const {

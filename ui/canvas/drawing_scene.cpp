@@ -25,7 +25,7 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
 
 DrawingScene::DrawingScene(QObject* parent)
     : QGraphicsScene(parent), m_overlay(new MarkItem(kGhostDepth, m_theme)) {
-  // Nobody asks for the items at a place, and thousands that change cost more in a tree than in a list.
+  // Items are never looked up by place, and thousands of changes cost more in a tree than in a list.
   setItemIndexMethod(NoIndex);
   addItem(m_overlay);
   setSceneRect(-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround);

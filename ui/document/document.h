@@ -74,7 +74,7 @@ class Document : public QObject {
   void refused(const Diagnostics& why);  ///< an edit was refused; nothing changed
   void modifiedChanged(bool modified);
   void filePathChanged(const QString& filePath);
-  void historyShortened(int steps);  ///< so many of the oldest steps cannot be undone any more
+  void historyShortened(int steps);  ///< the number of oldest steps that were dropped
 
  private:
   friend class EditCommand;

@@ -68,7 +68,7 @@ MechanismPtr shared(Mechanism mechanism) {
 
 }  // namespace
 
-/// Each kind of long work, on the worst documents known, ends soon when nobody wants it any more.
+/// Each kind of long work, on the worst documents known, ends soon after it is cancelled.
 class StoppingTest : public QObject {
   Q_OBJECT
 

@@ -503,7 +503,7 @@ class TestTrainStage : public QObject {
     }
   }
 
-  /// Nobody could see the teeth, and they would fill the memory: the view says that they are left out.
+  /// The teeth would be invisible and fill the memory; a note in the view reports that they are left out.
   void wheelsOfVeryManyTeethAreShownWithoutThem() {
     Mechanism robot = paperRobot();
     for (GearMesh& mesh : robot.gearMeshes) {

@@ -69,7 +69,7 @@ class WindowSavingTest : public QObject {
     return notice == nullptr ? QString() : notice->text;
   }
   static void pressSave(MainWindow& window) { window.actions().save->trigger(); }
-  /// A notice that nobody waits for, as an export posts one.
+  /// An informational notice, as an export posts one.
   static void postOther(MainWindow& window) {
     window.notices().post({QStringLiteral("other"), Severity::info, QStringLiteral("Painting."), {}});
   }
