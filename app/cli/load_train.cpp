@@ -6,7 +6,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/gears/body_plan.h"
+#include "core/gears/complete_train.h"
 #include "core/scene/train_stage.h"
 
 namespace geargraph::cli {

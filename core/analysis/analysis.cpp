@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/validate.h"
 
 namespace geargraph {
@@ -23,10 +23,6 @@ Diagnostics geometryFindings(const Diagnostics& ttGraph, const Diagnostics& plac
     if (!known) findings.push_back(diagnostic);
   }
   return findings;
-}
-
-void append(Diagnostics& all, const Diagnostics& more) {
-  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace

@@ -112,6 +112,11 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Adds `more` behind `all`.
+inline void append(Diagnostics& all, const Diagnostics& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 [[nodiscard]] bool hasErrors(const Diagnostics& diagnostics);
 
 }  // namespace geargraph

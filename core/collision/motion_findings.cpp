@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/wording.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/matroid/exact_solution.h"
 #include "core/pose/turning_lines.h"
 

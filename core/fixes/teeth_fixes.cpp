@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/fixes/fix_makers.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/edits.h"
 
 namespace geargraph {

@@ -7,12 +7,9 @@
 
 #include "core/gears/axis_layout.h"
 #include "core/gears/body_parts.h"
+#include "core/gears/train.h"
 
 namespace geargraph {
-
-/// Larger trains get straight bodies that are not routed past each other (BodyPlan::isSimple), and bevels
-/// keep their faces: to look for ways costs more than the square of the wheels, and it would take minutes.
-constexpr std::size_t kMostRoutedGears = 400;
 
 /// Where bodies go: bearings beside the wheels, arms where they pass them, shafts nested.
 struct BodyPlan {

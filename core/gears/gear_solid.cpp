@@ -8,6 +8,7 @@
 #include "core/gears/gear_body.h"
 #include "core/gears/gear_mesher.h"
 #include "core/gears/half_tooth.h"
+#include "core/gears/spec_findings.h"
 
 namespace geargraph {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <numbers>
 
-#include "core/base/expected.h"
-
 namespace geargraph {
 
 enum class GearKind { external, internal, bevel };
@@ -60,9 +58,5 @@ struct GearSpec {
 /// the roots.
 constexpr int kFewestGearTeeth = 3;
 constexpr int kFewestRingTeeth = 4;
-
-/// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
-/// ...
-[[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);
 
 }  // namespace geargraph

@@ -4,6 +4,7 @@
 #include "core/gears/half_tooth.h"
 #include "core/gears/tooth_pair.h"
 #include "core/gears/train_findings.h"
+#include "core/gears/spec_findings.h"
 
 namespace geargraph {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/gears/involute.h"
 #include "core/gears/tooth_pair.h"
 #include "core/gears/train_wheels.h"
+#include "core/gears/spec_findings.h"
 
 namespace geargraph {
 namespace {

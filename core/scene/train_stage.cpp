@@ -9,12 +9,13 @@
 #include "core/gears/body_plan.h"
 #include "core/gears/body_recipe.h"
 #include "core/gears/toothless_gear.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/pose/link_twists.h"
 #include "core/pose/turning_lines.h"
 #include "core/scene/joint_motion.h"
 #include "core/scene/joint_stops.h"
 #include "core/scene/stage_marks.h"
+#include "core/gears/spec_findings.h"
 
 namespace geargraph {
 namespace {

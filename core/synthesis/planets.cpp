@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/edits.h"
 #include "core/placement/placement.h"
 

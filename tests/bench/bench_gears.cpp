@@ -10,7 +10,7 @@
 
 #include "core/base/contract.h"
 #include "core/gears/gear_solid.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {

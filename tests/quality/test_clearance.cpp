@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/gears/gear_solid.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/graph/digraph.h"
 #include "core/pose/forward_kinematics.h"
 #include "core/pose/turning_lines.h"

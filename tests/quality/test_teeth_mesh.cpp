@@ -7,7 +7,7 @@
 #include "core/gears/gear_solid.h"
 #include "core/gears/half_tooth.h"
 #include "core/gears/tooth_pair.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/graph/digraph.h"
 #include "core/pose/forward_kinematics.h"
 #include "tests/core/support/example_files.h"

@@ -11,7 +11,7 @@
 #include "core/fitting/mesh_snap.h"
 #include "core/fitting/module_fit.h"
 #include "core/fixes/fixes.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/drawn_mesh.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/fragment.h"

@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "core/analysis/analysis.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/io/mechanism_file.h"
 #include "core/matroid/exact_solution.h"
 #include "core/mechanism/edits.h"

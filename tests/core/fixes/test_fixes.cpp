@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/fixes/fixes.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/edits.h"
 #include "core/mechanism/validate.h"
 #include "tests/core/support/example_files.h"

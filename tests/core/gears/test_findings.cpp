@@ -7,7 +7,7 @@
 #include "core/gears/half_tooth.h"
 #include "core/gears/phase.h"
 #include "core/gears/tooth_pair.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"

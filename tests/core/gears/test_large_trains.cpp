@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/gears/body_plan.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/gears/wheel_rooms.h"
 #include "tests/core/gears/topology.h"
 #include "tests/core/support/deep_train.h"

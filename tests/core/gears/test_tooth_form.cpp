@@ -4,6 +4,7 @@
 
 #include "core/gears/half_tooth.h"
 #include "core/gears/involute.h"
+#include "core/gears/spec_findings.h"
 
 using namespace geargraph;
 

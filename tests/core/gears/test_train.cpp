@@ -5,7 +5,7 @@
 #include "core/gears/body_recipe.h"
 #include "core/gears/gear_solid.h"
 #include "core/gears/phase.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "tests/core/gears/topology.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"

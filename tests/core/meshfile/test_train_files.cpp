@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <numbers>
 
+#include "core/gears/complete_train.h"
 #include "core/io/mechanism_file.h"
 #include "core/matroid/exact_solution.h"
 #include "core/matroid/matroid_analysis.h"

@@ -9,7 +9,7 @@
 #include <future>
 #include <thread>
 
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/matroid/input_sets.h"
 #include "core/meshfile/mesh_writer.h"
 #include "core/scene/stage_picture.h"

@@ -5,7 +5,7 @@
 #include "core/analysis/analysis.h"
 #include "core/drawing/palette.h"
 #include "core/gears/gear_solid.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/render/egl_host.h"
 #include "tests/core/support/example_files.h"
 

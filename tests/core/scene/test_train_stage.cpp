@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/drawing/palette.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/edits.h"
 #include "core/render/egl_host.h"
 #include "core/render/stage_lines.h"

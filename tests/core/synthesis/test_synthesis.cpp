@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "core/gears/phase.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/matroid/exact_solution.h"
 #include "core/mechanism/validate.h"
 #include "core/states/state_solution.h"

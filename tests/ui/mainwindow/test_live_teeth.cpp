@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "core/gears/gear_solid.h"
-#include "core/gears/train.h"
+#include "core/gears/complete_train.h"
 #include "core/mechanism/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
