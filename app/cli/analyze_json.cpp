@@ -4,7 +4,7 @@
 
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/kinematics_json.h"
-#include "core/io/json_writer.h"
+#include "core/foundations/files/json_writer.h"
 
 namespace geargraph::cli {
 namespace {

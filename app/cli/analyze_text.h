@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

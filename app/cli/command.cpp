@@ -5,7 +5,7 @@
 #include <array>
 #include <iostream>
 
-#include "core/io/file.h"
+#include "core/foundations/files/file.h"
 
 namespace geargraph::cli {
 

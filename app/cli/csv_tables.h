@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/analysis/analysis.h"
-#include "core/io/csv.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/files/csv.h"
 
 namespace geargraph::cli {
 

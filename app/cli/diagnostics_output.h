@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/diagnostic.h"
-#include "core/collision/motion_findings.h"
-#include "core/io/json_writer.h"
+#include "core/foundations/base/diagnostic.h"
+#include "core/design/collision/motion_findings.h"
+#include "core/foundations/files/json_writer.h"
 
 namespace geargraph::cli {
 

@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "core/drawing/digraph_drawing.h"
-#include "core/drawing/layout.h"
-#include "core/drawing/tt_graph_drawing.h"
-#include "core/drawing/tt_graph_layout.h"
-#include "core/schematic/schematic.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/layout.h"
+#include "core/presentation/drawing/tt_graph_drawing.h"
+#include "core/presentation/drawing/tt_graph_layout.h"
+#include "core/presentation/schematic/schematic.h"
 
 namespace geargraph::cli {
 namespace {

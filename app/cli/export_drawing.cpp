@@ -8,7 +8,7 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/io/file.h"
+#include "core/foundations/files/file.h"
 
 namespace geargraph::cli {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/cli/arguments.h"
-#include "core/meshfile/mesh_format.h"
-#include "core/picture/picture.h"
-#include "core/report/report.h"
+#include "core/presentation/meshfile/mesh_format.h"
+#include "core/presentation/picture/picture.h"
+#include "core/presentation/report/report.h"
 
 namespace geargraph::cli {
 

@@ -11,8 +11,8 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/drawing/svg_writer.h"
-#include "core/pages/report_pdf.h"
+#include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/pages/report_pdf.h"
 
 namespace geargraph::cli {
 namespace {

@@ -6,9 +6,9 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/load_train.h"
 #include "app/cli/time_limit.h"
-#include "core/drawing/palette.h"
-#include "core/meshfile/assembly.h"
-#include "core/meshfile/mesh_writer.h"
+#include "core/presentation/drawing/palette.h"
+#include "core/presentation/meshfile/assembly.h"
+#include "core/presentation/meshfile/mesh_writer.h"
 
 namespace geargraph::cli {
 namespace {

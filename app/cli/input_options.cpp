@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {

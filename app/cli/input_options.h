@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "app/cli/arguments.h"
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::cli {
 

@@ -8,8 +8,8 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/analysis/analysis.h"
-#include "core/matroid/input_sets.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/theory/matroid/input_sets.h"
 
 namespace geargraph::cli {
 namespace {

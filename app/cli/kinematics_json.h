@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/analysis.h"
-#include "core/io/json_writer.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/files/json_writer.h"
 
 namespace geargraph::cli {
 

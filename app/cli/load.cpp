@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "core/io/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::cli {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <variant>
 
-#include "core/base/expected.h"
-#include "core/io/file.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/expected.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::cli {
 

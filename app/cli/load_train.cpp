@@ -6,8 +6,8 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/gears/complete_train.h"
-#include "core/scene/train_stage.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph::cli {
 namespace {

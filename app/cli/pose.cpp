@@ -15,10 +15,10 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/analysis/analysis.h"
-#include "core/pose/angle.h"
-#include "core/pose/joint_limits.h"
-#include "core/pose/turning_lines.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/theory/pose/angle.h"
+#include "core/theory/pose/joint_limits.h"
+#include "core/theory/pose/turning_lines.h"
 
 namespace geargraph::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {

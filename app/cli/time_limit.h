@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/cli/arguments.h"
-#include "core/io/byte_sink.h"
+#include "core/foundations/files/byte_sink.h"
 
 namespace geargraph::cli {
 

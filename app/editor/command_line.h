@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <optional>
 
-#include "core/drawing/palette.h"
+#include "core/presentation/drawing/palette.h"
 
 namespace geargraph {
 

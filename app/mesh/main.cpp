@@ -11,10 +11,10 @@
 #include <new>
 #include <string>
 
-#include "core/io/byte_sink.h"
-#include "core/io/file.h"
-#include "core/meshfile/foreign_mesh.h"
-#include "core/sandbox/sandbox.h"
+#include "core/foundations/files/byte_sink.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/meshfile/foreign_mesh.h"
+#include "core/foundations/sandbox/sandbox.h"
 
 namespace geargraph {
 namespace {

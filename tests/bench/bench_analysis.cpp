@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/analysis/analysis.h"
-#include "core/base/contract.h"
-#include "core/pose/forward_kinematics.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/base/contract.h"
+#include "core/theory/pose/forward_kinematics.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/trains.h"
 

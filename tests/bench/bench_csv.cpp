@@ -20,11 +20,11 @@
 #include <random>
 #include <vector>
 
-#include "core/base/contract.h"
-#include "core/derivation/quantity_table.h"
-#include "core/graph/matrices.h"
-#include "core/io/file.h"
-#include "core/io/matrix_csv.h"
+#include "core/foundations/base/contract.h"
+#include "core/teaching/derivation/quantity_table.h"
+#include "core/mechanism/graph/matrices.h"
+#include "core/foundations/files/file.h"
+#include "core/foundations/files/matrix_csv.h"
 #include "tests/bench/families.h"
 
 namespace geargraph {

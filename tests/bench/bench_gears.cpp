@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/base/contract.h"
-#include "core/gears/gear_solid.h"
-#include "core/gears/complete_train.h"
+#include "core/foundations/base/contract.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/bodies/complete_train.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph {

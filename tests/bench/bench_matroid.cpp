@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
-#include "core/matroid/exact_solution.h"
-#include "core/matroid/input_sets.h"
-#include "core/matroid/symbolic_solution.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/input_sets.h"
+#include "core/theory/matroid/symbolic_solution.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/matroid_fixture.h"
 #include "tests/core/support/trains.h"

@@ -9,9 +9,9 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
 
-#include "core/base/contract.h"
-#include "core/gears/gear_solid.h"
-#include "core/meshfile/mesh_reader.h"
+#include "core/foundations/base/contract.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/presentation/meshfile/mesh_reader.h"
 
 namespace geargraph {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <random>
 
-#include "core/analysis/analysis.h"
-#include "core/base/contract.h"
-#include "core/matroid/input_sets.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/base/contract.h"
+#include "core/theory/matroid/input_sets.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph::bench {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::bench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/gears/gear_solid.h"
+#include "core/machine/solids/gear_solid.h"
 
 namespace geargraph::bench {
 

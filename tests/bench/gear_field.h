@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/render/scene.h"
+#include "core/presentation/painting/scene.h"
 
 namespace geargraph::bench {
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/meshfile/mesh_writer.h"
-#include "core/scene/stage_picture.h"
+#include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/train_stage/stage_picture.h"
 #include "tests/bench/gear_field.h"
 
 int main(int count, char** words) {

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <string>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/deep_train.h"
 

@@ -3,9 +3,9 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
-#include "core/meshfile/mesh_reader.h"
+#include "core/presentation/meshfile/mesh_reader.h"
 #include "tests/cli/cli_run.h"
-#include "tests/core/meshfile/assembly_check.h"
+#include "tests/core/presentation/meshfile/assembly_check.h"
 #include "tests/core/support/example_files.h"
 
 using namespace geargraph;

@@ -8,7 +8,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "core/meshfile/mesh_reader.h"
+#include "core/presentation/meshfile/mesh_reader.h"
 #include "tests/cli/cli_run.h"
 #include "tests/core/support/example_files.h"
 

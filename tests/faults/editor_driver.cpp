@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/faults/versions.h"
 #include "ui/document/document.h"
 #include "ui/recovery/autosave.h"

@@ -12,8 +12,8 @@
 #include <map>
 #include <random>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/core/support/example_files.h"
 #include "tests/faults/child.h"
 #include "tests/faults/soak_options.h"

@@ -10,8 +10,8 @@
 #include <random>
 #include <thread>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/faults/child.h"
 #include "tests/faults/soak_options.h"
 #include "tests/faults/versions.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::test {
 

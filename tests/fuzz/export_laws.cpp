@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "core/io/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {

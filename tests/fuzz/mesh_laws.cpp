@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/io/file.h"
-#include "core/meshfile/foreign_mesh.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/meshfile/foreign_mesh.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {

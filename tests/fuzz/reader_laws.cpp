@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "core/io/json.h"
-#include "core/io/mechanism_file.h"
-#include "core/mechanism/validate.h"
+#include "core/foundations/files/json.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/validate.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {

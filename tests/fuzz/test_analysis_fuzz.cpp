@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/core/io/support.h"
+#include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"
 #include "tests/fuzz/laws.h"
 #include "tests/fuzz/mutations.h"

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "core/typeset/tex_reader.h"
-#include "core/typeset/typeset.h"
+#include "core/presentation/typeset/tex_reader.h"
+#include "core/presentation/typeset/typeset.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/graph/matrices.h"
+#include "core/mechanism/graph/matrices.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph {

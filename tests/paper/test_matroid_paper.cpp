@@ -1,9 +1,9 @@
 #include <QtTest>
 #include <numbers>
 
-#include "core/matroid/exact_solution.h"
-#include "core/matroid/symbolic_solution.h"
-#include "core/screws/screw.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/symbolic_solution.h"
+#include "core/theory/matroid/screw.h"
 #include "tests/core/support/matroid_fixture.h"
 #include "tests/core/support/robot_variants.h"
 #include "tests/core/support/trains.h"

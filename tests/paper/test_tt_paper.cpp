@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/ttgraph/substitution_steps.h"
+#include "core/theory/ttgraph/substitution_steps.h"
 #include "tests/core/support/robot_variants.h"
 
 namespace geargraph {

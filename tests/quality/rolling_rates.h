@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/gears/train.h"
-#include "core/mechanism/mechanism.h"
-#include "core/placement/placement.h"
+#include "core/machine/train/train.h"
+#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placement.h"
 
 namespace geargraph::test {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "core/gears/solid.h"
+#include "core/machine/solids/solid.h"
 
 namespace geargraph::test {
 

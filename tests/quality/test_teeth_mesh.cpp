@@ -3,13 +3,13 @@
 #include <memory>
 #include <numbers>
 
-#include "core/gears/gear_mesher.h"
-#include "core/gears/gear_solid.h"
-#include "core/gears/half_tooth.h"
-#include "core/gears/tooth_pair.h"
-#include "core/gears/complete_train.h"
-#include "core/graph/digraph.h"
-#include "core/pose/forward_kinematics.h"
+#include "core/machine/solids/gear_mesher.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/teeth/half_tooth.h"
+#include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/graph/digraph.h"
+#include "core/theory/pose/forward_kinematics.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/quality/rolling_rates.h"

@@ -5,10 +5,10 @@
 #include <QFile>
 #include <cstdio>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
-#include "core/mechanism/edits.h"
-#include "core/mechanism/validate.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/validate.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph::soak {

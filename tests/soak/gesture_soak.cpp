@@ -9,8 +9,8 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/soak/live_objects.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/expected.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::soak {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/analysis/worker.h"
+#include "core/theory/analysis/worker.h"
 
 namespace geargraph {
 

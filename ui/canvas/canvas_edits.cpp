@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "core/graph/spanning_tree.h"
-#include "core/mechanism/edits.h"
-#include "core/placement/placement.h"
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/placement/placement.h"
 
 namespace geargraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
-#include "core/mechanism/pins.h"
+#include "core/mechanism/model/pins.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph {

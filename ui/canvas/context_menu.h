@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 class QMenu;
 

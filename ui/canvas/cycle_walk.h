@@ -2,8 +2,8 @@
 
 #include <QString>
 
-#include "core/analysis/analysis.h"
-#include "core/drawing/digraph_drawing.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/presentation/drawing/digraph_drawing.h"
 
 namespace geargraph {
 

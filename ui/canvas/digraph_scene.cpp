@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/drawing/coupling_marks.h"
+#include "core/presentation/drawing/coupling_marks.h"
 
 namespace geargraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/digraph_drawing.h"
 #include "ui/canvas/drawing_scene.h"
 
 namespace geargraph {

@@ -1,7 +1,7 @@
 #include "ui/canvas/digraph_view.h"
 
-#include "core/mechanism/difference.h"
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/difference.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/canvas/cycle_walk.h"
 
 namespace geargraph {

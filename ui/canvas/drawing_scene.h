@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/drawing/display_list.h"
-#include "core/drawing/emphasis.h"
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/drawing/emphasis.h"
 #include "ui/canvas/mark_item.h"
 
 namespace geargraph {

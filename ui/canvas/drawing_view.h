@@ -3,8 +3,8 @@
 #include <QGraphicsView>
 #include <optional>
 
-#include "core/analysis/analysis.h"
-#include "core/drawing/palette.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/presentation/drawing/palette.h"
 #include "ui/canvas/drawing_scene.h"
 #include "ui/canvas/element_commands.h"
 #include "ui/document/document.h"

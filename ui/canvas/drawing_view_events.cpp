@@ -7,7 +7,7 @@
 #include <QNativeGestureEvent>
 #include <QToolTip>
 
-#include "core/drawing/hit_test.h"
+#include "core/presentation/drawing/hit_test.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fitting/fitted_edits.h"
-#include "core/mechanism/edits.h"
-#include "core/mechanism/shift_edits.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph {

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
-#include "core/drawing/tt_graph_drawing.h"
-#include "core/ttgraph/mesh_words.h"
+#include "core/presentation/drawing/tt_graph_drawing.h"
+#include "core/theory/ttgraph/mesh_words.h"
 
 namespace geargraph {
 namespace {

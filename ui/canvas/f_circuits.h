@@ -2,9 +2,9 @@
 
 #include <QStringList>
 
-#include "core/drawing/emphasis.h"
-#include "core/drawing/palette.h"
-#include "core/ttgraph/tt_graph.h"
+#include "core/presentation/drawing/emphasis.h"
+#include "core/presentation/drawing/palette.h"
+#include "core/theory/ttgraph/tt_graph.h"
 
 namespace geargraph {
 

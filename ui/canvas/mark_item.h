@@ -2,7 +2,7 @@
 
 #include <QGraphicsItem>
 
-#include "core/drawing/display_list.h"
+#include "core/presentation/drawing/display_list.h"
 
 namespace geargraph {
 

@@ -5,7 +5,7 @@
 #include <QRectF>
 #include <vector>
 
-#include "core/drawing/display_list.h"
+#include "core/presentation/drawing/display_list.h"
 
 class QPainter;
 

@@ -3,8 +3,8 @@
 #include <QObject>
 #include <memory>
 
-#include "core/base/request_worker.h"
-#include "core/drawing/layout.h"
+#include "core/foundations/base/request_worker.h"
+#include "core/presentation/drawing/layout.h"
 
 namespace geargraph {
 

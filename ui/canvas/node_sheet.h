@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/expected.h"
-#include "core/drawing/digraph_geometry.h"
-#include "core/drawing/display_list.h"
+#include "core/foundations/base/expected.h"
+#include "core/presentation/drawing/digraph_geometry.h"
+#include "core/presentation/drawing/display_list.h"
 
 namespace geargraph {
 

@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
-#include "core/drawing/digraph_drawing.h"
-#include "core/drawing/layout.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/layout.h"
 #include "ui/canvas/mark_painter.h"
 
 namespace geargraph {

@@ -3,8 +3,8 @@
 #include <QImage>
 #include <optional>
 
-#include "core/drawing/palette.h"
-#include "core/mechanism/mechanism.h"
+#include "core/presentation/drawing/palette.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 

@@ -3,11 +3,11 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "core/drawing/digraph_drawing.h"
-#include "core/drawing/hit_test.h"
-#include "core/fitting/mesh_snap.h"
-#include "core/mechanism/drawn_mesh.h"
-#include "core/mechanism/edits.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/hit_test.h"
+#include "core/mechanism/fitting/mesh_snap.h"
+#include "core/mechanism/model/drawn_mesh.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/canvas/element_commands.h"
 
 namespace geargraph {

@@ -1,10 +1,10 @@
 #include "ui/canvas/tt_graph_view.h"
 
-#include "core/drawing/tt_graph_drawing.h"
-#include "core/drawing/tt_graph_layout.h"
-#include "core/mechanism/difference.h"
-#include "core/mechanism/edits.h"
-#include "core/ttgraph/mesh_words.h"
+#include "core/presentation/drawing/tt_graph_drawing.h"
+#include "core/presentation/drawing/tt_graph_layout.h"
+#include "core/mechanism/model/difference.h"
+#include "core/mechanism/model/edits.h"
+#include "core/theory/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/drawing/tt_graph_geometry.h"
+#include "core/presentation/drawing/tt_graph_geometry.h"
 #include "ui/canvas/graph_view.h"
 
 namespace geargraph {

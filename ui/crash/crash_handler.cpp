@@ -18,7 +18,7 @@
 #include <string_view>
 #include <typeinfo>
 
-#include "core/base/broken_contract.h"
+#include "core/foundations/base/broken_contract.h"
 #include "ui/crash/action_log.h"
 
 namespace geargraph {

@@ -3,9 +3,9 @@
 #include <QObject>
 #include <memory>
 
-#include "core/analysis/analysis.h"
-#include "core/base/request_worker.h"
-#include "core/pages/flow.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/base/request_worker.h"
+#include "core/presentation/pages/flow.h"
 
 namespace geargraph {
 

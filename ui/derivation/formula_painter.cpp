@@ -3,7 +3,7 @@
 #include <QGlyphRun>
 #include <cmath>
 
-#include "core/base/contract.h"
+#include "core/foundations/base/contract.h"
 
 namespace geargraph {
 namespace {

@@ -5,7 +5,7 @@
 #include <QRawFont>
 #include <map>
 
-#include "core/typeset/formula_box.h"
+#include "core/presentation/typeset/formula_box.h"
 
 namespace geargraph {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/mechanism/difference.h"
-#include "core/mechanism/limits.h"
-#include "core/mechanism/patch.h"
+#include "core/mechanism/model/difference.h"
+#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/patch.h"
 
 namespace geargraph {
 

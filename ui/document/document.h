@@ -7,9 +7,9 @@
 #include <functional>
 #include <optional>
 
-#include "core/base/expected.h"
-#include "core/mechanism/element_index.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/model/element_index.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 
@@ -25,7 +25,7 @@ struct Edit {
 /// The document of one window: the mechanism now, its history, and the file it belongs to. The only way to
 /// change it is apply(); what every view sees is an immutable value with a revision that only grows.
 ///
-/// The history holds the differences between documents (core/mechanism/patch.h), beside the documents of the
+/// The history holds the differences between documents (core/mechanism/model/patch.h), beside the documents of the
 /// last kKeptWhole steps. Beyond the limit of its memory the oldest steps go, a quarter at a time.
 class Document : public QObject {
   Q_OBJECT
@@ -53,7 +53,7 @@ class Document : public QObject {
 
   /// Applies an edit, or reports in refused() and in the result why not; a refused edit changes nothing. An
   /// edit that gives back an equal mechanism makes no undo step. Refused is, too, what could be saved and not
-  /// opened again (core/mechanism/limits.h).
+  /// opened again (core/mechanism/model/limits.h).
   bool apply(const Edit& edit);
   /// A number for the edits of one gesture, never given before.
   [[nodiscard]] quint64 newGesture() { return ++m_lastGesture; }

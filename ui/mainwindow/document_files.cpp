@@ -12,9 +12,9 @@
 #include <QThreadPool>
 #include <QTimer>
 
-#include "core/io/file.h"
-#include "core/io/matrix_csv.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/foundations/files/matrix_csv.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph {
 namespace {

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "core/base/expected.h"
-#include "core/graph/integer_matrix.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/graph/integer_matrix.h"
+#include "core/mechanism/model/mechanism.h"
 
 class QWidget;
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/mechanism/difference.h"
+#include "core/mechanism/model/difference.h"
 #include "ui/document/document.h"
 
 namespace geargraph {

@@ -5,7 +5,7 @@
 #include <QString>
 #include <optional>
 
-#include "core/io/file_identity.h"
+#include "core/foundations/files/file_identity.h"
 
 namespace geargraph {
 

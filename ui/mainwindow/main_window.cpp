@@ -9,8 +9,8 @@
 #include <QScreen>
 #include <QSettings>
 
-#include "core/mechanism/edits.h"
-#include "core/mechanism/validate.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/validate.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"

@@ -4,8 +4,8 @@
 #include <QTabWidget>
 #include <memory>
 
-#include "core/derivation/quantity_table.h"
-#include "core/graph/integer_matrix.h"
+#include "core/teaching/derivation/quantity_table.h"
+#include "core/mechanism/graph/integer_matrix.h"
 #include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/window_actions.h"

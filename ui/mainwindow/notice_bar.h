@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/diagnostic.h"
+#include "core/foundations/base/diagnostic.h"
 
 class QLabel;
 class QHBoxLayout;

@@ -10,7 +10,7 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 
-#include "core/scene/stage_picture.h"
+#include "core/presentation/train_stage/stage_picture.h"
 
 namespace geargraph {
 namespace {

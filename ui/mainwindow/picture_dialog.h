@@ -2,8 +2,8 @@
 
 #include <QDialog>
 
-#include "core/picture/picture.h"
-#include "core/render/film.h"
+#include "core/presentation/picture/picture.h"
+#include "core/presentation/stage/film.h"
 
 class QCheckBox;
 class QComboBox;

@@ -4,9 +4,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/io/file.h"
-#include "core/meshfile/mesh_writer.h"
-#include "core/scene/stage_picture.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"

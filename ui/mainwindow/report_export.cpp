@@ -5,10 +5,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/drawing/svg_writer.h"
-#include "core/io/file.h"
-#include "core/pages/report_pdf.h"
-#include "core/report/report.h"
+#include "core/presentation/drawing/svg_writer.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/report/report.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_jobs.h"

@@ -10,7 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "core/mechanism/shapes.h"
+#include "core/mechanism/model/shapes.h"
 
 namespace geargraph {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 #include "ui/document/document.h"
 
 class QTableWidget;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/selection/selection.h"
 #include "ui/theme/application_theme.h"
 

@@ -4,8 +4,8 @@
 #include <QObject>
 #include <QSize>
 
-#include "core/drawing/palette.h"
-#include "core/mechanism/mechanism.h"
+#include "core/presentation/drawing/palette.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 

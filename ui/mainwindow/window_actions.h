@@ -4,7 +4,7 @@
 #include <QActionGroup>
 #include <array>
 
-#include "core/drawing/palette.h"
+#include "core/presentation/drawing/palette.h"
 #include "ui/tools/tool.h"
 
 class QMainWindow;

@@ -5,9 +5,9 @@
 #include <QClipboard>
 #include <QMimeData>
 
-#include "core/io/mechanism_file.h"
-#include "core/mechanism/edits.h"
-#include "core/mechanism/fragment.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/fragment.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"

@@ -9,10 +9,10 @@
 #include <QMimeData>
 #include <QSettings>
 
-#include "core/derivation/matrix_text.h"
-#include "core/mechanism/edits.h"
-#include "core/synthesis/insertion.h"
-#include "core/synthesis/planets.h"
+#include "core/teaching/derivation/matrix_text.h"
+#include "core/mechanism/model/edits.h"
+#include "core/design/synthesis/insertion.h"
+#include "core/design/synthesis/planets.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/recovery/autosave.h"
 #include "ui/recovery/side_file.h"

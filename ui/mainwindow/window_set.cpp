@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "core/io/file_identity.h"
+#include "core/foundations/files/file_identity.h"
 #include "ui/mainwindow/crash_offer.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"

@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "core/io/file.h"
-#include "core/io/file_identity.h"
+#include "core/foundations/files/file.h"
+#include "core/foundations/files/file_identity.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/status_line.h"

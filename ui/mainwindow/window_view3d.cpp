@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/io/file.h"
+#include "core/foundations/files/file.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/shapes_dialog.h"

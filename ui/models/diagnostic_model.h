@@ -3,7 +3,7 @@
 #include <QAbstractListModel>
 #include <set>
 
-#include "core/base/diagnostic.h"
+#include "core/foundations/base/diagnostic.h"
 
 namespace geargraph {
 

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "core/matroid/input_roles.h"
+#include "core/theory/matroid/input_roles.h"
 
 namespace geargraph {
 namespace {

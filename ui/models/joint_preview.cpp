@@ -1,6 +1,6 @@
 #include "ui/models/joint_preview.h"
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 
 namespace geargraph {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/tools/tool.h"
 
 namespace geargraph {

@@ -1,6 +1,6 @@
 #include "ui/models/link_speeds_model.h"
 
-#include "core/states/relative_speed.h"
+#include "core/theory/states/relative_speed.h"
 
 namespace geargraph {
 

@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/models/speed_unit.h"
 
 namespace geargraph {

@@ -6,9 +6,9 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/analysis/analysis.h"
-#include "core/derivation/cell_explanation.h"
-#include "core/derivation/quantity_table.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/teaching/derivation/cell_explanation.h"
+#include "core/teaching/derivation/quantity_table.h"
 #include "ui/models/joint_preview.h"
 
 namespace geargraph {

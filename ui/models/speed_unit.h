@@ -3,8 +3,8 @@
 #include <QString>
 #include <optional>
 
-#include "core/base/id.h"
-#include "core/base/rational.h"
+#include "core/foundations/base/id.h"
+#include "core/foundations/base/rational.h"
 
 namespace geargraph {
 

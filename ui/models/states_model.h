@@ -3,7 +3,7 @@
 #include <QAbstractTableModel>
 #include <array>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph {
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/derivation/glossary.h"
+#include "core/teaching/derivation/glossary.h"
 
 namespace geargraph {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mechanism/difference.h"
+#include "core/mechanism/model/difference.h"
 
 namespace geargraph {
 namespace {

@@ -3,8 +3,8 @@
 #include <QObject>
 #include <memory>
 
-#include "core/base/request_worker.h"
-#include "core/collision/motion_findings.h"
+#include "core/foundations/base/request_worker.h"
+#include "core/design/collision/motion_findings.h"
 
 namespace geargraph {
 

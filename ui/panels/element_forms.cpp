@@ -7,11 +7,11 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "core/fitting/axis_drag.h"
-#include "core/fitting/fitted_edits.h"
-#include "core/fitting/module_fit.h"
-#include "core/fitting/written_numbers.h"
-#include "core/mechanism/edits.h"
+#include "core/mechanism/fitting/axis_drag.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/fitting/module_fit.h"
+#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 

@@ -7,8 +7,8 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
-#include "core/mechanism/edits.h"
-#include "core/mechanism/shift_edits.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/matroid/input_roles.h"
-#include "core/mechanism/edits.h"
+#include "core/theory/matroid/input_roles.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 

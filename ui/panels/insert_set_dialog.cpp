@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
-#include "core/synthesis/bevel_sets.h"
-#include "core/synthesis/shifting_sets.h"
+#include "core/design/synthesis/bevel_sets.h"
+#include "core/design/synthesis/shifting_sets.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/set_forms.h"
 #include "ui/panels/set_preview.h"

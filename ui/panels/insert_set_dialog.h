@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 class QLabel;
 class QListWidget;

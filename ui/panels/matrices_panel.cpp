@@ -14,7 +14,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "core/derivation/matrix_text.h"
+#include "core/teaching/derivation/matrix_text.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/theme/application_theme.h"

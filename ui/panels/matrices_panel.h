@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/derivation/glossary.h"
+#include "core/teaching/derivation/glossary.h"
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
 

@@ -6,7 +6,7 @@
 #include <QStyle>
 #include <QWheelEvent>
 
-#include "core/mechanism/length.h"
+#include "core/mechanism/model/length.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/mechanism/number.h"
+#include "core/mechanism/model/number.h"
 
 namespace geargraph {
 

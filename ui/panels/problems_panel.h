@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/fixes/fixes.h"
+#include "core/design/fixes/fixes.h"
 #include "ui/models/diagnostic_model.h"
 #include "ui/selection/selection.h"
 

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "core/fitting/fitted_edits.h"
-#include "core/mechanism/pins.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/pins.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "core/derivation/glossary.h"
+#include "core/teaching/derivation/glossary.h"
 #include "ui/document/document.h"
 
 class QAbstractButton;

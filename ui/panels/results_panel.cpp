@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "core/matroid/input_roles.h"
+#include "core/theory/matroid/input_roles.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"

@@ -6,8 +6,8 @@
 #include <QTableWidget>
 #include <cmath>
 
-#include "core/synthesis/planetary_set.h"
-#include "core/synthesis/reverted_train.h"
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/reverted_train.h"
 #include "ui/models/results_model.h"
 #include "ui/panels/number_field.h"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/expected.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/model/mechanism.h"
 
 class QComboBox;
 class QFormLayout;

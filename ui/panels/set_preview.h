@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "core/mechanism/mechanism.h"
-#include "core/placement/placement.h"
+#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placement.h"
 
 namespace geargraph {
 

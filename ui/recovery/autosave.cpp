@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <cstdlib>
 
-#include "core/io/file.h"
+#include "core/foundations/files/file.h"
 
 namespace geargraph {
 

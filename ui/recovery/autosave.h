@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 #include "ui/document/document.h"
 #include "ui/recovery/side_file.h"
 

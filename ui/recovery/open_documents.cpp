@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/io/file_identity.h"
+#include "core/foundations/files/file_identity.h"
 
 namespace geargraph {
 namespace {

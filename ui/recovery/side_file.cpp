@@ -8,8 +8,8 @@
 #include <QJsonObject>
 #include <algorithm>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph {
 namespace {

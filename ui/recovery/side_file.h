@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 

@@ -1,6 +1,6 @@
 #include "ui/schematic/schematic_service.h"
 
-#include "core/mechanism/difference.h"
+#include "core/mechanism/model/difference.h"
 
 namespace geargraph {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <mutex>
 
-#include "core/base/request_worker.h"
-#include "core/schematic/schematic.h"
+#include "core/foundations/base/request_worker.h"
+#include "core/presentation/schematic/schematic.h"
 
 namespace geargraph {
 

@@ -2,9 +2,9 @@
 
 #include <QMenu>
 
-#include "core/fitting/axis_drag.h"
-#include "core/fitting/fitted_edits.h"
-#include "core/schematic/sheet_edits.h"
+#include "core/mechanism/fitting/axis_drag.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/presentation/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
 
 namespace geargraph {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/derivation/glossary.h"
-#include "core/mechanism/mechanism.h"
+#include "core/teaching/derivation/glossary.h"
+#include "core/mechanism/model/mechanism.h"
 
 class QAction;
 class QMenuBar;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "core/base/id.h"
+#include "core/foundations/base/id.h"
 
 namespace geargraph {
 

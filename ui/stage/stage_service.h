@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "core/analysis/analysis.h"
-#include "core/base/request_worker.h"
-#include "core/scene/train_stage.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/base/request_worker.h"
+#include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph {
 

@@ -3,7 +3,7 @@
 #include <QColor>
 #include <QPalette>
 
-#include "core/drawing/palette.h"
+#include "core/presentation/drawing/palette.h"
 
 class QApplication;
 

@@ -3,8 +3,8 @@
 #include <QIcon>
 #include <QString>
 
-#include "core/base/diagnostic.h"
-#include "core/drawing/palette.h"
+#include "core/foundations/base/diagnostic.h"
+#include "core/presentation/drawing/palette.h"
 
 namespace geargraph {
 

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "core/drawing/palette.h"
+#include "core/presentation/drawing/palette.h"
 
 namespace geargraph {
 

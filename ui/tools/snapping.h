@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 

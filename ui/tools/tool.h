@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/id.h"
-#include "core/mechanism/mechanism.h"
+#include "core/foundations/base/id.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph {
 

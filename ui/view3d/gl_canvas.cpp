@@ -4,7 +4,7 @@
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
-#include "core/render/gl_renderer.h"
+#include "core/presentation/painting/gl_renderer.h"
 #include "ui/view3d/overlay.h"
 
 namespace geargraph {

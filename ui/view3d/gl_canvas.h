@@ -4,7 +4,7 @@
 #include <QOpenGLWidget>
 #include <memory>
 
-#include "core/render/renderer.h"
+#include "core/presentation/painting/renderer.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"

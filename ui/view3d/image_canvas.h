@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/render/picture_thread.h"
+#include "core/presentation/stage/picture_thread.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/look_level.h"
 #include "ui/view3d/picture_pace.h"

@@ -6,7 +6,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/render/label_places.h"
+#include "core/presentation/stage/label_places.h"
 
 class QPainter;
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/render/motion_curves.h"
+#include "core/presentation/stage/motion_curves.h"
 #include "ui/selection/selection.h"
 
 class QCheckBox;

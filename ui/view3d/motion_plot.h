@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/render/motion_curves.h"
+#include "core/presentation/stage/motion_curves.h"
 
 namespace geargraph {
 

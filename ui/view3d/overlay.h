@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/render/image.h"
+#include "core/presentation/painting/image.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/view_options.h"
 

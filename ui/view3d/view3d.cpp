@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/render/gl_renderer.h"
+#include "core/presentation/painting/gl_renderer.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/image_canvas.h"
 #include "ui/view3d/playback_bar.h"

@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "core/render/camera.h"
-#include "core/render/stage.h"
+#include "core/presentation/painting/camera.h"
+#include "core/presentation/stage/stage.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/playback.h"
 #include "ui/view3d/viewer.h"

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/render/look.h"
-#include "core/render/stage_view.h"
+#include "core/presentation/painting/look.h"
+#include "core/presentation/stage/stage_view.h"
 
 namespace geargraph {
 

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/contract.h"
-#include "core/render/exploded.h"
+#include "core/foundations/base/contract.h"
+#include "core/presentation/stage/exploded.h"
 
 namespace geargraph {
 namespace {

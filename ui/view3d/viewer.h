@@ -7,9 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/render/renderer.h"
-#include "core/render/stage.h"
-#include "core/render/stage_view.h"
+#include "core/presentation/painting/renderer.h"
+#include "core/presentation/stage/stage.h"
+#include "core/presentation/stage/stage_view.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/view_options.h"
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/base/contract.h"
+#include "core/foundations/base/contract.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph::test {

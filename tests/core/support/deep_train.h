@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::test {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::test {
 

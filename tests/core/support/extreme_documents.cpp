@@ -1,6 +1,6 @@
 #include "tests/core/support/extreme_documents.h"
 
-#include "core/mechanism/limits.h"
+#include "core/mechanism/model/limits.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph::test {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/matroid/matroid_analysis.h"
+#include "core/theory/matroid/matroid_analysis.h"
 
 namespace geargraph::test {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/graph/integer_matrix.h"
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/graph/integer_matrix.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::test {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::test {
 

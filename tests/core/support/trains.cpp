@@ -1,6 +1,6 @@
 #include "tests/core/support/trains.h"
 
-#include "core/base/contract.h"
+#include "core/foundations/base/contract.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph::test {

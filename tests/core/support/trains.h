@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::test {
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "core/placement/placement.h"
+#include "core/mechanism/placement/placement.h"
 
 namespace geargraph::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/ttgraph/tt_solution.h"
+#include "core/theory/ttgraph/tt_solution.h"
 #include "tests/core/support/trains.h"
 
 namespace geargraph::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
 

@@ -2,7 +2,7 @@
 #include <QMenu>
 #include <QUndoStack>
 
-#include "core/mechanism/pins.h"
+#include "core/mechanism/model/pins.h"
 #include "tests/ui/canvas/view_driver.h"
 #include "ui/canvas/canvas_edits.h"
 #include "ui/canvas/cycle_walk.h"

@@ -1,6 +1,6 @@
 #include <QUndoStack>
 
-#include "core/drawing/hit_test.h"
+#include "core/presentation/drawing/hit_test.h"
 #include "tests/ui/canvas/view_driver.h"
 
 using namespace geargraph;

@@ -2,7 +2,7 @@
 #include <QUndoStack>
 #include <random>
 
-#include "core/io/mechanism_file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "tests/ui/canvas/view_driver.h"
 
 using namespace geargraph;

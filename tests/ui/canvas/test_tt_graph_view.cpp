@@ -1,4 +1,4 @@
-#include "core/analysis/analysis.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/core/support/example_files.h"
 #include "tests/ui/canvas/view_driver.h"
 #include "ui/canvas/context_menu.h"

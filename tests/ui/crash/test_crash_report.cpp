@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/base/contract.h"
+#include "core/foundations/base/contract.h"
 #include "ui/crash/action_log.h"
 #include "ui/crash/action_recorder.h"
 #include "ui/crash/crash_handler.h"

@@ -1,8 +1,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/mechanism/edits.h"
-#include "core/mechanism/limits.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/limits.h"
 #include "ui/document/document.h"
 
 namespace geargraph {

@@ -1,9 +1,9 @@
 #include <QTest>
 #include <random>
 
-#include "core/mechanism/edits.h"
-#include "core/mechanism/fragment.h"
-#include "core/mechanism/validate.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/fragment.h"
+#include "core/mechanism/model/validate.h"
 #include "tests/core/support/mechanisms.h"
 #include "ui/document/document.h"
 

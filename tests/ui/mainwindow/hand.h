@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <memory>
 
-#include "core/mechanism/mechanism.h"
+#include "core/mechanism/model/mechanism.h"
 #include "ui/mainwindow/main_window.h"
 
 namespace geargraph::test {

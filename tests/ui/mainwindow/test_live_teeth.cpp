@@ -1,8 +1,8 @@
 #include <QTest>
 
-#include "core/gears/gear_solid.h"
-#include "core/gears/complete_train.h"
-#include "core/mechanism/edits.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/view3d/view3d.h"

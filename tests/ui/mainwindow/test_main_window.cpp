@@ -8,7 +8,7 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"

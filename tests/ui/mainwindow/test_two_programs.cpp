@@ -15,7 +15,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"

@@ -3,9 +3,9 @@
 #include <QMimeData>
 #include <QTest>
 
-#include "core/io/mechanism_file.h"
-#include "core/mechanism/edits.h"
-#include "core/mechanism/fragment.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/fragment.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"

@@ -4,8 +4,8 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "core/collision/motion_findings.h"
-#include "core/mechanism/edits.h"
+#include "core/design/collision/motion_findings.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"

@@ -12,8 +12,8 @@
 #include <QTimer>
 #include <filesystem>
 
-#include "core/io/file_identity.h"
-#include "core/mechanism/edits.h"
+#include "core/foundations/files/file_identity.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/notice_bar.h"

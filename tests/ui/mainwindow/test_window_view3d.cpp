@@ -6,9 +6,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/io/file.h"
-#include "core/meshfile/mesh_writer.h"
-#include "core/scene/stage_picture.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/train_stage/stage_picture.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/shapes_dialog.h"

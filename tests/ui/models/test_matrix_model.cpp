@@ -2,7 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"
 #include "ui/models/matrix_model.h"
 

@@ -7,9 +7,9 @@
 #include <QScopeGuard>
 #include <QTest>
 
-#include "core/fitting/fitted_edits.h"
-#include "core/mechanism/edits.h"
-#include "core/mechanism/pins.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/pins.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/panels/inputs_panel.h"

@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <set>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/gearboxes.h"
 #include "ui/panels/gearbox_panel.h"
 

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
 #include "ui/models/freedom_text.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_header.h"

@@ -3,9 +3,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/io/file.h"
-#include "core/io/mechanism_file.h"
-#include "core/mechanism/edits.h"
+#include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/edits.h"
 #include "ui/recovery/side_file.h"
 
 namespace geargraph {

@@ -2,9 +2,9 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "core/fitting/axis_drag.h"
-#include "core/fitting/fitted_edits.h"
-#include "core/mechanism/edits.h"
+#include "core/mechanism/fitting/axis_drag.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "ui/schematic/schematic_view.h"

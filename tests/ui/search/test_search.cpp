@@ -4,7 +4,7 @@
 #include <QMenuBar>
 #include <QTest>
 
-#include "core/mechanism/edits.h"
+#include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"
 #include "ui/search/search_model.h"
 #include "ui/search/word_match.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/render/primitives.h"
-#include "core/render/stage.h"
+#include "core/presentation/painting/primitives.h"
+#include "core/presentation/stage/stage.h"
 
 namespace geargraph::test {
 

@@ -1,0 +1,167 @@
+#include "core/design/collision/motion_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "core/foundations/base/wording.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/pose/turning_lines.h"
+
+namespace geargraph {
+namespace {
+
+/// Joints times inputs up to which rates are solved in fractions, which periods need.
+constexpr std::size_t kMostExactGains = 20'000;
+
+/// Inputs whose angles a finding gives.
+constexpr std::size_t kMostNamedInputs = 6;
+
+/// With one decimal, below 1 with two digits that count, and no -0.
+std::string rounded(double value) {
+  const double size = std::abs(value);
+  const int decimals = size >= 1 || size < 1e-12 ? 1 : 1 - static_cast<int>(std::floor(std::log10(size)));
+  const double unit = std::pow(10, decimals);
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(decimals) << std::round(value * unit) / unit + 0.0;
+  return text.str();
+}
+
+std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const MatroidAnalysis* matroid = snapshot.matroid();
+  if (matroid == nullptr || !matroid->solution) return std::nullopt;
+  JointRates rates{
+      *snapshot.tree, turningLines(snapshot.kinematics->placement), matroid->solution->rates, {}};
+  if (rates.rates.size() * matroid->choice.joints.size() <= kMostExactGains) {
+    auto exact = solveExact(*snapshot.kinematics->model, matroid->choice.joints, matroid->speeds, stop);
+    if (!exact) return std::nullopt;
+    rates.exact = std::move(exact->rates);
+  }
+  return rates;
+}
+
+/// Does a finding of the train say that these links overlap?
+bool isKnown(const Diagnostics& known, const ElementId& one, const ElementId& other) {
+  return std::any_of(known.begin(), known.end(), [&](const Diagnostic& diagnostic) {
+    const auto names = [&](const ElementId& link) {
+      return std::find(diagnostic.elements.begin(), diagnostic.elements.end(), link) !=
+             diagnostic.elements.end();
+    };
+    const bool isOverlap = diagnostic.detail == Detail::bodiesOverlap ||
+                           diagnostic.detail == Detail::wheelsOverlap ||
+                           diagnostic.detail == Detail::planetsOverlap;
+    return isOverlap && names(one) && names(other);
+  });
+}
+
+class Wording {
+ public:
+  Wording(const AnalysisSnapshot& snapshot, const MotionCheck& check, bool isLimited)
+      : m_snapshot(snapshot), m_check(check), m_isLimited(isLimited) {}
+
+  [[nodiscard]] Diagnostic finding(const MotionCollision& collision) const {
+    const Mechanism& mechanism = *m_snapshot.mechanism;
+    const std::string links = "Links " + std::to_string(mechanism.linkLabel(collision.one)) + " and " +
+                              std::to_string(mechanism.linkLabel(collision.other));
+    Diagnostic diagnostic;
+    diagnostic.code = Code::interference;
+    diagnostic.detail = Detail::motionCollision;
+    diagnostic.message = collision.time == 0 ? links + " overlap in the reference pose: give them clearance."
+                                             : links + " collide " + when(collision.time) + ", with " +
+                                                   inputs(collision.time) +
+                                                   ". Give them clearance, or limit joints. " + checked();
+    for (const int link : {collision.one, collision.other})
+      diagnostic.elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+    diagnostic.time = collision.time;
+    return diagnostic;
+  }
+
+ private:
+  static std::string when(double time) {
+    if (time < 0) return "after " + secondsText(-time) + " of the motion backwards";
+    return "after " + secondsText(time) + " of the motion";
+  }
+
+  [[nodiscard]] std::string inputs(double time) const {
+    const MatroidAnalysis& matroid = *m_snapshot.matroid();
+    std::vector<std::string> angles;
+    for (const int joint : matroid.choice.joints) {
+      const double angle = matroid.solution->rates[static_cast<std::size_t>(joint)] * time;
+      angles.push_back(std::to_string(m_snapshot.graph->edgeLabel(joint)) + " at " +
+                       rounded(angle * 180 / std::numbers::pi) + " deg");
+    }
+    return (angles.size() == 1 ? "joint " : "joints ") + listed(angles, kMostNamedInputs);
+  }
+
+  [[nodiscard]] std::string checked() const {
+    if (!m_check.isComplete) return "(Only part of the motion was checked.)";
+    const std::string until = secondsText(m_check.to);
+    if (!m_check.coversAll)
+      return "(Checked for the first " + until + ": the motion does not repeat sooner.)";
+    if (!m_isLimited) return "(Checked until the motion repeats.)";
+    return "(Checked between the limits of the joints, from " + secondsText(m_check.from) + " to " + until +
+           ".)";
+  }
+
+  const AnalysisSnapshot& m_snapshot;
+  const MotionCheck& m_check;
+  bool m_isLimited;
+};
+
+}  // namespace
+
+std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const std::stop_token& stop,
+                                        const MotionCheckOptions& options) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  if (mechanism.n() > kMostCheckedLinks || hasErrors(snapshot.diagnostics)) return std::nullopt;
+  const auto rates = ratesOf(snapshot, stop);
+  const auto turns = [](double rate) { return rate != 0; };
+  if (!rates || std::none_of(rates->rates.begin(), rates->rates.end(), turns)) return std::nullopt;
+
+  const GearTrain train = trainOf(mechanism, snapshot.kinematics->placement, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  const std::vector<double> reference(rates->rates.size(), 0);
+  const MotionRange range = motionRange(angleLimits(mechanism), reference, rates->rates);
+  MotionReport report;
+  report.check = motionCollisions(collisionParts(train, stop), *rates, range, stop, options);
+  if (stop.stop_requested()) return std::nullopt;
+  const Wording wording(snapshot, report.check, range.isLimited());
+  std::size_t unlisted = 0;
+  for (const MotionCollision& collision : report.check.collisions) {
+    Diagnostic found = wording.finding(collision);
+    if (isKnown(train.diagnostics, found.elements[0], found.elements[1])) continue;
+    if (report.diagnostics.size() < kMostMotionFindings) {
+      report.diagnostics.push_back(std::move(found));
+    } else {
+      ++unlisted;
+    }
+  }
+  if (unlisted > 0)
+    report.diagnostics.back().message +=
+        " (" + std::to_string(unlisted) +
+        (unlisted == 1 ? " more pair of links collides later.)" : " more pairs of links collide later.)");
+  return report;
+}
+
+std::string secondsText(double seconds) {
+  return rounded(seconds) + " s";
+}
+
+std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report) {
+  if (snapshot.mechanism->n() > kMostCheckedLinks && !hasErrors(snapshot.diagnostics))
+    return "The motion of more than " + std::to_string(kMostCheckedLinks) +
+           " links is not checked for collisions.";
+  if (report == nullptr) return {};
+  const MotionCheck& check = report->check;
+  if (!check.isComplete)
+    return "Only part of the motion was checked for collisions: too many parts come close to each other.";
+  if (check.coversAll) return {};
+  return "The motion was checked for collisions for its first " + secondsText(check.to) +
+         ": it does not repeat sooner.";
+}
+
+}  // namespace geargraph

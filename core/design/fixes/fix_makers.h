@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/design/fixes/fixes.h"
+
+namespace geargraph {
+
+// The makers behind fixesFor(), by what is wrong. Each may give more than kMostFixes; order counts.
+
+/// disconnected, turning-loop with its details.
+[[nodiscard]] std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
+/// pitch-geometry, pitch-point-on-axis, teeth-geometry, coaxial-mesh, no-transfer-vertex, redundant-mesh,
+/// split-axis.
+[[nodiscard]] std::vector<Fix> meshFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
+/// invalid-inputs.
+[[nodiscard]] std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot);
+/// assembly, undercut, locked, dead-joint.
+[[nodiscard]] std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
+
+[[nodiscard]] Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element,
+                            const std::string& why = {});
+
+/// "link 3", "joint 8", "mesh 15"
+[[nodiscard]] std::string wordFor(const Mechanism& mechanism, const ElementId& element);
+
+/// Drops the fixes that are refused, change nothing, or after which `stillWrong` holds.
+template <class StillWrong>
+[[nodiscard]] std::vector<Fix> tried(std::vector<Fix> fixes, const Mechanism& mechanism,
+                                     const StillWrong& stillWrong) {
+  std::erase_if(fixes, [&](const Fix& fix) {
+    const Expected<Mechanism> mended = fix.edit(mechanism);
+    return !mended || *mended == mechanism || stillWrong(*mended);
+  });
+  return fixes;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,68 @@
+#include "core/design/fixes/fixes.h"
+
+#include <array>
+
+#include "core/design/fixes/fix_makers.h"
+#include "core/mechanism/model/edits.h"
+
+namespace geargraph {
+namespace {
+
+std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  switch (diagnostic.code) {
+    case Code::disconnected:
+    case Code::turningLoop:
+      return treeFixes(diagnostic, snapshot);
+    case Code::pitchGeometry:
+    case Code::pitchPointOnAxis:
+    case Code::teethGeometry:
+    case Code::coaxialMesh:
+    case Code::noTransferVertex:
+    case Code::redundantMesh:
+    case Code::splitAxis:
+      return meshFixes(diagnostic, snapshot);
+    case Code::invalidInputs:
+      return inputFixes(snapshot);
+    case Code::assembly:
+    case Code::undercut:
+    case Code::locked:
+    case Code::deadJoint:
+      return teethFixes(diagnostic, snapshot);
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
+  const std::string label = labelOf(mechanism, element).value_or(element.id.text());
+  switch (element.kind) {
+    case ElementKind::link:
+      return "link " + label;
+    case ElementKind::turningJoint:
+      return "joint " + label;
+    case ElementKind::gearMesh:
+      return "mesh " + label;
+    case ElementKind::coupling: {
+      const Coupling* coupling = mechanism.find(CouplingId(element.id));
+      const bool isBrake = coupling != nullptr && coupling->kind == CouplingKind::brake;
+      return (isBrake ? "brake " : "clutch ") + element.id.text();
+    }
+    default:
+      return label;
+  }
+}
+
+Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element, const std::string& why) {
+  return {"Drop " + wordFor(*snapshot.mechanism, element) + why,
+          [element](const Mechanism& before) { return withoutElements(before, std::array{element}); }};
+}
+
+std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  std::vector<Fix> fixes = allFixes(diagnostic, snapshot);
+  if (fixes.size() > kMostFixes) fixes.resize(kMostFixes);
+  return fixes;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/theory/analysis/analysis.h"
+#include "core/foundations/base/expected.h"
+
+namespace geargraph {
+
+/// A way to mend a finding: what a button says, "Drop joint 15", and the edit behind it.
+struct Fix {
+  std::string text;
+  std::function<Expected<Mechanism>(const Mechanism&)> edit;
+};
+
+/// What would mend this finding of this snapshot (or of the teeth of its mechanism: assembly, undercut), the
+/// likeliest first, kMostFixes at most; empty where only a person can tell. Geometric fixes have been tried:
+/// none is offered that leaves the finding, or that the edits refuse.
+///
+/// Cost: near linear in n + t + c for each try; some dozen tries for teeth that do not fit together.
+[[nodiscard]] std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
+
+constexpr std::size_t kMostFixes = 3;
+
+}  // namespace geargraph

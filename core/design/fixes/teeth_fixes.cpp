@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "core/design/fixes/fix_makers.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/model/edits.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kMostTriedLinks = 40;  // a try takes some ten times as long as the analysis of so small a train
+constexpr int kFewestUsualTeeth = 8;
+
+bool trainSays(const Mechanism& mechanism, Code code) {
+  const Placement placement = placementOf(mechanism);
+  if (hasErrors(placement.diagnostics)) return true;
+  const Diagnostics found = trainOf(mechanism, placement).diagnostics;
+  return std::any_of(found.begin(), found.end(), [code](const Diagnostic& d) { return d.code == code; });
+}
+
+/// A sun, its ring, and the planets that mesh with both.
+struct PlanetarySet {
+  LinkId sun;
+  LinkId ring;
+  std::set<LinkId> planets;
+  int sunTeeth = 0;
+  int ringTeeth = 0;
+};
+
+struct MeshEnds {
+  LinkId smaller;
+  LinkId larger;
+};
+
+/// The link that holds the ring of an internal pair, and the planet in it.
+MeshEnds endsOfInternal(const GearMesh& mesh) {
+  const bool tailIsRing = mesh.tailTeeth > mesh.headTeeth;
+  return tailIsRing ? MeshEnds{mesh.head, mesh.tail} : MeshEnds{mesh.tail, mesh.head};
+}
+
+int teethOn(const GearMesh& mesh, LinkId link) {
+  return mesh.tail == link ? mesh.tailTeeth : mesh.headTeeth;
+}
+
+/// From one loop of two planets: the internal meshes name the ring, the others the sun.
+std::optional<PlanetarySet> planetarySetOf(const Mechanism& mechanism, const Diagnostic& diagnostic) {
+  PlanetarySet set;
+  for (const ElementId& element : diagnostic.elements) {
+    const GearMesh* mesh = mechanism.find(MeshId(element.id));
+    if (mesh == nullptr || mesh->kind != MeshKind::internal) continue;
+    const MeshEnds ends = endsOfInternal(*mesh);
+    if (!set.ring.empty() && set.ring != ends.larger) return std::nullopt;
+    set.ring = ends.larger;
+    set.ringTeeth = teethOn(*mesh, ends.larger);
+  }
+  if (set.ring.empty()) return std::nullopt;
+  for (const GearMesh& mesh : mechanism.gearMeshes) {
+    const bool ofRing = mesh.tail == set.ring || mesh.head == set.ring;
+    if (ofRing) set.planets.insert(mesh.tail == set.ring ? mesh.head : mesh.tail);
+  }
+  for (const ElementId& element : diagnostic.elements) {
+    const GearMesh* mesh = mechanism.find(MeshId(element.id));
+    if (mesh == nullptr || mesh->tail == set.ring || mesh->head == set.ring) continue;
+    const LinkId sun = set.planets.contains(mesh->tail) ? mesh->head : mesh->tail;
+    if (!set.sun.empty() && set.sun != sun) return std::nullopt;
+    set.sun = sun;
+    set.sunTeeth = teethOn(*mesh, sun);
+  }
+  if (set.sun.empty() || set.planets.size() < 2) return std::nullopt;
+  return set;
+}
+
+Expected<Mechanism> withSetTeeth(Mechanism mechanism, const PlanetarySet& set, int sun, int planet,
+                                 int ring) {
+  const auto teeth = [&](LinkId link) { return link == set.sun ? sun : link == set.ring ? ring : planet; };
+  const auto inSet = [&](LinkId link) {
+    return link == set.sun || link == set.ring || set.planets.contains(link);
+  };
+  const std::vector<GearMesh> meshes = mechanism.gearMeshes;
+  for (const GearMesh& mesh : meshes) {
+    if (!inSet(mesh.tail) || !inSet(mesh.head)) continue;
+    Expected<Mechanism> next = withTeeth(std::move(mechanism), mesh.id, teeth(mesh.tail), teeth(mesh.head));
+    if (!next) return next.error();
+    next = withPitchPoint(std::move(next).value(), mesh.id, std::nullopt);  // it was that of the old teeth
+    if (!next) return next.error();
+    mechanism = std::move(next).value();
+  }
+  return mechanism;
+}
+
+/// Planets at equal distances fit where their number divides N_sun + N_ring, and stay coaxial where N_ring -
+/// N_sun is twice their teeth. The nearest rings, then the nearest suns.
+std::vector<Fix> assemblyFixes(const Diagnostic& diagnostic, const Mechanism& mechanism) {
+  const auto set = planetarySetOf(mechanism, diagnostic);
+  if (!set) return {};
+  const int count = static_cast<int>(set->planets.size());
+  std::vector<Fix> fixes;
+  const auto offer = [&](int sun, int ring, const std::string& text) {
+    const int planet = (ring - sun) / 2;
+    if (sun < kFewestUsualTeeth || planet < kFewestUsualTeeth || (ring - sun) % 2 != 0) return;
+    if ((sun + ring) % count != 0) return;
+    fixes.push_back({"Use " + text + " and " + std::to_string(planet) + " on the planets",
+                     [set = *set, sun, planet, ring](const Mechanism& before) {
+                       return withSetTeeth(before, set, sun, planet, ring);
+                     }});
+  };
+  for (int change = 0; change <= 2 * count; ++change) {
+    for (const int sign : {1, -1}) {
+      if (change == 0 && sign < 0) continue;
+      const int ring = set->ringTeeth + sign * change;
+      offer(set->sunTeeth, ring, std::to_string(ring) + " teeth on the ring");
+      const int sun = set->sunTeeth + sign * change;
+      if (change > 0) offer(sun, set->ringTeeth, std::to_string(sun) + " teeth on the sun");
+    }
+  }
+  if (fixes.size() > 2 * kMostFixes) fixes.resize(2 * kMostFixes);
+  return tried(std::move(fixes), mechanism,
+               [](const Mechanism& mended) { return trainSays(mended, Code::assembly); });
+}
+
+/// All teeth multiplied: every ratio, and every condition on sums of teeth, stays as it was.
+std::vector<Fix> undercutFixes(const Mechanism& mechanism) {
+  std::vector<Fix> fixes;
+  for (int factor = 2; factor <= 4; ++factor) {
+    const char* const words[] = {"twice", "three times", "four times"};
+    fixes.push_back({"Use " + std::string(words[factor - 2]) + " the teeth everywhere",
+                     [factor](Mechanism before) -> Expected<Mechanism> {
+                       const std::vector<GearMesh> meshes = before.gearMeshes;
+                       for (const GearMesh& mesh : meshes) {
+                         Expected<Mechanism> next = withTeeth(
+                             std::move(before), mesh.id, mesh.tailTeeth * factor, mesh.headTeeth * factor);
+                         if (!next) return next.error();
+                         before = std::move(next).value();
+                       }
+                       return before;
+                     }});
+  }
+  fixes = tried(std::move(fixes), mechanism,
+                [](const Mechanism& mended) { return trainSays(mended, Code::undercut); });
+  if (fixes.size() > 1) fixes.resize(1);  // the fewest teeth that do
+  return fixes;
+}
+
+bool isLocked(const Mechanism& mechanism) {
+  const SnapshotPtr snapshot = analyzeLive(std::make_shared<const Mechanism>(mechanism));
+  return snapshot->matroid() == nullptr ||
+         std::any_of(snapshot->diagnostics.begin(), snapshot->diagnostics.end(), [](const Diagnostic& found) {
+           return found.code == Code::locked || found.code == Code::deadJoint ||
+                  (found.severity() == Severity::error && found.code != Code::invalidInputs);
+         });
+}
+
+/// One wheel of the loop with another tooth count, the nearest that agrees with the other ratios.
+void addAgreeingTeeth(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>& fixes) {
+  constexpr int kFarthest = 30;
+  for (const bool ofTail : {false, true}) {
+    const int now = ofTail ? mesh.tailTeeth : mesh.headTeeth;
+    for (int step = 2; step <= 2 * kFarthest + 1; ++step) {
+      const int teeth = now + (step % 2 == 0 ? 1 : -1) * (step / 2);
+      if (teeth < kFewestUsualTeeth) continue;
+      const auto edit = [id = mesh.id, ofTail, teeth, mesh](const Mechanism& before) {
+        return withTeeth(before, id, ofTail ? teeth : mesh.tailTeeth, ofTail ? mesh.headTeeth : teeth);
+      };
+      const Expected<Mechanism> mended = edit(mechanism);
+      if (!mended || isLocked(*mended)) continue;
+      const std::string gear = labelOf(mechanism, ofTail ? mesh.tail : mesh.head).value_or("");
+      fixes.push_back(
+          {"Use " + std::to_string(teeth) + " teeth on gear " + gear + " of " + wordFor(mechanism, mesh.id),
+           edit});
+      break;
+    }
+  }
+}
+
+std::vector<Fix> lockedFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  constexpr std::size_t kMostMeshes = 3;
+  const Mechanism& mechanism = *snapshot.mechanism;
+  std::vector<Fix> fixes;
+  std::vector<Fix> removals;
+  std::size_t meshes = 0;
+  for (const ElementId& element : diagnostic.elements) {
+    const GearMesh* mesh =
+        element.kind == ElementKind::gearMesh ? mechanism.find(MeshId(element.id)) : nullptr;
+    if (mesh == nullptr || ++meshes > kMostMeshes) continue;
+    if (fixes.empty()) addAgreeingTeeth(mechanism, *mesh, fixes);
+    removals.push_back(removalOf(snapshot, element));
+  }
+  if (fixes.size() > 1) fixes.resize(1);
+  std::move(removals.rbegin(), removals.rend(), std::back_inserter(fixes));  // the one drawn last first
+  return tried(std::move(fixes), mechanism, isLocked);
+}
+
+}  // namespace
+
+std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  if (mechanism.n() > kMostTriedLinks) return {};
+  switch (diagnostic.code) {
+    case Code::assembly:
+      return assemblyFixes(diagnostic, mechanism);
+    case Code::undercut:
+      return undercutFixes(mechanism);
+    default:
+      return lockedFixes(diagnostic, snapshot);
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/design/fixes/fix_makers.h"
+#include "core/mechanism/model/edits.h"
+
+namespace geargraph {
+namespace {
+
+/// One link of every part that hangs loose: the first of each in the document's order. Tying it ties the
+/// part.
+std::vector<LinkId> looseParts(const Mechanism& mechanism) {
+  std::unordered_map<LinkId, LinkId> above;
+  for (const Link& link : mechanism.links) above.emplace(link.id, link.id);
+  const auto rootOf = [&](LinkId link) {
+    while (above.at(link) != link) {
+      above.at(link) = above.at(above.at(link));
+      link = above.at(link);
+    }
+    return link;
+  };
+  for (const TurningJoint& joint : mechanism.turningJoints) above.at(rootOf(joint.head)) = rootOf(joint.tail);
+  std::vector<LinkId> seen{rootOf(mechanism.links.front().id)};
+  std::vector<LinkId> parts;
+  for (const Link& link : mechanism.links) {
+    const LinkId root = rootOf(link.id);
+    if (std::find(seen.begin(), seen.end(), root) != seen.end()) continue;
+    seen.push_back(root);
+    parts.push_back(link.id);
+  }
+  return parts;
+}
+
+Expected<Mechanism> withLinksTied(Mechanism mechanism, const std::vector<LinkId>& links) {
+  const LinkId ground = mechanism.links.front().id;
+  for (const LinkId link : links) {
+    Expected<Mechanism> tied = withTurningJoint(std::move(mechanism), ground, link);
+    if (!tied) return tied.error();
+    mechanism = std::move(tied).value();
+  }
+  return mechanism;
+}
+
+std::vector<Fix> connectionFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  constexpr std::size_t kMostNamed = 4;
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const std::vector<LinkId> parts = looseParts(mechanism);
+  if (parts.empty()) return {};
+  std::string names;
+  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
+    names += (i == 0 ? "" : ", ") + labelOf(mechanism, parts[i]).value_or("");
+  }
+  if (parts.size() > kMostNamed) names += ", ...";
+  const bool one = parts.size() == 1;
+  std::vector<Fix> fixes;
+  fixes.push_back({"Tie " + std::string(one ? "link " : "links ") + names + " to the ground",
+                   [parts](const Mechanism& before) { return withLinksTied(before, parts); }});
+  const std::vector<ElementId> loose = diagnostic.elements;
+  fixes.push_back({loose.size() == 1 ? "Drop " + wordFor(mechanism, loose.front()) : "Drop the loose links",
+                   [loose](const Mechanism& before) { return withoutElements(before, loose); }});
+  return fixes;
+}
+
+/// The joint that was drawn last first; then those that share an axis with another one of the loop: two
+/// bearings of one shaft.
+std::vector<Fix> loopFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const auto axisOf = [&](const ElementId& joint) { return mechanism.find(JointId(joint.id))->axis; };
+  std::vector<Fix> fixes;
+  std::vector<Fix> others;
+  for (std::size_t i = 0; i < diagnostic.elements.size(); ++i) {
+    const ElementId& joint = diagnostic.elements[i];
+    const auto sharers =
+        std::count_if(diagnostic.elements.begin(), diagnostic.elements.end(),
+                      [&](const ElementId& other) { return axisOf(other) == axisOf(joint); });
+    const bool second = sharers > 1;
+    Fix fix = removalOf(snapshot, joint,
+                        second ? ", a second bearing on axis " + axisOf(joint).text() : std::string());
+    (i == 0 || second ? fixes : others).push_back(std::move(fix));
+  }
+  std::move(others.begin(), others.end(), std::back_inserter(fixes));
+  return fixes;
+}
+
+/// The coupling that closes a linkage in a state: no turning joint is to blame.
+std::vector<Fix> linkageFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  std::vector<Fix> fixes;
+  for (const ElementId& element : diagnostic.elements) {
+    if (element.kind == ElementKind::coupling) fixes.push_back(removalOf(snapshot, element));
+  }
+  return fixes;
+}
+
+}  // namespace
+
+std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
+  if (diagnostic.code == Code::disconnected) return connectionFixes(diagnostic, snapshot);
+  if (diagnostic.detail == Detail::couplingLinkage) return linkageFixes(diagnostic, snapshot);
+  return loopFixes(diagnostic, snapshot);
+}
+
+}  // namespace geargraph

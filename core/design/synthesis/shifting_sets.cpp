@@ -1,0 +1,184 @@
+#include "core/design/synthesis/shifting_sets.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/design/synthesis/set_sketch.h"
+
+namespace geargraph {
+namespace {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+Point turned(const Point& p, double angle) {
+  return {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// 12 digits of a coordinate, so that what is 0 is written as 0.
+Number coordinate(double value) {
+  const double rounded = std::round(value * 1e9) / 1e9;
+  return Number::fromDouble(rounded == 0 ? 0 : rounded);
+}
+
+Diagnostic refusal(Code code, std::string message) {
+  return {code, std::move(message), {}, {}, 0, 0};
+}
+
+/// The first pair of planets, lengths in half modules: where short and long planet touch each other.
+struct PairPlaces {
+  Point shortPlanet;
+  Point longPlanet;
+};
+
+std::optional<PairPlaces> pairPlaces(const RavigneauxTeeth& teeth) {
+  const double toShort = teeth.smallSun + teeth.shortPlanet;
+  const double toLong = teeth.largeSun + teeth.longPlanet;
+  const double between = teeth.shortPlanet + teeth.longPlanet;
+  const double cosine = (toShort * toShort + toLong * toLong - between * between) / (2 * toShort * toLong);
+  if (std::abs(cosine) >= 1) return std::nullopt;
+  return PairPlaces{{toShort * cosine, toShort * std::sqrt(1 - cosine * cosine)}, {toLong, 0}};
+}
+
+/// Do the wheels of neighbouring pairs clear each other, tips of one module each? (Small sun and short
+/// planets lie in a plane of their own.)
+bool pairsClear(const RavigneauxTeeth& teeth, const PairPlaces& places, int pairs) {
+  for (int k = 1; k < pairs; ++k) {
+    const double angle = 2 * std::numbers::pi * k / pairs;
+    const Point nextShort = turned(places.shortPlanet, angle);
+    const Point nextLong = turned(places.longPlanet, angle);
+    if (distance(places.longPlanet, nextLong) <= 2 * teeth.longPlanet + 4) return false;
+    if (distance(places.shortPlanet, nextShort) <= 2 * teeth.shortPlanet + 4) return false;
+    if (distance(places.shortPlanet, nextLong) <= teeth.shortPlanet + teeth.longPlanet + 4) return false;
+  }
+  return true;
+}
+
+constexpr int kSmallSunLevel = 20;  // where along the axes the small sun and the short planets lie
+constexpr int kRingLevel = 0;       // the large sun and the ring
+
+/// Where two wheels touch; `teethOfB` of a ring are negative.
+NumberTriple touching(const Point& a, int teethOfA, const Point& b, int teethOfB, int level) {
+  const double part = static_cast<double>(teethOfA) / (teethOfA + teethOfB);
+  return {coordinate(a.x + part * (b.x - a.x)), coordinate(a.y + part * (b.y - a.y)), Number(level)};
+}
+
+}  // namespace
+
+Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
+  const auto places = pairPlaces(teeth);
+  if (!places) {
+    return refusal(
+        Code::teethGeometry,
+        "Short and long planet cannot touch each other: small sun + short planet and large sun + long "
+        "planet differ by more than short + long planet. What fits: sums that are nearer.");
+  }
+  if (teeth.largeSun - teeth.smallSun < 4) {
+    return refusal(
+        Code::teethGeometry,
+        "The long planets, which run through both planes, run into the small sun. What fits: a large "
+        "sun with at least 4 teeth more than the small one.");
+  }
+  if (!pairsClear(teeth, *places, pairs))
+    return refusal(Code::teethGeometry,
+                   "The planets collide. What fits: fewer pairs, smaller planets, or a larger ring.");
+  if ((teeth.ring() + teeth.largeSun) % pairs != 0 || (teeth.ring() - teeth.smallSun) % pairs != 0) {
+    return refusal(
+        Code::assembly,
+        "The pairs do not go in evenly: ring + large sun = " + std::to_string(teeth.ring() + teeth.largeSun) +
+            " and ring - small sun = " + std::to_string(teeth.ring() - teeth.smallSun) +
+            " have to be multiples of " + std::to_string(pairs) + ".");
+  }
+  SetSketch set("Ravigneaux set");
+  const NumberTriple z{Number(0), Number(0), Number(1)};
+  set.axis("a", {Number(0), Number(0), Number(0)}, z);
+  const int small = set.link(0, "a", "small sun");
+  const int large = set.link(0, "a", "large sun");
+  const int ring = set.link(0, "a", "ring");
+  const int carrier = set.link(0, "a", "carrier");
+  for (int k = 0; k < pairs; ++k) {
+    const double angle = 2 * std::numbers::pi * k / pairs;
+    const std::string number = std::to_string(k + 1);
+    const Point shortAt = turned(places->shortPlanet, angle);  // half modules of 1: module 2
+    const Point longAt = turned(places->longPlanet, angle);
+    set.axis("b" + number, {coordinate(shortAt.x), coordinate(shortAt.y), Number(0)}, z);
+    set.axis("c" + number, {coordinate(longAt.x), coordinate(longAt.y), Number(0)}, z);
+    const int shorter = set.link(carrier, "b" + number, "short planet " + number);
+    const int longer = set.link(carrier, "c" + number, "long planet " + number);
+    const auto mesh = [&](int tail, int head, int tailTeeth, int headTeeth,
+                          const NumberTriple& point) -> GearMesh& {
+      const MeshKind kind = head == ring ? MeshKind::internal : MeshKind::external;
+      GearMesh& made = set.mesh(tail, head, tailTeeth, headTeeth, kind);
+      made.faceWidth = Number(12);
+      made.pitchPoint = point;
+      return made;
+    };
+    const WheelId wheel = set.wheel("long-" + number, longer);  // one, through both planes
+    mesh(small, shorter, teeth.smallSun, teeth.shortPlanet,
+         touching({}, teeth.smallSun, shortAt, teeth.shortPlanet, kSmallSunLevel));
+    mesh(shorter, longer, teeth.shortPlanet, teeth.longPlanet,
+         touching(shortAt, teeth.shortPlanet, longAt, teeth.longPlanet, kSmallSunLevel))
+        .headWheel = wheel;
+    mesh(large, longer, teeth.largeSun, teeth.longPlanet,
+         touching({}, teeth.largeSun, longAt, teeth.longPlanet, kRingLevel))
+        .headWheel = wheel;
+    mesh(longer, ring, teeth.longPlanet, teeth.ring(),
+         touching(longAt, teeth.longPlanet, {}, -teeth.ring(), kRingLevel))
+        .tailWheel = wheel;
+  }
+  set.input(small, Number(1));
+  set.input(carrier, Number(0));
+  set.brake("B1", large);
+  set.brake("B2", carrier);
+  set.clutch("C", small, large);
+  set.state("1", {"B2"}, small, ring);
+  set.state("2", {"B1"}, small, ring);
+  set.state("3", {"C"}, small, ring);
+  set.state("R", {"B2"}, large, ring);
+  return std::move(set).build();
+}
+
+Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
+  if (!assembles(teeth, planets)) {
+    return refusal(Code::assembly, "The planets do not go in evenly: sun + ring = " +
+                                       std::to_string(teeth.sun + teeth.ring()) +
+                                       " has to be a multiple of " + std::to_string(planets) + ".");
+  }
+  if (!neighboursClear(teeth, planets))
+    return refusal(Code::teethGeometry,
+                   "The planets collide. What fits: fewer or smaller planets, or a larger sun.");
+  SetSketch set("Simpson set");
+  const int suns = set.link(0, "a", "suns");
+  const int ring = set.link(0, "a", "first ring");
+  const int output = set.link(0, "a", "output");
+  const int carrier = set.link(0, "a", "second carrier");
+  const auto stage = [&](int on, int around, const std::string& axis, const std::string& name) {
+    const WheelId sun = set.wheel(name + "-sun", suns);
+    for (int i = 0; i < planets; ++i) {
+      const std::string number = std::to_string(i + 1);
+      const int planet = set.link(on, axis + number, name + " planet " + number);
+      set.mesh(suns, planet, teeth.sun, teeth.planet, MeshKind::external).tailWheel = sun;
+      set.mesh(planet, around, teeth.planet, teeth.ring(), MeshKind::internal);
+    }
+  };
+  stage(output, ring, "b", "first");
+  stage(carrier, output, "c", "second");
+  set.input(ring, Number(1));
+  set.input(carrier, Number(0));
+  set.brake("B1", suns);
+  set.brake("B2", carrier);
+  set.clutch("C", suns, ring);
+  set.state("1", {"B2"}, ring, output);
+  set.state("2", {"B1"}, ring, output);
+  set.state("3", {"C"}, ring, output);
+  set.state("R", {"B2"}, suns, output);
+  return std::move(set).build();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,150 @@
+#include "core/foundations/base/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+struct CodeEntry {
+  Code code;
+  std::string_view name;
+  Severity severity;
+};
+
+// In the order of the enumeration, which is that of the table in resources/schema/README.md.
+constexpr std::array kCodes = {
+    CodeEntry{Code::syntax, "syntax", Severity::error},
+    CodeEntry{Code::format, "format", Severity::error},
+    CodeEntry{Code::version, "version", Severity::error},
+    CodeEntry{Code::schema, "schema", Severity::error},
+    CodeEntry{Code::duplicateId, "duplicate-id", Severity::error},
+    CodeEntry{Code::unknownId, "unknown-id", Severity::error},
+    CodeEntry{Code::selfJoint, "self-joint", Severity::error},
+    CodeEntry{Code::disconnected, "disconnected", Severity::error},
+    CodeEntry{Code::turningLoop, "turning-loop", Severity::error},
+    CodeEntry{Code::coaxialMesh, "coaxial-mesh", Severity::error},
+    CodeEntry{Code::noTransferVertex, "no-transfer-vertex", Severity::error},
+    CodeEntry{Code::pitchPointOnAxis, "pitch-point-on-axis", Severity::error},
+    CodeEntry{Code::pitchGeometry, "pitch-geometry", Severity::error},
+    CodeEntry{Code::teethGeometry, "teeth-geometry", Severity::error},
+    CodeEntry{Code::redundantMesh, "redundant-mesh", Severity::warning},
+    CodeEntry{Code::stateLocked, "state-locked", Severity::warning},
+    CodeEntry{Code::stateFree, "state-free", Severity::warning},
+    CodeEntry{Code::locked, "locked", Severity::warning},
+    CodeEntry{Code::deadJoint, "dead-joint", Severity::warning},
+    CodeEntry{Code::idleJoint, "idle-joint", Severity::info},
+    CodeEntry{Code::noMeshes, "no-meshes", Severity::info},
+    CodeEntry{Code::invalidInputs, "invalid-inputs", Severity::error},
+    CodeEntry{Code::splitAxis, "split-axis", Severity::warning},
+    CodeEntry{Code::mergedAxes, "merged-axes", Severity::info},
+    CodeEntry{Code::assembly, "assembly", Severity::warning},
+    CodeEntry{Code::undercut, "undercut", Severity::warning},
+    CodeEntry{Code::interference, "interference", Severity::warning},
+    CodeEntry{Code::symbolicSkipped, "symbolic-skipped", Severity::info},
+    CodeEntry{Code::graphics, "graphics", Severity::error},
+};
+
+struct DetailEntry {
+  Detail detail;
+  Code code;
+  std::string_view name;
+};
+
+// In the order of the enumeration.
+constexpr std::array kDetails = {
+    DetailEntry{Detail::redundantBearing, Code::turningLoop, "turning-loop/redundant-bearing"},
+    DetailEntry{Detail::turningCycle, Code::turningLoop, "turning-loop/cycle"},
+    DetailEntry{Detail::couplingLinkage, Code::turningLoop, "turning-loop/coupling-linkage"},
+    DetailEntry{Detail::skewAxes, Code::pitchGeometry, "pitch-geometry/skew-axes"},
+    DetailEntry{Detail::coincidentAxes, Code::pitchGeometry, "pitch-geometry/coincident-axes"},
+    DetailEntry{Detail::pitchPointOffPlane, Code::pitchGeometry, "pitch-geometry/off-plane"},
+    DetailEntry{Detail::kindAgainstAxes, Code::pitchGeometry, "pitch-geometry/kind"},
+    DetailEntry{Detail::noBevelPair, Code::pitchGeometry, "pitch-geometry/no-bevel-pair"},
+    DetailEntry{Detail::kindAgainstSides, Code::teethGeometry, "teeth-geometry/kind"},
+    DetailEntry{Detail::teethAgainstRadii, Code::teethGeometry, "teeth-geometry/ratio"},
+    DetailEntry{Detail::equalInternalTeeth, Code::teethGeometry, "teeth-geometry/equal-internal-teeth"},
+    DetailEntry{Detail::pinnedWheel, Code::teethGeometry, "teeth-geometry/pinned-wheel"},
+    DetailEntry{Detail::pinnedModule, Code::teethGeometry, "teeth-geometry/pinned-module"},
+    DetailEntry{Detail::pinnedAxis, Code::teethGeometry, "teeth-geometry/pinned-axis"},
+    DetailEntry{Detail::noToothForm, Code::interference, "interference/no-tooth-form"},
+    DetailEntry{Detail::pointedTeeth, Code::interference, "interference/pointed-teeth"},
+    DetailEntry{Detail::contactRatio, Code::interference, "interference/contact-ratio"},
+    DetailEntry{Detail::faceTooWide, Code::interference, "interference/face-too-wide"},
+    DetailEntry{Detail::tipInterference, Code::interference, "interference/tip-interference"},
+    DetailEntry{Detail::ringTipsLowered, Code::interference, "interference/ring-tips-lowered"},
+    DetailEntry{Detail::planetsOverlap, Code::interference, "interference/planets-overlap"},
+    DetailEntry{Detail::wheelsOverlap, Code::interference, "interference/wheels-overlap"},
+    DetailEntry{Detail::bodiesOverlap, Code::interference, "interference/bodies-overlap"},
+    DetailEntry{Detail::motionCollision, Code::interference, "interference/motion-collision"},
+};
+
+const DetailEntry& entryOf(Detail detail) {
+  GEARGRAPH_REQUIRE(detail != Detail::none);
+  const DetailEntry& entry = kDetails.at(static_cast<std::size_t>(detail) - 1);
+  GEARGRAPH_REQUIRE(entry.detail == detail);
+  return entry;
+}
+
+const CodeEntry& entryOf(Code code) {
+  const CodeEntry& entry = kCodes.at(static_cast<std::size_t>(code));
+  GEARGRAPH_REQUIRE(entry.code == code);
+  return entry;
+}
+
+}  // namespace
+
+std::string_view codeName(Code code) {
+  return entryOf(code).name;
+}
+
+Severity severityOf(Code code) {
+  return entryOf(code).severity;
+}
+
+std::string_view severityName(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::info:
+      return "info";
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+const std::vector<Code>& allCodes() {
+  static const std::vector<Code> codes = [] {
+    std::vector<Code> all;
+    for (const CodeEntry& entry : kCodes) all.push_back(entry.code);
+    return all;
+  }();
+  return codes;
+}
+
+std::string_view detailName(Detail detail) {
+  return detail == Detail::none ? std::string_view() : entryOf(detail).name;
+}
+
+Code codeOf(Detail detail) {
+  return entryOf(detail).code;
+}
+
+const std::vector<Detail>& allDetails() {
+  static const std::vector<Detail> details = [] {
+    std::vector<Detail> all;
+    for (const DetailEntry& entry : kDetails) all.push_back(entry.detail);
+    return all;
+  }();
+  return details;
+}
+
+bool hasErrors(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity() == Severity::error; });
+}
+
+}  // namespace geargraph

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include "core/foundations/base/background.h"
+
+namespace geargraph {
+
+/// How soon somebody waits for work: at once, or only when all else is done and requests no longer come one
+/// after the other.
+enum class Urgency { prompt, background };
+
+/// So long nobody has asked for anything newer when background work begins: more than a frame, so that a drag
+/// leaves its processors to what it shows.
+constexpr std::chrono::milliseconds kRest{30};
+
+/// Works off requests on one thread of its own; the newest wins. A request that is overtaken before its turn
+/// is dropped, one under way is asked to stop through its token.
+///
+/// The destructor asks the work under way to stop and waits for it; no work is begun after that.
+/// Free of Qt on purpose: the distribution's Qt is not built for the thread sanitizer, this is.
+template <class Request>
+class RequestWorker {
+ public:
+  /// Called on the worker's thread, for one request at a time. A newer request asks to stop what is done for
+  /// this one elsewhere, too: as long as there is none, its token stays quiet, also when the call is over.
+  using Work = std::function<void(Request request, const std::stop_token& stop)>;
+
+  explicit RequestWorker(Work work, Urgency urgency = Urgency::prompt)
+      : m_work(std::move(work)),
+        m_rest(urgency == Urgency::background ? kRest : std::chrono::milliseconds(0)),
+        m_thread([this, urgency](const std::stop_token& quit) {
+          if (urgency == Urgency::background) workInBackground();
+          run(quit);
+        }) {}
+  ~RequestWorker() {
+    m_thread.request_stop();
+    const std::lock_guard lock(m_mutex);
+    m_underWay.request_stop();
+  }
+  RequestWorker(const RequestWorker&) = delete;
+  RequestWorker& operator=(const RequestWorker&) = delete;
+
+  void request(Request request) {
+    {
+      const std::lock_guard lock(m_mutex);
+      m_underWay.request_stop();
+      m_next = std::move(request);
+      m_asked = Clock::now();
+    }
+    m_wake.notify_one();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run(const std::stop_token& quit) {
+    while (true) {
+      std::unique_lock lock(m_mutex);
+      m_wake.wait(lock, quit, [this] { return m_next.has_value(); });
+      while (!quit.stop_requested() && Clock::now() < m_asked + m_rest)
+        m_wake.wait_until(lock, quit, m_asked + m_rest, [] { return false; });
+      if (quit.stop_requested()) return;
+      Request request = *std::exchange(m_next, std::nullopt);
+      m_underWay = std::stop_source();
+      const std::stop_token stop = m_underWay.get_token();
+      lock.unlock();
+      m_work(std::move(request), stop);
+    }
+  }
+
+  Work m_work;
+  std::chrono::milliseconds m_rest;
+  std::mutex m_mutex;
+  std::condition_variable_any m_wake;
+  std::optional<Request> m_next;                  ///< guarded by m_mutex
+  Clock::time_point m_asked;                      ///< guarded by m_mutex
+  std::stop_source m_underWay{std::nostopstate};  ///< guarded by m_mutex
+  std::jthread m_thread;                          ///< last: it starts when all else is there
+};
+
+}  // namespace geargraph

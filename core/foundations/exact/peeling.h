@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory_resource>
+#include <vector>
+
+#include "core/foundations/exact/sparse_rows.h"
+
+namespace geargraph {
+
+/// An unknown and the equation that gives it.
+struct Pivot {
+  int row = 0;
+  int column = 0;
+};
+
+/// What a homogeneous sparse system gives away without arithmetic. Columns below `unknowns` are solved for,
+/// the others are given.
+///
+/// 1. A row with one unsolved unknown solves it (`first`, in order of solution). Repeat.
+/// 2. A column that stands in one remaining row only is solved by it at the end (`last`, in order of
+///    removal). Repeat. Real trains peel nearly whole: the rest (`coreRows`) is small.
+///
+/// Cost: linear in the non-zeros.
+struct Peeling {
+  std::pmr::vector<Pivot> first;
+  std::pmr::vector<Pivot> last;
+  std::pmr::vector<int> coreRows;   ///< in row order
+  std::pmr::vector<int> emptyRows;  ///< rows that lost all their unknowns to others' equations
+  std::pmr::vector<char> solved;    ///< by unknown: in `first` or `last`
+
+  Peeling(const SparsePattern& pattern, int unknowns);
+};
+
+}  // namespace geargraph

@@ -1,0 +1,44 @@
+#include "core/foundations/files/file_identity.h"
+
+#include <sys/stat.h>
+
+#include <system_error>
+
+namespace geargraph {
+
+namespace fs = std::filesystem;
+
+std::optional<FileIdentity> identityOf(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino};
+}
+
+fs::path followedLinks(fs::path path) {
+  constexpr int kLongestChain = 40;  // the kernel's own limit
+  std::error_code error;
+  for (int i = 0; i < kLongestChain && fs::is_symlink(path, error); ++i) {
+    const fs::path to = fs::read_symlink(path, error);
+    if (error) break;
+    path = to.is_absolute() ? to : path.parent_path() / to;
+  }
+  return path;
+}
+
+fs::path canonicalPath(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return path;
+  const fs::path canonical = fs::weakly_canonical(followedLinks(absolute), error);
+  return error ? absolute.lexically_normal() : canonical;
+}
+
+bool isSameFile(const fs::path& a, const fs::path& b) {
+  if (a.empty() || b.empty()) return false;
+  const auto first = identityOf(a);
+  const auto second = identityOf(b);
+  if (first && second) return *first == *second;
+  return !first && !second && canonicalPath(a) == canonicalPath(b);
+}
+
+}  // namespace geargraph

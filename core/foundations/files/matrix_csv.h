@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/foundations/files/csv.h"
+
+namespace geargraph {
+
+/// Writes a labelled matrix whose rows answer with their non-zeros: an IntegerMatrix of core/graph, or
+/// anything of its shape, so that this layer need not know that one.
+template <class Entry, class UniformRow, class Matrix>
+void writeMatrixCsv(ByteSink& sink, const Matrix& matrix, const CsvOptions& options = {}) {
+  std::vector<std::string> columns;
+  columns.reserve(static_cast<std::size_t>(matrix.columns()));
+  for (int column = 0; column < matrix.columns(); ++column)
+    columns.push_back(matrix.columnHeading(column).text);
+  CsvWriter csv(sink, columns, options);
+  std::vector<Entry> entries;
+  UniformRow uniform;
+  for (int row = 0; row < matrix.rows() && !csv.failed(); ++row) {
+    const std::string label = matrix.rowHeading(row).text;
+    if (matrix.uniformRow(row, uniform)) {
+      csv.signRow(label, uniform.columns, uniform.value);
+    } else {
+      matrix.rowEntries(row, entries);
+      csv.row(label, std::span<const Entry>(entries));
+    }
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,324 @@
+#include "core/machine/bodies/train_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "core/machine/bodies/body_clashes.h"
+#include "core/machine/bodies/body_plan.h"
+#include "core/machine/bodies/body_recipe.h"
+#include "core/machine/bodies/body_shapes.h"
+#include "core/machine/solids/gear_body.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/train/train_findings.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kCageBars = 5;
+
+class BodyBuilder {
+ public:
+  BodyBuilder(const BodyPlan& plan, const GearTrain& train, std::size_t links)
+      : m_plan(plan), m_train(train), m_recipes(links), m_armsOf(links) {
+    for (const ArmPlan& arm : plan.arms) m_armsOf[static_cast<std::size_t>(arm.link)].push_back(&arm);
+  }
+
+  /// By link.
+  std::vector<BodyRecipe> build() {
+    for (const ShaftSegment& shaft : m_plan.shafts) addShaft(shaft);
+    addArms();
+    for (const CupPlan& cup : m_plan.cups) addCup(cup);
+    for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
+    for (const CagePlan& plan : m_plan.cages) addCage(plan);
+    for (const StubPlan& stub : m_plan.stubs) addStub(stub);
+    for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+      for (const Bearing& b : m_plan.axes[c].bearings) {
+        if (b.form == BearingForm::pin) {
+          addCollar(static_cast<int>(c), b);
+        } else if (!b.isEye()) {
+          continue;
+        } else if (!isEyeOfArm(static_cast<int>(c), b)) {
+          addBearing(static_cast<int>(c), b);
+        }
+      }
+    }
+    return std::move(m_recipes);
+  }
+
+ private:
+  template <class Shape>
+  void add(int link, Shape shape, const AxisLayout& layout, const Eigen::Isometry3d& placed) {
+    m_recipes[static_cast<std::size_t>(link)].push_back({std::move(shape), layout.module, placed});
+  }
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] static Eigen::Isometry3d line(const AxisLayout& layout) {
+    return frameAlong(layout.point, layout.direction);
+  }
+  [[nodiscard]] Eigen::Isometry3d frame(int c, double coordinate, const Vector3d& towards) const {
+    return frameAlong(axis(c).at(coordinate), axis(c).direction, towards);
+  }
+
+  void addShaft(const ShaftSegment& shaft) {
+    const AxisLayout& layout = axis(shaft.axisClass);
+    add(shaft.link, TubePart{shaft.outer, shaft.inner, shaft.low, shaft.high}, layout, line(layout));
+  }
+
+  /// An arm in the plane of the bearing has its eye there already, at either end.
+  [[nodiscard]] bool isEyeOfArm(int c, const Bearing& bearing) const {
+    const auto& arms = m_armsOf[static_cast<std::size_t>(bearing.parent)];
+    return std::any_of(arms.begin(), arms.end(), [&](const ArmPlan* each) {
+      const ArmPlan& arm = *each;
+      const bool parallel = axis(arm.from).direction.cross(axis(arm.to).direction).norm() < 1e-6;
+      if (parallel && arm.to == c && arm.child == bearing.child) return true;
+      return arm.from == c && std::abs(arm.level - bearing.at) < 1e-9 * axis(c).module &&
+             m_plan.shaftOf(c, arm.link, arm.level) == nullptr;
+    });
+  }
+
+  /// The end of a pin, which keeps what turns on it.
+  void addCollar(int c, const Bearing& bearing) {
+    const AxisLayout& layout = axis(c);
+    const ShaftSegment* held = m_plan.shaftOf(c, bearing.child, bearing.at);
+    const ShaftSegment* pin = m_plan.shaftOf(c, bearing.parent, bearing.at);
+    if (held == nullptr || pin == nullptr) return;
+    const double side = bearing.at < (held->low + held->high) / 2 ? -1 : 1;
+    const double near = side < 0 ? held->low - 0.2 * layout.gap() : held->high + 0.2 * layout.gap();
+    const double far = near + side * 0.5 * layout.width();
+    add(bearing.parent, TubePart{held->outer, 0.5 * pin->outer, std::min(near, far), std::max(near, far)},
+        layout, line(layout));
+  }
+
+  void addBearing(int c, const Bearing& bearing) {
+    const AxisLayout& layout = axis(c);
+    const double hole = holeFor(m_plan, c, bearing.at, bearing.parent);
+    const double half = layout.width() / 2;
+    const double outer = hole + bearing.wall * eyeWall(layout);
+    add(bearing.parent, TubePart{outer, hole, bearing.at - half, bearing.at + half}, layout, line(layout));
+    if (bearing.parent == 0) addFlange(c, bearing.at, hole, outer);
+  }
+
+  void addFlange(int c, double at, double hole, double outer);
+  void addStub(const StubPlan& stub);
+  [[nodiscard]] bool hasRoom(int c, double coordinate, double radius) const;
+  void addArms();
+  void addSpider(std::span<const ArmPlan* const> arms);
+  void addPost(const ArmPlan& plan);
+  void addCup(const CupPlan& cup);
+  void addLathe(const LathePlan& plan);
+  void addCage(const CagePlan& plan);
+
+  const BodyPlan& m_plan;
+  const GearTrain& m_train;
+  std::vector<BodyRecipe> m_recipes;
+  std::vector<std::vector<const ArmPlan*>> m_armsOf;  ///< by link
+};
+
+/// A bearing of the frame that no arm holds is bolted to it: four feet with holes, on the side that looks
+/// away from the wheels, where no wheel goes round so near.
+void BodyBuilder::addFlange(int c, double at, double hole, double outer) {
+  const AxisLayout& layout = axis(c);
+  const double module = layout.module;
+  const double foot = 0.9 * module;
+  const double distance = outer + 1.3 * module;
+  if (!hasRoom(c, at, distance + foot)) return;
+  double middle = 0;
+  for (const Stretch& s : layout.wheels)
+    middle += (s.low + s.high) / 2 / static_cast<double>(layout.wheels.size());
+  const double side = at < middle ? -1 : 1;
+  const double far = at + side * 0.45 * layout.width();
+  const double near = far - side * 0.4 * layout.width();
+  std::vector<Eye> feet;
+  for (int i = 0; i < 4; ++i) {
+    const double angle = std::numbers::pi / 4 + std::numbers::pi / 2 * i;
+    feet.push_back({distance * Eigen::Vector2d(std::cos(angle), std::sin(angle)), foot, 0.45 * foot});
+  }
+  const double seat = hole + 0.4 * (outer - hole);  // within the bearing's wall
+  const Eye hub{{0, 0}, outer + 0.1 * module, seat};
+  add(0, SpiderPart{hub, std::move(feet), std::min(near, far), std::max(near, far)}, layout, line(layout));
+}
+
+/// A collar about the shaft, with feet.
+void BodyBuilder::addStub(const StubPlan& stub) {
+  const AxisLayout& layout = axis(stub.axisClass);
+  const ShaftSegment* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
+  if (shaft == nullptr) return;
+  const double half = 0.45 * layout.width();
+  const double hole = 0.5 * (shaft->inner + shaft->outer);
+  const double outer = shaft->outer + eyeWall(layout);
+  add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
+  addFlange(stub.axisClass, stub.at, hole, outer);
+}
+
+/// Does no gear of another axis come nearer to this one, beside the coordinate?
+bool BodyBuilder::hasRoom(int c, double coordinate, double radius) const {
+  const AxisLayout& layout = axis(c);
+  return std::none_of(m_train.gears.begin(), m_train.gears.end(), [&](const TrainGear& gear) {
+    if (gear.axisClass == c) return false;
+    const AxialSpan span = axialSpan(gear.spec);
+    const Vector3d k = gear.pose.linear().col(2);
+    const Vector3d middle = gear.pose.translation() + (span.low + span.high) / 2 * k;
+    const double half = (span.high - span.low) / 2;
+    const double tip =
+        gear.spec.kind == GearKind::internal ? rimDiameter(gear.spec) / 2 : nominalTipRadius(gear.spec);
+    const double tilt = k.cross(layout.direction).norm();
+    const double along = half * std::abs(k.dot(layout.direction)) + tip * tilt;
+    if (std::abs(layout.coordinate(middle) - coordinate) > along + layout.width()) return false;
+    const double apart = (middle - layout.at(layout.coordinate(middle))).norm();
+    return apart < radius + tip + half * tilt;
+  });
+}
+
+/// Arms of a link that start at one place are one part.
+void BodyBuilder::addArms() {
+  std::map<std::tuple<int, int, long long>, std::vector<const ArmPlan*>> together;
+  for (const ArmPlan& plan : m_plan.arms) {
+    const double step = 1e-6 * axis(plan.from).module;
+    together[{plan.link, plan.from, std::llround(plan.level / step)}].push_back(&plan);
+  }
+  for (const auto& [place, arms] : together) addSpider(arms);
+  for (const ArmPlan& plan : m_plan.arms) addPost(plan);
+}
+
+void BodyBuilder::addSpider(std::span<const ArmPlan* const> arms) {
+  const ArmPlan& first = *arms.front();
+  const AxisLayout& from = axis(first.from);
+  const Eye hub = footOf(m_plan, first);
+  std::vector<Eye> ends;
+  for (const ArmPlan* plan : arms) {
+    const Eye end = endOf(m_plan, *plan);
+    if (end.centre.norm() > std::abs(hub.radius - end.radius) + 1e-6 * from.module) ends.push_back(end);
+  }
+  const double half = 0.5 * from.width();
+  add(first.link, SpiderPart{hub, std::move(ends), -half, half}, from,
+      frame(first.from, first.level, Vector3d::UnitX()));
+}
+
+void BodyBuilder::addPost(const ArmPlan& plan) {
+  const AxisLayout& from = axis(plan.from);
+  const std::optional<Post> post = postOf(m_plan, plan);
+  if (!post) return;
+  add(plan.link, TubePart{post->radius, 0, -0.45 * from.width(), post->reach}, from,
+      frameAlong(post->foot, post->way));
+}
+
+/// The plate beside the ring's face and the wall that joins them.
+void BodyBuilder::addCup(const CupPlan& cup) {
+  const TrainGear& gear = m_train.gears[static_cast<std::size_t>(cup.gear)];
+  const AxisLayout& layout = axis(gear.axisClass);
+  const ShaftSegment* own = m_plan.shaftOf(gear.axisClass, gear.link, cup.plate);
+  if (own == nullptr) return;
+  // The wall reaches a little into the ring and stays a little behind its rim: no face of one lies on the
+  // other's.
+  const double face = layout.coordinate(gear.pose.translation()) +
+                      cup.side * (gear.spec.faceWidth / 2 - 0.2 * gear.spec.module);
+  const double half = 0.5 * layout.width();
+  const double nearSide = cup.plate - cup.side * half;
+  const double farSide = cup.plate + cup.side * half;
+  const double rim = rimDiameter(gear.spec) / 2 - 0.05 * gear.spec.module;
+  const double root = nominalRootRadius(gear.spec) + 0.4 * gear.spec.module;
+  const double hole = std::max(own->inner, 0.5 * own->outer);
+  std::vector<ProfileVertex> meridian{{rim, farSide},   {hole, farSide}, {hole, nearSide},
+                                      {root, nearSide}, {root, face},    {rim, face}};
+  if (cup.side < 0) std::reverse(meridian.begin(), meridian.end());
+  add(gear.link, LathePart{std::move(meridian)}, layout, line(layout));
+}
+
+void BodyBuilder::addLathe(const LathePlan& plan) {
+  const AxisLayout& layout = axis(plan.axisClass);
+  for (const std::vector<ProfileVertex>& meridian : plan.meridians)
+    add(plan.link, LathePart{meridian}, layout, line(layout));
+}
+
+void BodyBuilder::addCage(const CagePlan& plan) {
+  const AxisLayout& layout = axis(plan.axisClass);
+  const double half = std::clamp(1.5 * layout.module / plan.outer, 0.12, 0.4);
+  const BarPart bar{plan.outer, plan.inner, plan.low, plan.high, half};
+  for (int i = 0; i < kCageBars; ++i) {
+    const Eigen::AngleAxisd turn(2 * std::numbers::pi * i / kCageBars, Vector3d::UnitZ());
+    add(plan.link, bar, layout, line(layout) * turn);
+  }
+}
+
+/// The bore about the link's own shaft, or with play about what passes.
+void fitBore(const BodyPlan& plan, TrainGear& gear) {
+  if (gear.spec.kind == GearKind::internal || gear.spec.bore != 0) return;
+  const AxisLayout& layout = plan.axes[static_cast<std::size_t>(gear.axisClass)];
+  const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
+  const AxialSpan hub = hubSpan(gear.spec);
+  const double middle = layout.coordinate(gear.pose.translation()) + sense * (hub.low + hub.high) / 2;
+  const ShaftSegment* own = plan.shaftOf(gear.axisClass, gear.link, middle);
+  if (own != nullptr && own->low <= middle && middle <= own->high) {
+    gear.spec.bore = 2 * own->outer;
+    return;
+  }
+  const double passing = plan.shaftAt(gear.axisClass, middle, gear.link);
+  if (passing > 0) gear.spec.bore = 2 * (passing + 0.12 * layout.module);
+}
+
+}  // namespace
+
+namespace {
+
+Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& links) {
+  std::string who;
+  std::vector<ElementId> elements;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const char* before = i == 0 ? "" : i + 1 < links.size() ? ", " : " and ";
+    who += before + std::to_string(links[i]);
+    elements.emplace_back(mechanism.links[static_cast<std::size_t>(links[i])].id);
+  }
+  return finding(Detail::bodiesOverlap,
+                 "Found no way for the bodies of links " + who +
+                     " past each other: in three dimensions some are shown through others. Leave more room "
+                     "along the axes, or leave pitch points open.",
+                 std::move(elements));
+}
+
+Diagnostics blockedFindings(const Mechanism& mechanism, const BodyPlan& plan) {
+  Diagnostics found;
+  for (const auto& links : plan.blocked) found.push_back(blockedFinding(mechanism, links));
+  return found;
+}
+
+}  // namespace
+
+Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                            const std::stop_token& stop) {
+  return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
+}
+
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train, BodyCache* cache,
+               const std::stop_token& stop) {
+  const BodyPlan plan = planBodies(mechanism, placement, train, stop);
+  if (stop.stop_requested()) return;
+  train.hasSimpleBodies = plan.isSimple;
+  const Diagnostics blocked = blockedFindings(mechanism, plan);
+  train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
+  for (TrainGear& gear : train.gears) fitBore(plan, gear);
+  for (const auto& [gear, diameter] : plan.hubs) {
+    GearSpec& spec = train.gears[gear].spec;
+    spec.hub = std::max(diameter, 1.2 * spec.bore);
+  }
+  std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
+  BodyCache once;
+  BodyCache& solids = cache != nullptr ? *cache : once;
+  solids.makeRoomFor(4 * recipes.size());  // two details, of this edit and the one before
+  for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
+    BodyRecipe& recipe = recipes[link];
+    if (recipe.empty()) continue;
+    const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
+    const double module = std::min_element(recipe.begin(), recipe.end(), byModule)->module;
+    train.bodies.push_back({static_cast<int>(link), module, solids.deferred(recipe, kBodyTolerance),
+                            solids.deferred(recipe, kFarthestTolerance),
+                            std::make_shared<const BodyRecipe>(std::move(recipe))});
+  }
+}
+
+}  // namespace geargraph

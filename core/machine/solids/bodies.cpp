@@ -1,0 +1,347 @@
+#include "core/machine/solids/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/foundations/base/contract.h"
+#include "core/machine/teeth/sampling.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+struct OutlineNode {
+  Vector2d position;
+  Vector2d normal;
+};
+
+/// Half of an arm: an eye with the part of the outline about it, up to the line where the halves meet.
+class ArmHalf {
+ public:
+  ArmHalf(ShellBuilder& builder, const Eye& eye, double from, double to, double tolerance)
+      : m_builder(builder), m_eye(eye), m_from(from), m_to(to), m_tolerance(tolerance) {}
+
+  /// `outline` counter-clockwise about the eye, ascending in angle from the first.
+  void add(const std::vector<OutlineNode>& outline) {
+    const double start = angleOf(outline.front().position);
+    const Loop top = face(outline, m_to, 1);
+    const Loop bottom = face(outline, m_from, -1);
+    m_builder.sew(top, eyeLoop(start, m_to, 1));
+    m_builder.sew(eyeLoop(start, m_from, -1), bottom);
+    if (m_eye.hole > 0) m_builder.sew(eyeLoop(start, m_to, 0), eyeLoop(start, m_from, 0));
+  }
+
+ private:
+  [[nodiscard]] double angleOf(const Vector2d& p) const {
+    return std::atan2(p.y() - m_eye.centre.y(), p.x() - m_eye.centre.x());
+  }
+
+  Loop face(const std::vector<OutlineNode>& outline, double z, double up) {
+    Loop loop;
+    for (const OutlineNode& node : outline) {
+      double angle = angleOf(node.position);
+      while (!loop.angles.empty() && angle < loop.angles.back()) angle += 2 * pi;
+      loop.angles.push_back(angle);
+      loop.vertices.push_back(m_builder.addVertex({node.position.x(), node.position.y(), z}, {0, 0, up}));
+    }
+    return loop;
+  }
+
+  /// The hole's rim, or the eye's centre where there is none. `up` 0: for the wall of the hole.
+  Loop eyeLoop(double start, double z, double up) {
+    const int count = m_eye.hole > 0 ? circleCount(m_eye.hole, m_tolerance) : 1;
+    Loop loop;
+    for (int i = 0; i < count; ++i) {
+      const double angle = start + 2 * pi * i / count;
+      const Vector2d out(std::cos(angle), std::sin(angle));
+      const Vector2d p = m_eye.centre + m_eye.hole * out;
+      const Vector3d normal = up == 0 ? Vector3d(-out.x(), -out.y(), 0) : Vector3d(0, 0, up);
+      loop.vertices.push_back(m_builder.addVertex({p.x(), p.y(), z}, normal));
+      loop.angles.push_back(angle);
+    }
+    return loop;
+  }
+
+  ShellBuilder& m_builder;
+  const Eye& m_eye;
+  double m_from, m_to, m_tolerance;
+};
+
+void addArc(std::vector<OutlineNode>& outline, const Eye& eye, double base, double from, double to,
+            double tolerance) {
+  const int n = chordsOfArc(to - from, eye.radius, tolerance);
+  for (int i = 0; i <= n; ++i) {
+    const double angle = base + from + (to - from) * i / n;
+    const Vector2d out(std::cos(angle), std::sin(angle));
+    outline.push_back({eye.centre + eye.radius * out, out});
+  }
+}
+
+/// A strip of wall from the first node to the last.
+void addWall(ShellBuilder& builder, std::span<const OutlineNode> strip, double from, double to) {
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  for (std::size_t i = 0; i < strip.size(); ++i) {
+    const Vector3d normal(strip[i].normal.x(), strip[i].normal.y(), 0);
+    const auto add = [&](double z) {
+      return builder.addVertex({strip[i].position.x(), strip[i].position.y(), z}, normal);
+    };
+    const std::uint32_t nextLow = add(from);
+    const std::uint32_t nextHigh = add(to);
+    if (i > 0) {
+      builder.addTriangle(low, nextLow, nextHigh);
+      builder.addTriangle(low, nextHigh, high);
+    }
+    low = nextLow;
+    high = nextHigh;
+  }
+}
+
+/// A bar of a spider: where its sides leave the hub and run into the eye.
+struct Bar {
+  Eye eye;
+  double angle = 0;  ///< about the hub
+  double half = 0;   ///< of its width
+  Vector2d rootLow = Vector2d::Zero();
+  Vector2d rootHigh = Vector2d::Zero();
+};
+
+Vector2d onCircle(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// The bars in the order of their angles; none where they would run into each other at the hub.
+std::vector<Bar> barsOf(const Eye& hub, std::span<const Eye> ends) {
+  std::vector<Bar> bars;
+  for (const Eye& end : ends) {
+    const Vector2d line = end.centre - hub.centre;
+    Bar bar;
+    bar.eye = end;
+    bar.angle = std::atan2(line.y(), line.x());
+    bars.push_back(bar);
+  }
+  std::sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return a.angle < b.angle; });
+  double spacing = pi;
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const double next = i + 1 < bars.size() ? bars[i + 1].angle : bars.front().angle + 2 * pi;
+    spacing = std::min(spacing, next - bars[i].angle);
+  }
+  const double keep = hub.hole + 0.15 * (hub.radius - hub.hole);  // what the bars' roots leave round the hole
+  const double most = std::min(std::sqrt(hub.radius * hub.radius - keep * keep),
+                               hub.radius * std::sin(std::min(0.45 * spacing, pi / 2)));
+  for (Bar& bar : bars) {
+    bar.half = std::min(0.95 * most, bar.eye.radius);
+    const double reach = (bar.eye.centre - hub.centre).norm() -
+                         std::sqrt(bar.eye.radius * bar.eye.radius - bar.half * bar.half) -
+                         std::sqrt(hub.radius * hub.radius - bar.half * bar.half);
+    if (bar.half < 0.3 * bar.eye.radius || reach < 0.1 * hub.radius) return {};
+    const double root = std::asin(bar.half / hub.radius);
+    bar.rootLow = hub.centre + hub.radius * onCircle(bar.angle - root);
+    bar.rootHigh = hub.centre + hub.radius * onCircle(bar.angle + root);
+  }
+  return bars;
+}
+
+/// An arc of nodes about an eye, its ends where the neighbours have theirs.
+std::vector<OutlineNode> arcBetween(const Eye& eye, double from, double to, const Vector2d& first,
+                                    const Vector2d& last, double tolerance) {
+  std::vector<OutlineNode> arc;
+  addArc(arc, eye, 0, from, to, tolerance);
+  arc.front().position = first;
+  arc.back().position = last;
+  return arc;
+}
+
+class SpiderMaker {
+ public:
+  SpiderMaker(const Eye& hub, std::vector<Bar> bars, double from, double to, double tolerance)
+      : m_hub(hub), m_bars(std::move(bars)), m_from(from), m_to(to), m_tolerance(tolerance) {}
+
+  Solid make() {
+    std::vector<OutlineNode> round;
+    for (std::size_t i = 0; i < m_bars.size(); ++i) {
+      const Bar& bar = m_bars[i];
+      const Bar& next = m_bars[(i + 1) % m_bars.size()];
+      const double turn = i + 1 < m_bars.size() ? 0 : 2 * pi;
+      const auto arc = arcBetween(m_hub, bar.angle + std::asin(bar.half / m_hub.radius),
+                                  next.angle + turn - std::asin(next.half / m_hub.radius), bar.rootHigh,
+                                  next.rootLow, m_tolerance);
+      addWall(m_builder, arc, m_from, m_to);
+      round.insert(round.end(), arc.begin(), arc.end());
+      addBar(bar);
+    }
+    ArmHalf(m_builder, m_hub, m_from, m_to, m_tolerance).add(round);
+    return std::move(m_solid);
+  }
+
+ private:
+  void addBar(const Bar& bar) {
+    const double open = std::asin(std::min(bar.half / bar.eye.radius, 1.0));
+    const double back = bar.angle + pi;
+    const Vector2d low = bar.eye.centre + bar.eye.radius * onCircle(back + open);
+    const Vector2d high = bar.eye.centre + bar.eye.radius * onCircle(back - open);
+    const auto arc =
+        arcBetween(bar.eye, bar.angle - pi + open, bar.angle + pi - open, low, high, m_tolerance);
+    addWall(m_builder, arc, m_from, m_to);
+    const Vector2d across = onCircle(bar.angle + pi / 2);
+    addWall(m_builder, std::vector<OutlineNode>{{bar.rootLow, -across}, {low, -across}}, m_from, m_to);
+    addWall(m_builder, std::vector<OutlineNode>{{high, across}, {bar.rootHigh, across}}, m_from, m_to);
+    std::vector<OutlineNode> outline{{bar.rootLow, -across}};
+    outline.insert(outline.end(), arc.begin(), arc.end());
+    outline.push_back({bar.rootHigh, across});
+    ArmHalf(m_builder, bar.eye, m_from, m_to, m_tolerance).add(outline);
+  }
+
+  const Eye& m_hub;
+  std::vector<Bar> m_bars;
+  double m_from, m_to, m_tolerance;
+  Solid m_solid;
+  ShellBuilder m_builder{m_solid};
+};
+
+}  // namespace
+
+Eigen::Isometry3d frameAlong(const Vector3d& origin, const Vector3d& axis, const Vector3d& towards) {
+  Vector3d x = towards - towards.dot(axis) * axis;
+  if (x.norm() < 1e-6 * towards.norm()) {
+    const Vector3d other = std::abs(axis.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
+    x = other - other.dot(axis) * axis;
+  }
+  x.normalize();
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear().col(0) = x;
+  frame.linear().col(1) = axis.cross(x);
+  frame.linear().col(2) = axis;
+  frame.translation() = origin;
+  return frame;
+}
+
+Solid lathed(std::span<const ProfileVertex> meridian, double tolerance) {
+  GEARGRAPH_REQUIRE(meridian.size() >= 2);
+  Solid solid;
+  ShellBuilder builder(solid);
+  double largest = 0;
+  for (const ProfileVertex& c : meridian) largest = std::max(largest, c.radius);
+  std::vector<ProfileVertex> closed(meridian.begin(), meridian.end());
+  if (!(closed.front().radius == 0 && closed.back().radius == 0)) closed.push_back(closed.front());
+  const int count = circleCount(largest, tolerance);
+  const std::size_t most = 2 * (closed.size() - 1) * static_cast<std::size_t>(count);
+  solid.positions.reserve(most);
+  solid.normals.reserve(most);
+  solid.triangles.reserve(most);
+  builder.addLathe(closed, count, 0);
+  return solid;
+}
+
+Solid tube(double outer, double inner, double from, double to, double tolerance) {
+  const double chamfer = std::min({0.12 * (outer - inner), 0.25 * (to - from)});
+  std::vector<ProfileVertex> meridian;
+  if (inner > 0) {
+    meridian = {{outer - chamfer, to}, {inner, to}, {inner, from}, {outer - chamfer, from}};
+  } else {
+    meridian = {{outer - chamfer, to}, {0, to}, {0, from}, {outer - chamfer, from}};
+  }
+  meridian.push_back({outer, from + chamfer});
+  meridian.push_back({outer, to - chamfer});
+  return lathed(meridian, tolerance);
+}
+
+Solid tubeSector(double outer, double inner, double from, double to, double half, double tolerance) {
+  GEARGRAPH_REQUIRE(inner > 0 && inner < outer && half > 0 && half < pi);
+  const int n = chordsOfArc(2 * half, outer, tolerance);
+  Solid solid;
+  ShellBuilder builder(solid);
+  const auto point = [&](double radius, int i, double z, const Vector3d& normal) {
+    const Vector2d p = radius * onCircle(-half + 2 * half * i / n);
+    return builder.addVertex({p.x(), p.y(), z}, normal);
+  };
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    builder.addTriangle(a, b, c);
+    builder.addTriangle(a, c, d);
+  };
+  for (int i = 0; i < n; ++i) {
+    const auto out = [&](int k, double sense) {
+      const Vector2d u = sense * onCircle(-half + 2 * half * k / n);
+      return Vector3d(u.x(), u.y(), 0);
+    };
+    const Vector3d up(0, 0, 1);
+    const int k = i + 1;
+    quad(point(outer, i, from, out(i, 1)), point(outer, k, from, out(k, 1)), point(outer, k, to, out(k, 1)),
+         point(outer, i, to, out(i, 1)));
+    quad(point(inner, k, from, out(k, -1)), point(inner, i, from, out(i, -1)),
+         point(inner, i, to, out(i, -1)), point(inner, k, to, out(k, -1)));
+    quad(point(inner, i, to, up), point(outer, i, to, up), point(outer, k, to, up), point(inner, k, to, up));
+    quad(point(inner, k, from, -up), point(outer, k, from, -up), point(outer, i, from, -up),
+         point(inner, i, from, -up));
+  }
+  for (const int i : {0, n}) {
+    const double sense = i == 0 ? -1 : 1;
+    const double angle = sense * half;
+    const Vector3d normal(-sense * std::sin(angle), sense * std::cos(angle), 0);
+    const std::uint32_t a = point(inner, i, from, normal), b = point(outer, i, from, normal);
+    const std::uint32_t c = point(outer, i, to, normal), d = point(inner, i, to, normal);
+    if (i == 0) {
+      quad(a, b, c, d);
+    } else {
+      quad(d, c, b, a);
+    }
+  }
+  return solid;
+}
+
+Solid arm(const Eye& a, const Eye& b, double from, double to, double tolerance) {
+  const Vector2d line = b.centre - a.centre;
+  const double distance = line.norm();
+  GEARGRAPH_REQUIRE(distance > std::abs(a.radius - b.radius));
+  const double base = std::atan2(line.y(), line.x());
+  const double tangent =
+      std::acos((a.radius - b.radius) / distance);  // of both straight sides, from the line
+  std::vector<OutlineNode> aroundA;
+  addArc(aroundA, a, base, tangent, 2 * pi - tangent, tolerance);
+  std::vector<OutlineNode> aroundB;
+  addArc(aroundB, b, base, -tangent, tangent, tolerance);
+  const auto middle = [](const OutlineNode& p, const OutlineNode& q) {
+    return OutlineNode{0.5 * (p.position + q.position), p.normal};
+  };
+  const OutlineNode lower = middle(aroundA.back(), aroundB.front());
+  const OutlineNode upper = middle(aroundB.back(), aroundA.front());
+
+  std::vector<OutlineNode> wall = aroundA;
+  wall.push_back(lower);
+  wall.insert(wall.end(), aroundB.begin(), aroundB.end());
+  wall.push_back(upper);
+  wall.push_back(aroundA.front());
+  aroundA.push_back(lower);
+  aroundA.push_back(upper);
+  aroundB.push_back(upper);
+  aroundB.push_back(lower);
+
+  Solid solid;
+  ShellBuilder builder(solid);
+  ArmHalf(builder, a, from, to, tolerance).add(aroundA);
+  ArmHalf(builder, b, from, to, tolerance).add(aroundB);
+  addWall(builder, wall, from, to);  // its normals are smooth: the hull has no corner
+  return solid;
+}
+
+Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to, double tolerance) {
+  if (ends.empty()) return tube(hub.radius, hub.hole, from, to, tolerance);
+  if (ends.size() == 1) return arm(hub, ends.front(), from, to, tolerance);
+  std::vector<Bar> bars = barsOf(hub, ends);
+  if (!bars.empty()) return SpiderMaker(hub, std::move(bars), from, to, tolerance).make();
+  Solid pieces;
+  double part = 1;  // no two of them have a vertex in common
+  for (const Eye& end : ends) {
+    append(pieces,
+           arm({hub.centre, part * hub.radius, part * hub.hole}, end, part * from, part * to, tolerance));
+    part *= 0.985;
+  }
+  return pieces;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,339 @@
+#include "core/machine/solids/gear_mesher.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+using Index = std::uint32_t;
+
+/// Position and normal of one vertex in the frame of tooth 0.
+struct Seed {
+  Vector3d position;
+  Vector3d normal;
+};
+
+Vector3d mirrored(const Vector3d& v) {
+  return {v.x(), -v.y(), v.z()};
+}
+
+/// The vertices and triangles of one tooth, which every tooth repeats turned. A wall loop of one tooth has
+/// `walls` vertices, a face loop `faces`; index `walls` (`faces`) of a tooth is index 0 of the next.
+class ToothPattern {
+ public:
+  explicit ToothPattern(const GearBlank& blank) : m_blank(blank) {
+    findUnique();
+    seedWalls();
+    seedFaces();
+  }
+
+  std::vector<Seed> wallBottom, wallTop, faceBottom, faceTop;
+  std::vector<std::array<Index, 2>> wallEdges;  ///< consecutive wall vertices with a face between them
+  std::vector<Triangle> faceTriangles;          ///< of the top face, counter-clockwise
+  std::vector<Index> wallOfFace;                ///< wall vertex at the place of a face vertex
+  std::vector<Index> base;                      ///< face vertices of the polygon that the body is sewn to
+  std::vector<double> baseAngles;
+
+ private:
+  void findUnique();
+  void seedWalls();
+  void seedFaces();
+  void ladder();
+  void sewTip(std::size_t top, std::size_t corner, std::size_t last);
+  [[nodiscard]] std::size_t firstRung() const;
+  [[nodiscard]] bool rungsStep(std::size_t from, std::size_t to) const;
+
+  /// Face vertex of the mirrored (y <= 0) and of the given (y >= 0) half, by unique point.
+  [[nodiscard]] Index right(std::size_t u) const { return static_cast<Index>(u); }
+  [[nodiscard]] Index left(std::size_t u) const { return static_cast<Index>(2 * (m_unique.size() - 1) - u); }
+
+  const GearBlank& m_blank;
+  std::vector<std::size_t> m_unique;  ///< indices of `half` without the second side of corners
+  std::vector<double> m_reach;  ///< how far towards the tip each unique point is, along the tooth's middle
+  std::vector<double> m_bow;    ///< how far its rung sinks below the face, which is a cone in bevels
+};
+
+void ToothPattern::findUnique() {
+  for (std::size_t i = 0; i < m_blank.half.size(); ++i) {
+    if (!m_blank.half[i].corner) m_unique.push_back(i);
+  }
+  GEARGRAPH_REQUIRE(m_unique.size() >= 3);
+  const Vector3d tip = m_blank.half.back().top;
+  const Vector3d root = m_blank.half.front().top;
+  const Vector3d up(tip.x() - std::hypot(root.x(), root.y()), 0, tip.z() - root.z());
+  for (const std::size_t i : m_unique) {
+    const Vector3d& p = m_blank.half[i].top;
+    m_reach.push_back((p.x() * up.x() + p.z() * up.z()) / up.norm());
+    m_bow.push_back((std::hypot(p.x(), p.y()) - p.x()) * m_blank.half.back().topNormal.x());
+  }
+}
+
+void ToothPattern::seedWalls() {
+  const auto& half = m_blank.half;
+  const std::size_t last = half.size() - 1;
+  const auto add = [&](const OutlinePoint& p, bool mirror) {
+    const auto seen = [&](const Vector3d& v) { return mirror ? mirrored(v) : v; };
+    wallBottom.push_back({seen(p.bottom), seen(p.wallNormal)});
+    wallTop.push_back({seen(p.top), seen(p.wallNormal)});
+  };
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (i > 0 && !half[i].corner) wallEdges.push_back({Index(i - 1), Index(i)});
+    add(half[i], true);
+  }
+  for (std::size_t i = last; i-- > 0;) {
+    const auto here = static_cast<Index>(2 * last - i);
+    if (!half[i + 1].corner) wallEdges.push_back({here - 1, here});
+    if (i > 0) add(half[i], false);
+  }
+}
+
+void ToothPattern::seedFaces() {
+  const auto& half = m_blank.half;
+  const std::size_t last = m_unique.size() - 1;
+  const auto wallLast = static_cast<Index>(half.size() - 1);
+  const auto add = [&](std::size_t u, bool mirror) {
+    const OutlinePoint& p = half[m_unique[u]];
+    const auto seen = [&](const Vector3d& v) { return mirror ? mirrored(v) : v; };
+    faceBottom.push_back({seen(p.bottom), seen(p.bottomNormal)});
+    faceTop.push_back({seen(p.top), seen(p.topNormal)});
+    const auto at = static_cast<Index>(m_unique[u]);
+    wallOfFace.push_back(mirror ? at : 2 * wallLast - at);
+  };
+  for (std::size_t u = 0; u <= last; ++u) add(u, true);
+  for (std::size_t u = last; u-- > 1;) add(u, false);
+  ladder();
+}
+
+/// Do the rungs of these points make a strip that lies in the face: farther towards the tip, and not steep
+/// against a conical face.
+bool ToothPattern::rungsStep(std::size_t from, std::size_t to) const {
+  const double step = m_reach[to] - m_reach[from];
+  return step > 0 && std::abs(m_bow[to] - m_bow[from]) <= 0.2 * step;
+}
+
+/// Below the first rung that can be reached, the points belong to the polygon of the body.
+std::size_t ToothPattern::firstRung() const {
+  std::size_t corner = 0;  // the farthest point: the tip's middle, or a ring's tip corner
+  for (std::size_t u = 1; u < m_reach.size(); ++u) {
+    if (m_reach[u] > m_reach[corner] + 1e-9 * std::abs(m_reach[corner])) corner = u;
+  }
+  while (corner > 0 && !rungsStep(corner - 1, corner)) --corner;
+  std::size_t first = std::min(corner, m_reach.size() - 2);
+  while (first > 0 && rungsStep(first - 1, first)) --first;
+  return first;
+}
+
+void ToothPattern::ladder() {
+  const std::size_t last = m_unique.size() - 1;
+  const std::size_t first = firstRung();
+  std::size_t corner = first;
+  while (corner < last && rungsStep(corner, corner + 1)) ++corner;
+  // A ring's tip arc bulges back into the tooth, a bevel's lies across its cone: the ladder ends at a rung
+  // that lies below all of it, and either half of what is left is sewn from the corner.
+  std::size_t top = corner == last ? last - 1 : std::max(corner, first + 1) - 1;
+  while (top > first && m_reach[top] >= m_reach[last]) --top;
+  for (std::size_t u = first; u < top; ++u) {
+    faceTriangles.push_back({right(u), right(u + 1), left(u + 1)});
+    faceTriangles.push_back({right(u), left(u + 1), left(u)});
+  }
+  faceTriangles.push_back({right(top), right(last), left(top)});
+  if (top + 1 < last) sewTip(top, std::max(corner, top + 1), last);
+  for (std::size_t u = 0; u <= first; ++u) base.push_back(right(u));
+  for (std::size_t u = first; u > 0; --u) base.push_back(left(u));
+  if (first == 0) base.resize(1);
+  for (const Index v : base)
+    baseAngles.push_back(std::atan2(faceTop[v].position.y(), faceTop[v].position.x()));
+}
+
+/// Sews the flank between a rung and the tip's corner to the tip between the corner and its middle, on both
+/// sides: both bend towards each other, so that the shorter diagonal lies within.
+void ToothPattern::sewTip(std::size_t top, std::size_t corner, std::size_t last) {
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    faceTriangles.push_back({right(a), right(b), right(c)});
+    faceTriangles.push_back({left(a), left(c), left(b)});
+  };
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    return (m_blank.half[m_unique[a]].top - m_blank.half[m_unique[b]].top).squaredNorm();
+  };
+  std::size_t flank = corner - 1;
+  std::size_t tip = corner + 1;
+  add(flank, corner, tip);
+  while (flank > top || tip < last) {
+    if (tip == last || (flank > top && apart(flank - 1, tip) < apart(flank, tip + 1))) {
+      add(flank - 1, flank, tip);
+      --flank;
+    } else {
+      add(flank, tip, tip + 1);
+      ++tip;
+    }
+  }
+}
+
+struct Turn {
+  double c;
+  double s;
+};
+
+/// Writes all teeth of a seed loop.
+void repeat(const std::vector<Seed>& seeds, const std::vector<Turn>& turns, Float3* positions,
+            Float3* normals) {
+  for (const Turn& t : turns) {
+    for (const Seed& seed : seeds) {
+      const Vector3d& p = seed.position;
+      const Vector3d& n = seed.normal;
+      if (positions != nullptr) {
+        *positions++ = {static_cast<float>(t.c * p.x() - t.s * p.y()),
+                        static_cast<float>(t.s * p.x() + t.c * p.y()), static_cast<float>(p.z())};
+      }
+      *normals++ = {static_cast<float>(t.c * n.x() - t.s * n.y()),
+                    static_cast<float>(t.s * n.x() + t.c * n.y()), static_cast<float>(n.z())};
+    }
+  }
+}
+
+/// The vertices and triangles of walls and faces, and where the loops that the body needs begin.
+class ToothedShell {
+ public:
+  /// `circle`: vertices of each circle of the body, which finds its room here.
+  ToothedShell(const GearBlank& blank, const ToothPattern& pattern, std::size_t circle, Solid& solid)
+      : m_teeth(static_cast<Index>(blank.teeth)), m_inward(blank.inward), m_pattern(pattern), m_solid(solid) {
+    m_walls = static_cast<Index>(pattern.wallTop.size());
+    m_faces = static_cast<Index>(pattern.faceTop.size());
+    const std::size_t triangles = 2 * pattern.wallEdges.size() + 2 * pattern.faceTriangles.size();
+    const std::size_t vertices = 2 * m_teeth * std::size_t{m_walls + m_faces};
+    const std::size_t windows = blank.windows ? vertices / 16 + 4 * circle : 0;
+    const std::size_t body = 2 * circle * blank.body.size() + windows;
+    const std::size_t joints = 2 * m_teeth * pattern.base.size();  // between the faces and the body
+    m_solid.positions.reserve(vertices + body);
+    m_solid.normals.reserve(vertices + body);
+    m_solid.triangles.reserve(m_teeth * triangles + joints + 2 * circle + body + windows);
+    m_solid.positions.resize(vertices);
+    m_solid.normals.resize(m_solid.positions.size());
+    m_solid.triangles.resize(m_teeth * triangles);
+    writeVertices();
+    writeTriangles();
+  }
+
+  [[nodiscard]] Loop baseLoop(bool top) const {
+    Loop loop;
+    for (Index k = 0; k < m_teeth; ++k) {
+      for (std::size_t b = 0; b < m_pattern.base.size(); ++b) {
+        loop.vertices.push_back(faceStart(top) + (k * m_faces + m_pattern.base[b]) % (m_teeth * m_faces));
+        loop.angles.push_back(2 * pi * k / m_teeth + m_pattern.baseAngles[b]);
+      }
+    }
+    return loop;
+  }
+
+ private:
+  [[nodiscard]] Index faceStart(bool top) const { return m_teeth * (2 * m_walls + (top ? m_faces : 0)); }
+  void writeVertices();
+  void writeTriangles();
+
+  Index m_teeth, m_walls = 0, m_faces = 0;
+  bool m_inward;
+  const ToothPattern& m_pattern;
+  Solid& m_solid;
+};
+
+void ToothedShell::writeVertices() {
+  std::vector<Turn> turns;
+  for (Index k = 0; k < m_teeth; ++k) {
+    const double angle = 2 * pi * k / m_teeth;
+    turns.push_back({std::cos(angle), std::sin(angle)});
+  }
+  Float3* positions = m_solid.positions.data();
+  Float3* normals = m_solid.normals.data();
+  const std::size_t wallAll = std::size_t{m_teeth} * m_walls;
+  repeat(m_pattern.wallBottom, turns, positions, normals);
+  repeat(m_pattern.wallTop, turns, positions + wallAll, normals + wallAll);
+  for (const bool top : {false, true}) {
+    const std::size_t start = faceStart(top);
+    repeat(top ? m_pattern.faceTop : m_pattern.faceBottom, turns, nullptr, normals + start);
+    const Float3* wall = positions + (top ? wallAll : 0);
+    Float3* face = positions + start;
+    for (Index k = 0; k < m_teeth; ++k) {
+      for (const Index at : m_pattern.wallOfFace) *face++ = wall[k * m_walls + at];
+    }
+  }
+}
+
+void ToothedShell::writeTriangles() {
+  Triangle* out = m_solid.triangles.data();
+  const Index wallAll = m_teeth * m_walls;
+  const Index faceAll = m_teeth * m_faces;
+  const std::size_t second = m_inward ? 2 : 1;  // rings turn every triangle over
+  const std::size_t third = 3 - second;
+  const auto write = [&](Index a, Index b, Index c) {
+    (*out)[0] = a;
+    (*out)[second] = b;
+    (*out)[third] = c;
+    ++out;
+  };
+  for (Index k = 0; k < m_teeth; ++k) {
+    for (const auto& [from, to] : m_pattern.wallEdges) {
+      const Index a = k * m_walls + from;
+      const Index next = k * m_walls + to;
+      const Index b = next == wallAll ? 0 : next;
+      write(a, b, wallAll + b);
+      write(a, wallAll + b, wallAll + a);
+    }
+    for (const Triangle& t : m_pattern.faceTriangles) {
+      Index v[3];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index local = k * m_faces + t[i];
+        v[i] = local >= faceAll ? local - faceAll : local;
+      }
+      write(faceStart(true) + v[0], faceStart(true) + v[1], faceStart(true) + v[2]);
+      write(faceStart(false) + v[0], faceStart(false) + v[2], faceStart(false) + v[1]);
+    }
+  }
+}
+
+/// The strips of the body; where it has windows, those of the web have openings.
+void addBody(ShellBuilder& builder, const GearBlank& blank, int count, double start) {
+  if (!blank.windows) {
+    builder.addLathe(blank.body, count, start);
+    return;
+  }
+  const WebWindows& w = *blank.windows;
+  const std::vector<ProfileVertex>& body = blank.body;
+  const auto isWeb = [&](const ProfileVertex& a, const ProfileVertex& b) {
+    const bool top = a == ProfileVertex{w.rim, w.half} && b == ProfileVertex{w.hub, w.half};
+    return top || (a == ProfileVertex{w.hub, -w.half} && b == ProfileVertex{w.rim, -w.half});
+  };
+  for (std::size_t i = 0; i + 1 < body.size(); ++i) {
+    if (!isWeb(body[i], body[i + 1])) builder.addLathe(std::span(body).subspan(i, 2), count, start);
+  }
+  addWindowedWeb(builder, w, count, start, blank.tolerance);
+}
+
+}  // namespace
+
+Solid meshed(const GearBlank& blank) {
+  GEARGRAPH_REQUIRE(blank.teeth >= 3 && blank.body.size() >= 2);
+  Solid solid;
+  const ToothPattern pattern(blank);
+  double largest = 0;
+  for (const ProfileVertex& c : blank.body) largest = std::max(largest, c.radius);
+  int count = circleCount(largest, blank.tolerance);
+  if (blank.windows) count += (blank.windows->count - count % blank.windows->count) % blank.windows->count;
+  const ToothedShell teeth(blank, pattern, static_cast<std::size_t>(count), solid);
+  ShellBuilder builder(solid, blank.inward);
+  const double start = -pi / blank.teeth;
+  // The faces go on below the teeth with the normal they have in the middle of the tooth, where y = 0.
+  const Vector3d& up = blank.half.back().topNormal;
+  const Vector3d& down = blank.half.back().bottomNormal;
+  builder.sew(teeth.baseLoop(true), builder.addCircle(blank.body.front(), count, start, {up.x(), up.z()}));
+  addBody(builder, blank, count, start);
+  builder.sew(builder.addCircle(blank.body.back(), count, start, {down.x(), down.z()}),
+              teeth.baseLoop(false));
+  return solid;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+#include "core/foundations/base/expected.h"
+#include "core/machine/solids/deferred_solid.h"
+#include "core/machine/teeth/gear_spec.h"
+#include "core/machine/solids/solid.h"
+
+namespace geargraph {
+
+/// Chordal tolerances in modules: what a part is exported and looked at closely with, what a screen needs of
+/// some wheels, of a train, and of a train in a small window.
+constexpr double kExportTolerance = 0.002;
+constexpr double kScreenTolerance = 0.01;
+constexpr double kFarTolerance = 0.03;
+constexpr double kFarthestTolerance = 0.1;
+/// Of shafts and arms, whose surfaces are plainer than teeth.
+constexpr double kBodyTolerance = 0.02;
+
+/// The solid of a gear in its own frame (gear_spec.h), in the unit of the spec's lengths. No chord of the
+/// surface is farther than `tolerance` modules from the exact form; points on flanks and roots are exact.
+///
+/// Fails with the findings of specDiagnostics().
+/// Cost: O(triangles); about 60 microseconds for 40 teeth at 0.002 (tests/bench/bench_gears.cpp).
+[[nodiscard]] Expected<Solid> gearSolid(const GearSpec& spec, double tolerance);
+
+/// Solids by parameters, so that a train of equal planets and a slider moved back cost one solid each. Oldest
+/// out when more than `capacity` are held; what a caller still holds stays alive.
+///
+/// Thread-safe.
+class GearCache {
+ public:
+  explicit GearCache(std::size_t capacity = 256) : m_capacity(capacity) {}
+
+  /// The solid for these parameters, made on the first call.
+  [[nodiscard]] Expected<std::shared_ptr<const Solid>> solid(const GearSpec& spec, double tolerance);
+  /// The same solid for later: made when it is asked for, if it ever is.
+  [[nodiscard]] Expected<std::shared_ptr<const DeferredSolid>> deferred(const GearSpec& spec,
+                                                                        double tolerance);
+
+  [[nodiscard]] std::size_t size() const;
+  /// Raises the capacity to `solids`: all details of a train, and as many of the edit before.
+  void makeRoomFor(std::size_t solids);
+
+ private:
+  struct Key {
+    GearSpec spec;
+    double tolerance = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const;
+  };
+  struct Entry {
+    std::shared_ptr<const DeferredSolid> solid;
+    std::size_t used = 0;  ///< number of the last call that asked for it
+  };
+
+  void dropOldest();
+
+  mutable std::mutex m_mutex;
+  std::unordered_map<Key, Entry, KeyHash> m_solids;
+  std::size_t m_capacity;
+  std::size_t m_calls = 0;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/machine/teeth/gear_spec.h"
+
+namespace geargraph {
+
+/// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
+/// ...
+[[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);
+
+}  // namespace geargraph

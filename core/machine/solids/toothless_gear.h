@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/machine/teeth/gear_spec.h"
+#include "core/machine/solids/solid.h"
+
+namespace geargraph {
+
+/// More teeth than these are finer than a pixel wherever all of the wheel is in view.
+constexpr int kMostShownTeeth = 5'000;
+
+/// The gear as a solid of revolution, in its own frame: its body and, in place of teeth, what lies within its
+/// pitch cylinder (bevels: tip cone; rings: from the pitch cylinder outwards). `tolerance` in modules.
+/// Cost: O(sqrt(teeth / tolerance)).
+/// @pre specDiagnostics() has no findings
+[[nodiscard]] Solid toothlessGear(const GearSpec& spec, double tolerance);
+
+}  // namespace geargraph

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "core/machine/teeth/gear_spec.h"
+#include "core/machine/solids/shell_builder.h"
+
+namespace geargraph {
+
+/// Openings between the spokes of a wheel's web: polar rectangles with rounded corners and parallel spokes.
+struct WebWindows {
+  int count = 5;
+  double hub = 0;  ///< radii of the web's circles
+  double rim = 0;
+  double inner = 0;  ///< radii of the windows
+  double outer = 0;
+  double spoke = 0;   ///< width between two windows
+  double corner = 0;  ///< radius
+  double half = 0;    ///< of the web's thickness: its faces are at z = +-half
+};
+
+/// Windows for the web of a dressed wheel between these radii; none where there is no room for good ones.
+[[nodiscard]] std::optional<WebWindows> windowsFor(double hub, double rim, double half, double module);
+
+/// Adds both faces of the web between its circles of `count` vertices from angle `start`, and the windows'
+/// walls.
+/// @pre count is a multiple of the number of windows
+void addWindowedWeb(ShellBuilder& builder, const WebWindows& windows, int count, double start,
+                    double tolerance);
+
+}  // namespace geargraph

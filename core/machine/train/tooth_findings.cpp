@@ -1,0 +1,178 @@
+#include <cmath>
+#include <cstdio>
+
+#include "core/machine/teeth/half_tooth.h"
+#include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/train/train_findings.h"
+#include "core/machine/solids/spec_findings.h"
+
+namespace geargraph {
+namespace {
+
+/// How far a ring's tip may be lowered before it is worth a word, in modules.
+constexpr double kNoticedShortening = 0.3;
+/// Fewer pairs in contact than this at a time: the drive is rough, or interrupted (README.md, section 5).
+constexpr double kLeastContactRatio = 1.1;
+/// Findings ask for the ends of the flanks only, which do not depend on the tolerance.
+constexpr double kFindingTolerance = 0.2;
+
+std::vector<ElementId> blamed(const Mechanism& mechanism, const TrainGear& gear) {
+  std::vector<ElementId> elements;
+  for (const int mesh : gear.meshes)
+    elements.emplace_back(mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  elements.emplace_back(mechanism.links[static_cast<std::size_t>(gear.link)].id);
+  if (gear.wheel) elements.emplace_back(*gear.wheel);
+  return elements;
+}
+
+HalfTooth toothOf(const GearSpec& spec) {
+  switch (spec.kind) {
+    case GearKind::internal:
+      return ringTooth(spec, kFindingTolerance);
+    case GearKind::bevel:
+      return bevelTooth(spec, kFindingTolerance);
+    case GearKind::external:
+      break;
+  }
+  return externalTooth(spec, kFindingTolerance);
+}
+
+class ToothFinder {
+ public:
+  ToothFinder(const Mechanism& mechanism, const GearTrain& train, const std::stop_token& stop)
+      : m_mechanism(mechanism), m_train(train) {
+    for (const TrainGear& gear : train.gears) {
+      if (stop.stop_requested()) return;
+      addGear(gear);
+    }
+    for (const TrainMesh& mesh : train.meshes) addMesh(mesh);
+  }
+
+  Diagnostics found;
+
+ private:
+  void add(Detail detail, std::string message, std::vector<ElementId> elements) {
+    found.push_back(finding(detail, std::move(message), std::move(elements)));
+  }
+  void addGear(const TrainGear& gear);
+  void addMesh(const TrainMesh& mesh);
+  void addRing(const GearSpec& pinion, const GearSpec& ring, double distance, const ElementId& mesh);
+  void addContact(double ratio, const std::string& pair, const ElementId& mesh);
+  void addFace(const GearSpec& spec, const std::string& pair, const ElementId& mesh);
+  [[nodiscard]] double distanceOf(const TrainGear& a, const TrainGear& b) const {
+    const Eigen::Vector3d axis = a.pose.linear().col(2);
+    return (a.pose.translation() - b.pose.translation()).cross(axis).norm() / a.spec.module;
+  }
+
+  const Mechanism& m_mechanism;
+  const GearTrain& m_train;
+  std::vector<std::optional<HalfTooth>> m_teeth;  ///< by gear; none where no tooth can be made
+};
+
+void ToothFinder::addGear(const TrainGear& gear) {
+  const GearSpec& spec = gear.spec;
+  const std::string who = "Gear " + gear.name + " (" + std::to_string(spec.teeth) + " teeth)";
+  const Diagnostics impossible = specDiagnostics(spec);
+  if (!impossible.empty()) {
+    m_teeth.emplace_back();
+    add(Detail::noToothForm, who + " has no solid: " + impossible.front().message, blamed(m_mechanism, gear));
+    return;
+  }
+  m_teeth.emplace_back(toothOf(spec));
+  const HalfTooth& tooth = *m_teeth.back();
+  if (tooth.undercut) {
+    Diagnostic undercut;
+    undercut.code = Code::undercut;
+    undercut.elements = blamed(m_mechanism, gear);
+    undercut.message = who + " is undercut: at a profile shift of " + fixedText(spec.profileShift, 2) +
+                       " a rack needs " + fixedText(fewestTeethWithoutUndercut(spec), 1) +
+                       " teeth or more. Use more teeth, or a shift of " + "at least " +
+                       fixedText(leastShiftWithoutUndercut(spec), 2) + ".";
+    found.push_back(std::move(undercut));
+  }
+  if (tooth.shortened) {
+    add(Detail::pointedTeeth,
+        who + " would have pointed teeth: its tips were lowered to keep a land of " +
+            fixedText(kNarrowestLand, 1) + " modules. Use a smaller profile shift than " +
+            fixedText(spec.profileShift, 2) + ".",
+        blamed(m_mechanism, gear));
+  }
+}
+
+void ToothFinder::addMesh(const TrainMesh& mesh) {
+  const auto t = static_cast<std::size_t>(mesh.tailGear);
+  const auto h = static_cast<std::size_t>(mesh.headGear);
+  if (!m_teeth[t] || !m_teeth[h]) return;
+  const TrainGear& tail = m_train.gears[t];
+  const TrainGear& head = m_train.gears[h];
+  const ElementId id = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh.mesh)].id;
+  const std::string pair = "Mesh " + std::to_string(m_mechanism.meshLabel(mesh.mesh)) + ", " +
+                           std::to_string(tail.spec.teeth) + " and " + std::to_string(head.spec.teeth) +
+                           " teeth";
+  const double distance = distanceOf(tail, head);
+  addContact(contactRatio(tail.spec, *m_teeth[t], head.spec, *m_teeth[h], distance), pair, id);
+  if (tail.spec.kind == GearKind::bevel) {
+    addFace(tail.spec, pair, id);
+  } else if (tail.spec.kind == GearKind::internal) {
+    addRing(head.spec, tail.spec, distance, id);
+  } else if (head.spec.kind == GearKind::internal) {
+    addRing(tail.spec, head.spec, distance, id);
+  }
+}
+
+void ToothFinder::addContact(double ratio, const std::string& pair, const ElementId& mesh) {
+  if (ratio >= kLeastContactRatio) return;
+  const std::string what = ratio < 1 ? "one pair of teeth lets go before the next takes over"
+                                     : "that leaves nothing for errors of the teeth";
+  add(Detail::contactRatio,
+      pair + ": a contact ratio of " + fixedText(std::max(ratio, 0.0), 2) + ", " + what +
+          ". Use more teeth, or " + "profile shifts that leave longer flanks, for " +
+          fixedText(kLeastContactRatio, 1) + " or more.",
+      {mesh});
+}
+
+void ToothFinder::addFace(const GearSpec& spec, const std::string& pair, const ElementId& mesh) {
+  const double most = coneDistance(spec) / 3;
+  if (spec.faceWidth <= most * (1 + 1e-6)) return;
+  add(Detail::faceTooWide,
+      pair + ": a face width of " + fixedText(spec.faceWidth, 1) +
+          " is more than a third of the cone distance, so that the small ends of the teeth are too weak to "
+          "bear " +
+          "load. Use " + fixedText(most, 1) + " or less.",
+      {mesh});
+}
+
+void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double distance,
+                          const ElementId& mesh) {
+  const std::string pair = std::to_string(pinion.teeth) + " teeth in a ring of " + std::to_string(ring.teeth);
+  const double margin = trochoidMargin(pinion, ring, distance);
+  if (margin < 0) {
+    add(Detail::tipInterference,
+        pair + ": their tips collide outside of the mesh, by " + fixedText(-margin * ring.teeth / 2, 3) +
+            " modules. Use a difference of more teeth, or a larger profile shift of the ring.",
+        {mesh});
+  }
+  const double standard = ring.teeth / 2.0 - ring.addendum + ring.profileShift;
+  if (ring.tipRadius > standard + kNoticedShortening) {
+    add(Detail::ringTipsLowered,
+        pair + ": the ring's tips would run into the pinion's fillets and were lowered by " +
+            fixedText(ring.tipRadius - standard, 2) +
+            " modules. Use a pinion of more teeth, or with a larger profile shift.",
+        {mesh});
+  }
+}
+
+}  // namespace
+
+std::string fixedText(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                             const std::stop_token& stop) {
+  return ToothFinder(mechanism, train, stop).found;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,91 @@
+#include "core/machine/train/toothed_train.h"
+
+#include "core/machine/teeth/phase.h"
+#include "core/machine/train/train_findings.h"
+
+namespace geargraph {
+namespace {
+
+/// The wheels' ids in the document, else "15:tail" by the first mesh of each.
+std::vector<std::string> namesOf(const Mechanism& mechanism, const TrainWheels& train) {
+  std::vector<std::string> names(train.wheels.size());
+  const auto name = [&](int w, int mesh, const char* side) {
+    const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
+    if (wheel.meshes.front() != mesh) return;
+    names[static_cast<std::size_t>(w)] =
+        wheel.id ? wheel.id->text() : std::to_string(mechanism.meshLabel(mesh)) + side;
+  };
+  for (const TrainPair& pair : train.pairs) {
+    name(pair.tail, pair.mesh, ":tail");
+    name(pair.head, pair.mesh, ":head");
+  }
+  return names;
+}
+
+PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>& frames) {
+  std::vector<PhaseWheel> wheels;
+  for (const TrainWheel& w : train.wheels) {
+    frames.push_back(frameAlong(w.origin, w.axis));
+    wheels.push_back({w.origin, w.axis, frames.back().linear().col(0), w.spec.teeth});
+  }
+  std::vector<PhaseMesh> meshes;
+  for (const TrainPair& pair : train.pairs) meshes.push_back({pair.tail, pair.head, pair.pitchPoint});
+  return solvePhases(wheels, meshes);
+}
+
+}  // namespace
+
+TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
+                         const std::stop_token& stop) {
+  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
+  shapeWheels(mechanism, wheels, stop);
+  stackWheels(wheels, placement, stop);
+  if (wheels.wheels.size() <= kMostRoutedGears) shortenFaces(wheels, placement, stop);
+  return wheels;
+}
+
+GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
+  GearTrain train;
+  std::vector<Eigen::Isometry3d> frames;
+  const PhaseSolution phases = phasesOf(wheels, frames);
+  const std::vector<std::string> names = namesOf(mechanism, wheels);
+  for (std::size_t w = 0; w < wheels.wheels.size(); ++w) {
+    const TrainWheel& wheel = wheels.wheels[w];
+    train.gears.push_back({names[w], wheel.link, wheel.axisClass, wheel.meshes, wheel.id, wheel.spec,
+                           frames[w] * Eigen::AngleAxisd(phases.angles[w], Eigen::Vector3d::UnitZ())});
+  }
+  for (std::size_t p = 0; p < wheels.pairs.size(); ++p) {
+    const TrainPair& pair = wheels.pairs[p];
+    train.meshes.push_back({pair.mesh, pair.tail, pair.head, pair.pitchPoint, phases.residuals[p]});
+  }
+  return train;
+}
+
+Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                       const std::stop_token& stop) {
+  Diagnostics found = toothDiagnostics(mechanism, train, stop);
+  if (stop.stop_requested()) return found;
+  append(found, neighbourDiagnostics(mechanism, placement, train));
+  append(found, assemblyDiagnostics(mechanism, train, stop));
+  return found;
+}
+
+Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement, const TrainWheels& wheels,
+                          const GearTrain& train, const std::stop_token& stop) {
+  Diagnostics found;
+  for (const auto& [a, b] : wheelsInOnePlace(wheels, placement, stop)) {
+    const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
+    const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
+    const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
+    found.push_back(finding(Detail::wheelsOverlap,
+                            "Gears " + one.name + " and " + other.name +
+                                " stand in one place and do not mesh. " +
+                                (bevels ? "Use smaller face widths, or leave them or a pitch point open."
+                                        : "Move the pitch point of one along its axis, or leave it open."),
+                            {mechanism.links[static_cast<std::size_t>(one.link)].id,
+                             mechanism.links[static_cast<std::size_t>(other.link)].id}));
+  }
+  return found;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/machine/solids/deferred_solid.h"
+#include "core/machine/teeth/gear_spec.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph {
+
+/// A toothed wheel of the mechanism: what solid, and where it is in the reference pose.
+struct TrainGear {
+  /// "15:tail" after the label of its mesh; a wheel of several meshes: the id it has in the document, else
+  /// the name by the first of them.
+  std::string name;
+  int link = 0;             ///< position: the gear moves with this link
+  int axisClass = 0;        ///< of the placement
+  std::vector<int> meshes;  ///< positions, in document order
+  std::optional<WheelId> wheel;
+  GearSpec spec;
+  /// Gear frame (gear_spec.h) to base frame in the reference pose, turned so that its teeth mesh.
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+};
+
+/// Two gears of the train in mesh.
+struct TrainMesh {
+  int mesh = 0;  ///< position in the document
+  int tailGear = 0;
+  int headGear = 0;
+  Eigen::Vector3d
+      pitchPoint;       ///< in the gears' plane; gears that the program stacked have left the document's
+  double residual = 0;  ///< pitches by which the teeth miss each other, where a loop cannot be assembled
+};
+
+struct BodyPart;
+
+/// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
+/// it.
+struct LinkBody {
+  int link = 0;
+  double module = 1;                           ///< the smallest of its parts
+  std::shared_ptr<const DeferredSolid> fine;   ///< chords within kBodyTolerance, made when asked for
+  std::shared_ptr<const DeferredSolid> rough;  ///< within kFarthestTolerance
+  std::shared_ptr<const std::vector<BodyPart>> recipe = {};  ///< what the solids are made of (BodyRecipe)
+
+  [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
+};
+
+/// Larger trains get straight bodies that are not routed past each other (BodyPlan::isSimple), and bevels
+/// keep their faces: to look for ways costs more than the square of the wheels, and it would take minutes.
+constexpr std::size_t kMostRoutedGears = 400;
+
+/// The mechanism in three dimensions. Every mesh with a geometry has its two gears; a mesh without one is
+/// left out (the placement says why).
+struct GearTrain {
+  std::vector<TrainGear> gears;
+  std::vector<TrainMesh> meshes;
+  std::vector<LinkBody> bodies;
+  Diagnostics diagnostics;  ///< assembly, undercut, interference
+  /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other.
+  bool hasSimpleBodies = false;
+};
+
+}  // namespace geargraph

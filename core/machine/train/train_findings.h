@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stop_token>
+
+#include "core/machine/teeth/phase.h"
+#include "core/machine/train/train.h"
+
+namespace geargraph {
+
+/// `undercut` and `interference` of the train's gears and pairs, with the numbers that say how to mend them.
+/// Those found so far where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                                           const std::stop_token& stop = {});
+
+/// `interference` of wheels beside each other round one gear whose tips meet: planets of one carrier, where
+/// 2 a sin(angle / 2) is less than both tip radii together. Cost: O(meshes log meshes).
+[[nodiscard]] Diagnostics neighbourDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                               const GearTrain& train);
+
+/// `assembly` for every mesh whose residual does not fit, with the nearest positions or tooth counts that do.
+/// Those found so far where `stop` was requested meanwhile.
+[[nodiscard]] Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& train,
+                                              const std::stop_token& stop = {});
+
+/// A number for a sentence, with so many digits behind the point.
+[[nodiscard]] std::string fixedText(double value, int digits);
+
+[[nodiscard]] inline Diagnostic finding(Detail detail, std::string message, std::vector<ElementId> elements) {
+  Diagnostic d;
+  d.code = codeOf(detail);
+  d.detail = detail;
+  d.message = std::move(message);
+  d.elements = std::move(elements);
+  return d;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/train/train.h"
+
+namespace geargraph {
+
+/// A solid that rides on a link.
+struct LinkPart {
+  int link = 0;  ///< its position in the document
+  std::string name;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to the base frame, reference pose
+  std::shared_ptr<const Solid> solid;
+  int gear = -1;  ///< its position in the train; -1: the link's body
+};
+
+struct TrainParts {
+  std::vector<LinkPart> parts;
+  Diagnostics diagnostics;  ///< gears that could not be made, which are left out
+};
+
+/// Solids of all gears, then of all bodies, as parts of their links: what a view shows and a file holds.
+/// `tolerance` in modules; bodies are as fine as kBodyTolerance, or coarse from kFarthestTolerance on. Those
+/// made by then when `stop` was requested meanwhile.
+[[nodiscard]] TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCache& cache,
+                                    double tolerance, const std::stop_token& stop = {});
+
+}  // namespace geargraph

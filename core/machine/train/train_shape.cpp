@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/machine/teeth/involute.h"
+#include "core/machine/teeth/tooth_pair.h"
+#include "core/machine/train/train_wheels.h"
+#include "core/machine/solids/spec_findings.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kDefaultBacklash = 0.04;  // modules, of a pair
+constexpr double kDefaultSpurFace = 8;     // modules
+constexpr double kMostBevelFace = 10;      // modules
+
+/// Wheels that mesh with each other on parallel axes, so that one module is theirs.
+class Groups {
+ public:
+  explicit Groups(const TrainWheels& train) : m_parent(train.wheels.size()) {
+    std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
+    for (const TrainPair& pair : train.pairs) {
+      if (pair.kind != MeshKind::bevel) m_parent[root(pair.tail)] = root(pair.head);
+    }
+  }
+  std::size_t root(int wheel) {
+    auto w = static_cast<std::size_t>(wheel);
+    while (m_parent[w] != w) w = m_parent[w] = m_parent[m_parent[w]];
+    return w;
+  }
+
+ private:
+  std::vector<std::size_t> m_parent;
+};
+
+/// Coordinates come in decimals. What differs by less than they say is taken for equal, so that the planets
+/// of a set are one solid and pairs at their standard distance have no shift.
+double rounded(double value, double step) {
+  return std::round(value / step) * step + 0.0;  // no -0
+}
+constexpr double kModuleStep = 1e-6;  // of the first digit
+constexpr double kShiftStep = 1e-4;   // modules; a backlash of 0.00007 modules
+constexpr double kAngleStep = 1e-7;
+
+int teethSum(const TrainPair& pair, const TrainWheels& train) {
+  const int tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec.teeth;
+  const int head = train.wheels[static_cast<std::size_t>(pair.head)].spec.teeth;
+  return pair.kind == MeshKind::internal ? std::abs(tail - head) : tail + head;
+}
+
+void setModules(TrainWheels& train) {
+  Groups groups(train);
+  std::vector<double> module(train.wheels.size(), 0);
+  for (const TrainPair& pair : train.pairs) {
+    if (pair.kind == MeshKind::bevel) continue;
+    const double wanted = 2 * pair.distance / teethSum(pair, train);
+    double& least = module[groups.root(pair.tail)];
+    if (least == 0 || wanted < least) least = wanted;
+  }
+  for (std::size_t w = 0; w < train.wheels.size(); ++w) {
+    GearSpec& spec = train.wheels[w].spec;
+    if (spec.kind != GearKind::bevel) spec.module = module[groups.root(static_cast<int>(w))];
+    spec.module = rounded(spec.module, kModuleStep * std::pow(10, std::floor(std::log10(spec.module))));
+    spec.coneAngle = rounded(spec.coneAngle, kAngleStep);
+  }
+}
+
+/// What is left of the shifts' sum that a pair's distance asks for; 0 where it has what it needs.
+double missingShift(const TrainPair& pair, const TrainWheels& train, double wanted) {
+  const GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
+  const GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
+  if (pair.kind == MeshKind::external) return wanted - tail.profileShift - head.profileShift;
+  const bool tailIsRing = tail.kind == GearKind::internal;
+  const double difference = head.profileShift - tail.profileShift;
+  return wanted - (tailIsRing ? -difference : difference);
+}
+
+/// Hands what is missing to the wheels whose shift is not the document's, half each, until nothing is: the
+/// smallest shifts that fit, because every step is the shortest one.
+void setShifts(TrainWheels& train, const std::vector<bool>& fixed, const std::stop_token& stop) {
+  std::vector<double> wanted;
+  for (const TrainPair& pair : train.pairs) {
+    const GearSpec& spec = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
+    wanted.push_back(
+        pair.kind == MeshKind::bevel
+            ? 0
+            : rounded(shiftSumFor(teethSum(pair, train), pair.distance / spec.module, spec.pressureAngle),
+                      kShiftStep));
+  }
+  for (int sweep = 0; sweep < 500 && !stop.stop_requested(); ++sweep) {
+    double worst = 0;
+    for (std::size_t p = 0; p < train.pairs.size(); ++p) {
+      const TrainPair& pair = train.pairs[p];
+      if (pair.kind == MeshKind::bevel) continue;
+      const double missing = missingShift(pair, train, wanted[p]);
+      const auto a = static_cast<std::size_t>(pair.tail);
+      const auto b = static_cast<std::size_t>(pair.head);
+      const int free = (fixed[a] ? 0 : 1) + (fixed[b] ? 0 : 1);
+      if (free == 0) continue;
+      worst = std::max(worst, std::abs(missing));
+      const auto give = [&](std::size_t w) {
+        if (fixed[w]) return;
+        const bool against =
+            pair.kind == MeshKind::internal && train.wheels[w].spec.kind == GearKind::external;
+        train.wheels[w].spec.profileShift += (against ? -missing : missing) / free;
+      };
+      give(a);
+      give(b);
+    }
+    if (worst < 1e-13) break;
+  }
+  for (TrainWheel& wheel : train.wheels) wheel.spec.profileShift = rounded(wheel.spec.profileShift, 1e-9);
+}
+
+/// A bevel pair's shifts cancel out, so that the pitch cones stay the working cones.
+void balanceBevelShifts(TrainWheels& train, const std::vector<bool>& fixed) {
+  for (const TrainPair& pair : train.pairs) {
+    if (pair.kind != MeshKind::bevel) continue;
+    const auto a = static_cast<std::size_t>(pair.tail);
+    const auto b = static_cast<std::size_t>(pair.head);
+    if (fixed[a] && !fixed[b]) train.wheels[b].spec.profileShift = -train.wheels[a].spec.profileShift;
+    if (fixed[b] && !fixed[a]) train.wheels[a].spec.profileShift = -train.wheels[b].spec.profileShift;
+  }
+}
+
+double defaultFace(const GearSpec& spec) {
+  if (spec.kind != GearKind::bevel) return kDefaultSpurFace * spec.module;
+  return std::min(coneDistance(spec) / 3, kMostBevelFace * spec.module);
+}
+
+/// What the meshes of a wheel cover of its axis, from its origin.
+struct Cover {
+  double low = 0;
+  double high = 0;
+};
+
+void setFaces(const Mechanism& mechanism, TrainWheels& train) {
+  std::vector<Cover> covers(train.wheels.size());
+  for (TrainPair& pair : train.pairs) {
+    std::optional<Number> stated = mechanism.gearMeshes[static_cast<std::size_t>(pair.mesh)].faceWidth;
+    if (!stated && mechanism.gearDefaults) stated = mechanism.gearDefaults->faceWidth;
+    pair.openFace = !stated || stated->value() <= 0;
+    for (const int w : {pair.tail, pair.head}) {
+      const TrainWheel& wheel = train.wheels[static_cast<std::size_t>(w)];
+      double face = stated && stated->value() > 0 ? stated->value() : defaultFace(wheel.spec);
+      if (wheel.spec.kind == GearKind::bevel) face = std::min(face, 0.6 * coneDistance(wheel.spec));
+      const auto mesh = std::find(wheel.meshes.begin(), wheel.meshes.end(), pair.mesh);
+      const double plane = wheel.planes[static_cast<std::size_t>(mesh - wheel.meshes.begin())];
+      Cover& cover = covers[static_cast<std::size_t>(w)];
+      cover.low = std::min(cover.low, plane - face / 2);
+      cover.high = std::max(cover.high, plane + face / 2);
+    }
+  }
+  for (std::size_t w = 0; w < covers.size(); ++w) {
+    TrainWheel& wheel = train.wheels[w];
+    wheel.spec.faceWidth = covers[w].high - covers[w].low;
+    const double middle = (covers[w].low + covers[w].high) / 2;
+    if (middle == 0) continue;
+    wheel.origin += middle * wheel.axis;
+    for (double& plane : wheel.planes) plane -= middle;
+  }
+}
+
+/// Clearance at the roots of shifted pairs; rings' tips off the pinions' fillets.
+void setTips(TrainWheels& train) {
+  const auto lower = [](GearSpec& spec, double tip) {
+    const double now = nominalTipRadius(spec) / spec.module;
+    if (spec.kind == GearKind::internal ? tip > now : tip < now) spec.tipRadius = tip;
+  };
+  for (const TrainPair& pair : train.pairs) {
+    GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
+    GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
+    if (pair.kind != MeshKind::external) continue;
+    const double k = tipShortening(tail, head, pair.distance / tail.module);
+    if (k > -1e-9) continue;
+    for (GearSpec* spec : {&tail, &head})
+      lower(*spec, spec->teeth / 2.0 + spec->addendum + spec->profileShift + k);
+  }
+  for (const TrainPair& pair : train.pairs) {
+    if (pair.kind != MeshKind::internal) continue;
+    GearSpec& tail = train.wheels[static_cast<std::size_t>(pair.tail)].spec;
+    GearSpec& head = train.wheels[static_cast<std::size_t>(pair.head)].spec;
+    GearSpec& ring = tail.kind == GearKind::internal ? tail : head;
+    const GearSpec& pinion = tail.kind == GearKind::internal ? head : tail;
+    if (specDiagnostics(pinion).empty()) lower(ring, leastRingTip(pinion, ring, pair.distance / ring.module));
+  }
+}
+
+}  // namespace
+
+void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop_token& stop) {
+  const std::optional<GearDefaults>& defaults = mechanism.gearDefaults;
+  std::vector<bool> fixed;
+  for (TrainWheel& wheel : train.wheels) {
+    const Wheel* drawn = wheel.id ? mechanism.find(*wheel.id) : nullptr;
+    if (defaults && defaults->pressureAngle) {
+      wheel.spec.pressureAngle = defaults->pressureAngle->value() * std::numbers::pi / 180;
+    }
+    double backlash = defaults && defaults->backlash ? defaults->backlash->value() : kDefaultBacklash;
+    if (drawn != nullptr && drawn->backlash) backlash = drawn->backlash->value();
+    wheel.spec.thinning = backlash / 2;
+    if (drawn != nullptr && drawn->bore) wheel.spec.bore = drawn->bore->value();
+    fixed.push_back(drawn != nullptr && drawn->profileShift.has_value());
+    if (fixed.back()) wheel.spec.profileShift = drawn->profileShift->value();
+    wheel.spec.body = GearBody::dressed;
+  }
+  setModules(train);
+  setShifts(train, fixed, stop);
+  balanceBevelShifts(train, fixed);
+  setFaces(mechanism, train);
+  setTips(train);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,187 @@
+#include "core/machine/train/train_wheels.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/machine/train/wheel_sharing.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Coordinates that are meant to be equal differ by the rounding of decimals at most.
+bool same(double a, double b, double scale) {
+  return std::abs(a - b) <= 1e-6 * scale;
+}
+
+/// How far operating radii of one wheel may differ between its meshes: profile shifts make up for no more.
+constexpr double kSameWheel = 0.12;
+
+struct Side {
+  int link;
+  int axisClass;
+  int teeth;
+  double radius;
+  std::optional<WheelId> named;
+};
+
+class WheelFinder {
+ public:
+  WheelFinder(const Mechanism& mechanism, const Placement& placement)
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_sharing(mechanism, placement),
+        m_ofLink(mechanism.links.size()) {}
+
+  TrainWheels find(const std::stop_token& stop) {
+    for (int m = 0; m < m_mechanism.c() && !stop.stop_requested(); ++m) {
+      const auto& geometry = m_placement.meshes[static_cast<std::size_t>(m)];
+      if (geometry) addPair(m, *geometry);
+    }
+    return std::move(m_train);
+  }
+
+ private:
+  void addPair(int mesh, const MeshGeometry& geometry);
+  [[nodiscard]] TrainWheel parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const;
+  void bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
+                   TrainWheel& b) const;
+  [[nodiscard]] std::vector<int> like(const TrainWheel& wheel) const;
+  int add(TrainWheel wheel, std::optional<int> known, int mesh);
+  [[nodiscard]] static bool isSame(const TrainWheel& a, const TrainWheel& b);
+
+  const Mechanism& m_mechanism;
+  const Placement& m_placement;
+  WheelSharing m_sharing;
+  TrainWheels m_train;
+  std::vector<std::vector<int>> m_ofLink;  ///< wheels by link
+};
+
+void WheelFinder::addPair(int mesh, const MeshGeometry& geometry) {
+  const GearMesh& drawn = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+  const Side tail{geometry.tail, geometry.tailClass, drawn.tailTeeth, std::abs(geometry.tailRadius),
+                  drawn.tailWheel};
+  const Side head{geometry.head, geometry.headClass, drawn.headTeeth, std::abs(geometry.headRadius),
+                  drawn.headWheel};
+  TrainPair pair;
+  pair.mesh = mesh;
+  pair.kind = geometry.kind;
+  pair.pitchPoint = wide(geometry.pitchPoint);
+  pair.movable = geometry.derived && geometry.kind != MeshKind::bevel;
+  TrainWheel a;
+  TrainWheel b;
+  if (geometry.kind == MeshKind::bevel) {
+    bevelWheels(tail, head, geometry, a, b);
+  } else {
+    const bool internal = geometry.kind == MeshKind::internal;
+    pair.distance = internal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius;
+    a = parallelWheel(tail, geometry, internal && tail.teeth > head.teeth);
+    b = parallelWheel(head, geometry, internal && head.teeth > tail.teeth);
+  }
+  a.id = tail.named;
+  b.id = head.named;
+  const std::vector<int> tails = like(a), heads = like(b);
+  const auto first = [](const std::vector<int>& known) {
+    return known.empty() ? std::nullopt : std::optional(known.front());
+  };
+  WheelSharing::Choice known{first(tails), first(heads)};
+  if (pair.movable && !a.id && !b.id) known = m_sharing.choose(a, tails, b, heads);
+  pair.tail = add(a, known.tail, mesh);
+  pair.head = add(b, known.head, mesh);
+  if (pair.movable) m_sharing.join(pair.tail, a, pair.head, b);
+  m_train.pairs.push_back(pair);
+}
+
+TrainWheel WheelFinder::parallelWheel(const Side& side, const MeshGeometry& geometry, bool ring) const {
+  const AxisLine& line = m_placement.lineOfClass(side.axisClass);
+  TrainWheel wheel;
+  wheel.link = side.link;
+  wheel.axisClass = side.axisClass;
+  wheel.axis = wide(line.direction);
+  wheel.origin =
+      wide(line.point) + (wide(geometry.pitchPoint) - wide(line.point)).dot(wheel.axis) * wheel.axis;
+  wheel.workingRadius = side.radius;
+  wheel.spec = standardGear(ring ? GearKind::internal : GearKind::external, side.teeth, 1, 1);
+  return wheel;
+}
+
+/// The half axes from the apex to the gears. Both point the way of the pitch point; where it does not lie
+/// between them, the larger wheel is a ring (an internal cone) and its axis points the other way.
+void WheelFinder::bevelWheels(const Side& tail, const Side& head, const MeshGeometry& geometry, TrainWheel& a,
+                              TrainWheel& b) const {
+  const AxisLine& lineA = m_placement.lineOfClass(tail.axisClass);
+  const AxisLine& lineB = m_placement.lineOfClass(head.axisClass);
+  Vector3d ka = wide(lineA.direction);
+  Vector3d kb = wide(lineB.direction);
+  const Vector3d across = ka.cross(kb);
+  const Vector3d toApex =  // from the point of the tail's line
+      wide(geometry.tailToHead).cross(kb).dot(across) / across.squaredNorm() * ka;
+  const Vector3d apex = wide(lineA.point) + toApex;
+  const Vector3d line = wide(geometry.tailToPitch) - toApex;
+  const double reach = line.norm();
+  const auto isCrown = [&](const Vector3d& k) { return std::abs(k.dot(line)) < 1e-9 * reach; };
+  if (ka.dot(line) < 0) ka = -ka;
+  if (kb.dot(line) < 0) kb = -kb;
+  if (isCrown(ka) && ka.dot(kb) > 0) ka = -ka;
+  if (isCrown(kb) && ka.dot(kb) > 0) kb = -kb;
+  const bool between = ka.cross(line).dot(line.cross(kb)) > 0;
+  if (!between && !isCrown(ka) && !isCrown(kb)) (tail.radius > head.radius ? ka : kb) *= -1;
+  const auto fill = [&](TrainWheel& wheel, const Side& side, const Vector3d& k) {
+    wheel.link = side.link;
+    wheel.axisClass = side.axisClass;
+    wheel.axis = k;
+    wheel.origin = apex;
+    wheel.workingRadius = side.radius;
+    wheel.spec = standardGear(GearKind::bevel, side.teeth, 2 * side.radius / side.teeth, 1);
+    wheel.spec.coneAngle = std::atan2(k.cross(line).norm(), k.dot(line));
+  };
+  fill(a, tail, ka);
+  fill(b, head, kb);
+}
+
+bool WheelFinder::isSame(const TrainWheel& a, const TrainWheel& b) {
+  if (a.id || b.id) return a.id == b.id;
+  if (a.axisClass != b.axisClass || a.spec.teeth != b.spec.teeth || a.spec.kind != b.spec.kind) return false;
+  const double scale = a.workingRadius;
+  if ((a.origin - b.origin).norm() > 1e-6 * scale) return false;
+  if (a.spec.kind != GearKind::bevel) {
+    return std::abs(a.workingRadius - b.workingRadius) <= kSameWheel * scale;
+  }
+  return a.axis.dot(b.axis) > 0 && same(a.workingRadius, b.workingRadius, scale) &&
+         same(a.spec.coneAngle, b.spec.coneAngle, 1);
+}
+
+/// The link's wheels that the wheel may be.
+std::vector<int> WheelFinder::like(const TrainWheel& wheel) const {
+  std::vector<int> found;
+  for (const int w : m_ofLink[static_cast<std::size_t>(wheel.link)]) {
+    if (isSame(m_train.wheels[static_cast<std::size_t>(w)], wheel)) found.push_back(w);
+  }
+  return found;
+}
+
+int WheelFinder::add(TrainWheel wheel, std::optional<int> known, int mesh) {
+  if (known) {
+    TrainWheel& shared = m_train.wheels[static_cast<std::size_t>(*known)];
+    const double plane = (wheel.origin - shared.origin).dot(shared.axis);
+    shared.meshes.push_back(mesh);
+    shared.planes.push_back(same(plane, 0, shared.workingRadius) ? 0 : plane);
+    return *known;
+  }
+  const int position = static_cast<int>(m_train.wheels.size());
+  m_ofLink[static_cast<std::size_t>(wheel.link)].push_back(position);
+  wheel.meshes.push_back(mesh);
+  wheel.planes.push_back(0);
+  m_train.wheels.push_back(std::move(wheel));
+  return position;
+}
+
+}  // namespace
+
+TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement, const std::stop_token& stop) {
+  if (!placement.classes) return {};
+  return WheelFinder(mechanism, placement).find(stop);
+}
+
+}  // namespace geargraph

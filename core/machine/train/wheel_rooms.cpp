@@ -1,0 +1,222 @@
+#include "core/machine/train/wheel_rooms.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/machine/train/bevel_room.h"
+#include "core/machine/solids/gear_body.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3 narrow(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Beside wheels that go round, in modules: a carrier's arm or a ring's plate, which what lies across leaves
+/// free.
+constexpr double kArmRoom = 4;
+
+/// Flatter than a crown the body of a bevel is hollow, and no hull says where it is.
+constexpr double kFlattest = 1.7;  // rad
+
+DiscHull hullOf(const TrainWheel& wheel, double low, double high, double outer) {
+  const GearSpec& spec = wheel.spec;
+  DiscHull hull;
+  const auto add = [&](double radius, double height) {
+    hull.push_back({narrow(wheel.origin + height * wheel.axis), narrow(wheel.axis), radius});
+  };
+  if (spec.kind != GearKind::bevel) {
+    add(outer, low);
+    add(outer, high);
+  } else if (spec.kind == GearKind::bevel && spec.coneAngle < kFlattest) {
+    for (const ProfileVertex& c : bevelOutline(spec)) add(std::max(c.radius, 0.0), c.height);
+  }
+  return hull;
+}
+
+Vector3d acrossPart(const Vector3d& v, const Vector3d& axis) {
+  return v - v.dot(axis) * axis;
+}
+
+bool areParallel(const Vector3d& a, const Vector3d& b) {
+  return a.cross(b).norm() < 1e-6;
+}
+
+}  // namespace
+
+WheelOrbit orbitOf(int axisClass, const Placement& placement) {
+  const AxisClasses& classes = *placement.classes;
+  const AxisLine& line = placement.lineOfClass(axisClass);
+  WheelOrbit orbit;
+  orbit.at = wide(line.point);
+  orbit.carrier = classes.classes[static_cast<std::size_t>(axisClass)].top;
+  const int about = classes.classOfLink(orbit.carrier);
+  if (about < 0) return orbit;
+  const AxisLine& centre = placement.lineOfClass(about);
+  if (!areParallel(wide(line.direction), wide(centre.direction))) return orbit;
+  orbit.about = about;
+  orbit.radius = acrossPart(orbit.at - wide(centre.point), wide(centre.direction)).norm();
+  return orbit;
+}
+
+double nearestAxes(const WheelOrbit& a, const WheelOrbit& b, const Vector3d& direction) {
+  if (a.carrier != b.carrier && a.about >= 0 && a.about == b.about) return std::abs(a.radius - b.radius);
+  return acrossPart(b.at - a.at, direction).norm();
+}
+
+WheelRooms::WheelRooms(const TrainWheels& train, const Placement& placement) : m_train(train) {
+  const std::size_t classes = placement.classes->classes.size();
+  for (std::size_t c = 0; c < classes; ++c) {
+    m_orbits.push_back(orbitOf(static_cast<int>(c), placement));
+    m_lines.push_back(wide(placement.lineOfClass(static_cast<int>(c)).direction));
+  }
+  const bool hasArms =
+      std::any_of(m_orbits.begin(), m_orbits.end(), [](const WheelOrbit& orbit) { return orbit.about >= 0; });
+  m_freeSide.assign(classes, Vector3d::Zero());
+  m_rooms.reserve(train.wheels.size());
+  for (const TrainWheel& wheel : train.wheels) {
+    const Room& room = m_rooms.emplace_back(roomOf(wheel, hasArms));
+    if (room.bevel) m_freeSide[static_cast<std::size_t>(wheel.axisClass)] += wheel.axis;
+  }
+}
+
+WheelRooms::Room WheelRooms::roomOf(const TrainWheel& wheel, bool hasArms) const {
+  const AxialSpan span = axialSpan(wheel.spec);
+  Room room;
+  room.origin = wheel.origin;
+  room.axis = wheel.axis;
+  room.axisClass = wheel.axisClass;
+  room.low = span.low;
+  room.high = span.high;
+  room.bevel = wheel.spec.kind == GearKind::bevel;
+  const bool ring = wheel.spec.kind == GearKind::internal;
+  if (ring) room.inner = nominalTipRadius(wheel.spec);
+  room.outer = ring ? rimDiameter(wheel.spec) / 2 : nominalTipRadius(wheel.spec);
+  room.orbit = m_orbits[static_cast<std::size_t>(wheel.axisClass)];
+  room.hasArm = hasArms && !room.bevel;
+  const double arm = room.hasArm ? kArmRoom * wheel.spec.module : 0;
+  room.hull = hullOf(wheel, room.low - arm, room.high + arm, room.outer);
+  double low = room.low - arm, high = room.high + arm, outer = room.outer;
+  if (room.bevel) {  // its body as well, in which the hollow ones of flat cones may collide
+    for (const ProfileVertex& c : bevelOutline(wheel.spec)) {
+      low = std::min(low, c.height);
+      high = std::max(high, c.height);
+      outer = std::max(outer, c.radius);
+    }
+  }
+  room.middle = (low + high) / 2;
+  room.reach = std::hypot((high - low) / 2, outer);
+  return room;
+}
+
+void WheelRooms::update(int wheel) {
+  Room& known = m_rooms[static_cast<std::size_t>(wheel)];
+  known = roomOf(m_train.wheels[static_cast<std::size_t>(wheel)], known.hasArm);
+}
+
+std::vector<std::pair<int, int>> WheelRooms::nearPairs(const std::stop_token& stop) const {
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<std::pair<double, int>> starts;  // of the spheres along x, which sweeps over them
+  std::map<int, std::vector<int>> orbiting;    // by the axis that the carriers go round
+  std::size_t along = 0;
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (const Room& each : m_rooms) {
+    low = low.cwiseMin(each.centre());
+    high = high.cwiseMax(each.centre());
+  }
+  if (!m_rooms.empty()) (high - low).maxCoeff(&along);
+  for (std::size_t w = 0; w < m_rooms.size(); ++w) {
+    const Room& each = m_rooms[w];
+    starts.emplace_back(each.centre()[static_cast<Eigen::Index>(along)] - each.reach, static_cast<int>(w));
+    if (each.orbit.about >= 0) orbiting[each.orbit.about].push_back(static_cast<int>(w));
+  }
+  std::sort(starts.begin(), starts.end());
+  for (auto first = starts.begin(); first != starts.end() && !stop.stop_requested(); ++first) {
+    const Room& a = room(first->second);
+    const Vector3d centre = a.centre();
+    for (auto next = first + 1; next != starts.end() && next->first <= first->first + 2 * a.reach; ++next) {
+      const Room& b = room(next->second);
+      const double reach = a.reach + b.reach;
+      if ((b.centre() - centre).squaredNorm() <= reach * reach)
+        pairs.push_back(std::minmax(first->second, next->second));
+    }
+  }
+  for (const auto& [about, wheels] : orbiting) {
+    for (auto one = wheels.begin(); one != wheels.end() && !stop.stop_requested(); ++one) {
+      for (auto other = one + 1; other != wheels.end(); ++other) {
+        if (shareOrbit(room(*one), room(*other))) pairs.emplace_back(*one, *other);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+bool WheelRooms::mayMeet(int moving, int other) const {
+  const Room& a = room(moving);
+  const Room& b = room(other);
+  if (shareOrbit(a, b)) return true;
+  const double reach = a.reach + b.reach;
+  return acrossPart(b.centre() - a.centre(), a.axis).squaredNorm() <= reach * reach;
+}
+
+bool WheelRooms::covers(int wheel, int axisClass) const {
+  const Room& covering = room(wheel);
+  const auto c = static_cast<std::size_t>(axisClass);
+  if (covering.bevel || covering.axisClass == axisClass || !areParallel(covering.axis, m_lines[c]))
+    return false;
+  const double shaft = 2 * m_train.wheels[static_cast<std::size_t>(wheel)].spec.module;
+  const double nearest = nearestAxes(covering.orbit, m_orbits[c], covering.axis);
+  const double now = acrossPart(m_orbits[c].at - covering.orbit.at, covering.axis).norm();
+  const double touch = kSameLine * covering.outer;
+  return std::max(nearest, now) + shaft > covering.inner + touch && nearest < covering.outer + shaft - touch;
+}
+
+void WheelRooms::move(int wheel, const Vector3d& by) {
+  Room& moved = m_rooms[static_cast<std::size_t>(wheel)];
+  moved.origin += by;
+  for (Disc& disc : moved.hull) disc.centre = disc.centre + narrow(by);
+}
+
+bool WheelRooms::discsCollide(const Room& a, const Room& b) {
+  const double along = (b.origin - a.origin).dot(a.axis);
+  const double sense = a.axis.dot(b.axis);
+  const double low = sense < 0 ? -b.high : b.low;
+  const double high = sense < 0 ? -b.low : b.high;
+  // Faces and rims that touch do not collide, however rounding has it.
+  const double touch = kSameLine * std::min({a.high - a.low, b.high - b.low, a.outer, b.outer});
+  if (a.high <= low + along + touch || high + along <= a.low + touch) return false;
+  if (a.axisClass == b.axisClass) return !(b.outer <= a.inner + touch || a.outer <= b.inner + touch);
+  const double distance = nearestAxes(a.orbit, b.orbit, a.axis);
+  const double now = acrossPart(b.origin - a.origin, a.axis).norm();
+  const double far = std::max(distance, now);
+  const bool inside = far + b.outer <= a.inner + touch || far + a.outer <= b.inner + touch;
+  return !inside && distance < a.outer + b.outer - touch;
+}
+
+bool WheelRooms::hullsCollide(const Room& a, const Room& b) {
+  return !a.hull.empty() && !b.hull.empty() && areNear(a.hull, b.hull);
+}
+
+bool WheelRooms::collide(int one, int other) const {
+  const Room& a = room(one);
+  const Room& b = room(other);
+  if (a.bevel && b.bevel && a.axisClass == b.axisClass)
+    return bevelsCollide(m_train.wheels[static_cast<std::size_t>(one)],
+                         m_train.wheels[static_cast<std::size_t>(other)]);
+  const bool discs = !a.bevel && !b.bevel && areParallel(a.axis, b.axis);
+  if (discs) return discsCollide(a, b);
+  if (!hullsCollide(a, b)) return false;
+  return !a.bevel || !b.bevel ||
+         bevelsCross(m_train.wheels[static_cast<std::size_t>(one)],
+                     m_train.wheels[static_cast<std::size_t>(other)]);
+}
+
+}  // namespace geargraph

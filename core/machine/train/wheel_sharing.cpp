@@ -1,0 +1,118 @@
+#include "core/machine/train/wheel_sharing.h"
+
+#include <algorithm>
+
+namespace geargraph {
+namespace {
+
+/// In larger planes wheels share what is equal, whether all pass or not.
+constexpr std::size_t kMostAsked = 200;
+constexpr double kTip = 1;  // modules beyond the pitch circle
+constexpr double kRim = 3;  // the same of a ring's rim
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+WheelSharing::WheelSharing(const Mechanism& mechanism, const Placement& placement) {
+  for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
+    if (!placement.meshes[m]) continue;
+    const GearMesh& drawn = mechanism.gearMeshes[m];
+    const int tail = placement.meshes[m]->tail, head = placement.meshes[m]->head;
+    m_meshing.insert({tail, drawn.tailTeeth, head, drawn.headTeeth});
+    m_meshing.insert({head, drawn.headTeeth, tail, drawn.tailTeeth});
+  }
+  for (std::size_t c = 0; c < placement.classes->classes.size(); ++c)
+    m_orbits.push_back(orbitOf(static_cast<int>(c), placement));
+}
+
+WheelSharing::Round WheelSharing::roundOf(const TrainWheel& wheel) {
+  const double radius = wheel.workingRadius;
+  const double module = 2 * radius / wheel.spec.teeth;
+  const bool ring = wheel.spec.kind == GearKind::internal;
+  return {wheel.link,
+          wheel.spec.teeth,
+          wheel.axisClass,
+          ring ? radius - kTip * module : 0,
+          radius + (ring ? kRim : kTip) * module,
+          wheel.axis};
+}
+
+/// Planets of one carrier stand where they are drawn; whether they have room there is a finding of its own.
+bool WheelSharing::pass(const Round& a, const Round& b) const {
+  if (m_meshing.contains({a.link, a.teeth, b.link, b.teeth})) return true;
+  if (a.axisClass == b.axisClass) return a.outer <= b.inner || b.outer <= a.inner;
+  const WheelOrbit& one = m_orbits[at(a.axisClass)];
+  const WheelOrbit& other = m_orbits[at(b.axisClass)];
+  if (one.carrier == other.carrier) return true;
+  const double distance = nearestAxes(one, other, a.axis);
+  return distance >= a.outer + b.outer || distance + a.outer <= b.inner || distance + b.outer <= a.inner;
+}
+
+std::span<const int> WheelSharing::planeOf(std::optional<int> wheel) const {
+  if (!wheel || at(*wheel) >= m_rounds.size() || !m_rounds[at(*wheel)]) return {};
+  return m_wheels[at(m_planes[at(*wheel)])];
+}
+
+/// Do all in the plane of one pass all in that of the other, but for the two that mesh?
+bool WheelSharing::passWith(std::optional<int> tail, const TrainWheel& tailWheel, std::optional<int> head,
+                            const TrainWheel& headWheel) const {
+  const auto tails = planeOf(tail), heads = planeOf(head);
+  if (!tails.empty() && tails.data() == heads.data()) return true;
+  if (tails.size() + heads.size() > kMostAsked) return true;
+  const Round newTail = roundOf(tailWheel), newHead = roundOf(headWheel);
+  const auto passes = [&](int tailAt, int headAt) {
+    if (tailAt == tail.value_or(-1) && headAt == head.value_or(-1)) return true;
+    return pass(tailAt < 0 ? newTail : *m_rounds[at(tailAt)], headAt < 0 ? newHead : *m_rounds[at(headAt)]);
+  };
+  const int none[] = {-1};
+  const std::span<const int> all = tails.empty() ? none : tails, others = heads.empty() ? none : heads;
+  return std::all_of(all.begin(), all.end(), [&](int a) {
+    return std::all_of(others.begin(), others.end(), [&](int b) { return passes(a, b); });
+  });
+}
+
+WheelSharing::Choice WheelSharing::choose(const TrainWheel& tail, std::span<const int> tails,
+                                          const TrainWheel& head, std::span<const int> heads) const {
+  for (const int t : tails) {
+    for (const int h : heads) {
+      if (passWith(t, tail, h, head)) return {t, h};
+    }
+  }
+  for (const int t : tails) {
+    if (passWith(t, tail, {}, head)) return {t, {}};
+  }
+  for (const int h : heads) {
+    if (passWith({}, tail, h, head)) return {{}, h};
+  }
+  return {};
+}
+
+/// The wheel's plane; a new one where it has none.
+int WheelSharing::take(int wheel, const TrainWheel& as) {
+  if (m_rounds.size() <= at(wheel)) {
+    m_rounds.resize(at(wheel) + 1);
+    m_planes.resize(at(wheel) + 1, -1);
+  }
+  if (!m_rounds[at(wheel)]) {
+    m_rounds[at(wheel)] = roundOf(as);
+    m_planes[at(wheel)] = static_cast<int>(m_wheels.size());
+    m_wheels.push_back({wheel});
+  }
+  return m_planes[at(wheel)];
+}
+
+void WheelSharing::join(int tail, const TrainWheel& tailWheel, int head, const TrainWheel& headWheel) {
+  int into = take(tail, tailWheel), from = take(head, headWheel);
+  if (into == from) return;
+  if (m_wheels[at(into)].size() < m_wheels[at(from)].size()) std::swap(into, from);
+  for (const int w : m_wheels[at(from)]) {
+    m_planes[at(w)] = into;
+    m_wheels[at(into)].push_back(w);
+  }
+  m_wheels[at(from)].clear();
+}
+
+}  // namespace geargraph

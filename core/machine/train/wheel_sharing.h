@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/machine/train/wheel_rooms.h"
+
+namespace geargraph {
+
+/// Which wheels of parallel meshes lie in one plane where the document leaves that open: a link's equal
+/// wheels are one only where nothing in their common plane runs into anything else. The suns of linked sets
+/// stay two, the wheel of a planet that meshes with sun and ring is one.
+class WheelSharing {
+ public:
+  WheelSharing(const Mechanism& mechanism, const Placement& placement);
+
+  struct Choice {
+    std::optional<int> tail;  ///< none: a new wheel
+    std::optional<int> head;
+  };
+  /// The known wheels that a mesh takes instead of new ones: the first of those like the new ones that let
+  /// all in their plane pass. Cost: O(wheels of both planes) squared, for planes of not too many.
+  [[nodiscard]] Choice choose(const TrainWheel& tail, std::span<const int> tails, const TrainWheel& head,
+                              std::span<const int> heads) const;
+  /// A mesh has these wheels of the train, by position; their planes become one.
+  void join(int tail, const TrainWheel& tailWheel, int head, const TrainWheel& headWheel);
+
+ private:
+  /// A wheel in its plane.
+  struct Round {
+    int link = 0;
+    int teeth = 0;
+    int axisClass = 0;
+    double inner = 0, outer = 0;
+    Eigen::Vector3d axis;
+  };
+
+  [[nodiscard]] static Round roundOf(const TrainWheel& wheel);
+  [[nodiscard]] bool pass(const Round& a, const Round& b) const;
+  [[nodiscard]] bool passWith(std::optional<int> tail, const TrainWheel& tailWheel, std::optional<int> head,
+                              const TrainWheel& headWheel) const;
+  [[nodiscard]] std::span<const int> planeOf(std::optional<int> wheel) const;
+  int take(int wheel, const TrainWheel& as);
+
+  std::set<std::array<int, 4>> m_meshing;      ///< link and teeth of one wheel, of the other
+  std::vector<WheelOrbit> m_orbits;            ///< by axis class
+  std::vector<std::optional<Round>> m_rounds;  ///< by wheel; none: in no plane yet
+  std::vector<int> m_planes;                   ///< by wheel
+  std::vector<std::vector<int>> m_wheels;      ///< by plane
+};
+
+}  // namespace geargraph

@@ -1,0 +1,215 @@
+#include "core/mechanism/document_format/json_object.h"
+
+#include <algorithm>
+
+#include "core/foundations/files/utf8.h"
+
+namespace geargraph {
+namespace {
+
+constexpr std::size_t kLongestQuote = 40;
+
+/// What stands in the file, for a sentence: the number 1.5, the string "abc", a list of 3 elements.
+std::string described(JsonValue value) {
+  std::string slice(value.slice().substr(0, kLongestQuote));
+  if (slice.size() < value.slice().size()) {
+    while (!slice.empty() && (static_cast<unsigned char>(slice.back()) & 0xC0U) == 0x80U) slice.pop_back();
+    if (!slice.empty() && static_cast<unsigned char>(slice.back()) >= 0x80U) slice.pop_back();
+    slice += "...";
+  }
+  switch (value.kind()) {
+    case JsonKind::null:
+    case JsonKind::boolean:
+      return slice;
+    case JsonKind::number:
+      return "the number " + slice;
+    case JsonKind::string:
+      return "the string " + slice;
+    case JsonKind::array:
+      return "a list of " + std::to_string(value.size()) + " elements";
+    case JsonKind::object:
+      return "an object";
+  }
+  return slice;
+}
+
+bool isWholeNumber(std::string_view number) {
+  return number.find_first_of(".eE") == std::string_view::npos;
+}
+
+constexpr std::string_view kId = "an id: a string of 1 to 1,000 characters or a whole number";
+constexpr std::string_view kNumber = "a number, or a fraction as a string like \"22/7\"";
+
+}  // namespace
+
+JsonObject::JsonObject(JsonFindings& findings, JsonValue value, std::string pointer)
+    : m_findings(findings),
+      m_value(value),
+      m_pointer(std::move(pointer)),
+      m_isObject(value.is(JsonKind::object)) {
+  if (!m_isObject) wrongAt(m_pointer, value, "an object");
+}
+
+void JsonObject::wrongAt(const std::string& pointer, JsonValue found, std::string_view expected) {
+  if (m_findings.covers(pointer)) return;
+  m_findings.add(Code::schema, "expected " + std::string(expected) + ", found " + described(found) + ".",
+                 m_blamed, pointer, found);
+}
+
+void JsonObject::wrong(std::string_view name, JsonValue found, std::string_view expected) {
+  wrongAt(pointerTo(name), found, expected);
+}
+
+std::optional<JsonValue> JsonObject::member(std::string_view name) {
+  m_known.push_back(name);
+  return m_isObject ? m_value.member(name) : std::nullopt;
+}
+
+std::optional<JsonValue> JsonObject::required(std::string_view name, std::string_view expected) {
+  auto value = member(name);
+  if (!value && m_isObject) {
+    m_findings.add(
+        Code::schema,
+        "the member \"" + std::string(name) + "\" is missing; expected " + std::string(expected) + ".",
+        m_blamed, pointerTo(name), m_value);
+  }
+  return value;
+}
+
+std::optional<Atom> JsonObject::idOf(JsonValue value, const std::string& pointer) {
+  if (value.is(JsonKind::string)) {
+    const std::string text = value.string();
+    if (!text.empty() && utf8Count(text) <= kLongestName) return Atom(text);
+  } else if (value.is(JsonKind::number) && isWholeNumber(value.slice()) &&
+             value.slice().size() <= kLongestName) {
+    return Atom(value.slice() == "-0" ? "0" : value.slice());
+  }
+  wrongAt(pointer, value, kId);
+  return std::nullopt;
+}
+
+Atom JsonObject::requiredId(std::string_view name) {
+  const auto value = required(name, kId);
+  return value ? idOf(*value, pointerTo(name)).value_or(Atom()) : Atom();
+}
+
+std::optional<Atom> JsonObject::id(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  return idOf(*value, pointerTo(name)).value_or(Atom());
+}
+
+std::optional<std::vector<Atom>> JsonObject::ids(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  std::vector<Atom> result;
+  if (!value->is(JsonKind::array)) {
+    wrong(name, *value, "a list of ids");
+  } else if (!m_findings.covers(pointerTo(name))) {
+    value->forEachElement([&](JsonValue element, std::size_t position) {
+      result.push_back(idOf(element, pointerTo(name) + pointerStep(position)).value_or(Atom()));
+    });
+  }
+  return result;
+}
+
+std::optional<std::string> JsonObject::text(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (value->is(JsonKind::string)) return value->string();
+  wrong(name, *value, "a string");
+  return std::nullopt;
+}
+
+std::optional<std::string> JsonObject::shortText(std::string_view name) {
+  auto result = text(name);
+  if (!result || utf8Count(*result) <= kLongestName) return result;
+  m_findings.add(Code::schema,
+                 "expected at most 1,000 characters, found " + std::to_string(utf8Count(*result)) + ".",
+                 m_blamed, pointerTo(name), *m_value.member(name));
+  return std::nullopt;
+}
+
+std::optional<Number> JsonObject::numberOf(JsonValue value, const std::string& pointer) {
+  std::optional<Number> number;
+  if (value.is(JsonKind::number)) number = Number::fromText(value.slice());
+  if (value.is(JsonKind::string)) number = Number::fromText(value.string());
+  if (!number) wrongAt(pointer, value, kNumber);
+  return number;
+}
+
+std::optional<Number> JsonObject::number(std::string_view name) {
+  const auto value = member(name);
+  return value ? numberOf(*value, pointerTo(name)) : std::nullopt;
+}
+
+std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (!value->is(JsonKind::array) || value->size() != 3) {
+    wrong(name, *value, "a list of three numbers");
+    return std::nullopt;
+  }
+  NumberTriple result;
+  bool complete = true;
+  value->forEachElement([&](JsonValue element, std::size_t position) {
+    const auto number = numberOf(element, pointerTo(name) + pointerStep(position));
+    if (number) result.at(position) = *number;
+    complete = complete && number.has_value();
+  });
+  if (!complete) return std::nullopt;
+  return result;
+}
+
+std::optional<bool> JsonObject::flag(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (value->is(JsonKind::boolean)) return value->slice() == "true";
+  wrong(name, *value, "true or false");
+  return std::nullopt;
+}
+
+std::optional<JsonObject::Ends> JsonObject::ends(std::string_view name) {
+  const auto value = member(name);
+  if (!value) return std::nullopt;
+  if (!value->is(JsonKind::array) || value->size() != 2) {
+    wrong(name, *value, "a list of two, each a number or null");
+    return std::nullopt;
+  }
+  Ends result;
+  value->forEachElement([&](JsonValue element, std::size_t position) {
+    if (element.is(JsonKind::null)) return;
+    result.at(position) = numberOf(element, pointerTo(name) + pointerStep(position));
+  });
+  return result;
+}
+
+int JsonObject::requiredWhole(std::string_view name, int lowest, int highest) {
+  const std::string expected =
+      lowest == highest ? "the whole number " + std::to_string(lowest)
+                        : "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+  const auto value = required(name, expected);
+  if (!value) return lowest;
+  if (value->is(JsonKind::number)) {
+    const auto exact = Rational::fromText(value->slice());
+    if (exact && exact->isInteger() && *exact >= lowest && *exact <= highest) {
+      return static_cast<int>(exact->toDouble());
+    }
+  }
+  wrong(name, *value, expected);
+  return lowest;
+}
+
+UnknownMembers JsonObject::unknown() const {
+  UnknownMembers result;
+  if (!m_isObject) return result;
+  m_value.forEachMember([&](JsonValue key, JsonValue value) {
+    std::string name = key.string();
+    if (std::find(m_known.begin(), m_known.end(), name) == m_known.end()) {
+      result.emplace_back(std::move(name), value.compact());
+    }
+  });
+  return result;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/foundations/files/json.h"
+#include "core/mechanism/document_format/json_checks.h"
+#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph {
+
+/// Reads the members of one object of the file. A member of the wrong type makes a finding that says what was
+/// expected and what was found, and reads as its default, so that all problems of a file are found in one go.
+/// What nobody asked for is unknown().
+class JsonObject {
+ public:
+  /// Makes a finding where the value is no object; then every member reads as absent, without a finding.
+  JsonObject(JsonFindings& findings, JsonValue value, std::string pointer);
+
+  /// From here on, findings blame this element.
+  void blame(const ElementId& element) { m_blamed = {element}; }
+  [[nodiscard]] const std::string& pointer() const { return m_pointer; }
+
+  [[nodiscard]] std::optional<JsonValue> member(std::string_view name);
+  /// As member(), with a finding where it is missing.
+  [[nodiscard]] std::optional<JsonValue> required(std::string_view name, std::string_view expected);
+
+  /// An id, or a reference to one: a string, or a whole number that is read as its decimal digits. Empty
+  /// where there is none.
+  [[nodiscard]] Atom requiredId(std::string_view name);
+  [[nodiscard]] std::optional<Atom> id(std::string_view name);
+  [[nodiscard]] std::optional<std::vector<Atom>> ids(std::string_view name);
+  [[nodiscard]] std::optional<std::string> text(std::string_view name);
+  /// A text of at most kLongestName characters.
+  [[nodiscard]] std::optional<std::string> shortText(std::string_view name);
+  [[nodiscard]] std::optional<Number> number(std::string_view name);
+  [[nodiscard]] std::optional<NumberTriple> triple(std::string_view name);
+  [[nodiscard]] std::optional<bool> flag(std::string_view name);
+  /// The ends of a range: a list of two, each a number or null.
+  using Ends = std::array<std::optional<Number>, 2>;
+  [[nodiscard]] std::optional<Ends> ends(std::string_view name);
+  /// A whole number of the range, required; `lowest` where there is none.
+  [[nodiscard]] int requiredWhole(std::string_view name, int lowest, int highest);
+
+  /// Adds a finding at a member of this object.
+  void wrong(std::string_view name, JsonValue found, std::string_view expected);
+  /// The members that were not asked for, in the order of the file.
+  [[nodiscard]] UnknownMembers unknown() const;
+
+ private:
+  [[nodiscard]] std::optional<Atom> idOf(JsonValue value, const std::string& pointer);
+  [[nodiscard]] std::optional<Number> numberOf(JsonValue value, const std::string& pointer);
+  void wrongAt(const std::string& pointer, JsonValue found, std::string_view expected);
+  [[nodiscard]] std::string pointerTo(std::string_view name) const { return m_pointer + pointerStep(name); }
+
+  JsonFindings& m_findings;
+  JsonValue m_value;
+  std::string m_pointer;
+  std::vector<ElementId> m_blamed;
+  std::vector<std::string_view> m_known;  // names are literals of the caller
+  bool m_isObject;
+};
+
+}  // namespace geargraph

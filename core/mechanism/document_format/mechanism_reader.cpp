@@ -1,0 +1,318 @@
+#include <algorithm>
+#include <set>
+
+#include "core/mechanism/document_format/json_object.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/document_format/view_reader.h"
+#include "core/mechanism/model/validate.h"
+
+namespace geargraph {
+namespace {
+
+/// Finds values by their JSON pointer; the elements of top-level lists in constant time.
+class Places {
+ public:
+  explicit Places(JsonValue root) {
+    root.forEachMember([&](JsonValue key, JsonValue value) {
+      Member& member = m_members.try_emplace(key.string(), Member{value, {}}).first->second;
+      if (value.is(JsonKind::array)) {
+        value.forEachElement([&](JsonValue element, std::size_t) { member.elements.push_back(element); });
+      }
+    });
+  }
+
+  /// The value at a pointer of the form /list/position/member/..., or the nearest one around it.
+  [[nodiscard]] JsonValue at(std::string_view pointer, JsonValue root) const {
+    JsonValue value = root;
+    const auto member = m_members.find(nextStep(pointer));
+    if (member == m_members.end()) return value;
+    value = member->second.value;
+    for (bool first = true; !pointer.empty(); first = false) {
+      const std::string step = nextStep(pointer);
+      std::optional<JsonValue> inner;
+      if (value.is(JsonKind::object)) inner = value.member(step);
+      if (value.is(JsonKind::array)) {
+        const std::size_t position = std::stoul(step);
+        inner = first && position < member->second.elements.size() ? member->second.elements[position]
+                                                                   : value.element(position);
+      }
+      if (!inner) return value;
+      value = *inner;
+    }
+    return value;
+  }
+
+ private:
+  struct Member {
+    JsonValue value;
+    std::vector<JsonValue> elements;
+  };
+
+  static std::string nextStep(std::string_view& pointer) {
+    const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+    std::string step(pointer.substr(1, end - 1));
+    pointer.remove_prefix(end);
+    return step;
+  }
+
+  std::map<std::string, Member, std::less<>> m_members;
+};
+
+/// Reads the members of a document whose JSON is sound.
+class MechanismReader {
+ public:
+  explicit MechanismReader(const JsonDocument& document)
+      : m_document(document), m_root(document.root()), m_findings(document) {}
+
+  Expected<Mechanism> run() {
+    if (!readHeader()) return m_findings.inOrder();
+    checkJson(m_document, m_findings);
+    JsonObject root(m_findings, m_root, "");
+    readRoot(root);
+    m_mechanism.unknown = root.unknown();
+    addSemanticFindings();
+    if (!m_findings.empty()) return m_findings.inOrder();
+    return std::move(m_mechanism);
+  }
+
+ private:
+  bool readHeader() {
+    if (!m_root.is(JsonKind::object)) return notThisFormat(m_root);
+    const auto format = m_root.member("format");
+    if (!format) return notThisFormat(m_root);
+    if (!format->is(JsonKind::string) || !format->equals("geargraph")) return notThisFormat(*format);
+    const auto version = m_root.member("version");
+    if (!version || !version->is(JsonKind::number)) return true;  // readRoot() says what is wrong
+    const auto number = Rational::fromText(version->slice());
+    if (!number || !number->isInteger() || *number <= kFileVersion) return true;
+    m_findings.add(Code::version,
+                   "The file has version " + std::string(version->slice()) +
+                       ", but this program reads version " + std::to_string(kFileVersion) +
+                       ": open it with a newer GearGraph.",
+                   {}, "/version", *version);
+    return false;
+  }
+
+  bool notThisFormat(JsonValue at) {
+    m_findings.add(Code::format,
+                   "This is no GearGraph document: the member \"format\" has to be \"geargraph\".", {},
+                   "/format", at);
+    return false;
+  }
+
+  void readRoot(JsonObject& root) {
+    (void)root.member("format");
+    (void)root.requiredWhole("version", 1, kFileVersion);
+    m_mechanism.name = root.shortText("name").value_or("");
+    m_mechanism.notes = root.text("notes").value_or("");
+    m_mechanism.unit = root.shortText("unit").value_or(m_mechanism.unit);
+    readStructure(root);
+    readGears(root);
+    readInputs(root);
+    readShifting(root);
+    if (const auto view = root.member("view")) m_mechanism.view = readView(m_findings, *view);
+  }
+
+  void readStructure(JsonObject& root) {
+    readList(root.required("links", "a list of links, the ground first"), ElementKind::link,
+             m_mechanism.links, [this](JsonObject& from, Link& link) { readLink(from, link); });
+    const auto joints = m_mechanism.links.size() > 1
+                            ? root.required("turningJoints", "a list of turning joints that tie the links")
+                            : root.member("turningJoints");
+    readList(joints, ElementKind::turningJoint, m_mechanism.turningJoints,
+             [](JsonObject& from, TurningJoint& joint) {
+               joint.tail = LinkId(from.requiredId("tail"));
+               joint.head = LinkId(from.requiredId("head"));
+               joint.axis = AxisId(from.requiredId("axis"));
+               joint.offset = from.number("offset").value_or(Number());
+               if (const auto ends = from.ends("limits")) joint.limits = {(*ends)[0], (*ends)[1]};
+             });
+    const auto axes = m_mechanism.turningJoints.empty()
+                          ? root.member("axes")
+                          : root.required("axes", "a list of the axes that the turning joints name");
+    readList(axes, ElementKind::axis, m_mechanism.axes, [](JsonObject& from, Axis& axis) {
+      axis.point = from.triple("point");
+      axis.direction = from.triple("direction");
+      axis.pinned = from.flag("pinned").value_or(false);
+    });
+  }
+
+  void readLink(JsonObject& from, Link& link) {
+    link.name = from.shortText("name").value_or("");
+    link.pinned = from.flag("pinned").value_or(false);
+    const auto shapes = from.member("shapes");
+    const std::string pointer = from.pointer() + "/shapes";
+    if (!shapes || m_findings.covers(pointer)) return;
+    if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, "a list of 3D files");
+    link.shapes = readShapes(m_findings, *shapes, pointer, link.id);
+  }
+
+  void readGears(JsonObject& root) {
+    readList(root.member("gearMeshes"), ElementKind::gearMesh, m_mechanism.gearMeshes,
+             [](JsonObject& from, GearMesh& mesh) {
+               mesh.tail = LinkId(from.requiredId("tail"));
+               mesh.head = LinkId(from.requiredId("head"));
+               mesh.tailTeeth = from.requiredWhole("tailTeeth", kFewestTeeth, kMostTeeth);
+               mesh.headTeeth = from.requiredWhole("headTeeth", kFewestTeeth, kMostTeeth);
+               mesh.pitchPoint = from.triple("pitchPoint");
+               mesh.kind = kindOf(from);
+               mesh.faceWidth = from.number("faceWidth");
+               if (const auto wheel = from.id("tailWheel")) mesh.tailWheel = WheelId(*wheel);
+               if (const auto wheel = from.id("headWheel")) mesh.headWheel = WheelId(*wheel);
+               mesh.pinned = from.flag("pinned").value_or(false);
+             });
+    readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels,
+             [](JsonObject& from, Wheel& wheel) {
+               wheel.link = LinkId(from.requiredId("link"));
+               wheel.profileShift = from.number("profileShift");
+               wheel.bore = from.number("bore");
+               wheel.backlash = from.number("backlash");
+             });
+    if (const auto value = root.member("gearDefaults")) {
+      JsonObject from(m_findings, *value, "/gearDefaults");
+      GearDefaults& defaults = m_mechanism.gearDefaults.emplace();
+      defaults.pressureAngle = from.number("pressureAngle");
+      defaults.backlash = from.number("backlash");
+      defaults.faceWidth = from.number("faceWidth");
+      defaults.unknown = from.unknown();
+    }
+  }
+
+  static std::optional<MeshKind> kindOf(JsonObject& from) {
+    const auto value = from.member("kind");
+    if (!value) return std::nullopt;
+    for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
+      if (value->is(JsonKind::string) && value->equals(meshKindName(kind))) return kind;
+    }
+    from.wrong("kind", *value, "\"external\", \"internal\" or \"bevel\"");
+    return std::nullopt;
+  }
+
+  void readInputs(JsonObject& root) {
+    const auto value = root.member("inputs");
+    if (!value) return;
+    std::vector<Input>& inputs = m_mechanism.inputs.emplace();
+    forEachObject(*value, "/inputs", [&](JsonObject& from) {
+      Input& input = inputs.emplace_back();
+      input.joint = JointId(from.requiredId("joint"));
+      if (!input.joint.empty()) from.blame(input.joint);
+      (void)from.required("speed", "a speed in rad/s");
+      input.speed = from.number("speed").value_or(Number());
+      input.unknown = from.unknown();
+    });
+  }
+
+  void readShifting(JsonObject& root) {
+    readList(root.member("couplings"), ElementKind::coupling, m_mechanism.couplings,
+             [this](JsonObject& from, Coupling& coupling) { readCoupling(from, coupling); });
+    const auto states = root.member("states");
+    if (!states) return;
+    forEachObject(*states, "/states", [&](JsonObject& from) {
+      ShiftState& state = m_mechanism.states.emplace_back();
+      (void)from.required("name", "the name of the state");
+      state.name = from.shortText("name").value_or("");
+      (void)from.required("engaged", "a list of ids of couplings");
+      for (const Atom id : from.ids("engaged").value_or(std::vector<Atom>{})) state.engaged.emplace_back(id);
+      if (const auto link = from.id("drive")) state.drive = LinkId(*link);
+      if (const auto link = from.id("driven")) state.driven = LinkId(*link);
+      state.unknown = from.unknown();
+    });
+  }
+
+  void readCoupling(JsonObject& from, Coupling& coupling) {
+    const auto kind = from.required("kind", "\"brake\" or \"clutch\"");
+    const auto is = [&](std::string_view name) {
+      return kind && kind->is(JsonKind::string) && kind->equals(name);
+    };
+    if (is("brake")) {
+      coupling.kind = CouplingKind::brake;
+      coupling.links = {LinkId(from.requiredId("link"))};
+    } else if (is("clutch")) {
+      coupling.kind = CouplingKind::clutch;
+      (void)from.required("links", "a list of two ids of links");
+      for (const Atom id : from.ids("links").value_or(std::vector<Atom>{})) coupling.links.emplace_back(id);
+    } else {
+      if (kind) from.wrong("kind", *kind, "\"brake\" or \"clutch\"");
+      if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more findings
+    }
+  }
+
+  /// Calls read(object) for each element of a list; a value that is no list is a finding.
+  template <class Read>
+  bool forEachObject(JsonValue list, const std::string& pointer, Read read) {
+    if (m_findings.covers(pointer)) return false;  // too long: said already
+    if (!list.is(JsonKind::array)) {
+      m_findings.add(Code::schema, "expected a list.", {}, pointer, list);
+      return false;
+    }
+    list.forEachElement([&](JsonValue value, std::size_t position) {
+      JsonObject object(m_findings, value, pointer + pointerStep(position));
+      read(object);
+    });
+    return true;
+  }
+
+  /// Reads a list of elements with ids. Each element of the file gives one here, however broken, so that
+  /// positions in findings stay those of the file.
+  template <class Element, class Read>
+  void readList(std::optional<JsonValue> list, ElementKind kind, std::vector<Element>& elements, Read read) {
+    const std::string pointer = pointerStep(listName(kind));
+    if (!list) {
+      if (m_findings.covers(pointer)) m_unread.insert(kind);
+      return;
+    }
+    const bool isRead = forEachObject(*list, pointer, [&](JsonObject& from) {
+      Element element;
+      const Atom id = from.requiredId("id");
+      if (id.empty()) {
+        m_unread.insert(kind);
+      } else {
+        element.id = decltype(element.id)(id);
+        from.blame(element.id);
+      }
+      read(from, element);
+      element.unknown = from.unknown();
+      elements.push_back(std::move(element));
+    });
+    if (!isRead) m_unread.insert(kind);
+  }
+
+  /// What is wrong with the elements together, without what only follows from a finding there is already.
+  void addSemanticFindings() {
+    const Diagnostics found = wellFormedDiagnostics(m_mechanism);
+    if (found.empty()) return;
+    const Places places(m_root);
+    for (const Diagnostic& diagnostic : found) {
+      if (m_findings.covers(diagnostic.pointer)) continue;
+      const bool toUnread = diagnostic.code == Code::unknownId && !diagnostic.elements.empty() &&
+                            m_unread.contains(diagnostic.elements.back().kind);
+      if (toUnread) continue;
+      m_findings.add(diagnostic.code, diagnostic.message, diagnostic.elements, diagnostic.pointer,
+                     places.at(diagnostic.pointer, m_root));
+    }
+  }
+
+  const JsonDocument& m_document;
+  JsonValue m_root;
+  JsonFindings m_findings;
+  Mechanism m_mechanism;
+  std::set<ElementKind> m_unread;  ///< lists with an id that could not be read
+};
+
+}  // namespace
+
+Expected<Mechanism> readMechanism(std::string_view bytes) {
+  if (bytes.size() > kLargestFile) {
+    return Diagnostic{Code::schema,
+                      "The file has " + std::to_string(bytes.size()) + " bytes; at most 64 MiB are read.",
+                      {},
+                      {},
+                      0,
+                      0};
+  }
+  const auto document = JsonDocument::parse(bytes);
+  if (!document) return document.error();
+  return MechanismReader(*document).run();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,121 @@
+#include "core/mechanism/document_format/view_reader.h"
+
+#include <array>
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+using Nodes = std::map<LinkId, SheetPoint>;
+
+LinkShape readShape(JsonObject& from) {
+  LinkShape shape;
+  (void)from.required("file", "a path that stays in the folder of this document");
+  shape.file = from.shortText("file").value_or("");
+  shape.position = from.triple("position");
+  shape.orientation = from.triple("orientation");
+  shape.scale = from.number("scale");
+  shape.unknown = from.unknown();
+  return shape;
+}
+
+std::optional<double> finite(JsonValue value) {
+  const auto number = value.is(JsonKind::number) ? Number::fromText(value.slice()) : std::nullopt;
+  if (!number || !std::isfinite(number->value())) return std::nullopt;
+  return number->value();
+}
+
+/// The coordinates of a list of `N` finite numbers.
+template <std::size_t N>
+std::optional<std::array<double, N>> coordinatesOf(JsonValue value) {
+  if (!value.is(JsonKind::array) || value.size() != N) return std::nullopt;
+  std::array<double, N> coordinates{};
+  bool complete = true;
+  value.forEachElement([&](JsonValue element, std::size_t i) {
+    const auto number = finite(element);
+    complete = complete && number.has_value();
+    coordinates[i] = number.value_or(0);
+  });
+  return complete ? std::optional(coordinates) : std::nullopt;
+}
+
+class ViewReader {
+ public:
+  ViewReader(JsonFindings& findings, JsonValue value)
+      : m_findings(findings), m_from(findings, value, "/view") {}
+
+  View run() {
+    View view;
+    view.nodes = nodes("nodes");
+    view.ttNodes = nodes("ttNodes");
+    if (const auto value = m_from.member("camera")) view.camera = camera(*value);
+    view.unknown = m_from.unknown();
+    return view;
+  }
+
+ private:
+  Nodes nodes(std::string_view name) {
+    Nodes found;
+    const auto value = m_from.member(name);
+    if (!value) return found;
+    if (!value->is(JsonKind::object)) {
+      m_from.wrong(name, *value, "an object of points by the id of their link");
+      return found;
+    }
+    value->forEachMember([&](JsonValue key, JsonValue point) {
+      if (const auto at = coordinatesOf<2>(point)) {
+        found[LinkId(key.string())] = {(*at)[0], (*at)[1]};
+        return;
+      }
+      const std::string pointer = "/view" + pointerStep(name) + pointerStep(key.string());
+      if (m_findings.covers(pointer)) return;
+      m_findings.add(Code::schema,
+                     "expected the point of a node: a list of two numbers, x to the right and y down.", {},
+                     pointer, point);
+    });
+    return found;
+  }
+
+  ViewCamera camera(JsonValue value) {
+    JsonObject from(m_findings, value, "/view/camera");
+    ViewCamera camera;
+    if (const auto target = from.required("target", "the point that the camera looks at")) {
+      const auto point = coordinatesOf<3>(*target);
+      if (!point) from.wrong("target", *target, "a list of three numbers");
+      camera.target = point.value_or(camera.target);
+    }
+    const auto number = [&from](std::string_view name, std::string_view expected) {
+      const auto member = from.required(name, expected);
+      const auto read = member ? finite(*member) : std::nullopt;
+      if (member && !read) from.wrong(name, *member, expected);
+      return read;
+    };
+    camera.azimuth = number("azimuth", "an angle in degrees").value_or(camera.azimuth);
+    camera.elevation = number("elevation", "an angle in degrees").value_or(camera.elevation);
+    camera.distance = number("distance", "a number above 0").value_or(camera.distance);
+    camera.unknown = from.unknown();
+    return camera;
+  }
+
+  JsonFindings& m_findings;
+  JsonObject m_from;
+};
+
+}  // namespace
+
+std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list, const std::string& pointer,
+                                  LinkId link) {
+  std::vector<LinkShape> shapes;
+  list.forEachElement([&](JsonValue value, std::size_t position) {
+    JsonObject from(findings, value, pointer + pointerStep(position));
+    from.blame(link);
+    shapes.push_back(readShape(from));
+  });
+  return shapes;
+}
+
+View readView(JsonFindings& findings, JsonValue value) {
+  return ViewReader(findings, value).run();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mechanism/document_format/json_object.h"
+
+namespace geargraph {
+
+/// The 3D files attached to a link, from its member `shapes`; findings name the link.
+[[nodiscard]] std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list,
+                                                const std::string& pointer, LinkId link);
+
+/// What the editor remembers of its drawings, from the member `view` of the document.
+[[nodiscard]] View readView(JsonFindings& findings, JsonValue value);
+
+}  // namespace geargraph

@@ -1,0 +1,183 @@
+#include "core/mechanism/fitting/axis_drag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/foundations/base/contract.h"
+#include "core/mechanism/fitting/axis_fit.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/fitting/fitting_guards.h"
+#include "core/mechanism/fitting/module_pairs.h"
+#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/pins.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+/// Pairs of axes whose wheels are those of one, step by step: their modules are one.
+std::set<AxisPair> pairsOfOneModule(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+  std::set<AxisPair> pairs;
+  for (const int mesh : meshesOfOneModule(mechanism, placement, [&](int each) {
+         const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(each)];
+         return geometry.kind != MeshKind::bevel &&
+                (geometry.tailClass == axisClass || geometry.headClass == axisClass);
+       })) {
+    pairs.insert(axisPairOf(*placement.meshes[static_cast<std::size_t>(mesh)]));
+  }
+  return pairs;
+}
+
+struct MovedAxis {
+  int axisClass = -1;
+  int neighbour = -1;  ///< the class that it meshes with, nearest the ground
+};
+
+MovedAxis movedAxis(const Mechanism& mechanism, const Placement& placement, AxisId axis) {
+  MovedAxis moved;
+  const auto& classes = placement.classes->classes;
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    if (mechanism.axes[static_cast<std::size_t>(classes[c].axis)].id == axis)
+      moved.axisClass = static_cast<int>(c);
+  }
+  for (const auto& mesh : placement.meshes) {
+    if (mesh->kind == MeshKind::bevel) continue;
+    if (mesh->tailClass != moved.axisClass && mesh->headClass != moved.axisClass) continue;
+    const int other = mesh->tailClass == moved.axisClass ? mesh->headClass : mesh->tailClass;
+    const auto depth = [&](int c) { return classes[static_cast<std::size_t>(c)].depth; };
+    if (moved.neighbour < 0 || depth(other) < depth(moved.neighbour)) moved.neighbour = other;
+  }
+  return moved;
+}
+
+double distanceFrom(const Placement& placement, int axisClass, const Vector3& point) {
+  const AxisLine& line = placement.lineOfClass(axisClass);
+  return length(cross(line.direction, point - line.point));
+}
+
+Vector3 valuesOf(const NumberTriple& triple) {
+  return {triple[0].value(), triple[1].value(), triple[2].value()};
+}
+
+/// A mesh whose distance is that between the moved axis and its neighbour.
+bool isBetween(const MeshGeometry& geometry, const MovedAxis& moved) {
+  return geometry.kind != MeshKind::bevel &&
+         axisPairOf(geometry) ==
+             AxisPair(std::min(moved.axisClass, moved.neighbour), std::max(moved.axisClass, moved.neighbour));
+}
+
+/// Teeth whose sum or difference makes the centre distance.
+int reachOf(MeshKind kind, const GearMesh& mesh) {
+  return kind == MeshKind::internal ? std::abs(mesh.tailTeeth - mesh.headTeeth)
+                                    : mesh.tailTeeth + mesh.headTeeth;
+}
+
+}  // namespace
+
+Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const NumberTriple& point) {
+  const Axis* found = mechanism.find(axis);
+  auto plain = withAxisPlaced(mechanism, axis, point, found == nullptr ? std::nullopt : found->direction);
+  if (!plain) return plain;
+  if (isPinned(*found)) return pinRefusal(*found);
+  const Placement placement = placementOf(mechanism);
+  if (!canBeFitted(placement)) return plain;
+  const MovedAxis moved = movedAxis(mechanism, placement, axis);
+  if (moved.neighbour < 0) return unlessBroken(mechanism, placement, std::move(plain));
+  const double was = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
+  const double now = distanceFrom(placement, moved.neighbour, valuesOf(point));
+  if (now < 1e-9 * was) {
+    return Diagnostic{Code::pitchPointOnAxis,
+                      "The axis would coincide with the one that its wheels mesh with.",
+                      {axis},
+                      {},
+                      0,
+                      0};
+  }
+  std::map<AxisPair, Rational> scales;
+  const Rational factor = Rational::fromDouble(now / was);
+  for (const AxisPair& pair : pairsOfOneModule(mechanism, placement, moved.axisClass)) scales[pair] = factor;
+  const std::map<int, ExactVector3> pinned{
+      {moved.axisClass, {point[0].exact(), point[1].exact(), point[2].exact()}},
+      {moved.neighbour, exactLineOfClass(mechanism, placement, moved.neighbour).point}};
+  Mechanism edited = mechanism;
+  const auto stated =
+      std::find_if(edited.axes.begin(), edited.axes.end(), [&](const Axis& a) { return a.id == axis; });
+  if (!stated->point) {
+    stated->point = numbersOf(exactLineOfClass(mechanism, placement, moved.axisClass).point);
+  }
+  return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales, pinned));
+}
+
+std::optional<AxisReach> axisReach(const Mechanism& mechanism, AxisId axis) {
+  const Placement placement = placementOf(mechanism);
+  if (mechanism.find(axis) == nullptr || !canBeFitted(placement)) return std::nullopt;
+  const MovedAxis moved = movedAxis(mechanism, placement, axis);
+  if (moved.neighbour < 0) return std::nullopt;
+  AxisReach reach;
+  reach.from = axisOfClass(mechanism, placement, moved.neighbour).id;
+  reach.distance = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
+  for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
+    if (!isBetween(*placement.meshes[m], moved)) continue;
+    reach.module = 2 * reach.distance / reachOf(placement.meshes[m]->kind, mechanism.gearMeshes[m]);
+    break;
+  }
+  return reach;
+}
+
+Expected<Mechanism> withAxisReach(Mechanism mechanism, AxisId axis, const Rational& factor) {
+  const Placement placement = placementOf(mechanism);
+  const MovedAxis moved = movedAxis(mechanism, placement, axis);
+  GEARGRAPH_REQUIRE(moved.neighbour >= 0 && factor > 0);
+  const ExactLine from = exactLineOfClass(mechanism, placement, moved.neighbour);
+  const ExactLine line = exactLineOfClass(mechanism, placement, moved.axisClass);
+  const ExactVector3 between = line.point - from.point;
+  const Rational along = dot(between, from.direction) / dot(from.direction, from.direction);
+  const ExactVector3 place = line.point + (factor - Rational(1)) * (between - along * from.direction);
+  return withAxisMoved(std::move(mechanism), axis, numbersOf(place));
+}
+
+std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, double distance,
+                                  std::size_t most) {
+  std::vector<TeethOffer> offers;
+  const Placement placement = placementOf(mechanism);
+  if (mechanism.find(axis) == nullptr || !canBeFitted(placement)) return offers;
+  const MovedAxis moved = movedAxis(mechanism, placement, axis);
+  if (moved.neighbour < 0) return offers;
+  const double was = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
+  for (std::size_t m = 0; m < placement.meshes.size(); ++m) {
+    const MeshGeometry& geometry = *placement.meshes[m];
+    if (!isBetween(geometry, moved)) continue;
+    const GearMesh& mesh = mechanism.gearMeshes[m];
+    const double perTooth = was / reachOf(geometry.kind, mesh);
+    const bool tailMoves = geometry.tailClass == moved.axisClass;
+    const int kept = tailMoves ? mesh.headTeeth : mesh.tailTeeth;
+    const bool isRing = (tailMoves ? mesh.tailTeeth : mesh.headTeeth) > kept;
+    const int reach = static_cast<int>(std::lround(distance / perTooth));
+    for (int other = std::max(reach - 2, 1); other <= reach + 2; ++other) {
+      const int teeth = geometry.kind != MeshKind::internal ? other - kept
+                        : isRing                            ? kept + other
+                                                            : kept - other;
+      if (teeth < kFewestTeeth || teeth > kMostTeeth) continue;
+      offers.push_back({mesh.id, tailMoves ? teeth : kept, tailMoves ? kept : teeth, perTooth * other});
+    }
+  }
+  std::stable_sort(offers.begin(), offers.end(), [distance](const TeethOffer& a, const TeethOffer& b) {
+    return std::abs(a.distance - distance) < std::abs(b.distance - distance);
+  });
+  std::vector<TeethOffer> fitting;
+  for (const TeethOffer& offer : offers) {
+    if (fitting.size() == most) break;
+    // The other meshes have a say, too: with another one as the base the distance may be another.
+    const auto taken = withTeethFitted(mechanism, offer.mesh, offer.tailTeeth, offer.headTeeth);
+    const auto reach = taken ? axisReach(*taken, axis) : std::nullopt;
+    if (reach && std::abs(reach->distance - offer.distance) < kGeometryFits * distance)
+      fitting.push_back(offer);
+  }
+  return fitting;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,332 @@
+#include "core/mechanism/fitting/axis_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "core/mechanism/fitting/module_fit.h"
+#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/model/pins.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+bool isZero(const ExactVector3& v) {
+  return v[0].isZero() && v[1].isZero() && v[2].isZero();
+}
+
+/// A coordinate as a person would write it: exact where that is short, else the nearest double.
+Number written(const Rational& value) {
+  constexpr std::size_t kLongest = 24;
+  Number exact(value);
+  return exact.text().size() <= kLongest ? exact : Number::fromDouble(value.toDouble());
+}
+
+/// The new coordinates; one that is what it was keeps its spelling.
+NumberTriple written(const ExactVector3& point, const std::optional<NumberTriple>& was) {
+  NumberTriple triple;
+  for (std::size_t i = 0; i < 3; ++i) {
+    triple[i] = was && (*was)[i].exact() == point[i] ? (*was)[i] : written(point[i]);
+  }
+  return triple;
+}
+
+class AxisFitter {
+ public:
+  AxisFitter(const Mechanism& before, const Placement& placement, const std::map<AxisPair, Rational>& scales,
+             const std::map<int, ExactVector3>& pinned)
+      : m_before(before), m_placement(placement), m_scales(scales), m_pinned(pinned) {
+    const std::size_t classes = placement.classes->classes.size();
+    m_neighbours.resize(classes);
+    m_along.resize(classes);
+    m_shift.resize(classes);
+    m_hasPins =
+        std::any_of(before.axes.begin(), before.axes.end(), [](const Axis& axis) { return isPinned(axis); });
+    for (int axisClass = 0; axisClass < static_cast<int>(classes); ++axisClass) {
+      m_lines.push_back(exactLineOfClass(before, placement, axisClass));
+      const int carrying = placement.classes->classOfLink(classAt(axisClass).top);
+      if (carrying >= 0) m_along[static_cast<std::size_t>(axisClass)].push_back(carrying);
+    }
+    for (const auto& mesh : placement.meshes) {
+      const auto tail = static_cast<std::size_t>(mesh->tailClass);
+      const auto head = static_cast<std::size_t>(mesh->headClass);
+      auto& lists = mesh->kind == MeshKind::bevel ? m_along : m_neighbours;
+      lists[tail].push_back(mesh->headClass);
+      lists[head].push_back(mesh->tailClass);
+    }
+    for (auto* lists : {&m_neighbours, &m_along}) {
+      for (auto& list : *lists) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+      }
+    }
+  }
+
+  /// By class: how far it moves.
+  Expected<std::vector<ExactVector3>> run() {
+    for (int placed = 0; placed < count(); ++placed) {
+      const int next = nextClass();
+      m_shift[static_cast<std::size_t>(next)] = shiftOf(next);
+      if (!m_refusals.empty()) return std::move(m_refusals);
+    }
+    if (m_hasPins || !m_pinned.empty()) checkHeld();
+    if (!m_refusals.empty()) return std::move(m_refusals);
+    std::vector<ExactVector3> shifts;
+    for (auto& shift : m_shift) shifts.push_back(std::move(*shift));
+    return shifts;
+  }
+
+ private:
+  [[nodiscard]] int count() const { return static_cast<int>(m_shift.size()); }
+  [[nodiscard]] const AxisClasses::Class& classAt(int axisClass) const {
+    return m_placement.classes->classes[static_cast<std::size_t>(axisClass)];
+  }
+  [[nodiscard]] bool isPlaced(int axisClass) const {
+    return m_shift[static_cast<std::size_t>(axisClass)].has_value();
+  }
+  [[nodiscard]] std::vector<int> placedOf(const std::vector<int>& classes) const {
+    std::vector<int> placed;
+    std::copy_if(classes.begin(), classes.end(), std::back_inserter(placed),
+                 [&](int c) { return isPlaced(c); });
+    return placed;
+  }
+  [[nodiscard]] Rational scaleOf(int a, int b) const {
+    const auto found = m_scales.find({std::min(a, b), std::max(a, b)});
+    return found == m_scales.end() ? Rational(1) : found->second;
+  }
+
+  [[nodiscard]] bool isHeld(int axisClass) const {
+    return m_pinned.contains(axisClass) || isPinned(axisOfClass(m_before, m_placement, axisClass));
+  }
+
+  /// The unplaced class that is pinned, else the one that most placed ones hold; of equals the one nearest
+  /// the ground, then the first.
+  [[nodiscard]] int nextClass() const {
+    int best = -1;
+    std::tuple<int, int, int, int> bestRank;
+    for (int axisClass = 0; axisClass < count(); ++axisClass) {
+      if (isPlaced(axisClass)) continue;
+      const auto at = static_cast<std::size_t>(axisClass);
+      const int meshes = static_cast<int>(placedOf(m_neighbours[at]).size());
+      const int others = static_cast<int>(placedOf(m_along[at]).size());
+      const std::tuple rank{isHeld(axisClass) ? 1 : 0, meshes, others > 0 ? 1 : 0, -classAt(axisClass).depth};
+      if (best < 0 || rank > bestRank) {
+        best = axisClass;
+        bestRank = rank;
+      }
+    }
+    return best;
+  }
+
+  ExactVector3 shiftOf(int axisClass) {
+    const auto at = static_cast<std::size_t>(axisClass);
+    if (const auto pinned = m_pinned.find(axisClass); pinned != m_pinned.end())
+      return pinned->second - m_lines[at].point;
+    if (isHeld(axisClass)) return {};
+    const std::vector<int> neighbours = placedOf(m_neighbours[at]);
+    if (neighbours.empty()) {
+      const std::vector<int> along = placedOf(m_along[at]);
+      return along.empty() ? ExactVector3{} : *m_shift[static_cast<std::size_t>(along.front())];
+    }
+    const ExactVector3& first = *m_shift[static_cast<std::size_t>(neighbours.front())];
+    const bool rigid = std::all_of(neighbours.begin(), neighbours.end(), [&](int other) {
+      return scaleOf(axisClass, other) == 1 && isZero(*m_shift[static_cast<std::size_t>(other)] - first);
+    });
+    if (rigid) return first;
+    if (neighbours.size() == 1) {
+      const Rational growth = scaleOf(axisClass, neighbours.front()) - Rational(1);
+      return first + growth * radial(neighbours.front(), axisClass);
+    }
+    return heldByTwo(axisClass, neighbours);
+  }
+
+  /// Axes that are held may not have the distances that their wheels ask for.
+  void checkHeld() {
+    for (std::size_t m = 0; m < m_placement.meshes.size() && m_refusals.empty(); ++m) {
+      const MeshGeometry& mesh = *m_placement.meshes[m];
+      if (mesh.kind == MeshKind::bevel) continue;
+      const ExactVector3 was = radial(mesh.tailClass, mesh.headClass);
+      const ExactVector3 shift = *m_shift[static_cast<std::size_t>(mesh.headClass)] -
+                                 *m_shift[static_cast<std::size_t>(mesh.tailClass)];
+      const Vector3 direction = unit(toDoubles(m_lines[static_cast<std::size_t>(mesh.tailClass)].direction));
+      const double now = length(cross(direction, toDoubles(was + shift)));
+      const double wanted = length(toDoubles(was)) * scaleOf(mesh.tailClass, mesh.headClass).toDouble();
+      if (std::abs(now - wanted) <= kGeometryFits * wanted) continue;
+      if (m_hasPins) {
+        m_refusals.push_back(pinRefusal(m_before, m_placement, static_cast<int>(m)));
+      } else {
+        refuse(mesh.headClass, {mesh.tailClass});
+      }
+    }
+  }
+
+  /// From one line to a parallel other, at right angles to both, as they were.
+  [[nodiscard]] ExactVector3 radial(int from, int to) const {
+    const ExactLine& line = m_lines[static_cast<std::size_t>(from)];
+    const ExactVector3 between = m_lines[static_cast<std::size_t>(to)].point - line.point;
+    const Rational along = dot(between, line.direction) / dot(line.direction, line.direction);
+    return between - along * line.direction;
+  }
+
+  /// Where the new distances from two neighbours meet; any others have to agree.
+  ExactVector3 heldByTwo(int axisClass, const std::vector<int>& neighbours) {
+    struct Circle {
+      Vector3 centre;
+      double radius = 0;
+    };
+    std::vector<Circle> circles;
+    const Vector3 old = toDoubles(m_lines[static_cast<std::size_t>(axisClass)].point);
+    for (const int other : neighbours) {
+      const Vector3 off = toDoubles(radial(other, axisClass));
+      circles.push_back({old - off + toDoubles(*m_shift[static_cast<std::size_t>(other)]),
+                         length(off) * scaleOf(axisClass, other).toDouble()});
+    }
+    const Vector3 direction = unit(toDoubles(m_lines[static_cast<std::size_t>(axisClass)].direction));
+    const Vector3 between = circles[1].centre - circles[0].centre;
+    const double distance = length(between);
+    const double a = circles[0].radius, b = circles[1].radius;
+    if (distance < 1e-9 * (a + b) || distance > (a + b) * (1 + 1e-12) || distance < std::abs(a - b)) {
+      refuse(axisClass, neighbours);
+      return {};
+    }
+    const Vector3 forward = unit(between);
+    const Vector3 sideways = cross(direction, forward);
+    const Vector3 was = toDoubles(radial(neighbours[0], axisClass));
+    const Vector3 wasBetween = toDoubles(radial(neighbours[0], neighbours[1]));
+    const double side = dot(was, cross(direction, wasBetween)) < 0 ? -1 : 1;
+    const double along = (distance * distance + a * a - b * b) / (2 * distance);
+    const double up = std::sqrt(std::max(0.0, a * a - along * along));
+    const Vector3 point = circles[0].centre + along * forward + (side * up) * sideways;
+    for (const Circle& circle : circles) {
+      const Vector3 off = point - circle.centre;
+      if (std::abs(length(off) - circle.radius) > kGeometryFits * circle.radius)
+        refuse(axisClass, neighbours);
+    }
+    ExactVector3 shift;
+    for (std::size_t i = 0; i < 3; ++i) shift[i] = Rational::fromDouble(point[i] - old[i]);
+    return shift;
+  }
+
+  void refuse(int axisClass, const std::vector<int>& neighbours) {
+    if (!m_refusals.empty()) return;
+    Diagnostic why;
+    why.code = Code::teethGeometry;
+    std::string names;
+    for (std::size_t m = 0; m < m_placement.meshes.size(); ++m) {
+      const MeshGeometry& mesh = *m_placement.meshes[m];
+      const int other = mesh.tailClass == axisClass ? mesh.headClass : mesh.tailClass;
+      if (mesh.tailClass != axisClass && mesh.headClass != axisClass) continue;
+      if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end()) continue;
+      names += (names.empty() ? "" : ", ") + std::to_string(m_before.meshLabel(static_cast<int>(m)));
+      why.elements.emplace_back(m_before.gearMeshes[m].id);
+    }
+    const AxisId axis = m_before.axes[static_cast<std::size_t>(classAt(axisClass).axis)].id;
+    why.elements.emplace_back(axis);
+    why.message = "There is no place for axis " + axis.text() + " where the wheels of meshes " + names +
+                  " would touch at these tooth counts. What fits: a smaller change, or other teeth first.";
+    m_refusals.push_back(std::move(why));
+  }
+
+  const Mechanism& m_before;
+  const Placement& m_placement;
+  const std::map<AxisPair, Rational>& m_scales;
+  const std::map<int, ExactVector3>& m_pinned;
+  bool m_hasPins = false;                      ///< of the user
+  std::vector<ExactLine> m_lines;              ///< by class, as they were
+  std::vector<std::vector<int>> m_neighbours;  ///< by class: parallel ones it meshes with
+  std::vector<std::vector<int>> m_along;       ///< by class: those it goes along with
+  std::vector<std::optional<ExactVector3>> m_shift;
+  Diagnostics m_refusals;
+};
+
+/// The pitch point of a mesh in the edited document, where `was` was its pitch point before.
+class PitchPointFitter {
+ public:
+  PitchPointFitter(const Mechanism& before, const Placement& placement, const Mechanism& edited,
+                   const Placement& now, const std::vector<ExactVector3>& shifts)
+      : m_before(before), m_placement(placement), m_edited(edited), m_now(now), m_shifts(shifts) {}
+
+  [[nodiscard]] ExactVector3 pointOf(int mesh) const {
+    const MeshGeometry& was = *m_placement.meshes[static_cast<std::size_t>(mesh)];
+    const ExactLine tail = lineNow(was.tailClass);
+    const ExactLine head = lineNow(was.headClass);
+    const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    if (was.kind == MeshKind::bevel) return bevelPoint(mesh, was, tail, head);
+    const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
+                                  head.direction, element.tailTeeth, element.headTeeth};
+    const bool internal = element.kind.value_or(was.kind) == MeshKind::internal;
+    const NumberTriple& point = *m_before.gearMeshes[static_cast<std::size_t>(mesh)].pitchPoint;
+    const ExactVector3 level{point[0].exact(), point[1].exact(), point[2].exact()};
+    return parallelPitchPoint(pair, internal, level + m_shifts[static_cast<std::size_t>(was.tailClass)]);
+  }
+
+ private:
+  /// Axes that coincide after the edit share a class, so a class of before is found by its axis.
+  [[nodiscard]] ExactLine lineNow(int classBefore) const {
+    return exactLine(m_edited, m_now,
+                     m_placement.classes->classes[static_cast<std::size_t>(classBefore)].axis);
+  }
+
+  /// On the same half axes as before, at the module of the mesh: radius over teeth.
+  [[nodiscard]] ExactVector3 bevelPoint(int mesh, const MeshGeometry& was, const ExactLine& tail,
+                                        const ExactLine& head) const {
+    const GearMesh& element = m_edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    const GearPair<double> pair{toDoubles(tail.point),     toDoubles(tail.direction), toDoubles(head.point),
+                                toDoubles(head.direction), element.tailTeeth,         element.headTeeth};
+    const AxisLine& oldTail = m_placement.lineOfClass(was.tailClass);
+    const AxisLine& oldHead = m_placement.lineOfClass(was.headClass);
+    const Vector3 off = was.pitchPoint - apexOf(GearPair<double>{oldTail.point, oldTail.direction,
+                                                                 oldHead.point, oldHead.direction, 1, 1});
+    // P - O = x u_A + y u_B; the signs of x and y are the half axes.
+    const double cosine = dot(oldTail.direction, oldHead.direction);
+    const double x = dot(off, oldTail.direction - cosine * oldHead.direction);
+    const double y = dot(off, oldHead.direction - cosine * oldTail.direction);
+    const BevelSides sides{x < 0 ? -1 : 1, y < 0 ? -1 : 1};
+    const Vector3 point = bevelPitchPoint(pair, sides, *moduleOf(m_before, m_placement, mesh));
+    return {Rational::fromDouble(point[0]), Rational::fromDouble(point[1]), Rational::fromDouble(point[2])};
+  }
+
+  const Mechanism& m_before;
+  const Placement& m_placement;
+  const Mechanism& m_edited;
+  const Placement& m_now;
+  const std::vector<ExactVector3>& m_shifts;
+};
+
+bool meshChanged(const GearMesh& a, const GearMesh& b) {
+  return a.tailTeeth != b.tailTeeth || a.headTeeth != b.headTeeth || a.kind != b.kind;
+}
+
+}  // namespace
+
+Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement, Mechanism edited,
+                            const std::map<AxisPair, Rational>& scales,
+                            const std::map<int, ExactVector3>& pinned) {
+  const auto shifts = AxisFitter(before, placement, scales, pinned).run();
+  if (!shifts) return shifts.error();
+  std::set<int> moved;  // axes; several classes of one name go with the first
+  for (std::size_t c = 0; c < shifts->size(); ++c) {
+    const int axis = placement.classes->classes[c].axis;
+    Axis& element = edited.axes[static_cast<std::size_t>(axis)];
+    const ExactVector3& shift = (*shifts)[c];
+    if (!element.point || isZero(shift) || !moved.insert(axis).second) continue;
+    const NumberTriple& at = *element.point;
+    element.point = written(ExactVector3{at[0].exact(), at[1].exact(), at[2].exact()} + shift, element.point);
+  }
+  const Placement now = placementOf(edited);
+  const PitchPointFitter fitter(before, placement, edited, now, *shifts);
+  for (int mesh = 0; mesh < edited.c(); ++mesh) {
+    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    const MeshGeometry& was = *placement.meshes[static_cast<std::size_t>(mesh)];
+    const bool stays = !meshChanged(before.gearMeshes[static_cast<std::size_t>(mesh)], element) &&
+                       isZero((*shifts)[static_cast<std::size_t>(was.tailClass)]) &&
+                       isZero((*shifts)[static_cast<std::size_t>(was.headClass)]);
+    if (!element.pitchPoint || stays) continue;
+    element.pitchPoint = written(fitter.pointOf(mesh), element.pitchPoint);
+  }
+  return edited;
+}
+
+}  // namespace geargraph

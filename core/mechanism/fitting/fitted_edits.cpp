@@ -1,0 +1,89 @@
+#include "core/mechanism/fitting/fitted_edits.h"
+
+#include <algorithm>
+
+#include "core/mechanism/fitting/axis_fit.h"
+#include "core/mechanism/fitting/fitting_guards.h"
+#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/teeth_fit.h"
+#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/pins.h"
+
+namespace geargraph {
+namespace {
+
+int positionOf(const Mechanism& mechanism, MeshId mesh) {
+  const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
+                                  [mesh](const GearMesh& each) { return each.id == mesh; });
+  return found == mechanism.gearMeshes.end() ? -1 : static_cast<int>(found - mechanism.gearMeshes.begin());
+}
+
+Expected<Mechanism> fitted(const Mechanism& before, const Placement& placement, const MeshChange& change) {
+  const WheelMap wheels(before, placement);
+  const auto fit = fitTeeth(before, placement, wheels, change);
+  if (!fit) return fit.error();
+  Mechanism edited = before;
+  for (int mesh = 0; mesh < edited.c(); ++mesh) {
+    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    element.tailTeeth = fit->teeth[static_cast<std::size_t>(2 * mesh)];
+    element.headTeeth = fit->teeth[static_cast<std::size_t>(2 * mesh + 1)];
+    if (mesh == change.mesh && change.kind != placement.meshes[static_cast<std::size_t>(mesh)]->kind)
+      element.kind = change.kind;
+  }
+  return unlessBroken(before, placement, fitAxes(before, placement, std::move(edited), fit->scales));
+}
+
+/// Of an axis its class, of a mesh those of its wheels; none where they have no place.
+std::vector<int> classesOf(const Mechanism& mechanism, const Placement& placement, const ElementId& element) {
+  if (element.kind == ElementKind::gearMesh) {
+    const auto& mesh = placement.meshes[static_cast<std::size_t>(positionOf(mechanism, MeshId(element.id)))];
+    return mesh ? std::vector{mesh->tailClass, mesh->headClass} : std::vector<int>{};
+  }
+  for (int axisClass = 0; axisClass < static_cast<int>(placement.classes->classes.size()); ++axisClass) {
+    if (ElementId(axisOfClass(mechanism, placement, axisClass).id) == element) return {axisClass};
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<Mechanism> withTeethFitted(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth) {
+  auto plain = withTeeth(mechanism, mesh, tailTeeth, headTeeth);
+  if (!plain) return plain;
+  const Placement placement = placementOf(mechanism);
+  if (!canBeFitted(placement)) return plain;
+  const int position = positionOf(mechanism, mesh);
+  const MeshKind kind = placement.meshes[static_cast<std::size_t>(position)]->kind;
+  return fitted(mechanism, placement, {position, tailTeeth, headTeeth, kind});
+}
+
+Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind kind) {
+  auto plain = withMeshKind(mechanism, mesh, kind);
+  if (!plain) return plain;
+  const Placement placement = placementOf(mechanism);
+  if (!canBeFitted(placement)) return plain;
+  const int position = positionOf(mechanism, mesh);
+  const MeshKind was = placement.meshes[static_cast<std::size_t>(position)]->kind;
+  if (was == kind || (was == MeshKind::bevel) != (kind == MeshKind::bevel))
+    return unlessBroken(mechanism, placement, std::move(plain));
+  const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(position)];
+  return fitted(mechanism, placement, {position, element.tailTeeth, element.headTeeth, kind});
+}
+
+Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned) {
+  auto marked = withPinMark(mechanism, element, pinned);
+  if (!marked || !pinned || element.kind == ElementKind::link) return marked;
+  const Placement placement = placementOf(mechanism);
+  if (!placement.tree) return marked;
+  for (const int axisClass : classesOf(mechanism, placement, element)) {
+    const Axis& axis = axisOfClass(mechanism, placement, axisClass);
+    if (axis.point && axis.direction) continue;
+    const ExactLine line = exactLineOfClass(mechanism, placement, axisClass);
+    marked =
+        withAxisPlaced(std::move(marked).value(), axis.id, numbersOf(line.point), numbersOf(line.direction));
+  }
+  return marked;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,51 @@
+#include "core/mechanism/fitting/fitting_guards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/fitting/module_fit.h"
+#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/model/pins.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+/// Meshes whose module is pinned and another one now.
+Diagnostics brokenPins(const Mechanism& before, const Placement& placement, const Mechanism& edited,
+                       const Placement& now) {
+  Diagnostics broken;
+  for (int mesh = 0; mesh < std::min(before.c(), edited.c()); ++mesh) {
+    const GearMesh& element = before.gearMeshes[static_cast<std::size_t>(mesh)];
+    if (!isPinned(element) || edited.gearMeshes[static_cast<std::size_t>(mesh)].id != element.id) continue;
+    const auto was = moduleOf(before, placement, mesh);
+    const auto is = moduleOf(edited, now, mesh);
+    if (was && is && std::abs(*is - *was) > kGeometryFits * *was)
+      broken.push_back(modulePinRefusal(before, mesh));
+  }
+  return broken;
+}
+
+}  // namespace
+
+bool canBeFitted(const Placement& placement) {
+  if (placement.meshes.size() > kMostFittedMeshes) return false;
+  return placement.tree && std::all_of(placement.meshes.begin(), placement.meshes.end(),
+                                       [](const auto& mesh) { return mesh.has_value(); });
+}
+
+Expected<Mechanism> unlessBroken(const Mechanism& before, const Placement& placement,
+                                 Expected<Mechanism> edited) {
+  if (!edited) return edited;
+  Placement now = placementOf(*edited);
+  Diagnostics broken;
+  for (Diagnostic& diagnostic : now.diagnostics) {
+    if (diagnostic.severity() == Severity::error) broken.push_back(std::move(diagnostic));
+  }
+  if (broken.empty()) broken = brokenPins(before, placement, *edited, now);
+  if (!broken.empty()) return broken;
+  return edited;
+}
+
+}  // namespace geargraph

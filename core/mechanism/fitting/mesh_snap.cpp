@@ -1,0 +1,102 @@
+#include "core/mechanism/fitting/mesh_snap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "core/mechanism/fitting/axis_fit.h"
+#include "core/mechanism/fitting/fitting_guards.h"
+#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+/// One gear of a mesh.
+struct Side {
+  int link = 0;
+  int axisClass = 0;
+  int teeth = 0;
+  double radius = 0;
+};
+
+std::array<Side, 2> sidesOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
+  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh)];
+  const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+  return {Side{geometry.tail, geometry.tailClass, element.tailTeeth, std::abs(geometry.tailRadius)},
+          Side{geometry.head, geometry.headClass, element.headTeeth, std::abs(geometry.headRadius)}};
+}
+
+bool isBevel(const Placement& placement, int mesh) {
+  return placement.meshes[static_cast<std::size_t>(mesh)]->kind == MeshKind::bevel;
+}
+
+/// The module that a gear of the mesh has in the others.
+std::optional<double> moduleElsewhere(const Mechanism& mechanism, const Placement& placement, int mesh,
+                                      const Side& wheel) {
+  for (int other = 0; other < mechanism.c(); ++other) {
+    if (other == mesh || isBevel(placement, other)) continue;
+    for (const Side& side : sidesOf(mechanism, placement, other)) {
+      if (side.link == wheel.link && side.axisClass == wheel.axisClass && side.teeth == wheel.teeth)
+        return 2 * side.radius / side.teeth;
+    }
+  }
+  return std::nullopt;
+}
+
+bool holdsOther(const Mechanism& mechanism, const Placement& placement, int mesh, int a, int b) {
+  for (int other = 0; other < mechanism.c(); ++other) {
+    const auto [tail, head] = sidesOf(mechanism, placement, other);
+    if (other != mesh && std::minmax(tail.axisClass, head.axisClass) == std::minmax(a, b)) return true;
+  }
+  return false;
+}
+
+/// By how much the distance of the axes has to grow; nothing where it is right, or nothing says what is.
+std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
+  const auto [tail, head] = sidesOf(mechanism, placement, mesh);
+  if (isBevel(placement, mesh) || placement.lineOfClass(tail.axisClass).automatic ||
+      placement.lineOfClass(head.axisClass).automatic) {
+    return std::nullopt;
+  }
+  if (holdsOther(mechanism, placement, mesh, tail.axisClass, head.axisClass)) return std::nullopt;
+  const auto ofTail = moduleElsewhere(mechanism, placement, mesh, tail);
+  const auto ofHead = moduleElsewhere(mechanism, placement, mesh, head);
+  if (!ofTail && !ofHead) return std::nullopt;
+  const double module = ofTail.value_or(ofHead.value_or(1));
+  if (ofHead && std::abs(*ofHead - module) > kGeometryFits * module) return std::nullopt;
+  const bool isInternal = placement.meshes[static_cast<std::size_t>(mesh)]->kind == MeshKind::internal;
+  const double now = isInternal ? std::abs(tail.radius - head.radius) : tail.radius + head.radius;
+  const int teeth = isInternal ? std::abs(tail.teeth - head.teeth) : tail.teeth + head.teeth;
+  const double wanted = module * teeth / 2;
+  if (std::abs(now - wanted) <= kGeometryFits * wanted) return std::nullopt;
+  return plainDecimal(wanted) / plainDecimal(now);
+}
+
+}  // namespace
+
+Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh) {
+  const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
+                                  [mesh](const GearMesh& each) { return each.id == mesh; });
+  if (found == mechanism.gearMeshes.end()) return mechanism;
+  const int position = static_cast<int>(found - mechanism.gearMeshes.begin());
+  const Placement placement = placementOf(mechanism);
+  if (!canBeFitted(placement)) return mechanism;
+  const auto growth = growthOf(mechanism, placement, position);
+  if (!growth) return mechanism;
+  const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(position)];
+  const std::map<AxisPair, Rational> scales{{std::minmax(geometry.tailClass, geometry.headClass), *growth}};
+  const auto moved = [&](int held) {
+    return unlessBroken(mechanism, placement,
+                        fitAxes(mechanism, placement, mechanism, scales,
+                                {{held, exactLineOfClass(mechanism, placement, held).point}}));
+  };
+  Expected<Mechanism> snapped = moved(geometry.tailClass);
+  if (snapped) return snapped;
+  Expected<Mechanism> other = moved(geometry.headClass);
+  return other ? other : snapped;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,91 @@
+#include "core/mechanism/fitting/module_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/mechanism/fitting/axis_fit.h"
+#include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/fitting/fitting_guards.h"
+#include "core/mechanism/fitting/module_pairs.h"
+#include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/placement/pitch_point.h"
+
+namespace geargraph {
+namespace {
+
+const MeshGeometry& geometryOf(const Placement& placement, int mesh) {
+  return *placement.meshes[static_cast<std::size_t>(mesh)];
+}
+
+/// The pitch point of a bevel mesh, `factor` times as far from the apex.
+NumberTriple grownPoint(const Mechanism& mechanism, const Placement& placement, int mesh,
+                        const Rational& factor) {
+  const MeshGeometry& geometry = geometryOf(placement, mesh);
+  const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
+  const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);
+  const auto exact = exactPitchPoint(mechanism, placement, mesh);
+  if (exact) {
+    const ExactVector3 apex =
+        apexOf(GearPair<Rational>{tail.point, tail.direction, head.point, head.direction, 1, 1});
+    return numbersOf(apex + factor * (*exact - apex));
+  }
+  const Vector3 apex = apexOf(GearPair<double>{toDoubles(tail.point), toDoubles(tail.direction),
+                                               toDoubles(head.point), toDoubles(head.direction), 1, 1});
+  const Vector3 point = apex + factor.toDouble() * (geometry.pitchPoint - apex);
+  return {Number::fromDouble(point[0]), Number::fromDouble(point[1]), Number::fromDouble(point[2])};
+}
+
+/// Open axes have the program's module, so both of a mesh are stated where they lie.
+void stateAxes(Mechanism& edited, const Placement& placement, const MeshGeometry& mesh) {
+  for (const int axisClass : {mesh.tailClass, mesh.headClass}) {
+    const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
+    Axis& stated = edited.axes[static_cast<std::size_t>(axis)];
+    if (!stated.point) stated.point = numbersOf(exactLineOfClass(edited, placement, axisClass).point);
+  }
+}
+
+Diagnostic refusal(MeshId mesh, std::string why) {
+  return {Code::teethGeometry, std::move(why), {mesh}, {}, 0, 0};
+}
+
+}  // namespace
+
+std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& placement, int mesh) {
+  const auto& geometry = placement.meshes[static_cast<std::size_t>(mesh)];
+  if (!geometry) return std::nullopt;
+  return 2 * std::abs(geometry->tailRadius) / mechanism.gearMeshes[static_cast<std::size_t>(mesh)].tailTeeth;
+}
+
+Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational& module) {
+  const GearMesh* found = mechanism.find(mesh);
+  if (found == nullptr)
+    return withPitchPoint(std::move(mechanism), mesh, std::nullopt);  // refuses unknown-id
+  if (module <= 0) return refusal(mesh, "A module is more than 0: the pitch diameter over the teeth.");
+  const Placement placement = placementOf(mechanism);
+  if (!canBeFitted(placement))
+    return refusal(mesh, "Modules can be set where every mesh has its place, in trains of up to " +
+                             std::to_string(kMostFittedMeshes) +
+                             " meshes. What fits: mend the findings first.");
+  const int position = static_cast<int>(found - mechanism.gearMeshes.data());
+  const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
+  const std::vector<int> along =
+      meshesOfOneModule(mechanism, placement, [position](int each) { return each == position; });
+  Mechanism edited = mechanism;
+  if (geometryOf(placement, position).kind == MeshKind::bevel) {
+    for (const int each : along)
+      edited.gearMeshes[static_cast<std::size_t>(each)].pitchPoint =
+          grownPoint(mechanism, placement, each, factor);
+    return unlessBroken(mechanism, placement, std::move(edited));
+  }
+  std::map<AxisPair, Rational> scales;
+  for (const int each : along) {
+    scales[axisPairOf(geometryOf(placement, each))] = factor;
+    stateAxes(edited, placement, geometryOf(placement, each));
+  }
+  return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales));
+}
+
+}  // namespace geargraph

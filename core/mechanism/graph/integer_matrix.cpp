@@ -1,0 +1,62 @@
+#include "core/mechanism/graph/integer_matrix.h"
+
+#include <array>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+struct KindEntry {
+  MatrixKind kind;
+  std::string_view command;
+  std::string_view json;
+  std::string_view symbol;
+  std::string_view title;
+  int equation;
+};
+
+constexpr std::array kKinds = {
+    KindEntry{MatrixKind::incidence, "incidence", "incidence", "Γ⁰", "Incidence matrix", 1},
+    KindEntry{MatrixKind::reducedIncidence, "reduced-incidence", "reducedIncidence", "Γ = [G | G*]",
+              "Reduced incidence matrix", 2},
+    KindEntry{MatrixKind::path, "path", "path", "Z", "Path matrix", 3},
+    KindEntry{MatrixKind::spanningTree, "spanning-tree", "spanningTree", "T", "Spanning-tree matrix", 4},
+    KindEntry{MatrixKind::cycleBasis, "cycle-basis", "cycleBasis", "C = [T | U]", "Cycle-basis matrix", 5},
+    KindEntry{MatrixKind::cutset, "cutset", "cutset", "Q = [U | −Tᵀ]", "Fundamental cutset matrix", 0},
+};
+
+const KindEntry& entryOf(MatrixKind kind) {
+  const KindEntry& entry = kKinds.at(static_cast<std::size_t>(kind));
+  GEARGRAPH_REQUIRE(entry.kind == kind);
+  return entry;
+}
+
+}  // namespace
+
+const std::vector<MatrixKind>& allMatrixKinds() {
+  static const std::vector<MatrixKind> kinds = [] {
+    std::vector<MatrixKind> all;
+    for (const KindEntry& entry : kKinds) all.push_back(entry.kind);
+    return all;
+  }();
+  return kinds;
+}
+
+std::string_view matrixCommandName(MatrixKind kind) {
+  return entryOf(kind).command;
+}
+std::string_view matrixJsonName(MatrixKind kind) {
+  return entryOf(kind).json;
+}
+std::string_view matrixSymbol(MatrixKind kind) {
+  return entryOf(kind).symbol;
+}
+std::string_view matrixTitle(MatrixKind kind) {
+  return entryOf(kind).title;
+}
+int matrixEquation(MatrixKind kind) {
+  return entryOf(kind).equation;
+}
+
+}  // namespace geargraph

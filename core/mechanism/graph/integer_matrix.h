@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/foundations/base/id.h"
+
+namespace geargraph {
+
+enum class MatrixKind { incidence, reducedIncidence, path, spanningTree, cycleBasis, cutset };
+
+/// Every kind, in the order in which the paper derives them.
+[[nodiscard]] const std::vector<MatrixKind>& allMatrixKinds();
+[[nodiscard]] std::string_view matrixCommandName(
+    MatrixKind kind);  ///< "reduced-incidence": command line, file names
+[[nodiscard]] std::string_view matrixJsonName(MatrixKind kind);  ///< "reducedIncidence": analyze --json
+[[nodiscard]] std::string_view matrixSymbol(MatrixKind kind);    ///< "Γ = [G | G*]", as the paper writes it
+[[nodiscard]] std::string_view matrixTitle(MatrixKind kind);     ///< "Reduced incidence matrix"
+/// Which equation of the paper shows it, 0 where none does (the cutset matrix).
+[[nodiscard]] int matrixEquation(MatrixKind kind);
+
+/// What stands beside a row or above a column: a matrix leaves core only with its labels.
+struct Heading {
+  int label = 0;      ///< the paper's number
+  std::string text;   ///< as shown: "8"; "C15" for a cycle
+  ElementId element;  ///< what lights up with it; for a cycle, its mesh
+};
+
+struct MatrixEntry {
+  int column = 0;
+  int value = 0;
+  friend bool operator==(const MatrixEntry&, const MatrixEntry&) = default;
+};
+
+/// A row whose non-zeros are all the same: column j holds `value` where bit j % 64 of word j / 64 is set,
+/// else 0.
+struct UniformRow {
+  int value = 0;
+  std::vector<std::uint64_t> columns;
+  std::vector<std::uint8_t> marks;  ///< the matrix's own, kept from row to row
+};
+
+/// A matrix of -1, 0, +1 whose entries are answered without being stored. An immutable value behind a
+/// pointer, safe to read from any thread; it owns what it needs.
+class IntegerMatrix {
+ public:
+  virtual ~IntegerMatrix() = default;
+
+  [[nodiscard]] virtual MatrixKind kind() const = 0;
+  [[nodiscard]] virtual int rows() const = 0;
+  [[nodiscard]] virtual int columns() const = 0;
+  [[nodiscard]] virtual Heading rowHeading(int row) const = 0;
+  [[nodiscard]] virtual Heading columnHeading(int column) const = 0;
+  /// Cost: O(1), some nanoseconds.
+  [[nodiscard]] virtual int entry(int row, int column) const = 0;
+  /// The non-zeros of a row in column order, written over `entries`.
+  virtual void rowEntries(int row, std::vector<MatrixEntry>& entries) const = 0;
+  /// The row as a set of columns, written over `uniform`; false where rows of this matrix need not be
+  /// uniform. Faster than rowEntries() for writers of whole matrices: no order has to be made.
+  virtual bool uniformRow(int /*row*/, UniformRow& /*uniform*/) const { return false; }
+  /// The first column behind the dashed line: [G | G*], [T | U], [U | Q_c]; none where the matrix has no
+  /// parts.
+  [[nodiscard]] virtual std::optional<int> partition() const { return std::nullopt; }
+
+ protected:
+  IntegerMatrix() = default;
+  IntegerMatrix(const IntegerMatrix&) = default;
+  IntegerMatrix& operator=(const IntegerMatrix&) = default;
+};
+
+using IntegerMatrixPtr = std::shared_ptr<const IntegerMatrix>;
+
+}  // namespace geargraph

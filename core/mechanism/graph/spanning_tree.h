@@ -1,0 +1,103 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mechanism/graph/digraph.h"
+
+namespace geargraph {
+
+/// The spanning tree that the turning joints make, rooted at the ground [AU, Fig. 2: the solid arrows].
+///
+/// A tree that exists spans: of() gives none where the turning joints close a loop or leave a link loose
+/// (treeDiagnostics() of core/mechanism says which and why).
+///
+/// Ancestry is answered in constant time from preorder intervals: node v lies below joint e exactly if
+/// first(e) <= preorder(v) < last(e). So no entry of the path matrix is ever stored.
+class SpanningTree {
+ public:
+  /// Cost: O(n).
+  [[nodiscard]] static std::optional<SpanningTree> of(const Digraph& graph);
+
+  [[nodiscard]] int nodeCount() const { return m_nodeCount; }
+
+  /// The node next on the walk to the ground, and the turning joint that leads there; -1 for the ground.
+  [[nodiscard]] int parent(int node) const { return at(Part::parent, node); }
+  [[nodiscard]] int jointToParent(int node) const { return at(Part::jointToParent, node); }
+  /// The node of joint e that is farther from the ground.
+  [[nodiscard]] int child(int joint) const { return at(Part::child, joint); }
+  [[nodiscard]] int depth(int node) const { return at(Part::depth, node); }
+
+  /// +1 if the walk from the child to the ground runs along the joint in its direction (head nearer the
+  /// ground), -1 if against it (the usual case: drawn from parent to child).
+  [[nodiscard]] int directionToGround(int joint) const { return at(Part::towardsGround, joint); }
+
+  /// Is the joint on the walk from the node to the ground? Cost: O(1).
+  [[nodiscard]] bool isOnWalk(int joint, int node) const {
+    const int below = child(joint);
+    const int place = at(Part::preorder, node);
+    return at(Part::preorder, below) <= place && place < at(Part::subtreeEnd, below);
+  }
+  /// Entry Z(e, node) of the path matrix, Eq. (3); 0 for the ground. Cost: O(1).
+  [[nodiscard]] int pathEntry(int joint, int node) const {
+    return isOnWalk(joint, node) ? directionToGround(joint) : 0;
+  }
+
+  /// The node where the walks of two nodes to the ground first meet. Cost: O(depth).
+  [[nodiscard]] int commonAncestor(int a, int b) const;
+
+  /// The nodes beyond joint e, seen from the ground, in preorder.
+  [[nodiscard]] std::span<const int> below(int joint) const {
+    const int top = child(joint);
+    const int first = at(Part::preorder, top);
+    return preorder().subspan(static_cast<std::size_t>(first),
+                              static_cast<std::size_t>(at(Part::subtreeEnd, top) - first));
+  }
+
+  /// Nodes in preorder, the ground first: every node stands behind its parent.
+  [[nodiscard]] std::span<const int> preorder() const { return part(Part::order); }
+  /// parent(), jointToParent() by node and child() by joint, as arrays.
+  [[nodiscard]] std::span<const int> parents() const { return part(Part::parent); }
+  [[nodiscard]] std::span<const int> jointsToParents() const { return part(Part::jointToParent); }
+  [[nodiscard]] std::span<const int> children() const {
+    return part(Part::child).first(static_cast<std::size_t>(m_nodeCount) - 1);
+  }
+
+ private:
+  /// What is kept, each by node or joint, one behind the other in one array.
+  enum class Part { parent, jointToParent, depth, preorder, subtreeEnd, order, child, towardsGround };
+  static constexpr int kParts = 8;
+
+  explicit SpanningTree(int nodeCount)
+      : m_nodeCount(nodeCount), m_numbers(static_cast<std::size_t>(nodeCount) * kParts, -1) {}
+
+  [[nodiscard]] std::span<const int> part(Part of) const {
+    const auto size = static_cast<std::size_t>(m_nodeCount);
+    return std::span(m_numbers).subspan(static_cast<std::size_t>(of) * size, size);
+  }
+  [[nodiscard]] std::size_t place(Part of, int index) const {
+    return static_cast<std::size_t>(of) * static_cast<std::size_t>(m_nodeCount) +
+           static_cast<std::size_t>(index);
+  }
+  [[nodiscard]] int at(Part of, int index) const { return m_numbers[place(of, index)]; }
+  int& at(Part of, int index) { return m_numbers[place(of, index)]; }
+
+  int m_nodeCount = 0;
+  std::vector<int> m_numbers;
+};
+
+using SpanningTreePtr = std::shared_ptr<const SpanningTree>;
+
+/// One step along a tree walk: a turning joint, and whether the walk runs in the joint's direction (+1) or
+/// against.
+struct PathStep {
+  int joint = 0;
+  int direction = 0;
+};
+
+/// The walk from one node to another through the tree, in order. Cost: O(its length).
+[[nodiscard]] std::vector<PathStep> treePath(const SpanningTree& tree, int from, int to);
+
+}  // namespace geargraph

@@ -1,0 +1,130 @@
+#include "core/mechanism/model/difference.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "core/foundations/base/wording.h"
+
+namespace geargraph {
+namespace {
+
+template <class Element>
+Difference::Count countOf(const std::vector<Element>& before, const std::vector<Element>& after) {
+  std::map<decltype(Element::id), const Element*> old;
+  for (const Element& element : before) old.emplace(element.id, &element);
+  Difference::Count count;
+  for (const Element& element : after) {
+    const auto found = old.find(element.id);
+    if (found == old.end()) {
+      ++count.added;
+      continue;
+    }
+    if (!(*found->second == element)) ++count.changed;
+    old.erase(found);
+  }
+  count.removed = static_cast<int>(old.size());
+  return count;
+}
+
+template <class Element>
+bool sameOrder(const std::vector<Element>& before, const std::vector<Element>& after) {
+  return std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                    [](const Element& a, const Element& b) { return a.id == b.id; });
+}
+
+bool hasSameMotors(const Mechanism& a, const Mechanism& b) {
+  if (!a.inputs || !b.inputs) return !a.inputs && !b.inputs;
+  return std::equal(a.inputs->begin(), a.inputs->end(), b.inputs->begin(), b.inputs->end(),
+                    [](const Input& x, const Input& y) { return x.joint == y.joint; });
+}
+
+std::string counted(int count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// "2 links, 1 turning joint and 3 gear meshes", or nothing.
+std::string countsOf(const Difference& difference, int Difference::Count::*which) {
+  std::vector<std::string> parts;
+  const auto add = [&](int count, const char* one, const char* many) {
+    if (count > 0) parts.push_back(counted(count, one, many));
+  };
+  add(difference.links.*which, "link", "links");
+  add(difference.joints.*which, "turning joint", "turning joints");
+  add(difference.meshes.*which, "gear mesh", "gear meshes");
+  return listed(parts, kAllNames);
+}
+
+}  // namespace
+
+Difference differenceOf(const Mechanism& before, const Mechanism& after) {
+  Difference difference;
+  difference.links = countOf(before.links, after.links);
+  difference.joints = countOf(before.turningJoints, after.turningJoints);
+  difference.meshes = countOf(before.gearMeshes, after.gearMeshes);
+  difference.axes = before.axes != after.axes;
+  difference.inputs = before.inputs != after.inputs;
+  difference.places = before.view.nodes != after.view.nodes || before.view.ttNodes != after.view.ttNodes;
+  const bool added = difference.links.added + difference.joints.added + difference.meshes.added > 0;
+  const bool removed = difference.links.removed + difference.joints.removed + difference.meshes.removed > 0;
+  const bool reordered =
+      !added && !removed &&
+      !(sameOrder(before.links, after.links) && sameOrder(before.turningJoints, after.turningJoints) &&
+        sameOrder(before.gearMeshes, after.gearMeshes));
+  difference.other = before.name != after.name || before.notes != after.notes || before.unit != after.unit ||
+                     before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
+                     before.couplings != after.couplings || before.states != after.states ||
+                     before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
+                     before.unknown != after.unknown || reordered;
+  return difference;
+}
+
+bool isSameButForView(const Mechanism& a, const Mechanism& b) {
+  const auto rest = [](const Mechanism& m) {
+    return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
+                    m.gearDefaults, m.inputs, m.couplings, m.states, m.unknown);
+  };
+  return rest(a) == rest(b);
+}
+
+bool isSameTrain(const Mechanism& a, const Mechanism& b) {
+  return sameOrder(a.links, b.links) && a.axes == b.axes && a.turningJoints == b.turningJoints &&
+         a.gearMeshes == b.gearMeshes && a.wheels == b.wheels && a.gearDefaults == b.gearDefaults &&
+         a.inputs == b.inputs;
+}
+
+bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
+  const auto sameEdges = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& one, const auto& other) {
+      return one.id == other.id && one.tail == other.tail && one.head == other.head;
+    });
+  };
+  return a.links == b.links && sameEdges(a.turningJoints, b.turningJoints) &&
+         sameEdges(a.gearMeshes, b.gearMeshes) && hasSameMotors(a, b) && a.couplings == b.couplings;
+}
+
+std::string differenceText(const Difference& difference) {
+  std::vector<std::string> clauses;
+  const auto clause = [&](int Difference::Count::*which, const char* verb) {
+    const std::string elements = countsOf(difference, which);
+    if (!elements.empty()) clauses.push_back(elements + ' ' + verb);
+  };
+  clause(&Difference::Count::added, "added");
+  clause(&Difference::Count::removed, "removed");
+  clause(&Difference::Count::changed, "changed");
+  // A new joint brings its axis, a new link its place: that goes without saying.
+  const bool drawn = difference.links.added + difference.links.removed + difference.joints.added +
+                         difference.joints.removed >
+                     0;
+  if (difference.axes && !drawn) clauses.emplace_back("axes changed");
+  if (difference.inputs) clauses.emplace_back("inputs changed");
+  if (difference.places && !drawn) clauses.emplace_back("links moved in the drawing");
+  if (difference.other) clauses.emplace_back("other properties changed");
+  if (clauses.empty()) return "nothing";
+  std::string text = clauses.front();
+  for (std::size_t i = 1; i < clauses.size(); ++i) text += "; " + clauses[i];
+  return text;
+}
+
+}  // namespace geargraph

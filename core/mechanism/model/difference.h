@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph {
+
+/// What two versions of one document have not in common, counted by id.
+struct Difference {
+  struct Count {
+    int added = 0;
+    int removed = 0;
+    int changed = 0;
+    friend bool operator==(const Count&, const Count&) = default;
+  };
+
+  Count links;
+  Count joints;
+  Count meshes;
+  bool axes = false;
+  bool inputs = false;
+  bool places = false;  ///< of the nodes in the drawing
+  bool other = false;   ///< name, notes, wheels, couplings, members of other programs, the order of a list
+
+  friend bool operator==(const Difference&, const Difference&) = default;
+};
+
+/// Cost: O(n + t + c) and the logarithm of it.
+[[nodiscard]] Difference differenceOf(const Mechanism& before, const Mechanism& after);
+
+/// Do they differ in nothing but where things stand in the drawings, which no analysis depends on?
+/// Cost: O(n + t + c).
+[[nodiscard]] bool isSameButForView(const Mechanism& a, const Mechanism& b);
+
+/// Have they the same links, axes, joints and wheels, with the same teeth and inputs, whatever their names,
+/// notes and places on sheets? What a picture of the train shows beside (couplings, what links wear) is for
+/// who paints it. Cost: O(n + t + c).
+[[nodiscard]] bool isSameTrain(const Mechanism& a, const Mechanism& b);
+
+/// Have they the same digraph, down to names, numbers, motors and couplings? Teeth, axes and all else that
+/// sizes a train are not in it. Cost: O(n + t + c).
+[[nodiscard]] bool isSameDigraph(const Mechanism& a, const Mechanism& b);
+
+/// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
+[[nodiscard]] std::string differenceText(const Difference& difference);
+
+}  // namespace geargraph

@@ -1,0 +1,326 @@
+#include "core/mechanism/model/edits.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_set>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/base/position_index.h"
+#include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/validate.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic unknown(const ElementId& element) {
+  return {Code::unknownId,
+          "There is no \"" + element.id.text() + "\" in " + std::string(listName(element.kind)) + ".",
+          {element},
+          {},
+          0,
+          0};
+}
+
+Diagnostic refusal(Code code, std::string message, std::vector<ElementId> elements = {}) {
+  return {code, std::move(message), std::move(elements), {}, 0, 0};
+}
+
+template <class Element, class ElementIdType>
+Element* findIn(std::vector<Element>& list, ElementIdType id) {
+  const auto found = std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id == id; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
+  std::set<AxisId> used;
+  for (const TurningJoint& joint : mechanism.turningJoints) used.insert(joint.axis);
+  std::erase_if(mechanism.axes,
+                [&](const Axis& axis) { return candidates.contains(axis.id) && !used.contains(axis.id); });
+}
+
+Expected<Mechanism> withPlaces(Mechanism mechanism, std::map<LinkId, SheetPoint> View::*drawing,
+                               std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  const PositionIndex<LinkTag> links(mechanism.links);
+  for (const auto& [link, point] : nodes) {
+    if (links.positionOf(link) < 0) return unknown(link);
+    (mechanism.view.*drawing)[link] = point;
+  }
+  return mechanism;
+}
+
+/// The first finding that the edited mechanism has and `before` had not, as a refusal; else the mechanism.
+Expected<Mechanism> unlessLoop(Mechanism edited, JointId added) {
+  for (Diagnostic& diagnostic : treeDiagnostics(edited)) {
+    if (diagnostic.code != Code::turningLoop) continue;
+    const auto& blamed = diagnostic.elements;
+    if (std::find(blamed.begin(), blamed.end(), ElementId(added)) != blamed.end())
+      return std::move(diagnostic);
+  }
+  return edited;
+}
+
+}  // namespace
+
+Expected<Mechanism> withLink(Mechanism mechanism, SheetPoint at, std::string name) {
+  const LinkId id(freshId(mechanism));
+  mechanism.links.push_back({id, std::move(name)});
+  mechanism.view.nodes[id] = at;
+  return mechanism;
+}
+
+Expected<Mechanism> withTurningJoint(Mechanism mechanism, LinkId tail, LinkId head, AxisId axis) {
+  if (mechanism.find(tail) == nullptr) return unknown(tail);
+  if (mechanism.find(head) == nullptr) return unknown(head);
+  if (tail == head) {
+    return refusal(Code::selfJoint, "A turning joint needs two different links.", {tail});
+  }
+  if (axis.empty()) {
+    axis = freshAxisIds(mechanism, 1).front();
+    mechanism.axes.push_back({axis, {}, {}});
+  } else if (mechanism.find(axis) == nullptr) {
+    return unknown(axis);
+  }
+  const JointId id(freshId(mechanism));
+  mechanism.turningJoints.push_back({id, tail, head, axis, Number(0)});
+  return unlessLoop(std::move(mechanism), id);
+}
+
+Expected<Mechanism> withGearMesh(Mechanism mechanism, LinkId tail, LinkId head, int tailTeeth,
+                                 int headTeeth) {
+  if (mechanism.find(tail) == nullptr) return unknown(tail);
+  if (mechanism.find(head) == nullptr) return unknown(head);
+  if (tail == head) {
+    return refusal(Code::selfJoint, "A gear mesh needs two different links.", {tail});
+  }
+  GearMesh mesh;
+  mesh.id = MeshId(freshId(mechanism));
+  mesh.tail = tail;
+  mesh.head = head;
+  const MeshId id = mesh.id;
+  mechanism.gearMeshes.push_back(std::move(mesh));
+  return withTeeth(std::move(mechanism), id, tailTeeth, headTeeth);
+}
+
+Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
+                                     std::optional<SheetPoint> at) {
+  if (mechanism.find(gear) == nullptr) return unknown(gear);
+  const LinkId link(freshId(mechanism));
+  mechanism.links.push_back({link, {}});
+  if (at) mechanism.view.nodes[link] = *at;
+  Expected<Mechanism> turning = withTurningJoint(std::move(mechanism), carrier, link);
+  if (!turning) return turning;
+  return withGearMesh(std::move(turning).value(), gear, link);
+}
+
+Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements) {
+  const std::unordered_set<ElementId> gone(elements.begin(), elements.end());
+  const LinkId ground = mechanism.links.front().id;
+  if (gone.contains(ground)) {
+    return refusal(Code::schema, "The ground cannot be deleted; make another link the ground first.",
+                   {ground});
+  }
+  const auto linkGone = [&](LinkId link) { return gone.contains(link); };
+  std::set<AxisId> freed;
+  for (const ElementId& element : elements) {
+    if (element.kind == ElementKind::axis) freed.insert(AxisId(element.id));
+  }
+
+  std::erase_if(mechanism.turningJoints, [&](const TurningJoint& joint) {
+    const bool goes =
+        gone.contains(joint.id) || linkGone(joint.tail) || linkGone(joint.head) || gone.contains(joint.axis);
+    if (goes) freed.insert(joint.axis);
+    return goes;
+  });
+  std::erase_if(mechanism.wheels,
+                [&](const Wheel& wheel) { return gone.contains(wheel.id) || linkGone(wheel.link); });
+  std::erase_if(mechanism.gearMeshes, [&](const GearMesh& mesh) {
+    return gone.contains(mesh.id) || linkGone(mesh.tail) || linkGone(mesh.head);
+  });
+  for (GearMesh& mesh : mechanism.gearMeshes) {
+    if (mesh.tailWheel && mechanism.find(*mesh.tailWheel) == nullptr) mesh.tailWheel.reset();
+    if (mesh.headWheel && mechanism.find(*mesh.headWheel) == nullptr) mesh.headWheel.reset();
+  }
+  std::erase_if(mechanism.links, [&](const Link& link) { return linkGone(link.id); });
+  for (auto* const nodes : {&mechanism.view.nodes, &mechanism.view.ttNodes})
+    std::erase_if(*nodes, [&](const auto& node) { return linkGone(node.first); });
+
+  std::erase_if(mechanism.couplings, [&](const Coupling& coupling) {
+    return gone.contains(coupling.id) || std::any_of(coupling.links.begin(), coupling.links.end(), linkGone);
+  });
+  std::unordered_set<Atom> couplings;
+  for (const Coupling& coupling : mechanism.couplings) couplings.insert(coupling.id.atom());
+  for (ShiftState& state : mechanism.states) {
+    std::erase_if(state.engaged, [&](CouplingId id) { return !couplings.contains(id.atom()); });
+    if (state.drive && linkGone(*state.drive)) state.drive.reset();
+    if (state.driven && linkGone(*state.driven)) state.driven.reset();
+  }
+  if (mechanism.inputs) {
+    std::unordered_set<Atom> joints;
+    for (const TurningJoint& joint : mechanism.turningJoints) joints.insert(joint.id.atom());
+    std::erase_if(*mechanism.inputs,
+                  [&](const Input& input) { return !joints.contains(input.joint.atom()); });
+    if (mechanism.inputs->empty()) mechanism.inputs.reset();
+  }
+  dropUnusedAxes(mechanism, freed);
+  return mechanism;
+}
+
+Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
+  if (element.kind == ElementKind::turningJoint) {
+    TurningJoint* joint = findIn(mechanism.turningJoints, JointId(element.id));
+    if (joint == nullptr) return unknown(element);
+    std::swap(joint->tail, joint->head);
+    joint->limits = opposite(joint->limits);
+    return mechanism;
+  }
+  GearMesh* mesh =
+      element.kind == ElementKind::gearMesh ? findIn(mechanism.gearMeshes, MeshId(element.id)) : nullptr;
+  if (mesh == nullptr) return unknown(element);
+  std::swap(mesh->tail, mesh->head);
+  std::swap(mesh->tailTeeth, mesh->headTeeth);
+  std::swap(mesh->tailWheel, mesh->headWheel);
+  return mechanism;
+}
+
+Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, const std::string& name) {
+  if (element.kind == ElementKind::link) {
+    Link* link = findIn(mechanism.links, LinkId(element.id));
+    if (link == nullptr) return unknown(element);
+    link->name = name;
+    return mechanism;
+  }
+  if (element.kind != ElementKind::axis) {
+    return refusal(Code::schema, "Only links and axes bear names; the others bear the paper's labels.",
+                   {element});
+  }
+  const AxisId from(element.id);
+  const AxisId to{name};
+  Axis* axis = findIn(mechanism.axes, from);
+  if (axis == nullptr) return unknown(element);
+  if (to == from) return mechanism;
+  if (to.empty()) return refusal(Code::schema, "An axis needs a name.", {element});
+  if (mechanism.find(to) != nullptr) {
+    return refusal(Code::duplicateId, "There is an axis \"" + name + "\" already.", {to});
+  }
+  axis->id = to;
+  for (TurningJoint& joint : mechanism.turningJoints) {
+    if (joint.axis == from) joint.axis = to;
+  }
+  return mechanism;
+}
+
+Expected<Mechanism> withNodesMoved(Mechanism mechanism,
+                                   std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  return withPlaces(std::move(mechanism), &View::nodes, nodes);
+}
+
+Expected<Mechanism> withTtNodesMoved(Mechanism mechanism,
+                                     std::span<const std::pair<LinkId, SheetPoint>> nodes) {
+  return withPlaces(std::move(mechanism), &View::ttNodes, nodes);
+}
+
+Expected<Mechanism> withTeeth(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  found->tailTeeth = tailTeeth;
+  found->headTeeth = headTeeth;
+  for (const int teeth : {tailTeeth, headTeeth}) {
+    if (teeth < kFewestTeeth || teeth > kMostTeeth) {
+      return refusal(Code::schema, "A gear has 1 to 100,000 teeth, not " + std::to_string(teeth) + ".",
+                     {mesh});
+    }
+  }
+  return mechanism;
+}
+
+Expected<Mechanism> withMeshKind(Mechanism mechanism, MeshId mesh, std::optional<MeshKind> kind) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  found->kind = kind;
+  return mechanism;
+}
+
+Expected<Mechanism> withPitchPoint(Mechanism mechanism, MeshId mesh, std::optional<NumberTriple> pitchPoint) {
+  GearMesh* found = findIn(mechanism.gearMeshes, mesh);
+  if (found == nullptr) return unknown(mesh);
+  found->pitchPoint = std::move(pitchPoint);
+  return mechanism;
+}
+
+Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::optional<NumberTriple> point,
+                                   std::optional<NumberTriple> direction) {
+  Axis* found = findIn(mechanism.axes, axis);
+  if (found == nullptr) return unknown(axis);
+  if (direction && isZero(*direction)) {
+    return refusal(Code::schema, "The direction of axis " + axis.text() + " has length 0.", {axis});
+  }
+  found->point = std::move(point);
+  found->direction = std::move(direction);
+  return mechanism;
+}
+
+Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axis) {
+  TurningJoint* found = findIn(mechanism.turningJoints, joint);
+  if (found == nullptr) return unknown(joint);
+  if (mechanism.find(axis) == nullptr) return unknown(axis);
+  const AxisId before = found->axis;
+  found->axis = axis;
+  dropUnusedAxes(mechanism, {before});
+  return mechanism;
+}
+
+Expected<Mechanism> withNewAxis(Mechanism mechanism, std::span<const JointId> joints) {
+  GEARGRAPH_REQUIRE(!joints.empty());
+  const TurningJoint* first = mechanism.find(joints.front());
+  if (first == nullptr) return unknown(joints.front());
+  Axis axis = *mechanism.find(first->axis);
+  axis.id = freshAxisIds(mechanism, 1).front();
+  const AxisId id = axis.id;
+  mechanism.axes.push_back(std::move(axis));
+  for (const JointId joint : joints) {
+    Expected<Mechanism> next = withJointAxis(std::move(mechanism), joint, id);
+    if (!next) return next;
+    mechanism = std::move(next).value();
+  }
+  return mechanism;
+}
+
+Expected<Mechanism> withOffset(Mechanism mechanism, JointId joint, const Number& offset) {
+  TurningJoint* found = findIn(mechanism.turningJoints, joint);
+  if (found == nullptr) return unknown(joint);
+  found->offset = offset;
+  return mechanism;
+}
+
+Expected<Mechanism> withJointLimits(Mechanism mechanism, JointId joint, const JointLimits& limits) {
+  TurningJoint* found = findIn(mechanism.turningJoints, joint);
+  if (found == nullptr) return unknown(joint);
+  if (const auto problem = limitsProblem(limits)) return refusal(Code::schema, *problem, {joint});
+  found->limits = limits;
+  return mechanism;
+}
+
+Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<Input>> inputs) {
+  if (inputs) {
+    const PositionIndex<JointTag> joints(mechanism.turningJoints);
+    std::set<JointId> seen;
+    for (const Input& input : *inputs) {
+      if (joints.positionOf(input.joint) < 0) return unknown(input.joint);
+      if (!seen.insert(input.joint).second) {
+        return refusal(Code::duplicateId, "The joint is an input already.", {input.joint});
+      }
+    }
+  }
+  mechanism.inputs = std::move(inputs);
+  return mechanism;
+}
+
+Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
+  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                  [link](const Link& candidate) { return candidate.id == link; });
+  if (found == mechanism.links.end()) return unknown(link);
+  std::rotate(mechanism.links.begin(), found, found + 1);
+  return mechanism;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,225 @@
+#include "core/mechanism/model/fragment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/mechanism/model/fresh_ids.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kStep = 30;   // px that a copy is moved right and down
+constexpr double kOnTop = 12;  // px: nodes nearer than this hide each other
+constexpr int kMostSteps = 200;
+
+/// The links that come along.
+std::unordered_set<LinkId> linksOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
+  std::unordered_set<LinkId> links;
+  for (const ElementId& element : selected) {
+    if (element.kind == ElementKind::link) links.insert(LinkId(element.id));
+  }
+  const auto addEnds = [&](const auto& arrow) {
+    if (!selected.contains(arrow.id)) return;
+    links.insert(arrow.tail);
+    links.insert(arrow.head);
+  };
+  std::for_each(mechanism.turningJoints.begin(), mechanism.turningJoints.end(), addEnds);
+  std::for_each(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(), addEnds);
+  return links;
+}
+
+template <class Element, class Keep>
+std::vector<Element> kept(const std::vector<Element>& all, const Keep& keep) {
+  std::vector<Element> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some), keep);
+  return some;
+}
+
+/// The pasted elements under their new ids.
+class Renamer {
+ public:
+  Renamer(const Mechanism& target, const Mechanism& fragment) {
+    m_links.emplace(fragment.links.front().id, target.links.front().id);
+    const auto count = fragment.links.size() - 1 + fragment.turningJoints.size() + fragment.gearMeshes.size();
+    const std::vector<std::string> ids = freshIds(target, static_cast<int>(count));
+    auto next = ids.begin();
+    for (std::size_t i = 1; i < fragment.links.size(); ++i) {
+      m_links.emplace(fragment.links[i].id, LinkId(*next++));
+    }
+    for (const TurningJoint& joint : fragment.turningJoints) m_joints.emplace(joint.id, JointId(*next++));
+    for (const GearMesh& mesh : fragment.gearMeshes) m_meshes.emplace(mesh.id, MeshId(*next++));
+    const auto axes = freshAxisIds(target, static_cast<int>(fragment.axes.size()));
+    for (std::size_t i = 0; i < axes.size(); ++i) m_axes.emplace(fragment.axes[i].id, axes[i]);
+    nameApart(target.wheels, fragment.wheels, m_wheels);
+    nameApart(target.couplings, fragment.couplings, m_couplings);
+  }
+
+  [[nodiscard]] LinkId operator()(LinkId id) const { return m_links.at(id); }
+  [[nodiscard]] JointId operator()(JointId id) const { return m_joints.at(id); }
+  [[nodiscard]] MeshId operator()(MeshId id) const { return m_meshes.at(id); }
+  [[nodiscard]] AxisId operator()(AxisId id) const { return m_axes.at(id); }
+  [[nodiscard]] WheelId operator()(WheelId id) const { return m_wheels.at(id); }
+  [[nodiscard]] CouplingId operator()(CouplingId id) const { return m_couplings.at(id); }
+
+ private:
+  /// Ids of one's own keep their word: "brake" becomes "brake-2".
+  template <class Element, class IdType>
+  static void nameApart(const std::vector<Element>& there, const std::vector<Element>& coming,
+                        std::unordered_map<IdType, IdType>& names) {
+    std::unordered_set<std::string> taken;
+    for (const Element& element : there) taken.insert(element.id.text());
+    for (const Element& element : coming) {
+      std::string name = element.id.text();
+      for (int number = 2; taken.contains(name); ++number) {
+        name = element.id.text() + "-" + std::to_string(number);
+      }
+      taken.insert(name);
+      names.emplace(element.id, IdType(name));
+    }
+  }
+
+  std::unordered_map<LinkId, LinkId> m_links;
+  std::unordered_map<JointId, JointId> m_joints;
+  std::unordered_map<MeshId, MeshId> m_meshes;
+  std::unordered_map<AxisId, AxisId> m_axes;
+  std::unordered_map<WheelId, WheelId> m_wheels;
+  std::unordered_map<CouplingId, CouplingId> m_couplings;
+};
+
+/// How far the pasted nodes have to go so that none lies on one that is there.
+double shiftFor(const View& there, const Mechanism& fragment) {
+  std::set<std::pair<long, long>> taken;
+  const auto cell = [](double x, double y) {
+    return std::pair(std::lround(x / kOnTop), std::lround(y / kOnTop));
+  };
+  for (const auto& [link, point] : there.nodes) taken.insert(cell(point.x, point.y));
+  const LinkId ground = fragment.links.front().id;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double shift = step * kStep;
+    const bool free =
+        std::none_of(fragment.view.nodes.begin(), fragment.view.nodes.end(), [&](const auto& node) {
+          return node.first != ground && taken.contains(cell(node.second.x + shift, node.second.y + shift));
+        });
+    if (free) return shift;
+  }
+  return kMostSteps * kStep;
+}
+
+template <class Element>
+void addRenamed(std::vector<Element>& into, const std::vector<Element>& from, const Renamer& renamed,
+                void (*inside)(Element&, const Renamer&)) {
+  for (Element element : from) {
+    element.id = renamed(element.id);
+    inside(element, renamed);
+    into.push_back(std::move(element));
+  }
+}
+
+void addArrows(Mechanism& mechanism, const Mechanism& fragment, const Renamer& renamed) {
+  addRenamed<Axis>(mechanism.axes, fragment.axes, renamed, [](Axis&, const Renamer&) {});
+  addRenamed<TurningJoint>(mechanism.turningJoints, fragment.turningJoints, renamed,
+                           [](TurningJoint& joint, const Renamer& to) {
+                             joint.tail = to(joint.tail);
+                             joint.head = to(joint.head);
+                             joint.axis = to(joint.axis);
+                           });
+  addRenamed<Wheel>(mechanism.wheels, fragment.wheels, renamed,
+                    [](Wheel& wheel, const Renamer& to) { wheel.link = to(wheel.link); });
+  addRenamed<GearMesh>(mechanism.gearMeshes, fragment.gearMeshes, renamed,
+                       [](GearMesh& mesh, const Renamer& to) {
+                         mesh.tail = to(mesh.tail);
+                         mesh.head = to(mesh.head);
+                         if (mesh.tailWheel) mesh.tailWheel = to(*mesh.tailWheel);
+                         if (mesh.headWheel) mesh.headWheel = to(*mesh.headWheel);
+                       });
+  addRenamed<Coupling>(mechanism.couplings, fragment.couplings, renamed,
+                       [](Coupling& coupling, const Renamer& to) {
+                         for (LinkId& link : coupling.links) link = to(link);
+                       });
+}
+
+}  // namespace
+
+Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
+  const std::unordered_set<LinkId> links = linksOf(mechanism, selected);
+  const auto has = [&](LinkId link) { return links.contains(link); };
+  const auto among = [&](const auto& arrow) { return has(arrow.tail) && has(arrow.head); };
+  Mechanism fragment;
+  fragment.unit = mechanism.unit;
+  fragment.links.push_back(mechanism.links.front());
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+    if (has(mechanism.links[i].id)) fragment.links.push_back(mechanism.links[i]);
+  }
+  fragment.turningJoints = kept(mechanism.turningJoints, among);
+  fragment.gearMeshes = kept(mechanism.gearMeshes, among);
+  std::unordered_set<AxisId> axes;
+  std::unordered_set<JointId> joints;
+  for (const TurningJoint& joint : fragment.turningJoints) {
+    axes.insert(joint.axis);
+    joints.insert(joint.id);
+  }
+  fragment.axes = kept(mechanism.axes, [&](const Axis& axis) { return axes.contains(axis.id); });
+  fragment.wheels = kept(mechanism.wheels, [&](const Wheel& wheel) { return has(wheel.link); });
+  fragment.couplings = kept(mechanism.couplings, [&](const Coupling& coupling) {
+    return std::all_of(coupling.links.begin(), coupling.links.end(), has);
+  });
+  if (mechanism.inputs) {
+    fragment.inputs =
+        kept(*mechanism.inputs, [&](const Input& input) { return joints.contains(input.joint); });
+    if (fragment.inputs->empty()) fragment.inputs.reset();
+  }
+  for (const auto& [link, point] : mechanism.view.nodes) {
+    if (has(link)) fragment.view.nodes.emplace(link, point);
+  }
+  return fragment;
+}
+
+bool isEmptyFragment(const Mechanism& fragment) {
+  return fragment.links.size() == 1;
+}
+
+Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment) {
+  if (isEmptyFragment(fragment)) {
+    return Diagnostic{Code::schema, "There is no link in what was copied.", {}, {}, 0, 0};
+  }
+  const Renamer renamed(mechanism, fragment);
+  const double shift = shiftFor(mechanism.view, fragment);
+  for (std::size_t i = 1; i < fragment.links.size(); ++i) {
+    Link link = fragment.links[i];
+    const auto node = fragment.view.nodes.find(link.id);
+    link.id = renamed(link.id);
+    if (node != fragment.view.nodes.end()) {
+      mechanism.view.nodes[link.id] = {node->second.x + shift, node->second.y + shift};
+    }
+    mechanism.links.push_back(std::move(link));
+  }
+  addArrows(mechanism, fragment, renamed);
+  if (fragment.inputs) {
+    if (!mechanism.inputs) mechanism.inputs.emplace();
+    for (Input input : *fragment.inputs) {
+      input.joint = renamed(input.joint);
+      mechanism.inputs->push_back(std::move(input));
+    }
+  }
+  return mechanism;
+}
+
+std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& after) {
+  std::unordered_set<ElementId> known;
+  const auto each = [](const Mechanism& mechanism, const auto& use) {
+    for (const Link& link : mechanism.links) use(ElementId(link.id));
+    for (const TurningJoint& joint : mechanism.turningJoints) use(ElementId(joint.id));
+    for (const GearMesh& mesh : mechanism.gearMeshes) use(ElementId(mesh.id));
+  };
+  each(before, [&](const ElementId& element) { known.insert(element); });
+  std::set<ElementId> added;
+  each(after, [&](const ElementId& element) {
+    if (!known.contains(element)) added.insert(element);
+  });
+  return added;
+}
+
+}  // namespace geargraph

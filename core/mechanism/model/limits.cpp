@@ -1,0 +1,165 @@
+#include "core/mechanism/model/limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace geargraph {
+namespace {
+
+/// Characters of a text in UTF-8.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & '\xC0') != '\x80'; }));
+}
+
+bool isTooLong(const std::string& text) {
+  return text.size() > kLongestName && characters(text) > kLongestName;  // bytes are at least as many
+}
+
+std::string pointerTo(ElementKind list, std::size_t position) {
+  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
+}
+
+std::string pointerTo(ElementKind list, std::size_t position, const char* member) {
+  return pointerTo(list, position) + "/" + member;
+}
+
+Diagnostic finding(std::string message, std::string pointer, std::vector<ElementId> elements = {}) {
+  return {Code::schema, std::move(message), std::move(elements), std::move(pointer), 0, 0};
+}
+
+Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<ElementId> elements = {}) {
+  return finding(
+      "A name has at most 1,000 characters; this one has " + std::to_string(characters(text)) + ".",
+      std::move(pointer), std::move(elements));
+}
+
+void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
+  if (size <= kLongestList) return;
+  const std::string name(listName(kind));
+  findings.push_back(finding(
+      "A document has at most 100,000 " + name + "; this one has " + std::to_string(size) + ".", "/" + name));
+}
+
+template <class Element>
+void checkList(const std::vector<Element>& list, ElementKind kind, Diagnostics& findings) {
+  checkLength(list.size(), kind, findings);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const ElementId id = list[i].id;
+    if (isTooLong(id.id.text())) findings.push_back(tooLong(id.id.text(), pointerTo(kind, i, "id"), {id}));
+  }
+}
+
+/// Collects lengths beyond their range. Doubles decide: the limit is a power of ten that both kinds hold.
+class RangeCheck {
+ public:
+  explicit RangeCheck(const Mechanism& mechanism) {
+    const auto each = [](const auto& list, ElementKind kind, const auto& check) {
+      for (std::size_t i = 0; i < list.size(); ++i) check(list[i], pointerTo(kind, i));
+    };
+    each(mechanism.links, ElementKind::link, [this](const Link& link, const std::string& at) {
+      for (std::size_t k = 0; k < link.shapes.size(); ++k) {
+        const LinkShape& shape = link.shapes[k];
+        const std::string shapeAt = at + "/shapes/" + std::to_string(k);
+        triple(link.id, shape.position, "coordinate", shapeAt + "/position");
+        triple(link.id, shape.orientation, "number", shapeAt + "/orientation");
+        number({link.id}, shape.scale, "number", shapeAt + "/scale");
+      }
+    });
+    each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const std::string& at) {
+      triple(axis.id, axis.point, "coordinate", at + "/point");
+      triple(axis.id, axis.direction, "component", at + "/direction");
+      if (axis.direction) notTooShort(axis, at + "/direction");
+    });
+    each(mechanism.turningJoints, ElementKind::turningJoint,
+         [this](const TurningJoint& joint, const auto& at) {
+           number({joint.id}, joint.offset.value(), "length", at + "/offset");
+         });
+    each(mechanism.gearMeshes, ElementKind::gearMesh, [this](const GearMesh& mesh, const std::string& at) {
+      triple(mesh.id, mesh.pitchPoint, "coordinate", at + "/pitchPoint");
+      number({mesh.id}, mesh.faceWidth, "length", at + "/faceWidth");
+    });
+    each(mechanism.wheels, ElementKind::wheel, [this](const Wheel& wheel, const std::string& at) {
+      number({wheel.id}, wheel.profileShift, "number", at + "/profileShift");
+      number({wheel.id}, wheel.bore, "length", at + "/bore");
+      number({wheel.id}, wheel.backlash, "number", at + "/backlash");
+    });
+    if (mechanism.gearDefaults) {
+      number({}, mechanism.gearDefaults->pressureAngle, "number", "/gearDefaults/pressureAngle");
+      number({}, mechanism.gearDefaults->backlash, "number", "/gearDefaults/backlash");
+      number({}, mechanism.gearDefaults->faceWidth, "length", "/gearDefaults/faceWidth");
+    }
+    places(mechanism.view.nodes, "/view/nodes/");
+    places(mechanism.view.ttNodes, "/view/ttNodes/");
+    if (mechanism.view.camera) camera(*mechanism.view.camera);
+  }
+
+  Diagnostics found;
+
+ private:
+  static constexpr double kMost = static_cast<double>(kLargestLength);
+
+  void number(std::vector<ElementId> elements, double value, const std::string& what,
+              const std::string& pointer) {
+    if (std::abs(value) <= kMost) return;
+    found.push_back(finding("expected a " + what + " from -1e15 to 1e15.", pointer, std::move(elements)));
+  }
+  void number(std::vector<ElementId> elements, const std::optional<Number>& value, const std::string& what,
+              const std::string& pointer) {
+    if (value) number(std::move(elements), value->value(), what, pointer);
+  }
+  void triple(const ElementId& element, const std::optional<NumberTriple>& values, const std::string& what,
+              const std::string& pointer) {
+    for (std::size_t i = 0; values && i < values->size(); ++i)
+      number({element}, (*values)[i].value(), what, pointer + "/" + std::to_string(i));
+  }
+  void places(const std::map<LinkId, SheetPoint>& nodes, const std::string& pointer) {
+    for (const auto& [link, place] : nodes) {
+      number({link}, place.x, "coordinate", pointer + link.text() + "/0");
+      number({link}, place.y, "coordinate", pointer + link.text() + "/1");
+    }
+  }
+  void camera(const ViewCamera& camera) {
+    for (std::size_t i = 0; i < camera.target.size(); ++i)
+      number({}, camera.target[i], "coordinate", "/view/camera/target/" + std::to_string(i));
+    number({}, camera.distance, "length", "/view/camera/distance");
+  }
+  void notTooShort(const Axis& axis, const std::string& pointer) {
+    double longest = 0;
+    for (const Number& component : *axis.direction) longest = std::max(longest, std::abs(component.value()));
+    if (longest >= 1 / kMost || isZero(*axis.direction)) return;  // that of length 0 has a finding of its own
+    found.push_back(finding("expected a direction with a component of at least 1e-15.", pointer, {axis.id}));
+  }
+};
+
+}  // namespace
+
+Diagnostics limitDiagnostics(const Mechanism& mechanism) {
+  Diagnostics findings;
+  if (isTooLong(mechanism.name)) findings.push_back(tooLong(mechanism.name, "/name"));
+  if (isTooLong(mechanism.unit)) findings.push_back(tooLong(mechanism.unit, "/unit"));
+  checkList(mechanism.links, ElementKind::link, findings);
+  checkList(mechanism.axes, ElementKind::axis, findings);
+  checkList(mechanism.turningJoints, ElementKind::turningJoint, findings);
+  checkList(mechanism.gearMeshes, ElementKind::gearMesh, findings);
+  checkList(mechanism.wheels, ElementKind::wheel, findings);
+  checkList(mechanism.couplings, ElementKind::coupling, findings);
+  checkLength(mechanism.states.size(), ElementKind::state, findings);
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    const Link& link = mechanism.links[i];
+    if (isTooLong(link.name))
+      findings.push_back(tooLong(link.name, pointerTo(ElementKind::link, i, "name"), {link.id}));
+  }
+  for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
+    const std::string& name = mechanism.states[i].name;
+    if (isTooLong(name)) findings.push_back(tooLong(name, pointerTo(ElementKind::state, i, "name")));
+  }
+  const Diagnostics beyond = RangeCheck(mechanism).found;
+  findings.insert(findings.end(), beyond.begin(), beyond.end());
+  return findings;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph {
+
+constexpr std::size_t kLongestName = 1'000;    ///< characters of a name, a unit or an id
+constexpr std::size_t kLongestList = 100'000;  ///< elements of a list
+
+/// Lengths, coordinates and components of directions are no larger than this, in whatever unit: their squares
+/// and products stay far from what a double or a float can hold, and every search over them ends.
+constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
+
+/// What the file format does not accept, one `schema` each: texts and lists beyond these limits; lengths,
+/// coordinates, components of directions, positions of nodes and measures of wheels beyond +-kLargestLength;
+/// directions shorter than its inverse. A document without any can be saved and opened again, and edits
+/// reject what has any. Cost: O(n + t + c).
+[[nodiscard]] Diagnostics limitDiagnostics(const Mechanism& mechanism);
+
+}  // namespace geargraph

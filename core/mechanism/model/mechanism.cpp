@@ -1,0 +1,92 @@
+#include "core/mechanism/model/mechanism.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+template <class Element, class ElementIdType>
+const Element* findIn(const std::vector<Element>& list, ElementIdType id) {
+  const auto found = std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id == id; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+template <class Element>
+std::optional<int> positionIn(const std::vector<Element>& list, Atom id) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [id](const Element& e) { return e.id.atom() == id; });
+  if (found == list.end()) return std::nullopt;
+  return static_cast<int>(found - list.begin());
+}
+
+}  // namespace
+
+std::string_view meshKindName(MeshKind kind) {
+  switch (kind) {
+    case MeshKind::external:
+      return "external";
+    case MeshKind::internal:
+      return "internal";
+    case MeshKind::bevel:
+      return "bevel";
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+const Link* Mechanism::find(LinkId id) const {
+  return findIn(links, id);
+}
+const Axis* Mechanism::find(AxisId id) const {
+  return findIn(axes, id);
+}
+const TurningJoint* Mechanism::find(JointId id) const {
+  return findIn(turningJoints, id);
+}
+const GearMesh* Mechanism::find(MeshId id) const {
+  return findIn(gearMeshes, id);
+}
+const Wheel* Mechanism::find(WheelId id) const {
+  return findIn(wheels, id);
+}
+const Coupling* Mechanism::find(CouplingId id) const {
+  return findIn(couplings, id);
+}
+
+JointLimits opposite(const JointLimits& limits) {
+  const auto negated = [](const std::optional<Number>& end) -> std::optional<Number> {
+    if (!end) return std::nullopt;
+    return Number(-end->exact());
+  };
+  return {negated(limits.high), negated(limits.low)};
+}
+
+Mechanism emptyMechanism() {
+  Mechanism mechanism;
+  mechanism.links.push_back({LinkId("0"), "ground"});
+  return mechanism;
+}
+
+std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& element) {
+  std::optional<int> position;
+  switch (element.kind) {
+    case ElementKind::link:
+      position = positionIn(mechanism.links, element.id);
+      break;
+    case ElementKind::turningJoint:
+      position = positionIn(mechanism.turningJoints, element.id);
+      if (position) position = mechanism.jointLabel(*position);
+      break;
+    case ElementKind::gearMesh:
+      position = positionIn(mechanism.gearMeshes, element.id);
+      if (position) position = mechanism.meshLabel(*position);
+      break;
+    default:
+      return element.id.text();
+  }
+  if (!position) return std::nullopt;
+  return std::to_string(*position);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,232 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/base/id.h"
+#include "core/mechanism/model/number.h"
+
+namespace geargraph {
+
+/// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
+/// are kept and written back, so that a newer or foreign program's data survives an edit here.
+using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
+
+/// A 3D file (STL, OBJ, PLY, GLB) attached to a link beside its gears. `file` is a path from the folder of
+/// the document, with slashes, that stays inside it. A point p of the file lies at position + R (scale p) in
+/// the base frame, in the reference pose; R turns by `orientation` (degrees) about x, then y, then z of the
+/// base frame.
+struct LinkShape {
+  std::string file;
+  std::optional<NumberTriple> position = {};
+  std::optional<NumberTriple> orientation = {};
+  std::optional<Number> scale = {};
+  UnknownMembers unknown = {};
+  friend bool operator==(const LinkShape&, const LinkShape&) = default;
+};
+
+struct Link {
+  LinkId id;
+  std::string name;
+  bool pinned = false;  ///< its gears keep their teeth while others are fitted (pins.h)
+  std::vector<LinkShape> shapes = {};
+  UnknownMembers unknown = {};
+  friend bool operator==(const Link&, const Link&) = default;
+};
+
+/// A line that turning joints turn about, in the reference pose, in the base frame. Without point or
+/// direction it is placed from the tooth counts. `direction` need not have length 1.
+struct Axis {
+  AxisId id;
+  std::optional<NumberTriple> point;
+  std::optional<NumberTriple> direction;
+  bool pinned = false;  ///< it keeps its place (pins.h)
+  UnknownMembers unknown = {};
+  friend bool operator==(const Axis&, const Axis&) = default;
+};
+
+/// How far a turning joint may turn from the reference pose, in degrees, positive in the sense of its speed;
+/// an end without a number is open. @pre of a well-formed mechanism: low <= 0 <= high and low < high
+struct JointLimits {
+  std::optional<Number> low = {};
+  std::optional<Number> high = {};
+
+  [[nodiscard]] bool any() const { return low || high; }
+  friend bool operator==(const JointLimits&, const JointLimits&) = default;
+};
+
+/// The same limits for a joint of which tail and head are exchanged.
+[[nodiscard]] JointLimits opposite(const JointLimits& limits);
+
+/// A turning pair. Positive speed turns `head` about +direction of the axis relative to `tail`; `offset` is
+/// where along the axis (from its point, along the unit direction) the bearing is drawn.
+struct TurningJoint {
+  JointId id;
+  LinkId tail;
+  LinkId head;
+  AxisId axis;
+  Number offset;
+  JointLimits limits = {};
+  UnknownMembers unknown = {};
+  friend bool operator==(const TurningJoint&, const TurningJoint&) = default;
+};
+
+enum class MeshKind : std::uint8_t { external, internal, bevel };
+[[nodiscard]] std::string_view meshKindName(MeshKind kind);
+
+constexpr int kFewestTeeth = 1;
+constexpr int kMostTeeth = 100'000;
+
+/// A gear pair: two toothed wheels, one on each link. The paper's ratio i of the mesh is tailTeeth /
+/// headTeeth.
+struct GearMesh {
+  MeshId id;
+  LinkId tail;
+  LinkId head;
+  int tailTeeth = 20;
+  int headTeeth = 20;
+  std::optional<MeshKind> kind;
+  std::optional<NumberTriple> pitchPoint;
+  std::optional<Number> faceWidth;
+  std::optional<WheelId> tailWheel;
+  std::optional<WheelId> headWheel;
+  bool pinned = false;  ///< it keeps its module (pins.h)
+  UnknownMembers unknown = {};
+  friend bool operator==(const GearMesh&, const GearMesh&) = default;
+};
+
+/// The shape of a toothed wheel that meshes may name. Lengths are in the document's unit, `profileShift` and
+/// `backlash` in modules.
+struct Wheel {
+  WheelId id;
+  LinkId link;
+  std::optional<Number> profileShift;
+  std::optional<Number> bore;
+  std::optional<Number> backlash;
+  UnknownMembers unknown;
+  friend bool operator==(const Wheel&, const Wheel&) = default;
+};
+
+struct GearDefaults {
+  std::optional<Number> pressureAngle;  ///< degrees
+  std::optional<Number> backlash;       ///< modules
+  std::optional<Number> faceWidth;
+  UnknownMembers unknown;
+  friend bool operator==(const GearDefaults&, const GearDefaults&) = default;
+};
+
+/// A driven joint and its speed in rad/s.
+struct Input {
+  JointId joint;
+  Number speed;
+  UnknownMembers unknown;
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+enum class CouplingKind { brake, clutch };
+
+/// A brake (one link, held against the ground when engaged) or a clutch (two links that then turn as one).
+struct Coupling {
+  CouplingId id;
+  CouplingKind kind = CouplingKind::brake;
+  std::vector<LinkId> links;
+  UnknownMembers unknown;
+  friend bool operator==(const Coupling&, const Coupling&) = default;
+};
+
+/// Couplings that are engaged together, and the two links whose speeds make the ratio of the state.
+struct ShiftState {
+  std::string name;
+  std::vector<CouplingId> engaged;
+  std::optional<LinkId> drive;
+  std::optional<LinkId> driven;
+  UnknownMembers unknown;
+  friend bool operator==(const ShiftState&, const ShiftState&) = default;
+};
+
+struct SheetPoint {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const SheetPoint&, const SheetPoint&) = default;
+};
+
+/// The camera of the 3D view: it looks at `target` from this distance, azimuth about +z and elevation.
+/// Lengths in the document's unit, angles in degrees.
+struct ViewCamera {
+  std::array<double, 3> target{};
+  double azimuth = 0;
+  double elevation = 0;
+  double distance = 1;  ///< above 0
+  UnknownMembers unknown = {};
+  friend bool operator==(const ViewCamera&, const ViewCamera&) = default;
+};
+
+/// What the editor remembers of its drawings. No number of the analysis depends on it. Nodes of links that
+/// the document has not are kept and not drawn.
+struct View {
+  std::map<LinkId, SheetPoint> nodes;    ///< centres of the digraph's nodes, x to the right, y down
+  std::map<LinkId, SheetPoint> ttNodes;  ///< the same of the T-T graph, of nodes that were dragged
+  std::optional<ViewCamera> camera;
+  UnknownMembers unknown;
+  friend bool operator==(const View&, const View&) = default;
+};
+
+/// The document: an immutable value of what its author drew. What is computed from it lives elsewhere.
+///
+/// Labels are not stored: links[0] is the ground, label 0; links 1..n; turning joints n+1..n+t and gear
+/// meshes n+t+1..n+t+c in the order of their lists.
+///
+/// A Mechanism in hand is well formed: ids are unique in their lists, every reference names an element, teeth
+/// are 1..100,000. It may still be wrong as a mechanism (validate.h): disconnected, a loop of turning joints,
+/// ... At least the ground exists.
+struct Mechanism {
+  std::string name;
+  std::string notes;
+  std::string unit = "mm";
+  std::vector<Link> links;
+  std::vector<Axis> axes;
+  std::vector<TurningJoint> turningJoints;
+  std::vector<GearMesh> gearMeshes;
+  std::vector<Wheel> wheels;
+  std::optional<GearDefaults> gearDefaults;
+  std::optional<std::vector<Input>> inputs;
+  std::vector<Coupling> couplings;
+  std::vector<ShiftState> states;
+  View view;
+  UnknownMembers unknown;
+
+  friend bool operator==(const Mechanism&, const Mechanism&) = default;
+
+  [[nodiscard]] int n() const { return static_cast<int>(links.size()) - 1; }  ///< moving links
+  [[nodiscard]] int t() const { return static_cast<int>(turningJoints.size()); }
+  [[nodiscard]] int c() const { return static_cast<int>(gearMeshes.size()); }
+
+  /// The paper's labels of the elements at these positions of their lists.
+  [[nodiscard]] int linkLabel(int position) const { return position; }
+  [[nodiscard]] int jointLabel(int position) const { return n() + 1 + position; }
+  [[nodiscard]] int meshLabel(int position) const { return n() + t() + 1 + position; }
+
+  [[nodiscard]] const Link* find(LinkId id) const;
+  [[nodiscard]] const Axis* find(AxisId id) const;
+  [[nodiscard]] const TurningJoint* find(JointId id) const;
+  [[nodiscard]] const GearMesh* find(MeshId id) const;
+  [[nodiscard]] const Wheel* find(WheelId id) const;
+  [[nodiscard]] const Coupling* find(CouplingId id) const;
+};
+
+using MechanismPtr = std::shared_ptr<const Mechanism>;
+
+/// A document with the ground and nothing else.
+[[nodiscard]] Mechanism emptyMechanism();
+
+/// The paper's label of a link, turning joint or mesh, as text: "4", "15"; an axis gives its id.
+/// Nothing where the element is not in the mechanism. Cost: O(length of the list).
+[[nodiscard]] std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& element);
+
+}  // namespace geargraph

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/mechanism/model/patch.h"
+
+namespace geargraph {
+
+/// Adds up the memory that values hold outside themselves.
+class ByteCount {
+ public:
+  template <class... Values>
+  void add(const Values&... values) {
+    (one(values), ...);
+  }
+  [[nodiscard]] std::size_t total() const { return m_total; }
+
+ private:
+  /// What an allocation costs beside its contents.
+  static constexpr std::size_t kAllocation = 16;
+
+  void block(std::size_t size) { m_total += size == 0 ? 0 : size + kAllocation; }
+
+  void one(const std::string& text) {
+    constexpr std::size_t kInside = 15;  // kept within the object
+    block(text.capacity() > kInside ? text.capacity() + 1 : 0);
+  }
+  /// A double alone holds nothing; what is written otherwise has its text and its fraction.
+  void one(const Number& number) {
+    if (number == Number::fromDouble(number.value())) return;
+    constexpr std::size_t kWritten = 64;
+    m_total += kWritten + 2 * number.text().size() + 2 * kAllocation;
+  }
+  template <class Value>
+  void one(const std::optional<Value>& value) {
+    if (value) one(*value);
+  }
+  template <class Value, std::size_t count>
+  void one(const std::array<Value, count>& values) {
+    for (const Value& each : values) one(each);
+  }
+  template <class First, class Second>
+  void one(const std::pair<First, Second>& pair) {
+    add(pair.first, pair.second);
+  }
+  template <class Value>
+  void one(const std::vector<Value>& values) {
+    block(values.capacity() * sizeof(Value));
+    for (const Value& each : values) one(each);
+  }
+  template <class Tag>
+  void one(const Id<Tag>& /*id*/) {}
+  void one(std::size_t /*number*/) {}
+  void one(const SheetPoint& /*place*/) {}
+  void one(const LinkShape& shape) {
+    add(shape.file, shape.position, shape.orientation, shape.scale, shape.unknown);
+  }
+  void one(const ViewCamera& camera) { add(camera.unknown); }
+  void one(const Link& link) { add(link.name, link.shapes, link.unknown); }
+  void one(const Axis& axis) { add(axis.point, axis.direction, axis.unknown); }
+  void one(const TurningJoint& joint) {
+    add(joint.offset, joint.limits.low, joint.limits.high, joint.unknown);
+  }
+  void one(const GearMesh& mesh) { add(mesh.pitchPoint, mesh.faceWidth, mesh.unknown); }
+  void one(const Wheel& wheel) { add(wheel.profileShift, wheel.bore, wheel.backlash, wheel.unknown); }
+  void one(const GearDefaults& all) { add(all.pressureAngle, all.backlash, all.faceWidth, all.unknown); }
+  void one(const Input& input) { add(input.speed, input.unknown); }
+  void one(const Coupling& coupling) { add(coupling.links, coupling.unknown); }
+  void one(const ShiftState& state) { add(state.name, state.engaged, state.unknown); }
+  void one(const TextPatch& patch) { add(patch.before, patch.after); }
+  template <class Element>
+  void one(const ListRun<Element>& run) {
+    add(run.before, run.after);
+  }
+  void one(const MemberPatch& patch) { add(patch.changed, patch.replaced); }
+
+  std::size_t m_total = 0;
+};
+
+}  // namespace geargraph

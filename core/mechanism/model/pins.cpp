@@ -1,0 +1,31 @@
+#include "core/mechanism/model/pins.h"
+
+#include <algorithm>
+
+namespace geargraph {
+namespace {
+
+template <class Element>
+bool mark(std::vector<Element>& elements, const ElementId& wanted, bool pinned) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const Element& element) { return ElementId(element.id) == wanted; });
+  if (found == elements.end()) return false;
+  found->pinned = pinned;
+  return true;
+}
+
+}  // namespace
+
+Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, bool pinned) {
+  if (mark(mechanism.axes, element, pinned) || mark(mechanism.links, element, pinned) ||
+      mark(mechanism.gearMeshes, element, pinned))
+    return mechanism;
+  return Diagnostic{Code::unknownId,
+                    "There is no axis, link or mesh \"" + element.id.text() + "\" to pin.",
+                    {element},
+                    {},
+                    0,
+                    0};
+}
+
+}  // namespace geargraph

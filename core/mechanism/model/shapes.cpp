@@ -1,0 +1,54 @@
+#include "core/mechanism/model/shapes.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace geargraph {
+namespace {
+
+Diagnostic rejection(Code code, std::string message, LinkId link) {
+  return {code, std::move(message), {link}, {}, 0, 0};
+}
+
+}  // namespace
+
+Expected<Mechanism> withShapes(Mechanism mechanism, LinkId link, std::vector<LinkShape> shapes) {
+  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                  [&](const Link& each) { return each.id == link; });
+  if (found == mechanism.links.end())
+    return rejection(Code::unknownId, "There is no \"" + link.text() + "\" in links.", link);
+  for (const LinkShape& shape : shapes) {
+    if (!staysInFolder(shape.file)) {
+      return rejection(
+          Code::schema,
+          "\"" + shape.file +
+              "\" is not in the folder of the document: save the document first, then copy the 3D "
+              "file into its folder.",
+          link);
+    }
+    if (shape.scale && shape.scale->exact().sign() <= 0)
+      return rejection(Code::schema, "The scale of a 3D file has to be above 0.", link);
+  }
+  found->shapes = std::move(shapes);
+  return mechanism;
+}
+
+bool staysInFolder(std::string_view path) {
+  if (path.empty() || path.front() == '/' || path.front() == '\\') return false;
+  if (path.size() >= 2 && path[1] == ':' && std::isalpha(static_cast<unsigned char>(path[0])) != 0)
+    return false;
+  int depth = 0;  // folders below the first
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find_first_of("/\\"), path.size());
+    const std::string_view step = path.substr(0, end);
+    if (step == "..") {
+      if (--depth < 0) return false;
+    } else if (!step.empty() && step != ".") {
+      ++depth;
+    }
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return true;
+}
+
+}  // namespace geargraph

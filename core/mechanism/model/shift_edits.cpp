@@ -1,0 +1,139 @@
+#include "core/mechanism/model/shift_edits.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic refusal(Code code, std::string message, std::vector<ElementId> elements = {}) {
+  return {code, std::move(message), std::move(elements), {}, 0, 0};
+}
+
+/// "A", "B", ... "Z", "A1", ...
+CouplingId freshCouplingId(const Mechanism& mechanism) {
+  for (int round = 0;; ++round) {
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      const CouplingId id(std::string(1, letter) + (round == 0 ? "" : std::to_string(round)));
+      if (mechanism.find(id) == nullptr) return id;
+    }
+  }
+}
+
+Expected<Mechanism> withCoupling(Mechanism mechanism, CouplingKind kind, std::vector<LinkId> links,
+                                 const std::string& id) {
+  for (const LinkId link : links) {
+    if (mechanism.find(link) == nullptr)
+      return refusal(Code::unknownId, "There is no \"" + link.text() + "\" in links.", {link});
+  }
+  const CouplingId name = id.empty() ? freshCouplingId(mechanism) : CouplingId(id);
+  if (mechanism.find(name) != nullptr)
+    return refusal(Code::duplicateId, "There is a coupling \"" + id + "\" already.", {name});
+  mechanism.couplings.push_back({name, kind, std::move(links), {}});
+  return mechanism;
+}
+
+ShiftState& stateAt(Mechanism& mechanism, int state) {
+  GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
+  return mechanism.states[static_cast<std::size_t>(state)];
+}
+
+bool isStateName(const Mechanism& mechanism, const std::string& name) {
+  return std::any_of(mechanism.states.begin(), mechanism.states.end(),
+                     [&](const ShiftState& state) { return state.name == name; });
+}
+
+Expected<Mechanism> withEnd(Mechanism mechanism, int state, LinkId link,
+                            std::optional<LinkId> ShiftState::*end) {
+  if (mechanism.find(link) == nullptr)
+    return refusal(Code::unknownId, "There is no \"" + link.text() + "\" in links.", {link});
+  if (state >= 0) {
+    stateAt(mechanism, state).*end = link;
+  } else {
+    for (ShiftState& each : mechanism.states) each.*end = link;
+  }
+  return mechanism;
+}
+
+}  // namespace
+
+Expected<Mechanism> withBrake(Mechanism mechanism, LinkId link, const std::string& id) {
+  if (link == mechanism.links.front().id)
+    return refusal(Code::schema, "The ground stands still already: a brake is for a moving link.", {link});
+  return withCoupling(std::move(mechanism), CouplingKind::brake, {link}, id);
+}
+
+Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other, const std::string& id) {
+  if (one == other) return refusal(Code::selfJoint, "A clutch needs two different links.", {one});
+  return withCoupling(std::move(mechanism), CouplingKind::clutch, {one, other}, id);
+}
+
+Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling, const std::string& name) {
+  const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
+                                  [&](const Coupling& each) { return each.id == coupling; });
+  if (found == mechanism.couplings.end())
+    return refusal(Code::unknownId, "There is no \"" + coupling.text() + "\" in couplings.", {coupling});
+  const CouplingId id(name);
+  if (id == coupling) return mechanism;
+  if (id.empty()) return refusal(Code::schema, "A coupling needs a name.", {coupling});
+  if (mechanism.find(id) != nullptr)
+    return refusal(Code::duplicateId, "There is a coupling \"" + name + "\" already.", {id});
+  found->id = id;
+  for (ShiftState& state : mechanism.states)
+    std::replace(state.engaged.begin(), state.engaged.end(), coupling, id);
+  return mechanism;
+}
+
+Expected<Mechanism> withState(Mechanism mechanism) {
+  ShiftState state;
+  int number = 1;
+  while (isStateName(mechanism, std::to_string(number))) ++number;
+  state.name = std::to_string(number);
+  if (!mechanism.states.empty()) {
+    state.drive = mechanism.states.back().drive;
+    state.driven = mechanism.states.back().driven;
+  }
+  mechanism.states.push_back(std::move(state));
+  return mechanism;
+}
+
+Expected<Mechanism> withoutState(Mechanism mechanism, int state) {
+  (void)stateAt(mechanism, state);
+  mechanism.states.erase(mechanism.states.begin() + state);
+  return mechanism;
+}
+
+Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name) {
+  ShiftState& found = stateAt(mechanism, state);
+  if (found.name == name) return mechanism;
+  if (name.empty()) return refusal(Code::schema, "A state needs a name.");
+  if (isStateName(mechanism, name))
+    return refusal(Code::duplicateId, "There is a state \"" + name + "\" already.",
+                   {ElementId(ElementKind::state, Atom(name))});
+  found.name = name;
+  return mechanism;
+}
+
+Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling, bool engaged) {
+  if (mechanism.find(coupling) == nullptr)
+    return refusal(Code::unknownId, "There is no \"" + coupling.text() + "\" in couplings.", {coupling});
+  ShiftState& found = stateAt(mechanism, state);
+  std::vector<CouplingId> ordered;
+  for (const Coupling& each : mechanism.couplings) {
+    const bool was = std::find(found.engaged.begin(), found.engaged.end(), each.id) != found.engaged.end();
+    if (each.id == coupling ? engaged : was) ordered.push_back(each.id);
+  }
+  found.engaged = std::move(ordered);
+  return mechanism;
+}
+
+Expected<Mechanism> withDrive(Mechanism mechanism, int state, LinkId drive) {
+  return withEnd(std::move(mechanism), state, drive, &ShiftState::drive);
+}
+
+Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven) {
+  return withEnd(std::move(mechanism), state, driven, &ShiftState::driven);
+}
+
+}  // namespace geargraph

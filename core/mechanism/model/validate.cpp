@@ -1,0 +1,408 @@
+#include "core/mechanism/model/validate.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/base/wording.h"
+#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/shapes.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements,
+                   std::string pointer = {}) {
+  return {code, std::move(message), std::move(elements), std::move(pointer), 0, 0};
+}
+
+std::string pointerTo(ElementKind list, std::size_t position) {
+  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
+}
+
+/// Collects what wellFormedDiagnostics() finds, list by list.
+class WellFormedCheck {
+ public:
+  explicit WellFormedCheck(const Mechanism& mechanism) : m_mechanism(mechanism) {}
+
+  Diagnostics run() {
+    if (m_mechanism.links.empty()) {
+      add(Code::schema, "A mechanism needs at least the ground.", {}, "/links");
+    }
+    for (Diagnostic& beyond : limitDiagnostics(m_mechanism)) m_findings.push_back(std::move(beyond));
+    uniqueIds(m_mechanism.links, ElementKind::link, m_links);
+    uniqueIds(m_mechanism.axes, ElementKind::axis, m_axes);
+    uniqueIds(m_mechanism.turningJoints, ElementKind::turningJoint, m_joints);
+    uniqueIds(m_mechanism.gearMeshes, ElementKind::gearMesh, m_meshes);
+    uniqueIds(m_mechanism.wheels, ElementKind::wheel, m_wheels);
+    uniqueIds(m_mechanism.couplings, ElementKind::coupling, m_couplings);
+    for (const Wheel& wheel : m_mechanism.wheels) m_linkOfWheel.emplace(wheel.id, wheel.link);
+    checkShapes();
+    checkAxes();
+    checkJoints();
+    checkMeshes();
+    checkWheels();
+    checkInputs();
+    checkCouplings();
+    checkStates();
+    checkCamera();
+    return std::move(m_findings);
+  }
+
+ private:
+  using Known = std::unordered_set<Atom>;
+
+  void add(Code code, std::string message, std::vector<ElementId> elements, std::string pointer) {
+    m_findings.push_back(finding(code, std::move(message), std::move(elements), std::move(pointer)));
+  }
+
+  template <class Element>
+  void uniqueIds(const std::vector<Element>& list, ElementKind kind, Known& known) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Atom id = list[i].id.atom();
+      if (id.empty()) {
+        add(Code::schema, "An id may not be empty.", {}, pointerTo(kind, i) + "/id");
+      } else if (!known.insert(id).second) {
+        add(Code::duplicateId,
+            "The id \"" + id.text() + "\" stands twice in " + std::string(listName(kind)) + ".", {{kind, id}},
+            pointerTo(kind, i) + "/id");
+      }
+    }
+  }
+
+  /// A reference from `owner` to an element of another list.
+  void reference(const ElementId& owner, const ElementId& to, const Known& known,
+                 const std::string& pointer) {
+    if (known.contains(to.id)) return;
+    add(Code::unknownId,
+        std::string(listName(owner.kind)) + " \"" + owner.id.text() + "\" names \"" + to.id.text() +
+            "\", but " + std::string(listName(to.kind)) + " has no such id.",
+        {owner, to}, pointer);
+  }
+
+  void notItself(const ElementId& owner, LinkId tail, LinkId head, const std::string& what,
+                 const std::string& at) {
+    if (tail != head) return;
+    add(Code::selfJoint,
+        what + " \"" + owner.id.text() + "\" ties link \"" + tail.text() +
+            "\" to itself; it needs two links.",
+        {owner, tail}, at + "/head");
+  }
+
+  void checkShapes() {
+    for (std::size_t i = 0; i < m_mechanism.links.size(); ++i) {
+      const Link& link = m_mechanism.links[i];
+      for (std::size_t k = 0; k < link.shapes.size(); ++k) {
+        const LinkShape& shape = link.shapes[k];
+        const std::string at = pointerTo(ElementKind::link, i) + "/shapes/" + std::to_string(k);
+        if (!staysInFolder(shape.file)) {
+          add(Code::schema,
+              "The 3D file of a link is a path that stays in the folder of the document, not \"" +
+                  shape.file + "\".",
+              {link.id}, at + "/file");
+        }
+        if (shape.scale && shape.scale->exact().sign() <= 0)
+          add(Code::schema, "The scale of a 3D file has to be above 0.", {link.id}, at + "/scale");
+      }
+    }
+  }
+
+  void checkAxes() {
+    for (std::size_t i = 0; i < m_mechanism.axes.size(); ++i) {
+      const Axis& axis = m_mechanism.axes[i];
+      if (axis.direction && isZero(*axis.direction)) {
+        add(Code::schema, "The direction of axis \"" + axis.id.text() + "\" has length 0.", {axis.id},
+            pointerTo(ElementKind::axis, i) + "/direction");
+      }
+    }
+  }
+
+  void checkJoints() {
+    for (std::size_t i = 0; i < m_mechanism.turningJoints.size(); ++i) {
+      const TurningJoint& joint = m_mechanism.turningJoints[i];
+      const std::string at = pointerTo(ElementKind::turningJoint, i);
+      reference(joint.id, joint.tail, m_links, at + "/tail");
+      reference(joint.id, joint.head, m_links, at + "/head");
+      reference(joint.id, joint.axis, m_axes, at + "/axis");
+      notItself(joint.id, joint.tail, joint.head, "Turning joint", at);
+      if (const auto problem = limitsProblem(joint.limits))
+        add(Code::schema, *problem, {joint.id}, at + "/limits");
+    }
+  }
+
+  void checkMeshes() {
+    for (std::size_t i = 0; i < m_mechanism.gearMeshes.size(); ++i) {
+      const GearMesh& mesh = m_mechanism.gearMeshes[i];
+      const std::string at = pointerTo(ElementKind::gearMesh, i);
+      reference(mesh.id, mesh.tail, m_links, at + "/tail");
+      reference(mesh.id, mesh.head, m_links, at + "/head");
+      notItself(mesh.id, mesh.tail, mesh.head, "Gear mesh", at);
+      teeth(mesh, mesh.tailTeeth, at + "/tailTeeth");
+      teeth(mesh, mesh.headTeeth, at + "/headTeeth");
+      wheelOf(mesh, mesh.tailWheel, mesh.tail, at + "/tailWheel");
+      wheelOf(mesh, mesh.headWheel, mesh.head, at + "/headWheel");
+      if (mesh.faceWidth && mesh.faceWidth->exact().sign() <= 0) {
+        add(Code::schema, "The face width of a gear mesh is above 0.", {mesh.id}, at + "/faceWidth");
+      }
+    }
+  }
+
+  void teeth(const GearMesh& mesh, int count, const std::string& pointer) {
+    if (count >= kFewestTeeth && count <= kMostTeeth) return;
+    add(Code::schema,
+        "A gear has 1 to 100,000 teeth; mesh \"" + mesh.id.text() + "\" says " + std::to_string(count) + ".",
+        {mesh.id}, pointer);
+  }
+
+  void wheelOf(const GearMesh& mesh, const std::optional<WheelId>& wheel, LinkId link,
+               const std::string& pointer) {
+    if (!wheel) return;
+    reference(mesh.id, *wheel, m_wheels, pointer);
+    const auto found = m_linkOfWheel.find(*wheel);
+    if (found == m_linkOfWheel.end() || found->second == link) return;
+    if (m_links.contains(link.atom()) && m_links.contains(found->second.atom())) {
+      add(Code::schema,
+          "Mesh \"" + mesh.id.text() + "\" is on link \"" + link.text() + "\", but its wheel \"" +
+              wheel->text() + "\" is on link \"" + found->second.text() + "\".",
+          {mesh.id, *wheel}, pointer);
+    }
+  }
+
+  void checkWheels() {
+    for (std::size_t i = 0; i < m_mechanism.wheels.size(); ++i) {
+      const Wheel& wheel = m_mechanism.wheels[i];
+      reference(wheel.id, wheel.link, m_links, pointerTo(ElementKind::wheel, i) + "/link");
+    }
+  }
+
+  void checkInputs() {
+    if (!m_mechanism.inputs) return;
+    Known seen;
+    for (std::size_t i = 0; i < m_mechanism.inputs->size(); ++i) {
+      const JointId joint = (*m_mechanism.inputs)[i].joint;
+      const std::string at = "/inputs/" + std::to_string(i) + "/joint";
+      if (!m_joints.contains(joint.atom())) {
+        add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.",
+            {joint}, at);
+      } else if (!seen.insert(joint.atom()).second) {
+        add(Code::duplicateId, "The joint \"" + joint.text() + "\" stands twice in inputs.", {joint}, at);
+      }
+    }
+  }
+
+  void checkCouplings() {
+    for (std::size_t i = 0; i < m_mechanism.couplings.size(); ++i) {
+      const Coupling& coupling = m_mechanism.couplings[i];
+      const std::string at = pointerTo(ElementKind::coupling, i);
+      const bool isBrake = coupling.kind == CouplingKind::brake;
+      for (std::size_t k = 0; k < coupling.links.size(); ++k) {
+        reference(coupling.id, coupling.links[k], m_links,
+                  at + (isBrake ? "/link" : "/links/" + std::to_string(k)));
+      }
+      const std::size_t wanted = isBrake ? 1 : 2;
+      if (coupling.links.size() != wanted) {
+        add(Code::schema, "A brake names one link, a clutch two.", {coupling.id},
+            at + (isBrake ? "/link" : "/links"));
+      } else if (wanted == 2 && coupling.links[0] == coupling.links[1]) {
+        add(Code::selfJoint,
+            "Clutch \"" + coupling.id.text() + "\" ties link \"" + coupling.links[0].text() + "\" to itself.",
+            {coupling.id, coupling.links[0]}, at + "/links/1");
+      }
+    }
+  }
+
+  void checkStates() {
+    Known names;
+    for (std::size_t i = 0; i < m_mechanism.states.size(); ++i) {
+      const ShiftState& state = m_mechanism.states[i];
+      const ElementId owner(ElementKind::state, Atom(state.name));
+      const std::string at = pointerTo(ElementKind::state, i);
+      if (!names.insert(owner.id).second) {
+        add(Code::duplicateId, "The name \"" + state.name + "\" stands twice in states.", {owner},
+            at + "/name");
+      }
+      for (std::size_t k = 0; k < state.engaged.size(); ++k) {
+        reference(owner, state.engaged[k], m_couplings, at + "/engaged/" + std::to_string(k));
+      }
+      if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
+      if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");
+    }
+  }
+
+  void checkCamera() {
+    const std::optional<ViewCamera>& camera = m_mechanism.view.camera;
+    if (camera && camera->distance <= 0)
+      add(Code::schema, "The distance of the camera has to be above 0.", {}, "/view/camera/distance");
+  }
+
+  const Mechanism& m_mechanism;
+  Diagnostics m_findings;
+  Known m_links;
+  Known m_axes;
+  Known m_joints;
+  Known m_meshes;
+  Known m_wheels;
+  Known m_couplings;
+  std::unordered_map<WheelId, LinkId> m_linkOfWheel;
+};
+
+/// A forest of links (by position) that grows by turning joints: union-find while it grows, parents
+/// afterwards.
+class Forest {
+ public:
+  explicit Forest(std::size_t links) : m_group(links), m_edges(links) {
+    for (std::size_t i = 0; i < links; ++i) m_group[i] = i;
+  }
+
+  [[nodiscard]] std::size_t rootOf(std::size_t link) {
+    while (m_group[link] != link) link = m_group[link] = m_group[m_group[link]];
+    return link;
+  }
+
+  /// False where the two hang together already: then the joint would close a loop.
+  bool join(std::size_t a, std::size_t b, std::size_t joint) {
+    const std::size_t rootA = rootOf(a);
+    const std::size_t rootB = rootOf(b);
+    if (rootA == rootB) return false;
+    m_group[rootA] = rootB;
+    m_edges[a].push_back({b, joint});
+    m_edges[b].push_back({a, joint});
+    return true;
+  }
+
+  /// Hangs every tree on its first link; join() nothing more. Cost: O(links).
+  void hang() {
+    constexpr auto kNobody = static_cast<std::size_t>(-1);
+    m_parent.assign(m_edges.size(), {kNobody, 0});
+    m_depth.assign(m_edges.size(), 0);
+    std::vector<std::size_t> queue;
+    for (std::size_t first = 0; first < m_edges.size(); ++first) {
+      if (m_parent[first].link != kNobody) continue;
+      m_parent[first].link = first;
+      queue.assign(1, first);
+      for (std::size_t at = 0; at < queue.size(); ++at) {
+        for (const Edge& edge : m_edges[queue[at]]) {
+          if (m_parent[edge.link].link != kNobody) continue;
+          m_parent[edge.link] = {queue[at], edge.joint};
+          m_depth[edge.link] = m_depth[queue[at]] + 1;
+          queue.push_back(edge.link);
+        }
+      }
+    }
+  }
+
+  /// The joints between two links of one tree, from `from` to `to`. Cost: O(their number).
+  [[nodiscard]] std::vector<std::size_t> path(std::size_t from, std::size_t to) const {
+    std::vector<std::size_t> joints;
+    std::vector<std::size_t> last;
+    while (from != to) {
+      const bool climbsFrom = m_depth[from] >= m_depth[to];
+      std::size_t& link = climbsFrom ? from : to;
+      (climbsFrom ? joints : last).push_back(m_parent[link].joint);
+      link = m_parent[link].link;
+    }
+    joints.insert(joints.end(), last.rbegin(), last.rend());
+    return joints;
+  }
+
+ private:
+  struct Edge {
+    std::size_t link = 0;
+    std::size_t joint = 0;
+  };
+  std::vector<std::size_t> m_group;
+  std::vector<std::vector<Edge>> m_edges;
+  std::vector<Edge> m_parent;
+  std::vector<std::size_t> m_depth;
+};
+
+constexpr std::size_t kMostNamesInASentence = 8;
+
+/// A drawing has few loops, all of which are named; a hostile file may have 50,000 of 50,000 joints each.
+constexpr std::size_t kMostNamedInLoops = 1'000'000;
+
+/// `path`: the joints that the closing one makes a loop with; empty where too many were named already.
+Diagnostic loopDiagnostic(const Mechanism& mechanism, std::size_t closing,
+                          const std::vector<std::size_t>& path) {
+  const TurningJoint& last = mechanism.turningJoints[closing];
+  std::vector<ElementId> elements{last.id};
+  std::vector<std::string> names;
+  bool oneAxis = true;
+  for (const std::size_t joint : path) {
+    const TurningJoint& other = mechanism.turningJoints[joint];
+    elements.emplace_back(other.id);
+    names.push_back(std::to_string(mechanism.jointLabel(static_cast<int>(joint))));
+    oneAxis = oneAxis && other.axis == last.axis;
+  }
+  const std::string label = std::to_string(mechanism.jointLabel(static_cast<int>(closing)));
+  std::string message = "Turning joint " + label + " closes a loop" + (path.empty() ? "" : " with ") +
+                        listed(names, kMostNamesInASentence) + ". ";
+  const bool isRedundant = oneAxis && !path.empty();
+  message += isRedundant
+                 ? "All of them turn about axis " + last.axis.text() + ", so joint " + label +
+                       " is a redundant bearing: drop it."
+                 : "The turning joints have to be a tree: delete one of them, or draw a gear mesh instead.";
+  Diagnostic result = finding(Code::turningLoop, std::move(message), std::move(elements));
+  result.detail = isRedundant ? Detail::redundantBearing : Detail::turningCycle;
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::string> limitsProblem(const JointLimits& limits) {
+  const double low = limits.low ? limits.low->value() : -1;
+  const double high = limits.high ? limits.high->value() : 1;
+  if (low <= 0 && high >= 0 && low < high) return std::nullopt;
+  return "The limits of a joint are two angles from the reference pose, in degrees: the first at most 0, the "
+         "second at least 0, and not both 0.";
+}
+
+Diagnostics wellFormedDiagnostics(const Mechanism& mechanism) {
+  return WellFormedCheck(mechanism).run();
+}
+
+Diagnostics treeDiagnostics(const Mechanism& mechanism) {
+  std::unordered_map<LinkId, std::size_t> position;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) position.emplace(mechanism.links[i].id, i);
+
+  Forest forest(mechanism.links.size());
+  Diagnostics findings;
+  std::vector<std::size_t> closing;
+  for (std::size_t j = 0; j < mechanism.turningJoints.size(); ++j) {
+    const TurningJoint& joint = mechanism.turningJoints[j];
+    const std::size_t tail = position.at(joint.tail);
+    const std::size_t head = position.at(joint.head);
+    if (!forest.join(tail, head, j)) closing.push_back(j);
+  }
+  if (!closing.empty()) forest.hang();
+  std::size_t named = 0;
+  for (const std::size_t j : closing) {
+    const TurningJoint& joint = mechanism.turningJoints[j];
+    std::vector<std::size_t> path;
+    if (named < kMostNamedInLoops) path = forest.path(position.at(joint.tail), position.at(joint.head));
+    named += path.size();
+    findings.push_back(loopDiagnostic(mechanism, j, path));
+  }
+
+  std::vector<ElementId> loose;
+  std::vector<std::string> labels;
+  for (std::size_t i = 1; i < mechanism.links.size(); ++i) {
+    if (forest.rootOf(i) == forest.rootOf(0)) continue;
+    loose.emplace_back(mechanism.links[i].id);
+    labels.push_back(std::to_string(i));
+  }
+  if (!loose.empty()) {
+    const bool one = loose.size() == 1;
+    findings.insert(
+        findings.begin(),
+        finding(Code::disconnected,
+                (one ? "Link " : "Links ") + listed(labels, kMostNamesInASentence) + (one ? " is" : " are") +
+                    " not tied to the ground by turning joints: draw a turning joint to " +
+                    (one ? "it." : "them."),
+                std::move(loose)));
+  }
+  return findings;
+}
+
+}  // namespace geargraph

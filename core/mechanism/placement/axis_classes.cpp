@@ -1,0 +1,245 @@
+#include "core/mechanism/placement/axis_classes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+/// Arbitrary ones that tell drawn lines apart.
+constexpr Vector3 kKeyWeights{0.7310, 0.5179, 0.4451};
+
+/// Finds the classes from the ground outward: of the joints at a link, those on one line are of one class,
+/// that of the joint towards the ground or a new one.
+///
+/// 1. Group the joints at the link by their axes' names.
+/// 2. Join groups whose lines coincide; only lines with close keys can.
+/// 3. Give every group its class.
+/// 4. In the end, number the classes in the order of their first joints, which also give the senses.
+class ClassFinder {
+ public:
+  ClassFinder(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines)
+      : m_mechanism(mechanism), m_tree(tree), m_comparison(mechanism, *tree.graph, lines) {
+    const LineKeys keys(lines);
+    m_closeKeys = keys.window;
+    m_axes.reserve(lines.size());
+    // The infinite key of a line that is not given is close to no other.
+    for (const AxisLine& line : lines) m_axes.push_back({keys.of(line, kKeyWeights)});
+    m_found.reserve(tree.joints.size());
+  }
+
+  /// True where some axis is named by joints of several classes.
+  bool run(AxisClasses& result, Diagnostics& diagnostics) {
+    result.classOf.resize(m_tree.joints.size());
+    result.sense.resize(m_tree.joints.size());
+    for (const int link : m_tree.order) {
+      const std::span<const int> joints = m_tree.graph->turningEdgesAt(link);
+      if (link != 0 && joints.size() == 1) continue;  // its class is known
+      groupByAxis(link, joints);
+      if (m_groups.size() > 1) joinGroups();
+      giveClasses(link, joints, result);
+    }
+    report(diagnostics);
+    return number(result);
+  }
+
+ private:
+  struct AxisMark {
+    double key = 0;
+    int link = -1;   ///< where its joints were met last,
+    int group = -1;  ///< and the number of their group there
+  };
+  /// Joints of one axis at the link being treated.
+  struct Group {
+    int axis = 0;
+    int set = 0;     ///< the first of the groups that it is joined with
+    int sense = 1;   ///< of its axis against that one's
+    int found = -1;  ///< of the first one of a set: its class, and its axis' sense against that class
+    int against = 1;
+  };
+  /// A class before it has its number.
+  struct Found {
+    int top = 0;
+    int depth = 0;
+    int number = -1;
+    int sense = 1;  ///< of its first joint
+  };
+  struct Merged {
+    int first = 0;
+    int second = 0;
+    int sense = 1;
+    auto operator<=>(const Merged&) const = default;
+  };
+
+  void groupByAxis(int link, std::span<const int> joints) {
+    m_groups.clear();
+    for (const int joint : joints) {
+      const int position = m_tree.axisOf[joint];
+      AxisMark& axis = m_axes[position];
+      if (axis.link == link) continue;
+      axis.link = link;
+      axis.group = static_cast<int>(m_groups.size());
+      m_groups.push_back({position, axis.group});
+    }
+  }
+
+  void joinGroups() {
+    constexpr int kFew = 6;  // are compared sooner than sorted
+    const int groups = static_cast<int>(m_groups.size());
+    if (groups > kFew) return joinSorted();
+    for (int b = 1; b < groups; ++b) {
+      for (int a = 0; a < b; ++a) {
+        if (std::abs(keyOfGroup(b) - keyOfGroup(a)) < m_closeKeys) joinIfOneLine(a, b);
+      }
+    }
+  }
+
+  void joinSorted() {
+    m_keyed.clear();
+    for (int group = 0; group < static_cast<int>(m_groups.size()); ++group) {
+      m_keyed.emplace_back(keyOfGroup(group), group);
+    }
+    std::sort(m_keyed.begin(), m_keyed.end());
+    for (std::size_t i = 0; i < m_keyed.size(); ++i) {
+      for (std::size_t k = i + 1; k < m_keyed.size() && m_keyed[k].first - m_keyed[i].first < m_closeKeys;
+           ++k) {
+        joinIfOneLine(m_keyed[i].second, m_keyed[k].second);
+      }
+    }
+  }
+
+  [[nodiscard]] double keyOfGroup(int group) const { return m_axes[m_groups[group].axis].key; }
+
+  void joinIfOneLine(int a, int b) {
+    const auto [low, high] = std::minmax(m_groups[a].axis, m_groups[b].axis);
+    const int sense = m_comparison.coincidence(low, high);
+    if (sense == 0) return;
+    m_merged.push_back({low, high, sense});
+    const Group one = m_groups[a];
+    const Group other = m_groups[b];
+    if (one.set == other.set) return;
+    for (Group& group : m_groups) {
+      if (group.set != other.set) continue;
+      group.set = one.set;
+      group.sense *= one.sense * other.sense * sense;
+    }
+  }
+
+  void giveClasses(int link, std::span<const int> joints, AxisClasses& result) {
+    const int up = m_tree.joint[link];
+    int depth = 0;
+    if (up >= 0) {
+      const Group& group = groupOf(up);
+      Group& set = m_groups[group.set];
+      set.found = result.classOf[up];
+      set.against = result.sense[up] * group.sense;
+      depth = m_found[set.found].depth + 1;
+    }
+    for (const int joint : joints) {
+      const Group& group = groupOf(joint);
+      Group& set = m_groups[group.set];
+      if (set.found < 0) {
+        set.found = static_cast<int>(m_found.size());
+        m_found.push_back({link, depth});
+      }
+      result.classOf[joint] = set.found;
+      result.sense[joint] = group.sense * set.against;
+    }
+  }
+
+  [[nodiscard]] const Group& groupOf(int joint) const { return m_groups[m_axes[m_tree.axisOf[joint]].group]; }
+
+  bool number(AxisClasses& result) {
+    constexpr int kNone = -1;
+    bool isSplit = false;
+    for (AxisMark& axis : m_axes) axis.group = kNone;  // from now on the class of its joints
+    result.classes.reserve(m_found.size());
+    result.ofLink.resize(m_tree.joint.size(), kNone);
+    for (int joint = 0; joint < static_cast<int>(m_tree.joints.size()); ++joint) {
+      Found& found = m_found[result.classOf[joint]];
+      const int axis = m_tree.axisOf[joint];
+      if (found.number < 0) {
+        found.number = static_cast<int>(result.classes.size());
+        found.sense = result.sense[joint];
+        result.classes.push_back({joint, axis, found.top, found.depth});
+      }
+      result.classOf[joint] = result.ofLink[m_tree.child[joint]] = found.number;
+      result.sense[joint] *= found.sense;
+      const int before = std::exchange(m_axes[axis].group, found.number);
+      isSplit = isSplit || (before != kNone && before != found.number);
+    }
+    return isSplit;
+  }
+
+  void report(Diagnostics& diagnostics) {
+    std::sort(m_merged.begin(), m_merged.end());
+    m_merged.erase(std::unique(m_merged.begin(), m_merged.end()), m_merged.end());
+    for (const auto& [a, b, sense] : m_merged) {
+      const AxisId first = m_mechanism.axes[a].id;
+      const AxisId second = m_mechanism.axes[b].id;
+      Diagnostic finding;
+      finding.code = Code::mergedAxes;
+      finding.message = "Axes " + first.text() + " and " + second.text() +
+                        " are one line held by a common link: they are treated as one axis" +
+                        (sense < 0 ? ", with opposite directions." : ".");
+      finding.elements = {first, second};
+      diagnostics.push_back(std::move(finding));
+    }
+  }
+
+  const Mechanism& m_mechanism;
+  const JointTree& m_tree;
+  LineComparison m_comparison;
+  std::array<std::byte, 2048> m_buffer;  // enough for some dozens of joints
+  std::pmr::monotonic_buffer_resource m_scratch{m_buffer.data(), m_buffer.size()};
+  std::pmr::vector<AxisMark> m_axes{&m_scratch};
+  double m_closeKeys = 0;  ///< by how much those of one line may differ
+  std::pmr::vector<Group> m_groups{&m_scratch};
+  std::pmr::vector<std::pair<double, int>> m_keyed{&m_scratch};
+  std::pmr::vector<Found> m_found{&m_scratch};
+  std::pmr::vector<Merged> m_merged{&m_scratch};
+};
+
+void reportSplits(const Mechanism& mechanism, const JointTree& tree, const AxisClasses& classes,
+                  Diagnostics& diagnostics) {
+  std::vector<std::vector<int>> classesOfAxis(mechanism.axes.size());
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    std::vector<int>& list = classesOfAxis[tree.axisOf[j]];
+    const int of = classes.classOf[j];
+    if (std::find(list.begin(), list.end(), of) == list.end()) list.push_back(of);
+  }
+  for (std::size_t a = 0; a < classesOfAxis.size(); ++a) {
+    if (classesOfAxis[a].size() < 2) continue;
+    Diagnostic finding;
+    finding.code = Code::splitAxis;
+    finding.elements = {mechanism.axes[a].id};
+    std::string groups;
+    for (const int of : classesOfAxis[a]) {
+      const int joint = classes.classes[of].joint;
+      groups += (groups.empty() ? "" : ", ") + std::to_string(mechanism.jointLabel(joint));
+      finding.elements.emplace_back(mechanism.turningJoints[joint].id);
+    }
+    finding.message =
+        "Axis " + mechanism.axes[a].id.text() + " is named by joints that share no link on it (" + groups +
+        " ...): they coincide in the drawn pose only and are treated as different axes. Give each its "
+        "own axis.";
+    diagnostics.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, std::span<const AxisLine> lines,
+                         Diagnostics& diagnostics) {
+  const bool isSplit = ClassFinder(mechanism, tree, lines).run(*this, diagnostics);
+  if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mechanism/graph/spanning_tree.h"
+
+namespace geargraph {
+
+/// The tree that the turning joints make, by positions in the document's lists, rooted at the ground: what
+/// Digraph and SpanningTree say, as arrays. A value; copies share the two.
+struct JointTree {
+  /// Nothing where the turning joints are no spanning tree. Cost: O(n + t + c).
+  /// @pre the mechanism is well formed
+  [[nodiscard]] static std::optional<JointTree> of(const Mechanism& mechanism);
+
+  JointTree(DigraphPtr ofGraph, SpanningTreePtr ofTree);
+
+  /// The links level by level, the ground first. Cost: O(n).
+  [[nodiscard]] std::vector<int> breadthFirst() const;
+
+  DigraphPtr graph;
+  SpanningTreePtr tree;
+  std::span<const DigraphEdge> joints;  ///< link positions
+  std::span<const DigraphEdge> meshes;
+  std::span<const int> axisOf;  ///< by joint: position of its axis
+  std::span<const int> parent;  ///< by link: the next towards the ground; -1 for the ground
+  std::span<const int> joint;   ///< by link: the joint to the parent; -1 for the ground
+  std::span<const int> child;   ///< by joint: its link farther from the ground
+  std::span<const int> order;   ///< links, every one behind its parent
+};
+
+}  // namespace geargraph

@@ -1,0 +1,215 @@
+#include "core/mechanism/placement/mesh_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace geargraph {
+namespace {
+
+std::string text(double value, int digits = 6) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value == 0 ? 0.0 : value);  // no -0
+  return buffer;
+}
+
+/// A place, with digits enough to see lengths of this size; what rounding leaves of a 0 is written as 0.
+std::string text(const Vector3& place, double size) {
+  constexpr int kDigits = 6;
+  constexpr int kAllDigits = 17;
+  const double reach = std::max(reachOf(place), size);
+  const double ratio = size > 0 ? reach / size : 1;
+  const int digits = std::clamp(kDigits + static_cast<int>(std::log10(ratio)), kDigits, kAllDigits);
+  std::string result;
+  for (const double component : place) {
+    const bool isRounding = std::abs(component) <= roundingOf(reach);
+    result += (result.empty() ? "(" : ", ") + text(isRounding ? 0 : component, digits);
+  }
+  return result + ")";
+}
+
+std::string pitchPointText(const MeshGeometry& found) {
+  return text(found.pitchPoint, reachOf(found.tailToPitch));
+}
+
+Diagnostic finding(const Mechanism& mechanism, int mesh, Code code, const std::string& message) {
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  Diagnostic result;
+  result.code = code;
+  result.message = "Mesh " + std::to_string(mechanism.meshLabel(mesh)) + ": " + message;
+  result.elements = {element.id, element.tail, element.head};
+  return result;
+}
+
+Diagnostic finding(const Mechanism& mechanism, int mesh, Detail detail, const std::string& message) {
+  Diagnostic result = finding(mechanism, mesh, codeOf(detail), message);
+  result.detail = detail;
+  return result;
+}
+
+double axisDistance(const GearPair<double>& pair) {
+  const Vector3 normal = cross(pair.tailDirection, pair.headDirection);
+  const Vector3 between = pair.headPoint - pair.tailPoint;
+  if (areParallel(pair.tailDirection, pair.headDirection)) return length(cross(pair.tailDirection, between));
+  return std::abs(dot(between, unit(normal)));
+}
+
+/// The pitch point for these teeth on the side where `at` lies, at its size. Places relative to the tail's.
+std::optional<Vector3> fittingPoint(const GearPair<double>& pair, LinePosition position, const Vector3& at,
+                                    int sign) {
+  if (position == LinePosition::parallel) {
+    const bool internal = sign * dot(pair.tailDirection, pair.headDirection) > 0;
+    if (internal && pair.tailTeeth == pair.headTeeth) return std::nullopt;
+    return parallelPitchPoint(pair, internal, at);
+  }
+  const Vector3 apex = apexOf(pair);
+  BevelSides sides;
+  sides.tail = dot(at - apex, pair.tailDirection) < 0 ? -1 : 1;
+  sides.head = -sign * sides.tail;
+  const Vector3 unitPoint = bevelPitchPoint(pair, sides, 1);
+  const double size = length(at - apex) / length(unitPoint - apex);
+  return apex + size * (unitPoint - apex);
+}
+
+/// `found` tells where the pair is.
+std::string fit(const GearPair<double>& pair, LinePosition position, const MeshGeometry& found, int sign) {
+  const auto point = fittingPoint(pair, position, found.tailToPitch, sign);
+  if (!point) return "another tooth count";
+  return "the pitch point " +
+         text(found.pitchPoint + (*point - found.tailToPitch), reachOf(found.tailToPitch));
+}
+
+Diagnostic onAxis(const Mechanism& mechanism, int mesh, const MeshGeometry& found, bool ofTail) {
+  return finding(mechanism, mesh, Code::pitchPointOnAxis,
+                 "the pitch point " + pitchPointText(found) + " lies on the axis of the " +
+                     (ofTail ? "tail" : "head") +
+                     " gear, so its pitch radius is 0. What fits: a point off both axes, in their plane.");
+}
+
+Diagnostic offPlane(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
+                    const MeshGeometry& found) {
+  const bool parallel = position == LinePosition::parallel;
+  const Vector3 normal = parallel ? cross(pair.tailDirection, pair.headPoint - pair.tailPoint)
+                                  : cross(pair.tailDirection, pair.headDirection);
+  if (length(normal) <= roundingOf(length(pair.headPoint))) {
+    return finding(mechanism, mesh, Detail::coincidentAxes,
+                   "its two axes are the same line in the reference pose.");
+  }
+  const Vector3& point = found.tailToPitch;
+  const double off = std::abs(dot(point - pair.tailPoint, unit(normal)));
+  const int sign = dot(cross(pair.tailDirection, point - pair.tailPoint),
+                       cross(pair.headDirection, point - pair.headPoint)) < 0
+                       ? -1
+                       : 1;
+  return finding(mechanism, mesh, Detail::pitchPointOffPlane,
+                 "the pitch point " + pitchPointText(found) + " lies " + text(off) +
+                     " off the plane of the two axes, so the teeth would lock. What fits: " +
+                     fit(pair, position, found, sign) + ", or none (then it follows from the axes).");
+}
+
+Diagnostic wrongKind(const Mechanism& mechanism, int mesh, MeshKind kind, LinePosition position) {
+  return finding(mechanism, mesh, Detail::kindAgainstAxes,
+                 "it says " + std::string(meshKindName(kind)) + ", but its axes " +
+                     (position == LinePosition::parallel ? "are parallel. What fits: external or internal."
+                                                         : "meet. What fits: bevel."));
+}
+
+Diagnostic wrongSign(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+                     LinePosition position, const MeshGeometry& found) {
+  const bool saysInternal = found.kind != MeshKind::internal;  // what it is, is the other one
+  std::string message = "it says " +
+                        std::string(meshKindName(saysInternal ? MeshKind::internal : MeshKind::external)) +
+                        ", but the pitch point " + pitchPointText(found) + " lies " +
+                        (saysInternal ? "between the axes, which is an external pair."
+                                      : "on one side of both axes, which is an internal pair.");
+  const int fittingSign = -found.sign;
+  message += " What fits: " + std::string(meshKindName(found.kind)) + ", or " +
+             fit(pair, position, found, fittingSign) + ".";
+  return finding(mechanism, mesh, Detail::kindAgainstSides, message);
+}
+
+Diagnostic wrongTeeth(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+                      LinePosition position, const MeshGeometry& found) {
+  const double tail = std::abs(found.tailRadius);
+  const double head = std::abs(found.headRadius);
+  const double fitting = pair.tailTeeth * head / tail;
+  return finding(mechanism, mesh, Detail::teethAgainstRadii,
+                 "the pitch radii are " + text(tail) + " and " + text(head) + " (ratio " + text(tail / head) +
+                     "), but the teeth are " + std::to_string(pair.tailTeeth) + " and " +
+                     std::to_string(pair.headTeeth) + " (ratio " +
+                     text(static_cast<double>(pair.tailTeeth) / pair.headTeeth) +
+                     "). What fits: " + text(fitting) + " teeth on the head, or " +
+                     fit(pair, position, found, found.sign) + ".");
+}
+
+/// The unit vector or its opposite: the one whose first component that is not 0 is positive.
+Vector3 oriented(const Vector3& direction) {
+  for (const double component : direction) {
+    if (std::abs(component) > kSameLine) return component > 0 ? direction : -1.0 * direction;
+  }
+  return direction;
+}
+
+}  // namespace
+
+LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train) {
+  if (areParallel(pair.tailDirection, pair.headDirection)) return LinePosition::parallel;
+  const double distance = axisDistance(pair);
+  const bool meet = distance <= kGeometryFits * length(pair.headPoint - pair.tailPoint) ||
+                    distance <= kGeometryFits * train.size();
+  return meet ? LinePosition::meeting : LinePosition::skew;
+}
+
+Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair) {
+  return finding(
+      mechanism, mesh, Detail::skewAxes,
+      "its axes are skew, " + text(axisDistance(pair)) +
+          " apart: there is no point where the gears could roll. What fits: axes that are parallel or meet.");
+}
+
+Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh) {
+  return finding(mechanism, mesh, Detail::equalInternalTeeth,
+                 "an internal pair needs different tooth counts, the ring the larger one; both have " +
+                     std::to_string(mechanism.gearMeshes[mesh].tailTeeth) + ".");
+}
+
+bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair, LinePosition position,
+                   MeshGeometry& geometry, Diagnostics& diagnostics) {
+  const auto refuse = [&](Diagnostic why) {
+    diagnostics.push_back(std::move(why));
+    return false;
+  };
+  const Vector3 tail = cross(pair.tailDirection, geometry.tailToPitch);
+  const Vector3 head = cross(pair.headDirection, geometry.tailToPitch - pair.headPoint);
+  const double tailLength = length(tail);
+  const double headLength = length(head);
+  const double larger = std::max(tailLength, headLength);
+  if (std::min(tailLength, headLength) <= kSameLine * larger) {
+    return refuse(onAxis(mechanism, mesh, geometry, tailLength <= headLength));
+  }
+  const Vector3 off = cross(tail, head);
+  const double slack = kGeometryFits * tailLength * headLength;
+  if (dot(off, off) > slack * slack) {
+    return refuse(offPlane(mechanism, mesh, pair, position, geometry));
+  }
+
+  geometry.normal = oriented((1 / tailLength) * tail);
+  geometry.tailRadius = dot(geometry.normal, tail);
+  geometry.headRadius = dot(geometry.normal, head);
+  geometry.sign = geometry.tailRadius * geometry.headRadius < 0 ? -1 : 1;
+  geometry.kind = position == LinePosition::meeting                                 ? MeshKind::bevel
+                  : geometry.sign * dot(pair.tailDirection, pair.headDirection) < 0 ? MeshKind::external
+                                                                                    : MeshKind::internal;
+  const std::optional<MeshKind> said = mechanism.gearMeshes[mesh].kind;
+  if (said && (*said == MeshKind::bevel) != (geometry.kind == MeshKind::bevel)) {
+    return refuse(wrongKind(mechanism, mesh, *said, position));
+  }
+  if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, position, geometry));
+  const double a = tailLength * pair.headTeeth;
+  const double b = headLength * pair.tailTeeth;
+  if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;
+  return refuse(wrongTeeth(mechanism, mesh, pair, position, geometry));
+}
+
+}  // namespace geargraph

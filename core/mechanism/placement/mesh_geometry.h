@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/mesh_word.h"
+#include "core/mechanism/placement/pitch_point.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+
+/// What the geometry of a gear mesh comes to, in the reference pose. The axes A (tail's gear) and B (head's)
+/// are the lines of the two axis classes; both are fixed in the carrier, so nothing here changes with the
+/// pose.
+struct MeshGeometry {
+  int tail = 0;  ///< link positions
+  int head = 0;
+  int carrier = 0;  ///< the transfer vertex
+  int tailClass = 0;
+  int headClass = 0;
+  int tailTeeth = 1;
+  int headTeeth = 1;
+  /// s: N_tail w_tail = s N_head w_head, the speeds relative to the carrier about the classes' lines. From
+  /// the geometry: the sign of r_A . r_B.
+  int sign = -1;
+  BevelSides sides;      ///< of a derived bevel pair
+  int bevelSize = 2;     ///< of a derived bevel pair: its module in halves of the placement's
+  bool derived = false;  ///< the pitch point follows from axes and teeth; the file has none
+  MeshKind kind = MeshKind::external;
+  Vector3 pitchPoint{};
+  /// From the point of the tail's line to that of the head's and to the pitch point: free of what the
+  /// distance from the origin takes from the digits of places.
+  Vector3 tailToHead{};
+  Vector3 tailToPitch{};
+  /// e_c: the normal of the plane of both axes, its first component that is not 0 positive (the paper's x
+  /// direction).
+  Vector3 normal{};
+  double tailRadius = 0;  ///< e_c . r_A, r_A = u_A x (P - p_A): the paper's P_c,k of a joint on axis A
+  double headRadius = 0;  ///< e_c . r_B; the sign is that of tailRadius * headRadius
+};
+
+/// How two lines lie to each other, in a train that tells its size.
+enum class LinePosition { parallel, meeting, skew };
+[[nodiscard]] LinePosition positionOf(const GearPair<double>& pair, const LineComparison& train);
+
+/// The check of a pitch point against axes, teeth and kind (theory: the moment equation has rank 1 exactly if
+/// both radii are non-zero and parallel), which gives normal, radii, sign and kind. False, and
+/// pitch-point-on-axis, pitch-geometry or teeth-geometry with what was found and what would fit, where it
+/// does not fit.
+/// @pre the lines are not skew, `position` is theirs; the pair's places are relative to the point of the
+/// tail's line, as tailToPitch is, which the geometry has beside its pitch point
+[[nodiscard]] bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>& pair,
+                                 LinePosition position, MeshGeometry& geometry, Diagnostics& diagnostics);
+
+/// The pitch-geometry finding for axes that neither are parallel nor meet.
+[[nodiscard]] Diagnostic skewAxes(const Mechanism& mechanism, int mesh, const GearPair<double>& pair);
+/// The teeth-geometry finding for an internal pair with equal teeth.
+[[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh);
+
+}  // namespace geargraph

@@ -1,0 +1,109 @@
+#include "core/mechanism/placement/mesh_word.h"
+
+#include <algorithm>
+#include <string>
+
+namespace geargraph {
+namespace {
+
+std::string wordText(const Mechanism& mechanism, const AxisClasses& classes, const std::vector<int>& word) {
+  std::string text;
+  for (const int letter : word) {
+    text += (text.empty() ? "" : "|") + mechanism.axes[classes.classes[letter].axis].id.text();
+  }
+  return text;
+}
+
+std::string name(const Mechanism& mechanism, int mesh) {
+  return "Mesh " + std::to_string(mechanism.meshLabel(mesh));
+}
+
+/// The class that two links share, -1 where there is none. @pre the links differ
+int sharedClass(const AxisClasses& classes, int a, int b) {
+  const int ofA = classes.classOfLink(a);
+  const int ofB = classes.classOfLink(b);
+  if (ofA == ofB || (ofA >= 0 && classes.classes[ofA].top == b)) return ofA;
+  return ofB >= 0 && classes.classes[ofB].top == a ? ofB : -1;
+}
+
+/// The two classes of a proper word share one link only, the carrier, which is the top of one of them: of the
+/// tail's or of the head's.
+std::optional<MeshWord> properWord(const AxisClasses& classes, int tail, int head) {
+  const int ofTail = classes.classOfLink(tail);
+  const int ofHead = classes.classOfLink(head);
+  const auto topOf = [&](int axisClass) { return axisClass < 0 ? -1 : classes.classes[axisClass].top; };
+  const auto canCarry = [&](int link) { return link >= 0 && link != tail && link != head; };
+  if (const int carrier = topOf(ofTail); canCarry(carrier)) {
+    const int shared = sharedClass(classes, head, carrier);
+    if (shared >= 0 && shared != ofTail) return MeshWord{ofTail, shared, carrier};
+  }
+  if (const int carrier = topOf(ofHead); canCarry(carrier)) {
+    const int shared = sharedClass(classes, tail, carrier);
+    if (shared >= 0 && shared != ofHead) return MeshWord{shared, ofHead, carrier};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void ClassPath::climb(const AxisClasses& classes, int& link, std::vector<int>& word,
+                      std::vector<int>& links) {
+  const int at = classes.classOfLink(link);
+  word.push_back(at);
+  link = classes.classes[at].top;
+  links.push_back(link);
+}
+
+void ClassPath::walk(const AxisClasses& classes, int tail, int head) {
+  const auto depthOf = [&](int link) {
+    const int at = classes.classOfLink(link);
+    return at < 0 ? -1 : classes.classes[at].depth;
+  };
+  m_classes.clear();
+  m_changes.clear();
+  m_headClasses.clear();
+  m_headChanges.clear();
+  int a = tail;
+  int b = head;
+  while (a != b) {
+    if (classes.classOfLink(a) == classes.classOfLink(b)) {  // they meet along one axis
+      m_classes.push_back(classes.classOfLink(a));
+      m_changes.push_back(b);
+      break;
+    }
+    const int depthA = depthOf(a);
+    const int depthB = depthOf(b);
+    if (depthA >= depthB) climb(classes, a, m_classes, m_changes);
+    if (depthB >= depthA) climb(classes, b, m_headClasses, m_headChanges);
+  }
+  // So far m_changes[i] is the link behind class i; the head's climb has the link before each of its classes.
+  m_classes.insert(m_classes.end(), m_headClasses.rbegin(), m_headClasses.rend());
+  if (m_headChanges.size() > 1)
+    m_changes.insert(m_changes.end(), m_headChanges.rbegin() + 1, m_headChanges.rend());
+}
+
+std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
+                                 const JointTree& tree, int mesh, ClassPath& path, Diagnostics& diagnostics) {
+  const auto [tail, head] = tree.meshes[mesh];
+  if (const auto proper = properWord(classes, tail, head)) return proper;
+  path.walk(classes, tail, head);
+  Diagnostic finding;
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  finding.elements = {element.id, element.tail, element.head};
+  const std::string pair =
+      name(mechanism, mesh) + " (" + std::to_string(tail) + ", " + std::to_string(head) + ")";
+  const std::string word = wordText(mechanism, classes, path.classes());
+  if (path.classes().size() < 2) {
+    finding.code = Code::coaxialMesh;
+    finding.message = pair + " joins two gears on the same axis " + word +
+                      ": coaxial gears cannot mesh. Move one of them to another axis, or delete the mesh.";
+  } else {
+    finding.code = Code::noTransferVertex;
+    finding.message = pair + " has no carrier: the path between its gears changes axis more than once, " +
+                      word + ". One link has to carry both axes, so that their distance is constant.";
+  }
+  diagnostics.push_back(std::move(finding));
+  return std::nullopt;
+}
+
+}  // namespace geargraph

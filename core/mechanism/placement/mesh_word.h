@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/placement/axis_classes.h"
+
+namespace geargraph {
+
+/// The path of a mesh through the tree, as a word of axis classes; a proper one is A..A B..B.
+struct MeshWord {
+  int tailClass = 0;  ///< A, the axis of the tail's gear
+  int headClass = 0;  ///< B
+  int carrier = 0;    ///< the link where A changes to B: the transfer vertex
+};
+
+/// The path from one link to another as classes. Kept from mesh to mesh, so that few walks allocate.
+class ClassPath {
+ public:
+  /// Cost: O(axis classes on the path), whatever its length in joints.
+  void walk(const AxisClasses& classes, int tail, int head);
+
+  [[nodiscard]] const std::vector<int>& classes() const { return m_classes; }  ///< each once a stretch
+  /// The link between classes i and i + 1.
+  [[nodiscard]] int change(std::size_t i) const { return m_changes[i]; }
+
+ private:
+  void climb(const AxisClasses& classes, int& link, std::vector<int>& word, std::vector<int>& links);
+
+  std::vector<int> m_classes;
+  std::vector<int> m_changes;
+  std::vector<int> m_headClasses;  ///< climbed from the head, to be reversed
+  std::vector<int> m_headChanges;
+};
+
+/// Nothing, and coaxial-mesh or no-transfer-vertex among the diagnostics, where the word is not proper.
+[[nodiscard]] std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& classes,
+                                               const JointTree& tree, int mesh, ClassPath& path,
+                                               Diagnostics& diagnostics);
+
+}  // namespace geargraph

@@ -1,0 +1,230 @@
+#include "core/mechanism/placement/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mechanism/placement/axis_placer.h"
+#include "core/mechanism/placement/bevel_arranger.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+namespace {
+
+/// Is the tail's axis the inner one, nearer the ground?
+bool tailIsInner(const Placement& placement, int tailClass, int headClass) {
+  const auto& classes = placement.classes->classes;
+  return classes[tailClass].depth <= classes[headClass].depth;
+}
+
+/// Chooses the half axes of bevel pairs that the file leaves open.
+class SideChooser {
+ public:
+  SideChooser(const Mechanism& mechanism, const Placement& placement, const LineComparison& train)
+      : m_mechanism(mechanism), m_placement(placement), m_train(train) {}
+
+  /// The pair's places are relative to the point of the tail's line.
+  BevelSides choose(int mesh, const MeshWord& word, const GearPair<double>& pair) {
+    const auto [tail, head] = m_placement.tree->meshes[mesh];
+    const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+    const Vector3 apex = apexOf(pair);
+    const ExactVector3 origin = exactLineOfClass(m_mechanism, m_placement, word.tailClass).point;
+    BevelSides sides;
+    sides.tail = side(tail, word.tailClass, word.carrier, head, apex, origin, inner);
+    sides.head = side(head, word.headClass, word.carrier, tail, apex, origin, !inner);
+    return sides;
+  }
+
+ private:
+  int side(int link, int axisClass, int carrier, int partner, const Vector3& apex, const ExactVector3& origin,
+           bool inner) {
+    const AxisLine& line = m_placement.lineOfClass(axisClass);
+    if (m_placement.classes->classOfLink(link) == axisClass) {
+      const int joint = m_placement.tree->joint[link];
+      const int axis = m_placement.tree->axisOf[joint];
+      const AxisLine& own = m_placement.axes[axis];
+      const double offset = m_mechanism.turningJoints[joint].offset.value();
+      const bool silent = own.automatic && offset == 0;
+      if (!silent) {
+        // Places relative to the point of the tail's line, as those of the pair are.
+        const Vector3 from = exactDifference(exactLine(m_mechanism, m_placement, axis).point, origin);
+        const double along = dot(from - apex, line.direction) + m_placement.classes->sense[joint] * offset;
+        const double nothing =
+            kSameLine * std::max({reachOf(from), reachOf(apex), std::abs(offset), m_train.size()});
+        if (along > nothing) return 1;
+        if (along < -nothing) return -1;
+      }
+    }
+    if (!inner) return 1;
+    return m_numbers.side(axisClass, carrier, link, partner);
+  }
+
+  const Mechanism& m_mechanism;
+  const Placement& m_placement;
+  const LineComparison& m_train;
+  SideNumbers m_numbers;
+};
+
+/// Finds what the geometry of meshes comes to.
+class MeshLocator {
+ public:
+  MeshLocator(const Mechanism& mechanism, Placement& placement, const LineComparison& train,
+              std::span<const int> bevelSizes)
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_bevelSizes(bevelSizes),
+        m_module(placement.module.toDouble()),
+        m_train(train),
+        m_sides(mechanism, placement, train) {}
+
+  /// False, and a finding, where it comes to nothing.
+  bool locate(int mesh, const MeshWord& word, MeshGeometry& geometry) {
+    const GearMesh& element = m_mechanism.gearMeshes[mesh];
+    const AxisLine& tail = m_placement.lineOfClass(word.tailClass);
+    const AxisLine& head = m_placement.lineOfClass(word.headClass);
+    takePlaces(word, tail, head, element, geometry);
+    const GearPair<double> pair{{0, 0, 0},      tail.direction,    geometry.tailToHead,
+                                head.direction, element.tailTeeth, element.headTeeth};
+    geometry.tail = m_placement.tree->meshes[mesh].tail;
+    geometry.head = m_placement.tree->meshes[mesh].head;
+    geometry.carrier = word.carrier;
+    geometry.tailClass = word.tailClass;
+    geometry.headClass = word.headClass;
+    geometry.tailTeeth = element.tailTeeth;
+    geometry.headTeeth = element.headTeeth;
+    const LinePosition position = positionOf(pair, m_train);
+    if (position == LinePosition::skew) return refuse(skewAxes(m_mechanism, mesh, pair));
+    if (!element.pitchPoint) {
+      if (!derivePitchPoint(mesh, pair, word, position, geometry))
+        return refuse(equalInternalTeeth(m_mechanism, mesh));
+      geometry.pitchPoint = tail.point + geometry.tailToPitch;
+    }
+    return checkGeometry(m_mechanism, mesh, pair, position, geometry, m_placement.diagnostics);
+  }
+
+ private:
+  bool refuse(Diagnostic why) {
+    m_placement.diagnostics.push_back(std::move(why));
+    return false;
+  }
+
+  /// The head's line and a given pitch point, seen from the tail's line: by doubles, and where their rounding
+  /// could show in a mesh of this extent, by fractions.
+  void takePlaces(const MeshWord& word, const AxisLine& tail, const AxisLine& head, const GearMesh& element,
+                  MeshGeometry& geometry) const {
+    constexpr double kNegligible = 1e-10;
+    geometry.tailToHead = head.point - tail.point;
+    double reach = reachOf(tail.point) + reachOf(head.point);
+    double extent = reachOf(geometry.tailToHead);
+    if (element.pitchPoint) {
+      geometry.pitchPoint = toDoubles(*element.pitchPoint);
+      geometry.tailToPitch = geometry.pitchPoint - tail.point;
+      reach += reachOf(geometry.pitchPoint);
+      extent = std::max(extent, reachOf(geometry.tailToPitch));
+    }
+    if (roundingOf(reach) <= kNegligible * extent || roundingOf(reach) <= kNegligible * m_train.size())
+      return;
+    const ExactVector3 origin = exactLineOfClass(m_mechanism, m_placement, word.tailClass).point;
+    geometry.tailToHead =
+        exactDifference(exactLineOfClass(m_mechanism, m_placement, word.headClass).point, origin);
+    if (element.pitchPoint) geometry.tailToPitch = exactDifference(toFractions(*element.pitchPoint), origin);
+  }
+
+  /// False where an internal pair has equal teeth.
+  bool derivePitchPoint(int mesh, const GearPair<double>& pair, const MeshWord& word, LinePosition position,
+                        MeshGeometry& geometry) {
+    geometry.derived = true;
+    if (position == LinePosition::meeting) {
+      geometry.sides = m_sides.choose(mesh, word, pair);
+      if (!m_bevelSizes.empty()) geometry.bevelSize = m_bevelSizes[mesh];
+      geometry.tailToPitch =
+          bevelPitchPoint(pair, geometry.sides, m_module * geometry.bevelSize / kUsualBevelSize);
+      return true;
+    }
+    const bool internal = m_mechanism.gearMeshes[mesh].kind == MeshKind::internal;
+    if (internal && pair.tailTeeth == pair.headTeeth) return false;
+    const bool inner = tailIsInner(m_placement, word.tailClass, word.headClass);
+    geometry.tailToPitch = parallelPitchPoint(pair, internal, inner ? pair.tailPoint : pair.headPoint);
+    return true;
+  }
+
+  const Mechanism& m_mechanism;
+  Placement& m_placement;
+  std::span<const int> m_bevelSizes;  ///< by mesh; none where no bevel pair was placed
+  double m_module = 0;
+  const LineComparison& m_train;
+  SideChooser m_sides;
+};
+
+void take(PlacedAxes& placed, Placement& placement) {
+  placement.axes = std::move(placed.lines);
+  placement.chosen = std::move(placed.chosen);
+  placement.module = std::move(placed.module);
+}
+
+}  // namespace
+
+Placement placementOf(const Mechanism& mechanism) {
+  return placementOf(mechanism, JointTree::of(mechanism));
+}
+
+Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree) {
+  Placement placement;
+  std::vector<AxisLine> given = givenLines(mechanism);
+  if (!tree) {
+    placement.meshes.resize(mechanism.gearMeshes.size());
+    PlacedAxes placed = placedAxes(mechanism, std::move(given), nullptr, AxisClasses(), {});
+    take(placed, placement);
+    return placement;
+  }
+  placement.tree = std::move(tree);
+  placement.classes.emplace(mechanism, *placement.tree, given, placement.diagnostics);
+  std::vector<std::optional<MeshWord>> words;
+  words.reserve(mechanism.gearMeshes.size());
+  ClassPath path;
+  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    words.push_back(
+        meshWord(mechanism, *placement.classes, *placement.tree, mesh, path, placement.diagnostics));
+  }
+  PlacedAxes placed = placedAxes(mechanism, std::move(given), &*placement.tree, *placement.classes, words);
+  take(placed, placement);
+  const LineComparison train(mechanism, *placement.tree->graph, placement.axes);
+  MeshLocator locator(mechanism, placement, train, placed.bevelSizes);
+  placement.meshes.reserve(words.size());
+  for (int mesh = 0; mesh < mechanism.c(); ++mesh) {
+    auto& geometry = placement.meshes.emplace_back();
+    if (words[mesh] && !locator.locate(mesh, *words[mesh], geometry.emplace())) geometry.reset();
+  }
+  return placement;
+}
+
+ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis) {
+  const AxisLine& line = placement.axes[axis];
+  if (line.chosen >= 0) return placement.chosen[line.chosen];
+  const Axis& given = mechanism.axes[axis];
+  return {toFractions(*given.point), toFractions(*given.direction)};
+}
+
+ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
+  return exactLine(mechanism, placement, placement.classes->classes[axisClass].axis);
+}
+
+std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Placement& placement,
+                                            int mesh) {
+  const MeshGeometry& geometry = *placement.meshes[mesh];
+  if (!geometry.derived) {
+    return toFractions(*mechanism.gearMeshes[mesh].pitchPoint);
+  }
+  const ExactLine tail = exactLineOfClass(mechanism, placement, geometry.tailClass);
+  const ExactLine head = exactLineOfClass(mechanism, placement, geometry.headClass);
+  const GearMesh& element = mechanism.gearMeshes[mesh];
+  const GearPair<Rational> pair{tail.point,     tail.direction,    head.point,
+                                head.direction, element.tailTeeth, element.headTeeth};
+  if (geometry.kind == MeshKind::bevel)
+    return bevelPitchPoint(pair, geometry.sides,
+                           Rational(geometry.bevelSize, kUsualBevelSize) * placement.module);
+  const bool inner = tailIsInner(placement, geometry.tailClass, geometry.headClass);
+  return parallelPitchPoint(pair, geometry.kind == MeshKind::internal,
+                            inner ? pair.tailPoint : pair.headPoint);
+}
+
+}  // namespace geargraph

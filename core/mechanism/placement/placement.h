@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mechanism/placement/axis_placer.h"
+#include "core/mechanism/placement/mesh_geometry.h"
+
+namespace geargraph {
+
+/// The reference geometry of a mechanism: where every axis lies, and for every mesh its carrier, its pitch
+/// point and the sign and radii that follow. Whatever the file leaves open is chosen here, so that a digraph
+/// with tooth counts is enough for an analysis and a 3D view.
+struct Placement {
+  std::optional<JointTree> tree;       ///< none where the turning joints are no spanning tree: no meshes then
+  std::optional<AxisClasses> classes;  ///< with the tree
+  std::vector<AxisLine> axes;          ///< by axis of the document
+  std::vector<ExactLine> chosen;       ///< of the automatic axes, in fractions
+  std::vector<std::optional<MeshGeometry>> meshes;  ///< by mesh; none where a diagnostic says why
+  Rational module = kDefaultModule;                 ///< that automatic axes and bevel points were placed with
+  Diagnostics diagnostics;
+
+  /// The line of the joint's class, and +1 where the joint's own axis points as it does, -1 against it.
+  /// @pre there is a tree
+  [[nodiscard]] const AxisLine& lineOfClass(int axisClass) const {
+    return axes[static_cast<std::size_t>(classes->classes[static_cast<std::size_t>(axisClass)].axis)];
+  }
+};
+
+/// Places everything. Diagnostics: split-axis, merged-axes, coaxial-mesh, no-transfer-vertex,
+/// pitch-point-on-axis, pitch-geometry, teeth-geometry. The disconnected and the looped are
+/// treeDiagnostics()' to report.
+///
+/// Pitch points that the file leaves open: between parallel axes from the teeth (`kind` internal where it
+/// says so, else external), in the plane of the axis point nearer the ground; between meeting axes at the
+/// document's module, on the half axes where the bearings' offsets lie, and where they say nothing on the
+/// positive half of the outer axis and the negative one of the inner, on both for the wheels of two links
+/// that mesh with the same one (a differential's two sides). Pairs about one apex lie one within the other.
+///
+/// Cost: O(n + t + c) and the axis classes on each mesh's path.
+/// @pre the mechanism is well formed
+[[nodiscard]] Placement placementOf(const Mechanism& mechanism);
+/// The same for a mechanism whose tree is known, none where there is none.
+[[nodiscard]] Placement placementOf(const Mechanism& mechanism, std::optional<JointTree> tree);
+
+/// Where an axis lies, in fractions: as chosen, or as written in the document.
+/// @pre the placement is the mechanism's
+[[nodiscard]] ExactLine exactLine(const Mechanism& mechanism, const Placement& placement, int axis);
+
+/// The line of a class in fractions. @pre the placement is the mechanism's and has a tree
+[[nodiscard]] ExactLine exactLineOfClass(const Mechanism& mechanism, const Placement& placement,
+                                         int axisClass);
+
+/// The pitch point of a mesh in fractions, where it is one: written in the file, or derived without a root.
+/// @pre the mesh has a geometry in this placement of the mechanism
+[[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
+                                                          const Placement& placement, int mesh);
+
+}  // namespace geargraph

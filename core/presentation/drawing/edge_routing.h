@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/presentation/drawing/obstacle_grid.h"
+#include "core/mechanism/graph/digraph.h"
+
+namespace geargraph {
+
+using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
+
+/// An arrow's course, from rim to rim, and how far round detours were looked for until it was found.
+struct Course {
+  Curve curve;
+  int looked = 0;
+  double height = 0;  ///< how far arrows of the same two links pushed it aside to begin with
+};
+using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; none where an end has no place
+
+/// The arrow's course for every edge of the digraph. `nodes` holds the circles of the nodes, owned by their
+/// ordinals.
+[[nodiscard]] Courses routedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes);
+
+/// The same for any lines between nodes, each pushed aside by so much to begin with: to the left, seen from
+/// its tail on the sheet.
+[[nodiscard]] Courses routedEdges(std::span<const DigraphEdge> edges, const std::vector<double>& offsets,
+                                  const Centers& centers, const ObstacleGrid& nodes);
+
+/// The same, faster: `former` holds the courses of arrows that ran between the same two links before, and
+/// `moved` the places that nodes have left or taken since. A course is taken over where none of them could
+/// make a difference.
+[[nodiscard]] Courses reroutedEdges(const Digraph& graph, const Centers& centers, const ObstacleGrid& nodes,
+                                    const std::vector<SheetPoint>& moved, const Courses& former);
+
+/// The part of a curve between two node centres that lies outside of their rims.
+[[nodiscard]] Curve trimmedAtRims(const Curve& curve);
+/// The part outside of the rim of the node where it begins.
+[[nodiscard]] Curve trimmedAtStart(const Curve& curve);
+
+}  // namespace geargraph

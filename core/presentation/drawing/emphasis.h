@@ -1,0 +1,36 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "core/foundations/base/id.h"
+
+namespace geargraph {
+
+/// How an element stands out.
+struct Emphasis {
+  bool hovered = false;   ///< a halo alone
+  bool selected = false;  ///< accent with a halo
+  /// On a cycle that is shown: +1 where its walk runs along the arrow, -1 against it, 0 not on it.
+  int walk = 0;
+  bool second = false;  ///< that walk is the second of two that are shown: it has a colour of its own
+
+  [[nodiscard]] bool any() const { return hovered || selected || walk != 0; }
+  friend bool operator==(const Emphasis&, const Emphasis&) = default;
+};
+/// Elements that are not in it are plain.
+using Emphases = std::unordered_map<ElementId, Emphasis>;
+
+[[nodiscard]] inline Emphasis emphasisOf(const Emphases& emphases, const ElementId& element) {
+  const auto found = emphases.find(element);
+  return found == emphases.end() ? Emphasis{} : found->second;
+}
+
+// Depths of the marks of a drawing.
+constexpr int kHaloDepth = 0;
+constexpr int kLineDepth = 10;
+constexpr int kLabelDepth = 20;
+constexpr int kNodeDepth = 30;
+constexpr int kBadgeDepth = 40;
+constexpr int kGhostDepth = 50;
+
+}  // namespace geargraph

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/presentation/drawing/display_list.h"
+
+namespace geargraph {
+
+/// The topmost element at a point; `reach` widens what can be hit, for a small drawing on a large screen.
+/// Among several of one depth the nearest is meant. Cost: O(outlines).
+[[nodiscard]] std::optional<ElementId> elementAt(const std::vector<Outline>& outlines, SheetPoint point,
+                                                 double reach = 0);
+
+/// The elements that lie inside the rectangle with all of their outlines, each once, in the order of the
+/// list.
+[[nodiscard]] std::vector<ElementId> elementsInside(const std::vector<Outline>& outlines, const Extent& area);
+
+}  // namespace geargraph

@@ -1,0 +1,140 @@
+#include "core/presentation/drawing/svg_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/base/wording.h"
+
+namespace geargraph {
+namespace {
+
+/// To a hundredth of a pixel, without the zeros behind, whatever the locale. @pre finite
+std::string number(double value) {
+  GEARGRAPH_REQUIRE(std::isfinite(value));
+  std::array<char, 320> text{};  // the largest double has 309 digits
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
+  GEARGRAPH_REQUIRE(error == std::errc{});
+  std::string out(text.data(), end);
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out == "-0" ? "0" : out;
+}
+
+std::string attribute(std::string_view name, double value) {
+  return " " + std::string(name) + "=\"" + number(value) + "\"";
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string pair(SheetPoint p) {
+  return number(p.x) + " " + number(p.y);
+}
+
+/// The tag of a shape without its end.
+struct ShapeTag {
+  std::string operator()(const Circle& circle) const {
+    return "<circle" + attribute("cx", circle.center.x) + attribute("cy", circle.center.y) +
+           attribute("r", circle.radius);
+  }
+  std::string operator()(const Box& box) const {
+    return "<rect" + attribute("x", box.extent.left()) + attribute("y", box.extent.top()) +
+           attribute("width", 2 * box.extent.halfWidth) + attribute("height", 2 * box.extent.halfHeight) +
+           attribute("rx", box.corner);
+  }
+  std::string operator()(const Polyline& line) const {
+    std::string points;
+    for (const SheetPoint p : line.points)
+      points += (points.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+    return (line.closed ? "<polygon" : "<polyline") + attribute("points", points);
+  }
+  std::string operator()(const Curve& curve) const {
+    const std::string path = curve.isStraight() ? "M" + pair(curve.from) + " L" + pair(curve.to)
+                                                : "M" + pair(curve.from) + " C" + pair(curve.leaving) + " " +
+                                                      pair(curve.arriving) + " " + pair(curve.to);
+    return "<path" + attribute("d", path);
+  }
+};
+
+std::string_view dashArray(Dash dash) {
+  switch (dash) {
+    case Dash::solid:
+      return {};
+    case Dash::dashed:
+      return "6.5 4.5";
+    case Dash::dashDotted:
+      return "12 3 2 3";
+    case Dash::dotted:
+      return "0.1 6";
+  }
+  return {};
+}
+
+struct MarkTag {
+  Theme theme;
+
+  std::string operator()(const Stroke& stroke) const {
+    std::string tag = std::visit(ShapeTag{}, stroke.shape) + attribute("fill", "none") +
+                      attribute("stroke", hexOf(colorOf(stroke.tint, theme))) +
+                      attribute("stroke-width", stroke.width);
+    if (stroke.dash != Dash::solid) tag += attribute("stroke-dasharray", dashArray(stroke.dash));
+    if (stroke.dash == Dash::dotted) tag += attribute("stroke-linecap", "round");
+    return tag + "/>";
+  }
+  std::string operator()(const Fill& fill) const {
+    return std::visit(ShapeTag{}, fill.shape) + attribute("fill", hexOf(colorOf(fill.tint, theme))) + "/>";
+  }
+  std::string operator()(const Text& text) const {
+    constexpr double kDigitHeight = 0.729;  // of DejaVu Sans, in em
+    std::string tag = "<text" + attribute("x", text.center.x) +
+                      attribute("y", text.center.y + kDigitHeight * text.size / 2) +
+                      attribute("font-size", text.size) + attribute("fill", hexOf(colorOf(text.tint, theme)));
+    if (text.bold) tag += attribute("font-weight", "bold");
+    return tag + ">" + escapedXml(text.text) + "</text>";
+  }
+};
+
+}  // namespace
+
+Extent sheetOf(const DisplayList& list, const SheetLook& look) {
+  Extent sheet = extentOf(list).grown(std::max(look.margin, 0.5));
+  if (!look.size) return sheet;
+  const double shape = static_cast<double>(look.size->width) / look.size->height;
+  sheet.halfWidth = std::max(sheet.halfWidth, sheet.halfHeight * shape);
+  sheet.halfHeight = std::max(sheet.halfHeight, sheet.halfWidth / shape);
+  return sheet;
+}
+
+std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title) {
+  const Extent sheet = sheetOf(list, look);
+  const std::string width = number(2 * sheet.halfWidth);
+  const std::string height = number(2 * sheet.halfHeight);
+  std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "version=\"1.1\"" +
+      attribute("width", look.size ? std::to_string(look.size->width) : width) +
+      attribute("height", look.size ? std::to_string(look.size->height) : height) +
+      attribute("viewBox", number(sheet.left()) + " " + number(sheet.top()) + " " + width + " " + height) +
+      ">\n";
+  if (!title.empty()) svg += "<title>" + escapedXml(title) + "</title>\n";
+  if (!look.transparent) {
+    svg += "<rect" + attribute("x", sheet.left()) + attribute("y", sheet.top()) + attribute("width", width) +
+           attribute("height", height) + attribute("fill", hexOf(colorOf(ColorRole::sheet, look.theme))) +
+           "/>\n";
+  }
+  svg += "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" text-anchor=\"middle\">\n";
+  for (const Mark& mark : list.marks) {
+    svg += "<g" + attribute("data-list", listName(mark.element.kind)) +
+           attribute("data-id", escapedXml(mark.element.id.text())) + ">" +
+           std::visit(MarkTag{look.theme}, mark.what) + "</g>\n";
+  }
+  return svg + "</g>\n</svg>\n";
+}
+
+}  // namespace geargraph

@@ -1,0 +1,87 @@
+#include "core/presentation/drawing/tt_graph_drawing.h"
+
+#include "core/presentation/drawing/arrow_marks.h"
+#include "core/presentation/drawing/coupling_marks.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kTransferRing = 15.5;  ///< radius of the second ring
+constexpr double kTransferWidth = 1.4;
+constexpr double kHaloWidth = 9;
+constexpr double kHitHalfWidth = 5;
+
+struct Look {
+  double width;
+  Dash dash;
+};
+Look lookOf(TtLine kind) {
+  switch (kind) {
+    case TtLine::branch:
+      return {kTurningWidth, Dash::solid};
+    case TtLine::open:
+      return {kChordWidth, Dash::dotted};
+    default:
+      return {kChordWidth, Dash::dashed};
+  }
+}
+
+Tint tintOf(const TtLinePlace& line, const Emphasis& emphasis) {
+  if (emphasis.walk != 0) {
+    const bool second = line.kind == TtLine::headChord || emphasis.second;
+    return second ? kSecondWalk : ColorRole::accent;
+  }
+  if (emphasis.selected) return ColorRole::accent;
+  return line.kind == TtLine::open ? ColorRole::secondary : ColorRole::ink;
+}
+
+DisplayList drawingOf(const TtLinePlace& line, const Emphasis& emphasis) {
+  DisplayList list;
+  Pen pen(list, line.element);
+  if (emphasis.any()) {
+    pen.put(MarkRole::halo, kHaloDepth, Stroke{line.curve, ColorRole::halo, kHaloWidth, Dash::solid});
+  }
+  const Tint tint = tintOf(line, emphasis);
+  const Look look = lookOf(line.kind);
+  if (line.kind == TtLine::open) {
+    pen.put(MarkRole::line, kLineDepth, Stroke{line.curve, tint, look.width, look.dash});
+  } else {
+    drawArrow(pen, line.curve, tint, look.width, look.dash);
+  }
+  if (emphasis.walk != 0 && line.kind != TtLine::open) drawWalk(pen, line.curve, emphasis.walk, tint);
+  pen.put(MarkRole::label, kLabelDepth, Text{line.label, line.labelCenter, kLabelSize, true, tint});
+  list.outlines.push_back({line.element, kLineDepth, line.curve, kHitHalfWidth});
+  list.outlines.push_back(
+      {line.element, kLabelDepth, Box{ttLabelExtent(line.labelCenter, line.label), 0}, 0});
+  return list;
+}
+
+DisplayList drawingOf(const NodePlace& node, bool isTransfer, const Emphasis& emphasis) {
+  DisplayList list = nodeDrawing(node, emphasis);
+  if (!isTransfer) return list;
+  Pen pen(list, node.link);
+  const Tint tint = emphasis.selected ? Tint(ColorRole::accent) : Tint::ofLink(node.label);
+  pen.put(MarkRole::node, kNodeDepth,
+          Stroke{Circle{node.center, kTransferRing}, tint, kTransferWidth, Dash::solid});
+  return list;
+}
+
+}  // namespace
+
+DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emphases) {
+  DisplayList list;
+  for (const TtLinePlace& line : geometry.lines) {
+    list.append(drawingOf(line, emphasisOf(emphases, line.element)));
+  }
+  for (std::size_t i = 0; i < geometry.nodes.size(); ++i) {
+    const NodePlace& node = geometry.nodes[i];
+    list.append(drawingOf(node, geometry.isTransfer[i], emphasisOf(emphases, node.link)));
+  }
+  for (const CouplingPlace& coupling : geometry.couplings)
+    list.append(couplingDrawing(coupling, emphasisOf(emphases, coupling.coupling)));
+  list.sortByDepth();
+  return list;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/drawing/emphasis.h"
+#include "core/presentation/drawing/tt_graph_geometry.h"
+
+namespace geargraph {
+
+/// The colour of the second of two walks that are shown at once; the first has the accent.
+constexpr ColorRole kSecondWalk = ColorRole::negativeInk;
+
+/// The T-T graph in painting order [AU, Figs. 5 and 6]: the branches of the tree thick with the letters of
+/// their levels, the chords of the meshes thin with their primes, a second ring in every transfer vertex.
+/// Meshes that have none are dotted.
+///
+/// Of a mesh that is on a walk the two f-circuits are shown: that of the tail gear in the accent, that of the
+/// head gear in kSecondWalk.
+[[nodiscard]] DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emphases);
+
+}  // namespace geargraph

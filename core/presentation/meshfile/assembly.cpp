@@ -1,0 +1,201 @@
+#include "core/presentation/meshfile/assembly.h"
+
+#include <unistd.h>
+
+#include <numbers>
+#include <set>
+#include <system_error>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/files/file.h"
+#include "core/foundations/files/json_writer.h"
+
+namespace geargraph {
+namespace {
+
+namespace fs = std::filesystem;
+using Layout = JsonWriter::Layout;
+
+constexpr std::string_view kIndexFile = "assembly.json";
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+void writePose(JsonWriter& out, const Eigen::Isometry3d& pose) {
+  out.beginArray(Layout::row);
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    out.beginArray(Layout::row);
+    for (Eigen::Index column = 0; column < 4; ++column) out.number(pose.matrix()(row, column) + 0.0);
+    out.endArray();
+  }
+  out.endArray();
+}
+
+void writeOptional(JsonWriter& out, std::string_view name, const std::optional<double>& value) {
+  if (value) out.member(name, *value);
+}
+
+void writeGear(JsonWriter& out, const AssemblyGear& gear, const std::string& file) {
+  out.beginObject();
+  out.member("name", gear.name);
+  out.member("file", file);
+  out.member("type", meshKindName(gear.kind));
+  out.member("z", gear.teeth);
+  out.member("module", gear.module);
+  out.member("alpha_deg", gear.pressureAngle * kDegrees);
+  out.member("x", gear.profileShift);
+  if (gear.kind == MeshKind::bevel) {
+    out.member("face", gear.width);
+    out.member("delta_deg", gear.coneAngle * kDegrees);
+    out.member("flank", "spherical_involute");
+  } else {
+    out.member("width", gear.width);
+  }
+  out.member("bore", gear.bore);
+  out.member("thinning", gear.thinning);
+  writeOptional(out, "ha", gear.addendum);
+  writeOptional(out, "hf", gear.dedendum);
+  writeOptional(out, "rho", gear.rootRadius);
+  writeOptional(out, "ra", gear.tipCircle);
+  writeOptional(out, "rf", gear.rootCircle);
+  out.key("pose");
+  writePose(out, gear.pose);
+  out.endObject();
+}
+
+/// One file of the export and its bytes.
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+std::variant<Files, MeshFileError> encodedFiles(const Assembly& assembly, const MeshWriteOptions& options) {
+  Files files;
+  MeshWriteOptions each = options;
+  each.progress = {};
+  const std::vector<std::string> names = gearFiles(assembly);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const AssemblyGear& gear = assembly.gears[i];
+    if (options.progress) options.progress(0.5 * static_cast<double>(i) / static_cast<double>(names.size()));
+    MeshScene scene{gear.name, assembly.unit, {}, {}};
+    scene.nodes.emplace_back().solid = gear.solid;
+    auto encoded = encodedMesh(scene, MeshFormat::stl, gear.name, each);
+    if (const auto* error = std::get_if<MeshFileError>(&encoded)) return *error;
+    auto& stl = std::get<std::vector<EncodedFile>>(encoded).front();
+    each.mostTriangles -= gear.solid->triangles.size();  // the limit is one for all
+    files.emplace_back(names[i], std::move(stl.bytes));
+  }
+  files.emplace_back(kIndexFile, assemblyJson(assembly));
+  return files;
+}
+
+std::optional<MeshFileError> writeInto(const fs::path& folder, const Files& files,
+                                       const MeshWriteOptions& options) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (options.stop.stop_requested()) {
+      return MeshFileError{MeshFileError::Kind::stopped, "Stopped; the folder is not complete."};
+    }
+    if (const auto error = writeFile(folder / files[i].first, files[i].second)) {
+      return MeshFileError{MeshFileError::Kind::file, error->message};
+    }
+    if (options.progress) {
+      options.progress(0.5 + 0.5 * static_cast<double>(i + 1) / static_cast<double>(files.size()));
+    }
+  }
+  return std::nullopt;
+}
+
+MeshFileError folderError(const fs::path& folder, const std::string& why) {
+  return {MeshFileError::Kind::file,
+          "The folder \"" + folder.string() + "\" could not be made: " + why + "."};
+}
+
+/// Makes the folder under another name beside its place, which it takes when it is complete.
+std::optional<MeshFileError> writeNewFolder(const fs::path& folder, const Files& files,
+                                            const MeshWriteOptions& options) {
+  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
+  const fs::path temporary =
+      place.parent_path() / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
+  std::error_code error;
+  if (place.has_parent_path()) fs::create_directories(place.parent_path(), error);
+  if (!error) fs::create_directory(temporary, error);
+  if (error) return folderError(folder, error.message());
+  auto failure = writeInto(temporary, files, options);
+  if (!failure) {
+    fs::rename(temporary, place, error);
+    if (error) failure = folderError(folder, error.message());
+  }
+  if (failure) fs::remove_all(temporary, error);
+  return failure;
+}
+
+}  // namespace
+
+std::vector<std::string> gearFiles(const Assembly& assembly) {
+  std::set<std::string> taken;
+  std::vector<std::string> names;
+  for (const AssemblyGear& gear : assembly.gears) {
+    std::string stem;
+    for (const char c : gear.name) {
+      const bool isSafe = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+      stem += isSafe || c == '_' ? c : '-';
+    }
+    if (stem.size() > 100 || stem.empty()) stem = "gear";
+    std::string name = stem;
+    for (int i = 2; !taken.insert(name).second; ++i) name = stem + "_" + std::to_string(i);
+    names.push_back(name + ".stl");
+  }
+  return names;
+}
+
+std::string assemblyJson(const Assembly& assembly) {
+  TextSink sink;
+  {
+    JsonWriter out(sink);
+    const std::vector<std::string> files = gearFiles(assembly);
+    out.beginObject();
+    out.member("unit", assembly.unit);
+    out.key("gears");
+    out.beginArray();
+    for (std::size_t i = 0; i < assembly.gears.size(); ++i) writeGear(out, assembly.gears[i], files[i]);
+    out.endArray();
+    out.key("meshes");
+    out.beginArray();
+    for (const AssemblyPair& pair : assembly.meshes) {
+      out.beginObject(Layout::row);
+      out.member("a", assembly.gears[pair.a].name);
+      out.member("b", assembly.gears[pair.b].name);
+      out.endObject();
+    }
+    out.endArray();
+    out.key("frames");
+    out.beginArray();
+    for (const auto& frame : assembly.frames) {
+      GEARGRAPH_REQUIRE(frame.size() == assembly.gears.size());
+      out.beginObject();
+      for (std::size_t i = 0; i < frame.size(); ++i) {
+        out.key(assembly.gears[i].name);
+        writePose(out, frame[i]);
+      }
+      out.endObject();
+    }
+    out.endArray();
+    out.endObject();
+  }
+  return sink.take() + "\n";
+}
+
+std::optional<MeshFileError> writeAssembly(const Assembly& assembly, const fs::path& folder, bool overwrite,
+                                           const MeshWriteOptions& options) {
+  const auto encoded = encodedFiles(assembly, options);
+  if (const auto* error = std::get_if<MeshFileError>(&encoded)) return *error;
+  const Files& files = std::get<Files>(encoded);
+
+  std::error_code error;
+  if (!fs::exists(folder, error)) return writeNewFolder(folder, files, options);
+  if (!fs::is_directory(folder, error)) return folderError(folder, "there is a file of that name");
+  for (const auto& file : files) {
+    if (fs::exists(folder / file.first, error) && !overwrite) {
+      return MeshFileError{MeshFileError::Kind::file, "\"" + (folder / file.first).string() +
+                                                          "\" is there already; nothing was written."};
+    }
+  }
+  return writeInto(folder, files, options);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,105 @@
+#include "core/presentation/meshfile/link_scene.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/foundations/base/contract.h"
+#include "core/presentation/meshfile/turn_keys.h"
+#include "core/theory/pose/period.h"
+
+namespace geargraph {
+namespace {
+
+std::string nameOf(const Link& link, int label) {
+  return link.name.empty() ? "link " + std::to_string(label) : link.name;
+}
+
+/// Where each link's frame has its origin: on its joint's line; the ground's is the base frame.
+Eigen::Vector3d originOf(const LinkSceneSource& source, int link) {
+  if (link == 0) return Eigen::Vector3d::Zero();
+  return source.kinematics.line(source.tree.jointToParent(link)).point;
+}
+
+/// Whole quarter turns of each joint in one period, by joint.
+struct Period {
+  std::vector<long long> quarters;
+  double seconds = 0;
+};
+
+MeshFileError tooLong(const Rational& turns) {
+  return {MeshFileError::Kind::limit,
+          "The motion repeats only after " + turns.toString() +
+              " turns of what turns at 1 rad/s; that is too long for an animation."};
+}
+
+std::variant<Period, MeshFileError> periodOf(const UniformMotion& motion) {
+  const std::optional<Rational> turns = commonPeriod(motion.rates);
+  if (!turns) return Period{std::vector<long long>(motion.rates.size(), 0), 0};
+  Period period;
+  double keys = 0;
+  for (const Rational& rate : motion.rates) {
+    const double quarters = 4 * (rate * *turns).toDouble();
+    keys += std::abs(quarters) + 1;
+    if (!(keys <= static_cast<double>(kMostKeys))) return tooLong(*turns);
+    period.quarters.push_back(std::llround(quarters));  // whole already, and small
+  }
+  period.seconds = motion.seconds.value_or(2 * std::numbers::pi * turns->toDouble());
+  return period;
+}
+
+void addLinks(MeshScene& scene, const LinkSceneSource& source, const Period& period,
+              std::vector<std::size_t>& places) {
+  places.assign(source.mechanism.links.size(), 0);
+  for (const int link : source.tree.preorder()) {
+    const auto position = static_cast<std::size_t>(link);
+    MeshNode node;
+    node.name = nameOf(source.mechanism.links[position], link);
+    node.pose.translation() = originOf(source, link);
+    if (link != 0) {
+      const int parent = source.tree.parent(link);
+      const int joint = source.tree.jointToParent(link);
+      node.parent = places[static_cast<std::size_t>(parent)];
+      node.pose.translation() -= originOf(source, parent);
+      const long long quarters =
+          period.quarters.empty() ? 0 : period.quarters[static_cast<std::size_t>(joint)];
+      if (quarters != 0) {
+        const long long sense = -source.tree.directionToGround(joint);
+        node.keys = uniformTurn(source.kinematics.line(joint).direction, Eigen::Quaterniond::Identity(),
+                                sense * quarters, period.seconds);
+      }
+    }
+    places[position] = scene.nodes.size();
+    scene.nodes.push_back(std::move(node));
+  }
+}
+
+}  // namespace
+
+std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
+                                                 const std::optional<UniformMotion>& motion) {
+  Period period;
+  if (motion) {
+    GEARGRAPH_REQUIRE(static_cast<int>(motion->rates.size()) == source.kinematics.jointCount());
+    auto found = periodOf(*motion);
+    if (const auto* error = std::get_if<MeshFileError>(&found)) return *error;
+    period = std::get<Period>(std::move(found));
+  }
+  MeshScene scene;
+  scene.name = source.mechanism.name;
+  scene.unit = source.mechanism.unit;
+  for (std::size_t i = 0; i < source.mechanism.links.size(); ++i) {
+    const int label = static_cast<int>(i);
+    scene.materials.push_back({nameOf(source.mechanism.links[i], label), source.colourOfLink(label)});
+  }
+  std::vector<std::size_t> places;
+  addLinks(scene, source, period, places);
+  for (const LinkPart& part : source.parts) {
+    const auto link = static_cast<std::size_t>(part.link);
+    MeshNode node{part.name, places[link], part.pose, part.solid, link, {}};
+    node.pose.translation() -= originOf(source, part.link);
+    scene.nodes.push_back(std::move(node));
+  }
+  return scene;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,26 @@
+#include "core/presentation/meshfile/turn_keys.h"
+
+#include <array>
+#include <cmath>
+
+namespace geargraph {
+
+std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
+                                     long long quarters, double seconds) {
+  // Cosine of half the angle after 0, 1, ... 7 quarter turns; a quaternion returns after two turns.
+  const double r = std::sqrt(0.5);
+  const std::array<double, 8> cosine{1, r, 0, -r, -1, -r, 0, r};
+  const long long count = std::max(std::llabs(quarters), 1LL);
+  std::vector<RotationKey> keys;
+  keys.reserve(static_cast<std::size_t>(count) + 1);
+  for (long long i = 0; i <= count; ++i) {
+    const long long turned = (quarters < 0 ? -i : quarters > 0 ? i : 0) & 7;
+    const Eigen::Vector3d vector = cosine[static_cast<std::size_t>((turned + 6) & 7)] * axis;  // sine
+    const Eigen::Quaterniond turn(cosine[static_cast<std::size_t>(turned)], vector.x(), vector.y(),
+                                  vector.z());
+    keys.push_back({seconds * static_cast<double>(i) / static_cast<double>(count), turn * rest});
+  }
+  return keys;
+}
+
+}  // namespace geargraph

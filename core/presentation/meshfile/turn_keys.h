@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/presentation/meshfile/mesh_scene.h"
+
+namespace geargraph {
+
+/// Keys of a node that rests at `rest` and turns uniformly about `axis` (unit, in the parent's frame, through
+/// the node's origin) by `quarters` quarter turns in `seconds`: one at each quarter, so that slerp between
+/// them is exact, from angles that are reduced before they are rounded: the end is the beginning to the last
+/// bit where the number of turns is whole (its quaternion may have the other sign). Two keys at least.
+[[nodiscard]] std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis,
+                                                   const Eigen::Quaterniond& rest, long long quarters,
+                                                   double seconds);
+
+}  // namespace geargraph

@@ -1,0 +1,163 @@
+#include "core/presentation/pages/report_pdf.h"
+
+#include <algorithm>
+
+#include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/pages/flow.h"
+#include "core/presentation/pages/paragraph.h"
+#include "core/presentation/picture/pdf_pages.h"
+
+namespace geargraph {
+namespace {
+
+// A4, in points.
+constexpr double kPageWidth = 595.28, kPageHeight = 841.89;
+constexpr double kSide = 62, kHead = 62, kFoot = 68;
+constexpr double kPoints = 0.75;  // a pixel of a drawing
+constexpr double kSize = 10, kSmall = 8.5;
+constexpr double kBody = kPageHeight - kHead - kFoot;
+constexpr double kWidth = kPageWidth - 2 * kSide;
+
+constexpr Color kInk{0, 0, 0}, kSoft{85, 93, 102}, kHairline{200, 206, 212};
+
+class PageMeasure : public WordMeasure {
+ public:
+  explicit PageMeasure(const PdfPages& pages) : m_pages(pages) {}
+  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override {
+    return m_pages.widthOf(utf8, look.size, look.bold);
+  }
+
+ private:
+  const PdfPages& m_pages;
+};
+
+/// Strips of one page and how far below the top of the body each begins.
+struct Page {
+  std::vector<std::pair<const FlowLine*, double>> lines;
+};
+
+/// Strips that no page's end parts go to a page together, where they are not taller than one.
+std::vector<Page> pagesOf(const std::vector<FlowLine>& lines) {
+  std::vector<Page> pages(1);
+  double used = 0;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    std::size_t end = begin;
+    double height = 0;
+    do {
+      height += (end > begin ? lines[end].above : 0) + lines[end].height;
+    } while (lines[end++].keepsWithNext && end < lines.size());
+    const bool isNew = pages.back().lines.empty();
+    if (!isNew && used + lines[begin].above + height > kBody) {
+      pages.emplace_back();
+      used = 0;
+    }
+    for (; begin < end; ++begin) {
+      double top = used + (pages.back().lines.empty() ? 0 : lines[begin].above);
+      if (!pages.back().lines.empty() && top + lines[begin].height > kBody) {
+        pages.emplace_back();
+        top = 0;
+      }
+      pages.back().lines.emplace_back(&lines[begin], top);
+      used = top + lines[begin].height;
+    }
+  }
+  return pages;
+}
+
+class PagePainter {
+ public:
+  PagePainter(PdfPages& pages, const Report& report, const ReportLists& drawings)
+      : m_pages(pages), m_report(report), m_drawings(drawings) {}
+
+  void paint(const Page& page) {
+    for (const auto& [line, top] : page.lines) paint(*line, kHead + top);
+  }
+  void paintFoot(std::size_t page, std::size_t of) {
+    const std::string text = std::to_string(page) + " / " + std::to_string(of);
+    m_pages.words(text, (kPageWidth - m_pages.widthOf(text, kSmall, false)) / 2, kPageHeight - kFoot / 2,
+                  {kSmall, false, kSoft});
+  }
+
+ private:
+  void paint(const FlowLine& line, double top) {
+    if (line.block < m_report.blocks.size() && line.block + 1 != m_bookmarked) {
+      if (const auto* heading = std::get_if<ReportHeading>(&m_report.blocks[line.block])) {
+        m_pages.bookmark(heading->level, heading->text, top - 2 * kSize);
+        m_bookmarked = line.block + 1;
+      }
+    }
+    for (const FlowRule& rule : line.rules) m_pages.rule(kSide + rule.x, top + rule.y, rule.width, kHairline);
+    for (const FlowWords& words : line.words) {
+      m_pages.words(words.text, kSide + words.x, top + words.y,
+                    {words.look.size, words.look.bold, words.look.soft ? kSoft : kInk});
+    }
+    for (const FlowFormula& formula : line.formulas) {
+      m_pages.formula(*formula.box, kSide + formula.x, top + formula.y, formula.size, kInk, kSoft);
+    }
+    if (const auto& figure = line.figure) {
+      m_pages.drawing(m_drawings.of(figure->drawing), kSide + figure->x, top, figure->width, figure->height);
+    }
+  }
+
+  PdfPages& m_pages;
+  const Report& m_report;
+  const ReportLists& m_drawings;
+  std::size_t m_bookmarked = 0;  ///< one more than the block of the last bookmark
+};
+
+/// The name of the mechanism and what the document is.
+std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow, const WordMeasure& measure) {
+  const std::size_t none = report.report().blocks.size();
+  std::vector<FlowLine> lines = paragraphLines(report, {{report.report().title, false}},
+                                               {1.9 * kSize, true, false}, flow, measure, 0, kWidth);
+  for (FlowLine& line :
+       paragraphLines(report, {{"Worked out by the Matroid and the T-T graph method", false}},
+                      {1.1 * kSize, false, true}, flow, measure, 0, kWidth)) {
+    lines.push_back(std::move(line));
+  }
+  for (FlowLine& line : lines) {
+    line.block = none;
+    line.keepsWithNext = true;
+  }
+  return lines;
+}
+
+}  // namespace
+
+const DisplayList& ReportLists::of(ReportDrawing drawing) const {
+  if (drawing == ReportDrawing::schematic) return schematic;
+  return drawing == ReportDrawing::digraph ? digraph : ttGraph;
+}
+
+Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
+  const SetReport set(std::move(report));
+  PdfPages pdf(kPageWidth, kPageHeight, set.report().title);
+  const PageMeasure measure(pdf);
+  FlowLook flow;
+  flow.width = kWidth;
+  flow.size = flow.formulaSize = kSize;
+  flow.tallest = kBody - 3 * kSize;
+  flow.figureSize = [&](ReportDrawing drawing) -> std::optional<FlowLook::FigureSize> {
+    const DisplayList& list = drawings.of(drawing);
+    if (list.marks.empty()) return std::nullopt;
+    const Extent sheet = sheetOf(list, {});
+    return FlowLook::FigureSize{2 * kPoints * sheet.halfWidth, 2 * kPoints * sheet.halfHeight};
+  };
+  std::vector<FlowLine> lines = titleLines(set, flow, measure);
+  for (FlowLine& line : set.lines(flow, measure)) lines.push_back(std::move(line));
+  const std::vector<Page> pages = pagesOf(lines);
+  PagePainter painter(pdf, set.report(), drawings);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    painter.paint(pages[i]);
+    painter.paintFoot(i + 1, pages.size());
+    pdf.endPage();
+  }
+  std::optional<std::string> bytes = pdf.finished();
+  if (bytes) return std::move(*bytes);
+  Diagnostic diagnostic;
+  diagnostic.code = Code::graphics;
+  diagnostic.message = "There is not enough memory for the pages.";
+  return diagnostic;
+}
+
+}  // namespace geargraph

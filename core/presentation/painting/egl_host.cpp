@@ -1,0 +1,152 @@
+#include "core/presentation/painting/egl_host.h"
+
+#define EGL_NO_X11  // its types are not needed, and the headers may be missing
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <cstring>
+#include <utility>
+
+#include "core/presentation/painting/gl_renderer.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic refused(const std::string& why) {
+  Diagnostic diagnostic;
+  diagnostic.code = Code::graphics;
+  diagnostic.message =
+      "No 3D pictures: " + why + ". On Debian, the package libgl1-mesa-dri brings what is missing.";
+  return diagnostic;
+}
+
+EGLDisplay surfacelessDisplay() {
+  const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const auto getPlatformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));  // NOLINT
+  if (extensions != nullptr && getPlatformDisplay != nullptr &&
+      std::strstr(extensions, "EGL_MESA_platform_surfaceless") != nullptr) {
+    return getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+  }
+  return eglGetDisplay(EGL_DEFAULT_DISPLAY);
+}
+
+/// Makes a context current and, when it goes, what was current before.
+class Current {
+ public:
+  Current(EGLDisplay display, EGLContext context)
+      : m_ours(display),
+        m_display(eglGetCurrentDisplay()),
+        m_context(eglGetCurrentContext()),
+        m_draw(eglGetCurrentSurface(EGL_DRAW)),
+        m_read(eglGetCurrentSurface(EGL_READ)) {
+    m_fine = eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+  }
+  ~Current() {
+    if (m_context != EGL_NO_CONTEXT) {
+      eglMakeCurrent(m_display, m_draw, m_read, m_context);
+    } else {
+      eglMakeCurrent(m_ours, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+  }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+  [[nodiscard]] bool fine() const { return m_fine; }
+
+ private:
+  EGLDisplay m_ours;
+  EGLDisplay m_display;
+  EGLContext m_context;
+  EGLSurface m_draw, m_read;
+  bool m_fine = false;
+};
+
+}  // namespace
+
+// The display is never terminated: it is one a process, and others may use it.
+struct EglHost::Context {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+
+  Context() = default;
+  ~Context() {
+    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// What went wrong, or nothing.
+  [[nodiscard]] std::string open() {
+    display = surfacelessDisplay();
+    EGLint major = 0, minor = 0;
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return "EGL finds no device";
+    if (!eglBindAPI(EGL_OPENGL_API)) return "EGL has no desktop OpenGL";
+    const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint found = 0;
+    if (!eglChooseConfig(display, wanted, &config, 1, &found) || found == 0)
+      return "EGL has no OpenGL configuration";
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                              3,
+                              EGL_CONTEXT_MINOR_VERSION,
+                              3,
+                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                              EGL_NONE};
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+    return context == EGL_NO_CONTEXT ? "there is no OpenGL 3.3 core" : "";
+  }
+};
+
+EglHost::EglHost(std::unique_ptr<Context> context) : m_context(std::move(context)) {}
+
+Expected<std::unique_ptr<EglHost>> EglHost::create() {
+  auto context = std::make_unique<Context>();
+  const std::string problem = context->open();
+  if (!problem.empty()) return refused(problem);
+  const Current current(context->display, context->context);
+  if (!current.fine()) return refused("the driver cannot paint without a window");
+  auto renderer = makeGlRenderer(
+      [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); });  // NOLINT
+  if (!renderer) return renderer.error();
+  std::unique_ptr<EglHost> host(new EglHost(std::move(context)));
+  host->m_renderer = std::move(renderer).value();
+  return host;
+}
+
+EglHost::~EglHost() {
+  const Current current(m_context->display, m_context->context);
+  m_renderer.reset();
+}
+
+const std::string& EglHost::name() const {
+  return m_renderer->name();
+}
+bool EglHost::isSoftware() const {
+  return m_renderer->isSoftware();
+}
+int EglHost::maximumSide() const {
+  return m_renderer->maximumSide();
+}
+
+void EglHost::setScene(const Scene& scene) {
+  const Current current(m_context->display, m_context->context);
+  m_renderer->setScene(scene);
+}
+
+Image EglHost::picture(const Frame& frame) {
+  const Current current(m_context->display, m_context->context);
+  return m_renderer->picture(frame);
+}
+
+std::optional<Hit> EglHost::pick(const Frame& frame, double x, double y) {
+  const Current current(m_context->display, m_context->context);
+  return m_renderer->pick(frame, x, y);
+}
+
+SeenMap EglHost::seen(const Frame& frame, int columns, int rows) {
+  const Current current(m_context->display, m_context->context);
+  return m_renderer->seen(frame, columns, rows);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/presentation/painting/frustum.h"
+#include "core/presentation/painting/gl_objects.h"
+#include "core/presentation/painting/gl_passes.h"
+#include "core/presentation/painting/gl_renderer.h"
+#include "core/presentation/painting/gl_solid_store.h"
+#include "core/presentation/painting/renderer.h"
+#include "core/presentation/painting/still_parts.h"
+
+namespace geargraph {
+
+/// Renderer by OpenGL 3.3 core; makeGlRenderer() makes one.
+class GlRenderer final : public Renderer {
+ public:
+  explicit GlRenderer(std::unique_ptr<GlApi> gl) : m_gl(std::move(gl)), m_passes(*m_gl) {
+    m_name = reinterpret_cast<const char*>(m_gl->GetString(GL_RENDERER));  // NOLINT
+    m_software = isSoftwareRenderer(m_name);
+    m_gl->GetIntegerv(GL_MAX_SAMPLES, &m_maximumSamples);
+    GLint renderbuffer = 0, texture = 0;
+    m_gl->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    m_gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    m_maximumSide = std::min(renderbuffer, texture);
+  }
+
+  [[nodiscard]] std::string log() const { return m_passes.log(); }
+  [[nodiscard]] const std::string& name() const override { return m_name; }
+  [[nodiscard]] bool isSoftware() const override { return m_software; }
+  [[nodiscard]] int maximumSide() const override { return m_maximumSide; }
+
+  void setScene(const Scene& scene) override;
+  void draw(const Frame& frame, unsigned framebuffer) override;
+  [[nodiscard]] Image picture(const Frame& frame) override;
+  [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y) override;
+  [[nodiscard]] SeenMap seen(const Frame& frame, int columns, int rows) override;
+
+ private:
+  [[nodiscard]] const Pose& pose(const Frame& frame, std::size_t instance) const {
+    return frame.poses.empty() ? m_scene.instances[instance].pose : frame.poses[instance];
+  }
+  [[nodiscard]] Eigen::Matrix4d projection(const Frame& frame) const {
+    return frame.camera.projection(frame.viewport, m_depths.centre, m_depths.radius);
+  }
+  /// From the cube of -1..1 that the picture shows.
+  [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
+    return (projection(frame) * frame.camera.view().matrix()).inverse();
+  }
+  [[nodiscard]] FloorDisc disc(const Frame& frame) const;
+  [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
+    return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
+  }
+  [[nodiscard]] static Showing showing(const Frame& frame, std::size_t instance) {
+    return frame.showing.empty() ? Showing::solid : frame.showing[instance];
+  }
+  /// Visits what may be seen through this clip matrix and is shown in this way.
+  template <class Visit>
+  void eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+                    Visit visit);
+  /// Paints a part of the same, equal solids in one go: `look` gives what differs, or nothing to leave one
+  /// out.
+  template <class Look>
+  void drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+               Look look);
+  /// The solid in the detail that its size on the screen asks for; taken up when it is painted first.
+  [[nodiscard]] const GlSolid& detailed(const Frame& frame, std::size_t shape, const Eigen::Vector3d& middle,
+                                        GlSolid::Part part);
+  [[nodiscard]] int samplesOf(const Frame& frame) const {
+    return std::clamp(frame.look.samples, 1, static_cast<int>(m_maximumSamples));
+  }
+  /// All but the halo, into m_sampled, which is bound then. False where the driver has no room.
+  [[nodiscard]] bool paint(const Frame& frame);
+  /// From m_sampled into another framebuffer, which is bound then.
+  void resolve(const Viewport& size, unsigned framebuffer);
+  /// The ground and all parts that stay as they are, from the layer, into m_sampled. False where there is
+  /// none.
+  [[nodiscard]] bool paintLayer(const Frame& frame);
+  void paintParts(const Frame& frame);
+  [[nodiscard]] bool isLitByVertex(const Frame& frame) const;
+  void beginSection(const Frame& frame);
+  void drawFaces(const Frame& frame, Showing wanted, float alpha);
+  void drawCaps(const Frame& frame);
+  void drawGhosts(const Frame& frame);
+  void drawMarks(const Frame& frame);
+
+  void drawBackground(const Frame& frame);
+  void drawDisc(const Frame& frame);
+  void drawShadow(const Frame& frame);
+  void drawSolids(const Frame& frame);
+  void drawEdges(const Frame& frame, Showing wanted, float part);
+  void drawTriad(const Frame& frame);
+  void drawHalo(const Frame& frame, unsigned framebuffer);
+  /// What readNumbers() reads, into the bound framebuffer; `cut`: which part of the picture.
+  void drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut);
+
+  std::unique_ptr<GlApi> m_gl;
+  GlPasses m_passes;
+  std::string m_name;
+  bool m_software = false;
+  int m_maximumSide = 0;
+  GLint m_maximumSamples = 1;
+
+  GlSolidStore m_solids{*m_gl, m_passes.instances()};
+  const Scene& m_scene = m_solids.scene();
+  const Bounds& m_bounds = m_solids.bounds();
+  Ball m_depths{{0, 0, 0}, 2.5};  ///< all between near and far
+  struct Batch {
+    const GlSolid* solid = nullptr;
+    bool isOpen = false;
+    std::vector<SolidInstance> instances;
+  };
+  std::vector<Batch> m_batches;  ///< of the pass that is painted, in the order of the scene
+  std::map<std::pair<const GlSolid*, bool>, std::size_t> m_batchOf;
+
+  GlTarget m_sampled{*m_gl, GlTarget::Colours::rgba, true};
+  GlTarget m_layer{*m_gl, GlTarget::Colours::rgba, true};
+  StillParts m_still;
+  GlTarget m_picture{*m_gl, GlTarget::Colours::rgba, false};
+  GlTarget m_numbers{*m_gl, GlTarget::Colours::rgba, true};  ///< of a pick
+  GlTarget m_cells{*m_gl, GlTarget::Colours::rgba, true};    ///< of a map
+  GlTarget m_mask{*m_gl, GlTarget::Colours::coverage, false};
+};
+
+template <class Visit>
+void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted,
+                              GlSolid::Part part, Visit visit) {
+  const Frustum frustum(clip);
+  for (std::size_t i = 0; i < m_scene.instances.size() && !frame.stop.stop_requested(); ++i) {
+    if (showing(frame, i) != wanted) continue;
+    const std::size_t shape = m_scene.instances[i].solid;
+    const Ball& ball = m_solids.ballOf(shape);
+    const Eigen::Vector3d middle = pose(frame, i) * ball.centre;
+    if (!frustum.mayShow(middle, ball.radius)) continue;
+    visit(i, detailed(frame, shape, middle, part));
+  }
+}
+
+/// A picture that may be stopped waits for the driver after this many indices: what the driver has queued
+/// cannot be stopped, and a rasterizer in software takes some 50 ms for them.
+constexpr std::size_t kMostQueuedIndices = 600'000;
+
+// The order of the scene decides, not that of addresses: the same scene gives the same picture.
+template <class Look>
+void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showing wanted, GlSolid::Part part,
+                         Look look) {
+  m_batches.clear();
+  m_batchOf.clear();
+  eachInstance(frame, clip, wanted, part, [&](std::size_t i, const GlSolid& solid) {
+    const std::optional<SolidInstance> instance = look(i);
+    if (!instance) return;
+    const bool isOpen = m_scene.instances[i].isOpen;
+    const auto [place, isNew] = m_batchOf.try_emplace({&solid, isOpen}, m_batches.size());
+    if (isNew) m_batches.push_back({&solid, isOpen, {}});
+    m_batches[place->second].instances.push_back(*instance);
+  });
+  const bool culls = m_gl->IsEnabled(GL_CULL_FACE) == GL_TRUE;
+  std::size_t queued = 0;
+  for (const Batch& batch : m_batches) {
+    if (frame.stop.stop_requested()) break;
+    if (batch.isOpen) m_gl->Disable(GL_CULL_FACE);
+    m_passes.draw(*batch.solid, part, batch.instances);
+    if (batch.isOpen && culls) m_gl->Enable(GL_CULL_FACE);
+    queued += batch.solid->indices(part) * batch.instances.size();
+    if (!frame.stop.stop_possible() || queued < kMostQueuedIndices) continue;
+    m_gl->Finish();
+    queued = 0;
+  }
+}
+
+}  // namespace geargraph

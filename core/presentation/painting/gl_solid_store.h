@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "core/presentation/painting/frustum.h"
+#include "core/presentation/painting/gl_passes.h"
+#include "core/presentation/painting/scene.h"
+
+namespace geargraph {
+
+/// The solids of a scene on the graphics card, each in the details that were asked for.
+class GlSolidStore {
+ public:
+  GlSolidStore(const GlApi& gl, const GlInstances& instances) : m_gl(gl), m_instances(instances) {}
+
+  /// Takes up the scene. Solids that the last scene had as well stay where they are.
+  void setScene(const Scene& scene);
+  /// A solid of the scene in the detail for this many pixels to the unit of its levels; taken up, and its
+  /// edges found, when they are asked for first.
+  [[nodiscard]] const GlSolid& get(std::size_t solid, double pixels, GlSolid::Part part);
+  /// About all instances in their poses, as boundsOf() says; and about each solid in its own frame. Boxes
+  /// that the scene does not bring are found once.
+  [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
+  [[nodiscard]] const Ball& ballOf(std::size_t solid) const { return m_balls[solid]; }
+  /// The unit of the solid's levels, mm; 0 where it has no levels.
+  [[nodiscard]] double unitOf(std::size_t solid) const {
+    return solid < m_scene.levels.size() ? m_scene.levels[solid].unit : 0;
+  }
+  [[nodiscard]] const Scene& scene() const { return m_scene; }
+
+ private:
+  void measure();
+
+  const GlApi& m_gl;
+  const GlInstances& m_instances;
+  Scene m_scene;  ///< keeps the solids alive, so that their addresses stay theirs
+  std::map<const Solid*, std::unique_ptr<GlSolid>> m_solids;
+  std::vector<Ball> m_balls;  ///< by solid
+  Bounds m_bounds;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,33 @@
+#include "core/presentation/painting/solid_facts.h"
+
+namespace geargraph {
+
+void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
+  scene.boxes.clear();
+  const auto box = [](const Solid& solid) { return boundsOf(solid); };
+  for (const auto& solid : scene.solids) {
+    if (stop.stop_requested()) return;
+    scene.boxes.push_back(*m_boxes.of(solid, box));
+  }
+}
+
+void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
+  constexpr double kWindow = 1000;  // pixels that a train fills
+  const double pixels = kWindow / (2 * boundsOf(scene).radius());
+  const auto add = [&](const std::shared_ptr<const Solid>& solid) {
+    scene.edges[solid.get()] = m_edges.of(solid, [](const Solid& found) { return featureEdges(found); });
+  };
+  for (std::size_t i = 0; i < scene.solids.size() && !stop.stop_requested(); ++i) {
+    add(scene.solids[i]);  // of a smaller window
+    if (i >= scene.levels.size()) continue;
+    const DetailLevels& levels = scene.levels[i];
+    add(levels.chosen(scene.solids[i], levels.unit * pixels));
+  }
+}
+
+void SolidFacts::forgetOthers() {
+  m_edges.forgetOthers();
+  m_boxes.forgetOthers();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,88 @@
+#include "core/presentation/picture/picture.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/presentation/picture/cairo_surface.h"
+
+namespace geargraph {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNames{"svg", "pdf", "png"};
+
+Diagnostics failure(std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.code = Code::graphics;
+  diagnostic.message = std::move(message);
+  return {diagnostic};
+}
+
+Expected<std::string> pngOf(const DisplayList& list, const DrawingPicture& picture) {
+  const Extent sheet = sheetOf(list, picture.look);
+  const double scale = picture.look.size ? picture.look.size->width / (2 * sheet.halfWidth) : picture.scale;
+  const double width = std::round(2 * sheet.halfWidth * scale);
+  const double height = std::round(2 * sheet.halfHeight * scale);
+  if (!(std::max(width, height) <= kMostDrawingPixels)) {
+    return failure("The picture would be more than " + std::to_string(kMostDrawingPixels) +
+                   " pixels wide or high: give it a smaller size, or write SVG or PDF.");
+  }
+  CairoSurface surface =
+      CairoSurface::image(static_cast<int>(std::max(width, 1.0)), static_cast<int>(std::max(height, 1.0)));
+  surface.play(list, sheet, scale, picture.look);
+  std::optional<std::string> bytes = surface.png();
+  if (!bytes) return failure("There is not enough memory for the picture.");
+  return std::move(*bytes);
+}
+
+Expected<std::string> pdfOf(const DisplayList& list, const DrawingPicture& picture) {
+  constexpr double kPoints = 0.75;         // a CSS pixel
+  constexpr double kLongestPage = 14'400;  // points: what readers take
+  const Extent sheet = sheetOf(list, picture.look);
+  double scale = kPoints;
+  if (picture.look.size) scale *= picture.look.size->width / (2 * sheet.halfWidth);
+  const double longest = 2 * std::max(sheet.halfWidth, sheet.halfHeight);
+  scale = std::min(scale, kLongestPage / longest);
+  CairoSurface surface =
+      CairoSurface::pdf(2 * sheet.halfWidth * scale, 2 * sheet.halfHeight * scale, picture.title);
+  surface.play(list, sheet, scale, picture.look);
+  std::optional<std::string> bytes = surface.finished();
+  if (!bytes) return failure("There is not enough memory for the picture.");
+  return std::move(*bytes);
+}
+
+}  // namespace
+
+std::string_view pictureFormName(PictureForm form) {
+  return kNames[static_cast<std::size_t>(form)];
+}
+
+std::optional<PictureForm> pictureFormFromName(std::string_view name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames[i] == name) return static_cast<PictureForm>(i);
+  }
+  return std::nullopt;
+}
+
+Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture) {
+  switch (picture.form) {
+    case PictureForm::svg:
+      return svgOf(list, picture.look, picture.title);
+    case PictureForm::pdf:
+      return pdfOf(list, picture);
+    case PictureForm::png:
+      return pngOf(list, picture);
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const DisplayList& list, double scale,
+               Theme theme) {
+  CairoSurface surface = CairoSurface::image(width, height);
+  SheetLook look;
+  look.theme = theme;
+  look.transparent = true;
+  surface.play(list, Extent::spanning({0, 0}, {width / scale, height / scale}), scale, look);
+  return surface.layOver(rgba);
+}
+
+}  // namespace geargraph

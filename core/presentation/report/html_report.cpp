@@ -1,0 +1,110 @@
+#include "core/foundations/base/wording.h"
+#include "core/presentation/report/mathml.h"
+#include "core/presentation/report/report.h"
+
+namespace geargraph {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+:root { color-scheme: light dark; --ink: #1d2126; --soft: #5c6670; --rule: #c9d0d8; --ground: #ffffff; --sheet: #ffffff; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6e9ed; --soft: #a3adb8; --rule: #454d57; --ground: #1b1e23; } }
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 62rem; color: var(--ink); background: var(--ground);
+       font: 16px/1.55 "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; }
+h1 { font-size: 1.7rem; } h2 { font-size: 1.3rem; margin-top: 2.2rem; border-bottom: 1px solid var(--rule); }
+h3 { font-size: 1.05rem; margin-top: 1.6rem; }
+.equation { display: flex; align-items: center; gap: 1.5rem; margin: 0.9rem 0; break-inside: avoid; }
+.equation > div { flex: 1; overflow-x: auto; text-align: center; }
+.number { color: var(--soft); min-width: 3rem; text-align: right; }
+table { border-collapse: collapse; margin: 1rem 0; break-inside: avoid; }
+th, td { text-align: left; padding: 0.2rem 1.2rem 0.2rem 0; border-bottom: 1px solid var(--rule); }
+th { color: var(--soft); font-weight: normal; }
+figure { margin: 1.2rem 0; text-align: center; break-inside: avoid; }
+figure svg { max-width: 100%; height: auto; background: var(--sheet); border-radius: 4px; }
+figcaption { color: var(--soft); }
+mtd { padding: 0.15em 0.45em; } mtd.r { text-align: right; } mtd.l { text-align: left; } mtd.c { text-align: center; }
+mtd.bar { border-left: 1px solid; } mtd.rule { border-top: 1px solid; }
+mtable.aligned mtd { padding: 0.25em 0.1em; }
+@media print { :root { --ink: #000; --ground: #fff; } body { max-width: none; padding: 0; } }
+)";
+
+std::string formula(const std::string& tex, bool onItsOwn) {
+  return std::string("<math") + (onItsOwn ? " display=\"block\"" : "") + ">" + mathMl(tex) + "</math>";
+}
+
+std::string words(const ReportWords& spans) {
+  std::string text;
+  for (const ReportSpan& span : spans)
+    text += span.isFormula ? formula(span.text, false) : escapedXml(span.text);
+  return text;
+}
+
+/// A drawing's own prolog has no place within a page.
+std::string_view withoutProlog(std::string_view svg) {
+  const std::size_t start = svg.find("<svg");
+  return start == std::string_view::npos ? svg : svg.substr(start);
+}
+
+class HtmlWriter {
+ public:
+  explicit HtmlWriter(const ReportDrawings& drawings) : m_drawings(drawings) {}
+
+  std::string operator()(const ReportHeading& heading) const {
+    const std::string tag = "h" + std::to_string(heading.level + 1);
+    return "<" + tag + ">" + escapedXml(heading.text) + "</" + tag + ">\n";
+  }
+  std::string operator()(const ReportParagraph& paragraph) const {
+    return "<p>" + words(paragraph.words) + "</p>\n";
+  }
+  std::string operator()(const ReportEquation& equation) const {
+    std::string text = "<div class=\"equation\"><div>" + formula(equation.tex, true) + "</div>";
+    if (equation.number) {
+      const std::string number = std::to_string(*equation.number);
+      text += "<span class=\"number\" id=\"eq" + number + "\">(" + number + ")</span>";
+    }
+    return text + "</div>\n";
+  }
+  std::string operator()(const ReportTable& table) const {
+    std::string text = "<table>\n<tr>";
+    for (const std::string& cell : table.head) text += "<th>" + escapedXml(cell) + "</th>";
+    text += "</tr>\n";
+    for (const auto& row : table.rows) {
+      text += "<tr>";
+      for (const ReportWords& cell : row) text += "<td>" + words(cell) + "</td>";
+      text += "</tr>\n";
+    }
+    return text + "</table>\n";
+  }
+  std::string operator()(const ReportList& list) const {
+    std::string text = "<ul>\n";
+    for (const ReportWords& item : list.items) text += "<li>" + words(item) + "</li>\n";
+    return text + "</ul>\n";
+  }
+  std::string operator()(const ReportFigure& figure) const {
+    const std::string& svg = of(figure.drawing);
+    if (svg.empty()) return {};
+    return "<figure>\n" + std::string(withoutProlog(svg)) + "<figcaption>" + escapedXml(figure.caption) +
+           "</figcaption>\n</figure>\n";
+  }
+
+ private:
+  [[nodiscard]] const std::string& of(ReportDrawing drawing) const {
+    if (drawing == ReportDrawing::schematic) return m_drawings.schematic;
+    return drawing == ReportDrawing::digraph ? m_drawings.digraph : m_drawings.ttGraph;
+  }
+
+  const ReportDrawings& m_drawings;
+};
+
+}  // namespace
+
+std::string reportHtml(const Report& report, const ReportDrawings& drawings) {
+  const std::string title = escapedXml(report.title);
+  std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                     title + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" +
+                     title + "</h1>\n";
+  const HtmlWriter writer(drawings);
+  for (const ReportBlock& block : report.blocks) text += std::visit(writer, block);
+  return text + "</body>\n</html>\n";
+}
+
+}  // namespace geargraph

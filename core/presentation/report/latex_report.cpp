@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include "core/presentation/report/report_words.h"
+
+namespace geargraph {
+namespace {
+
+constexpr std::string_view kBegin = R"(\documentclass[a4paper,10pt]{article}
+\usepackage[margin=2cm]{geometry}
+\usepackage{iftex}
+\ifpdftex\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\else\usepackage{fontspec}\fi
+\usepackage{amsmath}
+\setcounter{MaxMatrixCols}{50}
+\renewcommand{\arraystretch}{1.2}
+\setlength{\arraycolsep}{3pt}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt}
+\allowdisplaybreaks
+)";
+
+constexpr int kMostColumnsInFullSize = 18;  // of an A4 page
+
+/// Of the widest line of an array. Cost: its length.
+int columnsOf(std::string_view tex) {
+  int most = 0, columns = 1;
+  for (const char c : tex) {
+    if (c == '&') most = std::max(most, ++columns);
+    if (c == '\n') columns = 1;
+  }
+  return most;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '\\':
+        result += "\\textbackslash{}";
+        break;
+      case '~':
+        result += "\\textasciitilde{}";
+        break;
+      case '^':
+        result += "\\textasciicircum{}";
+        break;
+      case '&':
+      case '%':
+      case '$':
+      case '#':
+      case '_':
+      case '{':
+      case '}':
+        result += std::string("\\") + c;
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string words(const ReportWords& spans) {
+  return dollarWords(spans, escaped);
+}
+
+struct LatexWriter {
+  std::string operator()(const ReportHeading& heading) const {
+    return (heading.level == 1 ? "\n\\section*{" : "\n\\subsection*{") + escaped(heading.text) + "}\n\n";
+  }
+  std::string operator()(const ReportParagraph& paragraph) const { return words(paragraph.words) + "\n"; }
+  std::string operator()(const ReportEquation& equation) const {
+    const bool wide = columnsOf(equation.tex) > kMostColumnsInFullSize;
+    const std::string tag = equation.number ? " \\tag{" + std::to_string(*equation.number) + "}" : "";
+    return std::string(wide ? "{\\scriptsize" : "") + "\\begin{equation*}\n" + equation.tex + tag +
+           "\n\\end{equation*}" + (wide ? "}" : "") + "\n";
+  }
+  std::string operator()(const ReportTable& table) const {
+    std::string text = "\n\\begin{tabular}{" + std::string(table.head.size(), 'l') + "}\n";
+    for (std::size_t i = 0; i < table.head.size(); ++i) text += (i > 0 ? " & " : "") + escaped(table.head[i]);
+    text += " \\\\ \\hline\n";
+    for (const auto& row : table.rows) {
+      for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? " & " : "") + words(row[i]);
+      text += " \\\\\n";
+    }
+    return text + "\\end{tabular}\n\n";
+  }
+  std::string operator()(const ReportList& list) const {
+    std::string text = "\\begin{itemize}\n";
+    for (const ReportWords& item : list.items) text += "\\item " + words(item) + "\n";
+    return text + "\\end{itemize}\n";
+  }
+  std::string operator()(const ReportFigure& /*figure*/) const { return {}; }
+};
+
+}  // namespace
+
+std::string reportLatex(const Report& report) {
+  std::string text = std::string(kBegin) + "\\title{" + escaped(report.title) +
+                     "}\n\\date{}\n\\begin{document}\n\\maketitle\n";
+  for (const ReportBlock& block : report.blocks) text += std::visit(LatexWriter{}, block);
+  return text + "\\end{document}\n";
+}
+
+}  // namespace geargraph

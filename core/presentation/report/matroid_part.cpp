@@ -1,0 +1,232 @@
+#include "core/foundations/base/wording.h"
+#include "core/theory/matroid/coefficient_matrix.h"
+#include "core/presentation/report/report_parts.h"
+#include "core/presentation/report/report_words.h"
+
+namespace geargraph {
+namespace {
+
+/// Longest list of equations, one a mesh.
+constexpr int kMostListed = 100;
+
+class MatroidPart : private ReportPart {
+ public:
+  MatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop)
+      : ReportPart(report, stop),
+        m_pointer(snapshot),
+        m_snapshot(*snapshot),
+        m_graph(*snapshot->graph),
+        m_matroid(*snapshot->matroid()) {}
+
+  void add() {
+    heading(1, "Matroid method");
+    addScrews();
+    if (!isStopped()) addCoefficients();
+    addFreedom();
+    if (m_matroid.solution && !isStopped()) addSolution();
+  }
+
+ private:
+  [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
+
+  [[nodiscard]] ElementId elementOf(int joint) const {
+    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  }
+  [[nodiscard]] std::vector<ElementId> elementsOf(const std::vector<int>& joints) const {
+    std::vector<ElementId> elements;
+    for (const int joint : joints) elements.push_back(elementOf(joint));
+    return elements;
+  }
+
+  /// The best form that is there: fractions, else decimals.
+  [[nodiscard]] QuantityTablePtr numbers(QuantityKind kind) const {
+    QuantityTablePtr table = quantityTable(m_pointer, kind, EntryForm::fractions);
+    return table ? table : quantityTable(m_pointer, kind, EntryForm::decimals);
+  }
+  static bool fits(const QuantityTable& table) {
+    return table.rows() > 0 && table.rows() <= kMostReportRows && table.columns() > 0 &&
+           table.columns() <= kMostReportColumns;
+  }
+  void addTable(const QuantityTablePtr& table, const std::string& before, const std::string& after,
+                std::optional<int> number) {
+    if (table == nullptr || table->rows() == 0) return;
+    if (fits(*table)) {
+      return equation(before + (after.empty() ? quantityLatex(*table) : texMatrix(*table)) + after, number);
+    }
+    paragraph("It has $" + std::to_string(table->rows()) + " \\times " + std::to_string(table->columns()) +
+              "$ entries, too many to print: \"export --to csv --matrix " +
+              std::string(quantityCommandName(table->kind())) + "\" writes them.");
+  }
+
+  void addScrews() {
+    heading(2, "Screws");
+    paragraph(
+        "The screw of joint $k$ about the pitch point of mesh $c$ is the unit vector along the joint's axis, "
+        "$u_k$, "
+        "with its moment about that point, $r_{c,k} = l_{c,k} \\times u_k$, where $l_{c,k}$ leads from the "
+        "pitch "
+        "point to the axis:");
+    equation(
+        "\\hat{u}_{c,k} = \\begin{pmatrix} u_k \\\\ r_{c,k} \\end{pmatrix} = \\begin{pmatrix} L_k & M_k & "
+        "N_k & "
+        "P_{c,k} & Q_{c,k} & R_{c,k} \\end{pmatrix}^T",
+        6);
+    const QuantityTablePtr screws = numbers(QuantityKind::screws);
+    if (screws == nullptr || screws->rows() == 0) return;
+    paragraph("For the joints of each cycle, lengths in " + m_snapshot.mechanism->unit + ":");
+    addTable(screws, "", "", std::nullopt);
+  }
+
+  void addCoefficients() {
+    heading(2, "Equations of the meshes");
+    paragraph(
+        "The twists $\\hat{s}_k = \\hat{u}_{c,k} \\dot{\\theta}_k$ of a cycle's joints add up to zero. The "
+        "mesh has no "
+        "moment about its own pitch point, so the moments of the turning joints alone do, each with its sign "
+        "in "
+        "$T$:");
+    equation("\\left[ T \\circ r_{c,t} \\right] \\dot{\\theta}_t = 0", 16);
+    paragraph(
+        "They all point along one line: the normal of the plane that holds both axes of the mesh. One number "
+        "of each "
+        "is enough, its component $P_{c,t}$ along that normal, and each mesh gives one equation:");
+    equation("P \\, \\dot{\\theta}_t = 0 , \\quad P = \\left[ T \\circ P_{c,t} \\right]", 17);
+    paragraph("With lengths in " + m_snapshot.mechanism->unit + ",");
+    addTable(numbers(QuantityKind::coefficients), "P =\n", "", 18);
+    addRatios();
+  }
+
+  void addRatios() {
+    if (m_graph.c() == 0) return;
+    paragraph(
+        "The entries of a row are the radii of its two gears. Divided by the radius of the head's gear, the "
+        "ratios "
+        "are left:");
+    const CoefficientMatrix matrix(*m_snapshot.mechanism, *m_snapshot.kinematics->model,
+                                   m_snapshot.kinematics->placement);
+    std::vector<std::string> lines;
+    std::vector<ElementId> meshes;
+    for (int mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {
+      const GearMesh& teeth = m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)];
+      meshes.emplace_back(teeth.id);
+      const DigraphEdge& gears = m_graph.meshEdge(mesh);
+      const std::string counts =
+          "\\frac{" + std::to_string(teeth.tailTeeth) + "}{" + std::to_string(teeth.headTeeth) + "}";
+      const std::string ratio = latexOf(matrix.ratio(mesh));
+      lines.push_back("i_{" + label(m_graph.t() + mesh) + "} = \\frac{N_{" + std::to_string(gears.tail) +
+                      "}}{N_{" + std::to_string(gears.head) + "}} = " + counts +
+                      (ratio == counts ? "" : " = " + ratio));
+    }
+    equation(texLines(lines), 20, std::move(meshes));
+  }
+
+  void addFreedom() {
+    heading(2, "Freedom and inputs");
+    paragraph("The rank of $P$, in exact arithmetic, is $r = " + std::to_string(m_matroid.rank) +
+              "$. The mechanism therefore has");
+    equation("E = t - r = " + std::to_string(m_graph.t()) + " - " + std::to_string(m_matroid.rank) + " = " +
+                 std::to_string(m_matroid.dof),
+             21);
+    if (m_matroid.kutzbachDof != m_matroid.dof) {
+      paragraph("degrees of freedom. Kutzbach's count $n - c = " + std::to_string(m_matroid.kutzbachDof) +
+                "$ differs, because the equations of " + std::to_string(m_graph.c() - m_matroid.rank) +
+                " of the meshes follow from the others.");
+    } else {
+      paragraph("degrees of freedom: as many inputs have to be given.");
+    }
+    if (!m_matroid.solution) return;
+    std::vector<std::string> names;
+    for (const int joint : m_matroid.solution->inputs) names.push_back(label(joint));
+    if (names.empty()) return;
+    paragraph(std::string(names.size() == 1 ? "The input is joint " : "The inputs are joints ") +
+              listed(names, kAllNames) +
+              (m_matroid.inputsGiven ? "." : ", chosen by the program because the document names none."));
+  }
+
+  void addSolution() {
+    heading(2, "Solution");
+    const LiveSolution& solution = *m_matroid.solution;
+    if (solution.outputs.empty()) return;
+    const bool symbols = m_snapshot.solved && m_snapshot.solved->symbolic;
+    if (!solution.inputs.empty() && symbols) {
+      paragraph("With the inputs first, and in ratios, the equations read");
+      std::vector<int> joints = solution.inputs;
+      joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
+      addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",
+               " " + rateColumn(m_graph, joints) + " = 0", 24);
+    }
+    if (isStopped()) return;
+    paragraph("Solved for the outputs,");
+    equation("\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E", 23);
+    if (solution.inputs.empty()) {
+      return paragraph("there is nothing that turns: without a freedom all rates are $0$.");
+    }
+    const std::string left = rateColumn(m_graph, solution.outputs) + " =\n";
+    const std::string right = " " + rateColumn(m_graph, solution.inputs);
+    if (const auto table = quantityTable(m_pointer, QuantityKind::solution, EntryForm::symbols)) {
+      addTable(table, left, right, 25);
+    } else if (symbols) {
+      addRecurrence();
+    }
+    if (isStopped()) return;
+    paragraph("With the teeth of this mechanism:");
+    addTable(numbers(QuantityKind::solution), left, right, std::nullopt);
+    addRates();
+  }
+
+  /// Where whole entries are too long to read.
+  void addRecurrence() {
+    paragraph("Written out, some entries are too long to read. One joint after the other they are");
+    std::vector<std::string> lines;
+    std::vector<ElementId> joints;
+    for (const SymbolicLine& line : m_snapshot.solved->symbolic->lines) {
+      if (isStopped()) return;
+      std::string sum;
+      for (const SymbolicLine::Term& term : line.terms) {
+        std::string factor = term.coefficient.toLatex();
+        const bool negative = factor.front() == '-';
+        const bool isSum =
+            factor.find(' ', 1) != std::string::npos && factor.find_first_of("+-", 1) != std::string::npos;
+        if (isSum) factor = "\\left( " + factor + " \\right)";
+        if (factor == "1") factor.clear();
+        if (factor == "-1") factor = "-";
+        sum += (sum.empty() || (negative && !isSum) ? " " : " + ") + factor + " " +
+               rateName(m_graph, term.joint);
+      }
+      joints.push_back(elementOf(line.joint));
+      lines.push_back(rateName(m_graph, line.joint) + " =" + (sum.empty() ? " 0" : sum));
+    }
+    equation(texLines(lines), 25, std::move(joints));
+  }
+
+  void addRates() {
+    if (!m_snapshot.solved || !m_snapshot.solved->exact) return;
+    const ExactSolution& exact = *m_snapshot.solved->exact;
+    if (exact.outputs.size() > static_cast<std::size_t>(kMostListed)) return;
+    const auto lines = [&](const std::vector<int>& joints) {
+      std::vector<std::string> texts;
+      for (const int joint : joints) {
+        texts.push_back(rateName(m_graph, joint) + " = " +
+                        latexOf(exact.rates[static_cast<std::size_t>(joint)]));
+      }
+      return texts;
+    };
+    paragraph("At these speeds of the inputs, in rad/s,");
+    equation(texLines(lines(exact.inputs)), std::nullopt, elementsOf(exact.inputs));
+    paragraph("the outputs turn at");
+    equation(texLines(lines(exact.outputs)), std::nullopt, elementsOf(exact.outputs));
+  }
+
+  SnapshotPtr m_pointer;
+  const AnalysisSnapshot& m_snapshot;
+  const Digraph& m_graph;
+  const MatroidAnalysis& m_matroid;
+};
+
+}  // namespace
+
+void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop) {
+  if (snapshot->matroid() != nullptr && !stop.stop_requested()) MatroidPart(report, snapshot, stop).add();
+}
+
+}  // namespace geargraph

@@ -1,0 +1,62 @@
+#include "core/presentation/report/report.h"
+
+#include "core/foundations/base/contract.h"
+#include "core/presentation/report/report_parts.h"
+#include "core/presentation/report/report_words.h"
+
+namespace geargraph {
+namespace {
+
+void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
+  if (snapshot.diagnostics.empty()) return;
+  report.blocks.emplace_back(ReportHeading{1, "What to mind"});
+  ReportList findings;
+  for (const Diagnostic& finding : snapshot.diagnostics)
+    findings.items.push_back(plainWords(finding.message));
+  report.blocks.emplace_back(std::move(findings));
+}
+
+void addAgreement(Report& report, const AnalysisSnapshot& snapshot) {
+  if (!snapshot.solved || !snapshot.solved->agreement) return;
+  const Agreement& agreement = *snapshot.solved->agreement;
+  report.blocks.emplace_back(ReportHeading{1, "Both methods compared"});
+  if (!agreement.equal) {
+    report.blocks.emplace_back(ReportParagraph{
+        plainWords("The two methods differ by up to " + agreement.largestDifference.toString() + ".")});
+    return;
+  }
+  report.blocks.emplace_back(
+      ReportParagraph{plainWords("Joint by joint, both methods give the same fractions: " +
+                                 std::to_string(agreement.compared) + " compared, none differs.")});
+}
+
+}  // namespace
+
+Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {
+  GEARGRAPH_REQUIRE(snapshot->isComplete);
+  GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
+  Report report;
+  report.title = snapshot->mechanism->name.empty() ? "Mechanism without a name" : snapshot->mechanism->name;
+  addFindings(report, *snapshot);
+  addDigraphPart(report, *snapshot);
+  addMatroidPart(report, snapshot, stop);
+  addTtGraphPart(report, *snapshot, stop);
+  addAgreement(report, *snapshot);
+  return report;
+}
+
+std::string reportText(const Report& report, ReportForm form,
+                       const std::function<ReportDrawings()>& drawings) {
+  if (form == ReportForm::markdown) return reportMarkdown(report);
+  if (form == ReportForm::latex) return reportLatex(report);
+  return reportHtml(report, drawings());
+}
+
+std::optional<ReportForm> reportFormFromName(std::string_view name) {
+  if (name == "md") return ReportForm::markdown;
+  if (name == "latex") return ReportForm::latex;
+  if (name == "html") return ReportForm::html;
+  return std::nullopt;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph {
+
+/// A stretch of a sentence: words, or a formula in TeX (tex_reader.h says which TeX).
+struct ReportSpan {
+  std::string text;
+  bool isFormula = false;
+};
+using ReportWords = std::vector<ReportSpan>;
+
+struct ReportHeading {
+  int level = 1;  ///< 1: a part, 2: a step of it
+  std::string text;
+};
+struct ReportParagraph {
+  ReportWords words;
+};
+/// A formula on a line of its own. `number` is the paper's where it has this equation, and goes on from the
+/// paper's numbers where it has not; none where nothing refers to it.
+struct ReportEquation {
+  std::string tex;
+  std::optional<int> number;
+  /// What it is about: one element of all of it, or one of each line of "aligned"; none of the whole
+  /// mechanism.
+  std::vector<ElementId> elements;
+};
+struct ReportTable {
+  std::vector<std::string> head;
+  std::vector<std::vector<ReportWords>> rows;
+};
+struct ReportList {
+  std::vector<ReportWords> items;
+};
+enum class ReportDrawing { schematic, digraph, ttGraph };
+/// Where a drawing stands, in the forms that can hold one.
+struct ReportFigure {
+  ReportDrawing drawing = ReportDrawing::digraph;
+  std::string caption;
+};
+using ReportBlock =
+    std::variant<ReportHeading, ReportParagraph, ReportEquation, ReportTable, ReportList, ReportFigure>;
+
+/// A mechanism worked out by both methods, step by step, as data: Eqs. (1)-(45) of [AU] for its own links,
+/// joints and teeth. An immutable value that each form (reportLatex() ...) writes down as it can.
+struct Report {
+  std::string title;
+  std::vector<ReportBlock> blocks;
+};
+
+/// Reports of more links would be thousands of pages.
+constexpr int kMostReportLinks = 200;
+
+/// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
+/// error of the geometry the digraph's matrices, and so on; what is missing is said with the findings.
+/// Of no use when `stop` was requested meanwhile. Cost: that of the matrices' entries.
+/// @pre the snapshot is complete (analyze()); no more than kMostReportLinks links
+[[nodiscard]] Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop = {});
+
+/// The drawings in SVG; empty ones are left out.
+struct ReportDrawings {
+  std::string schematic;
+  std::string digraph;
+  std::string ttGraph;
+};
+
+enum class ReportForm { markdown, latex, html };
+/// In this form. `drawings` are asked for where the form holds some: they may be dear.
+[[nodiscard]] std::string reportText(const Report& report, ReportForm form,
+                                     const std::function<ReportDrawings()>& drawings);
+
+/// "md", "latex", "html"
+[[nodiscard]] std::optional<ReportForm> reportFormFromName(std::string_view name);
+
+/// One page that any browser shows, prints and lets select: formulas in MathML, drawings in SVG, no scripts
+/// and nothing fetched.
+[[nodiscard]] std::string reportHtml(const Report& report, const ReportDrawings& drawings);
+/// A document for any of the LaTeX programs, with amsmath and nothing else that is not part of LaTeX; without
+/// drawings.
+[[nodiscard]] std::string reportLatex(const Report& report);
+/// Markdown with formulas between dollar signs, as GitHub, Jupyter and Pandoc read it; without drawings.
+[[nodiscard]] std::string reportMarkdown(const Report& report);
+
+}  // namespace geargraph

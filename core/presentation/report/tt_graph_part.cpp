@@ -1,0 +1,194 @@
+#include <map>
+
+#include "core/foundations/base/wording.h"
+#include "core/presentation/report/report_parts.h"
+#include "core/presentation/report/report_words.h"
+#include "core/theory/ttgraph/equations.h"
+#include "core/theory/ttgraph/mesh_words.h"
+
+namespace geargraph {
+namespace {
+
+class TtGraphPart : private ReportPart {
+ public:
+  TtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop)
+      : ReportPart(report, stop),
+        m_snapshot(snapshot),
+        m_graph(*snapshot.kinematics->ttGraph),
+        m_digraph(m_graph.graph()) {}
+
+  void add() {
+    heading(1, "T-T graph method");
+    addLevels();
+    addCarriers();
+    if (!m_graph.isComplete() || m_digraph.c() == 0) return;
+    addEquations();
+    if (m_snapshot.solved && m_snapshot.solved->ttSteps) addSteps();
+  }
+
+ private:
+  [[nodiscard]] ElementId meshId(int mesh) const {
+    return m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh)].id;
+  }
+  [[nodiscard]] ElementId jointId(int joint) const {
+    return m_snapshot.mechanism->turningJoints[static_cast<std::size_t>(joint)].id;
+  }
+  [[nodiscard]] const SolvedKinematics& solved() const { return *m_snapshot.solved; }
+
+  void addLevels() {
+    heading(2, "Levels");
+    paragraph(
+        "The turning joints are the branches of the graph's tree. Each carries the letter of its axis, its "
+        "level.");
+    const AxisLevels& levels = m_graph.levels();
+    std::map<int, std::vector<std::string>> joints;
+    for (int joint = 0; joint < m_digraph.t(); ++joint) {
+      joints[levels.ofJoint[static_cast<std::size_t>(joint)]].push_back(
+          std::to_string(m_digraph.edgeLabel(joint)));
+    }
+    ReportTable table{{"Level", "Turning joints"}, {}};
+    for (const auto& [level, labels] : joints) {
+      table.rows.push_back({plainWords(levels.name(level)), plainWords(listed(labels, kAllNames))});
+    }
+    put(std::move(table));
+    put(ReportFigure{ReportDrawing::ttGraph, "T-T graph"});
+  }
+
+  void addCarriers() {
+    if (m_digraph.c() == 0) return;
+    heading(2, "Carriers");
+    paragraph(
+        "From one gear of a mesh through the branches to the other, the level changes at one link: the "
+        "transfer "
+        "vertex, which carries both gears. A mesh is written as its gear pair and its carrier.");
+    ReportTable table{{"Mesh", "Walk", "Pair and carrier"}, {}};
+    for (int mesh = 0; mesh < m_digraph.c(); ++mesh) {
+      const std::string label = std::to_string(m_digraph.edgeLabel(m_digraph.t() + mesh));
+      if (const auto words = meshWords(m_graph, mesh)) {
+        table.rows.push_back({plainWords(label), plainWords(words->path), plainWords(words->set)});
+      } else {
+        table.rows.push_back({plainWords(label), plainWords("no transfer vertex"), {}});
+      }
+    }
+    put(std::move(table));
+  }
+
+  void addEquations() {
+    const SubstitutionPlan none;
+    const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : none, RatioNaming::ttGraph,
+                                FormulaStyle::latex);
+    const EquationNumbers numbers(m_graph, unknowns());
+    heading(2, "Terminal equations");
+    paragraph(
+        "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
+        "teeth, with "
+        "a plus sign where both turn the same way, each seen along its own axis:");
+    for (int mesh = 0; mesh < m_digraph.c(); ++mesh)
+      equation(equations.terminal(mesh), numbers.terminal(mesh), {meshId(mesh)});
+    heading(2, "Fundamental circuits");
+    paragraph(
+        "Each of these velocities closes a circuit with branches of the tree, and is the sum along the "
+        "branches:");
+    std::map<int, std::pair<std::string, int>> circuits;  // by number: those of several branches come first
+    for (int mesh = 0; mesh < m_digraph.c() && !isStopped(); ++mesh) {
+      circuits[numbers.tailCircuit(mesh)] = {equations.tailCircuit(mesh), mesh};
+      circuits[numbers.headCircuit(mesh)] = {equations.headCircuit(mesh), mesh};
+    }
+    for (auto& [number, circuit] : circuits) {
+      equation(std::move(circuit.first), number, {meshId(circuit.second)});
+    }
+  }
+
+  [[nodiscard]] int unknowns() const {
+    return m_snapshot.solved ? static_cast<int>(solved().ttPlan.outputs.size()) : 0;
+  }
+
+  void addSteps() {
+    heading(2, "Solution by substitution");
+    const TtEquations equations(m_graph, solved().ttPlan, RatioNaming::ttGraph, FormulaStyle::latex);
+    std::vector<std::string> given;
+    for (const int joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
+    if (!given.empty()) {
+      paragraph((given.size() == 1 ? "Given is " : "Given are ") + listed(given, kAllNames) +
+                ". Mesh by mesh, the equations give the others.");
+    }
+    for (const SubstitutionStep& step : *solved().ttSteps) {
+      if (isStopped()) return;
+      const std::string unknown = "$" + branch(step.joint) + "$";
+      paragraph(step.coupled ? "The equations of several meshes, solved together, give " + unknown + ":"
+                             : "Equations " + citedEquations(step.uses) + " give " + unknown + ":");
+      equation(texStages(equations.stages(step)), step.number, {jointId(step.joint)});
+    }
+    addMatrices();
+  }
+
+  /// Eqs. (43)-(45).
+  void addMatrices() {
+    const SubstitutionPlan& plan = solved().ttPlan;
+    if (plan.inputs.empty() || plan.outputs.size() > static_cast<std::size_t>(kMostReportRows) ||
+        plan.inputs.size() > static_cast<std::size_t>(kMostReportColumns)) {
+      return;
+    }
+    const EquationNumbers numbers(m_graph, unknowns());
+    const std::string left = branches(plan.outputs) + " =\n";
+    const std::string right = " " + branches(plan.inputs);
+    if (const auto matrix = stepMatrix()) {
+      paragraph("Together:");
+      equation(left + texMatrix(*matrix) + right, numbers.matrix());
+    }
+    if (!solved().ttSymbolic) return;
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& row : solved().ttSymbolic->entries) {
+      rows.emplace_back();
+      for (const auto& entry : row) {
+        if (!entry || isStopped()) return;
+        rows.back().push_back(entry->toLatex());
+      }
+    }
+    paragraph("With the names of the ratios that the matroid method uses,");
+    std::vector<std::string> same;
+    for (const RatioNames& names : ratioNames(m_digraph)) {
+      same.push_back(names.latex + " = i_{" + names.matroid.substr(1) + "}");
+    }
+    equation(texLines(same), numbers.names());
+    paragraph("this is");
+    equation(left + texMatrix(rows) + right, numbers.result());
+  }
+
+  /// The last sides of the steps, a row for each output; none where one of them went over the budget.
+  [[nodiscard]] std::optional<std::vector<std::vector<std::string>>> stepMatrix() const {
+    std::map<int, const SubstitutionStep*> of;
+    for (const SubstitutionStep& step : *solved().ttSteps) of[step.joint] = &step;
+    std::vector<std::vector<std::string>> rows;
+    for (const int output : solved().ttPlan.outputs) {
+      const auto step = of.find(output);
+      if (step == of.end()) return std::nullopt;
+      rows.emplace_back();
+      for (const auto& entry : step->second->after) {
+        if (!entry || isStopped()) return std::nullopt;
+        rows.back().push_back(entry->toLatex());
+      }
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::string branch(int joint) const { return branchName(m_digraph, joint).toLatex(); }
+  [[nodiscard]] std::string branches(const std::vector<int>& joints) const {
+    std::vector<std::string> names;
+    for (const int joint : joints) names.push_back(branch(joint));
+    return texColumn(names);
+  }
+
+  const AnalysisSnapshot& m_snapshot;
+  const TtGraph& m_graph;
+  const Digraph& m_digraph;
+};
+
+}  // namespace
+
+void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const bool isDefined = snapshot.kinematics && snapshot.mechanism->t() > 0;
+  if (isDefined && !stop.stop_requested()) TtGraphPart(report, snapshot, stop).add();
+}
+
+}  // namespace geargraph

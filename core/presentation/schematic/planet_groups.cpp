@@ -1,0 +1,140 @@
+#include "core/presentation/schematic/planet_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+namespace geargraph {
+namespace {
+
+class PlanetFinder {
+ public:
+  PlanetFinder(const Mechanism& mechanism, const Placement& placement)
+      : m_mechanism(mechanism),
+        m_tree(*placement.tree),
+        m_classes(*placement.classes),
+        m_groupOf(m_classes.classes.size()),
+        m_meshesOf(mechanism.links.size()) {
+    std::iota(m_groupOf.begin(), m_groupOf.end(), 0);
+    for (std::size_t m = 0; m < m_tree.meshes.size(); ++m) {
+      m_meshesOf[at(m_tree.meshes[m].tail)].push_back(static_cast<int>(m));
+      m_meshesOf[at(m_tree.meshes[m].head)].push_back(static_cast<int>(m));
+    }
+  }
+
+  std::vector<std::vector<PlanetGroup>> find() {
+    markPlanets();
+    joinByMeshes();
+    std::map<std::string, std::size_t> setOf;
+    std::vector<std::vector<PlanetGroup>> sets;
+    for (std::size_t c = 0; c < m_isPlanet.size(); ++c) {
+      if (!m_isPlanet[c] || root(static_cast<int>(c)) != static_cast<int>(c)) continue;
+      const auto [group, signature] = described(static_cast<int>(c));
+      const auto [found, isNew] = setOf.try_emplace(signature, sets.size());
+      if (isNew) sets.emplace_back();
+      sets[found->second].push_back(group);
+    }
+    std::erase_if(sets, [](const auto& set) { return set.size() < 2; });
+    return sets;
+  }
+
+ private:
+  static std::size_t at(int position) { return static_cast<std::size_t>(position); }
+
+  int root(int c) {
+    while (m_groupOf[at(c)] != c) c = m_groupOf[at(c)];
+    return c;
+  }
+
+  [[nodiscard]] int classOf(int link) const { return m_classes.classOfLink(link); }
+
+  /// Axes on a moving link that carry nothing and are not driven.
+  void markPlanets() {
+    m_isPlanet.assign(m_classes.classes.size(), false);
+    for (std::size_t c = 0; c < m_isPlanet.size(); ++c) m_isPlanet[c] = m_classes.classes[c].top != 0;
+    for (const auto& other : m_classes.classes) {
+      if (other.top != 0) m_isPlanet[at(classOf(other.top))] = false;
+    }
+    std::set<JointId> driven;
+    for (const Input& input : m_mechanism.inputs.value_or(std::vector<Input>{})) driven.insert(input.joint);
+    for (std::size_t j = 0; j < m_tree.joints.size(); ++j) {
+      if (driven.contains(m_mechanism.turningJoints[j].id)) m_isPlanet[at(m_classes.classOf[j])] = false;
+    }
+  }
+
+  void joinByMeshes() {
+    for (const auto [tail, head] : m_tree.meshes) {
+      const int a = classOf(tail);
+      const int b = classOf(head);
+      if (a < 0 || b < 0 || a == b || !m_isPlanet[at(a)] || !m_isPlanet[at(b)]) continue;
+      if (m_classes.classes[at(a)].top != m_classes.classes[at(b)].top) continue;
+      m_groupOf[at(std::max(root(a), root(b)))] = std::min(root(a), root(b));
+    }
+  }
+
+  /// A mesh as a link of the group sees it; partners outside of the group by position.
+  [[nodiscard]] std::string wordOf(int mesh, int link, const std::set<int>& members) const {
+    const auto [tail, head] = m_tree.meshes[at(mesh)];
+    const GearMesh& drawn = m_mechanism.gearMeshes[at(mesh)];
+    const bool isTail = tail == link;
+    const int partner = isTail ? head : tail;
+    const int own = isTail ? drawn.tailTeeth : drawn.headTeeth;
+    const int other = isTail ? drawn.headTeeth : drawn.tailTeeth;
+    const std::string kind = drawn.kind ? std::string(meshKindName(*drawn.kind)) : "-";
+    return (members.contains(partner) ? "own" : std::to_string(partner)) + "/" + kind + "/" +
+           std::to_string(own) + "/" + std::to_string(other);
+  }
+
+  [[nodiscard]] std::string wordsOf(int link, const std::set<int>& members) const {
+    std::vector<std::string> words;
+    for (const int mesh : m_meshesOf[at(link)]) words.push_back(wordOf(mesh, link, members));
+    std::sort(words.begin(), words.end());
+    std::string all;
+    for (const std::string& word : words) all += word + " ";
+    return all;
+  }
+
+  std::pair<PlanetGroup, std::string> described(int first) {
+    std::set<int> members;
+    for (const int link : m_tree.order) {
+      const int c = classOf(link);
+      if (c >= 0 && m_isPlanet[at(c)] && root(c) == first) members.insert(link);
+    }
+    std::vector<std::pair<std::string, int>> links;
+    for (const int link : members) links.emplace_back(wordsOf(link, members), link);
+    std::sort(links.begin(), links.end());
+    PlanetGroup group;
+    std::string signature = std::to_string(m_classes.classes[at(first)].top) + ": ";
+    for (const auto& [words, link] : links) {
+      group.links.push_back(link);
+      group.joints.push_back(m_tree.joint[at(link)]);
+      signature += words + "| ";
+      std::vector<std::pair<std::string, int>> meshes;
+      for (const int mesh : m_meshesOf[at(link)]) meshes.emplace_back(wordOf(mesh, link, members), mesh);
+      std::sort(meshes.begin(), meshes.end());
+      for (const auto& [word, mesh] : meshes) {
+        if (std::find(group.meshes.begin(), group.meshes.end(), mesh) == group.meshes.end()) {
+          group.meshes.push_back(mesh);
+        }
+      }
+    }
+    return {group, signature};
+  }
+
+  const Mechanism& m_mechanism;
+  const JointTree& m_tree;
+  const AxisClasses& m_classes;
+  std::vector<bool> m_isPlanet;  ///< by axis class
+  std::vector<int> m_groupOf;    ///< by axis class: union-find
+  std::vector<std::vector<int>> m_meshesOf;
+};
+
+}  // namespace
+
+std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism, const Placement& placement) {
+  return PlanetFinder(mechanism, placement).find();
+}
+
+}  // namespace geargraph

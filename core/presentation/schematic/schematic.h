@@ -1,0 +1,40 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/presentation/drawing/emphasis.h"
+#include "core/presentation/schematic/section_labels.h"
+
+namespace geargraph {
+
+/// The functional schematic of a mechanism [AU, Figs. 1 and 3] in its plain look: the section drawing of
+/// textbooks with the symbols of ISO 3952. Everything in it names its element.
+struct SchematicGeometry {
+  std::vector<Mark> marks;       ///< in painting order
+  std::vector<Mark> highlights;  ///< only seen while their element stands out
+  std::vector<Outline> outlines;
+  std::vector<DrawnPart::Alike> alike;  ///< elements that another one stands for
+  std::vector<std::string> notes;
+  SheetFrame frame;         ///< for drawing on it
+  bool isTooLarge = false;  ///< more links than can be drawn: there is nothing else then
+
+  [[nodiscard]] bool isEmpty() const { return marks.empty(); }
+};
+
+/// Draws what the mechanism has so far: axes, and the links that turning joints tie to the ground. Axes that
+/// do not lie in one plane are unfolded, and a note says so.
+///
+/// Cost: milliseconds for 15 links, half a second for 60, two seconds for 100 and ten for 200: not for the
+/// thread of the windows. When `stop` is requested meanwhile, what comes back is of no use.
+/// @pre the mechanism is well formed
+[[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
+                                                  const std::stop_token& stop = {});
+/// Links, the ground among them; arms and bearings of more take too long to find their places.
+constexpr std::size_t kMostDrawnLinks = 201;
+
+/// The drawing with what stands out: halos behind what is hovered, accent on what is selected. Equal planets
+/// stand out together.
+[[nodiscard]] DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& emphases);
+
+}  // namespace geargraph

@@ -1,0 +1,437 @@
+#include "core/presentation/schematic/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/presentation/drawing/emphasis.h"
+#include "core/presentation/schematic/arm_router.h"
+#include "core/presentation/schematic/section_symbols.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kHitHalfWidth = 4;
+constexpr double kHubHalf = 10;      ///< of a wheel's foot on the frame
+constexpr double kHoldOnWheel = 60;  ///< an arm begins at a shaft rather than at a wheel
+constexpr double kNoHold = -1;
+constexpr double kContactWidth = 5;
+constexpr int kAxisDepth = kLineDepth - 2;
+constexpr int kSymbolDepth = kLineDepth + 2;
+
+std::size_t at(int position) {
+  return static_cast<std::size_t>(position);
+}
+
+class SectionBuilder {
+ public:
+  SectionBuilder(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
+                 const ShaftPlan& plan, const std::stop_token& stop)
+      : m_part(part), m_placement(placement), m_layout(layout), m_plan(plan), m_stop(stop) {
+    for (const Link& link : part.mechanism.links) m_section.links.push_back({link.id, {}});
+    for (const TurningJoint& joint : part.mechanism.turningJoints) m_section.joints.push_back({joint.id, {}});
+  }
+
+  Section build() {
+    for (const SheetShaft& shaft : m_plan.shafts) addShaft(shaft);
+    for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) addWheel(w);
+    for (const SheetCup& cup : m_plan.cups) addCup(cup);
+    m_hold = 0;
+    for (const SheetBearing& bearing : m_plan.bearings) addBearing(bearing);
+    addArms();
+    for (const SheetPair& pair : m_layout.pairs) addMesh(pair);
+    addAxes();
+    return std::move(m_section);
+  }
+
+ private:
+  // --- what is drawn ---
+  void addShaft(const SheetShaft& shaft);
+  void addWheel(std::size_t w);
+  void addFrame(const SheetWheel& wheel);
+  void addCup(const SheetCup& cup);
+  void addBearing(const SheetBearing& bearing);
+  void addBar(const SheetBearing& bearing, double height, double out);
+  void addParentLine(const SheetBearing& bearing, double height);
+  void addArrow(const SheetBearing& bearing, double height);
+  void addArms();
+  void addMesh(const SheetPair& pair);
+  void addAxes();
+
+  // --- how ---
+  [[nodiscard]] const SheetAxis& axis(int a) const { return m_layout.axes[at(a)]; }
+  [[nodiscard]] std::vector<double> sides(int a) const {
+    return axis(a).half ? std::vector<double>{1} : std::vector<double>{1, -1};
+  }
+  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_part.linkLabels[at(link)]); }
+  [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[at(link)].id; }
+  [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[at(joint)].id; }
+  /// Height of the link's shaft above an axis.
+  [[nodiscard]] double laneOf(int a, int link) const {
+    const SheetShaft* shaft = m_plan.shaft(a, link);
+    return shaft == nullptr ? 0 : shaft->lane * kLaneHeight;
+  }
+
+  void put(const ElementId& element, MarkRole role, int z, std::variant<Stroke, Fill, Text> what) {
+    m_section.marks.push_back({element, role, z, std::move(what)});
+  }
+  /// A line of a link, which counts as an obstacle for others and can be hit.
+  void line(int link, SheetPoint from, SheetPoint to, double width) {
+    stroke(idOf(link), link, from, to, width, kLineDepth);
+  }
+  void stroke(const ElementId& element, int link, SheetPoint from, SheetPoint to, double width, int z) {
+    if (distance(from, to) < 1e-6) return;
+    put(element, MarkRole::line, z, Stroke{Polyline{{from, to}, false}, tintOf(link), width, Dash::solid});
+    m_section.outlines.push_back({element, z, Curve::straight(from, to), kHitHalfWidth});
+    m_section.lines.push_back({from, to, link, m_hold});
+  }
+  void hatch(const ElementId& element, SheetPoint from, SheetPoint to, SheetPoint out) {
+    for (auto& points : hatching(from, to, out)) {
+      put(element, MarkRole::hatching, kSymbolDepth,
+          Stroke{Polyline{std::move(points), false}, ColorRole::secondary, 1.1, Dash::solid});
+    }
+    const SheetPoint back = kHatching * out;
+    m_section.lines.push_back({from + back, to + back, 0, kNoHold});
+    const Extent box = Extent::spanning(from, to).united(Extent::spanning(from + back, to + back));
+    m_section.outlines.push_back({element, kSymbolDepth, Box{box, 0}, 1});
+  }
+  void anchor(Section::Anchors& anchors, SheetPoint place) { anchors.places.push_back(place); }
+
+  const DrawnPart& m_part;
+  const Placement& m_placement;
+  const SheetLayout& m_layout;
+  const ShaftPlan& m_plan;
+  const std::stop_token& m_stop;
+  Section m_section;
+  double m_hold = 0;  ///< what it costs to fasten an arm to what is drawn now
+};
+
+void SectionBuilder::addShaft(const SheetShaft& shaft) {
+  const SheetAxis& on = axis(shaft.axis);
+  const double height = shaft.lane * kLaneHeight;
+  const bool fixed = shaft.link == 0;
+  m_hold = shaft.turns || fixed ? 0 : kNoHold;
+  for (const double side : sides(shaft.axis)) {
+    if (shaft.lane == 0 && side < 0) break;
+    const SheetPoint from = on.at(shaft.low, side * height);
+    const SheetPoint to = on.at(shaft.high, side * height);
+    line(shaft.link, from, to, shaft.turns && !fixed ? kShaftWidth : kLinkWidth);
+    if (fixed) hatch(idOf(0), from, to, side * on.up);
+  }
+  anchor(m_section.links[at(shaft.link)], on.at((shaft.low + shaft.high) / 2, height));
+}
+
+/// Pitch lines and bodies; the wall of a ring comes with its cup.
+void SectionBuilder::addWheel(std::size_t w) {
+  const SheetWheel& wheel = m_layout.wheels[w];
+  const SheetAxis& on = axis(wheel.axis);
+  const double lane = laneOf(wheel.axis, wheel.link);
+  const bool own = wheel.link != 0;
+  const bool turns = own && axisOfLink(m_placement, wheel.link) == wheel.axis;
+  for (const double side : sides(wheel.axis)) {
+    m_hold = kNoHold;
+    line(wheel.link, on.at(wheel.barFrom.x, side * wheel.barFrom.y),
+         on.at(wheel.barTo.x, side * wheel.barTo.y), kLinkWidth);
+    m_hold = turns ? kHoldOnWheel : kNoHold;
+    const double foot = wheel.isRing() ? wheel.radius + kRimHeight : lane;
+    if (own || wheel.isRing() || wheel.kind == GearKind::external) {
+      line(wheel.link, on.at(wheel.at, side * foot), on.at(wheel.at, side * wheel.radius), kLinkWidth);
+    }
+  }
+  anchor(m_section.links[at(wheel.link)], on.at(wheel.at, (wheel.radius + lane) / 2));
+  anchor(m_section.links[at(wheel.link)], on.at(wheel.barTo.x, wheel.barTo.y));
+  m_hold = 0;
+  if (!own) addFrame(wheel);
+}
+
+/// A wheel of the ground is cut in the frame: a ring at its rim, a bevel behind its teeth. Others stand on
+/// their hub.
+void SectionBuilder::addFrame(const SheetWheel& wheel) {
+  const SheetAxis& on = axis(wheel.axis);
+  for (const double side : sides(wheel.axis)) {
+    if (wheel.isRing()) {
+      const double rim = side * (wheel.radius + kRimHeight);
+      const SheetPoint from = on.at(wheel.at - kHubHalf - 2, rim);
+      const SheetPoint to = on.at(wheel.at + kHubHalf + 2, rim);
+      line(0, from, to, kLinkWidth);
+      hatch(idOf(0), from, to, side * on.up);
+    } else if (wheel.kind == GearKind::bevel) {
+      const SheetPoint back = -10.0 * wheel.outward;
+      const SheetPoint a = wheel.barFrom + back;
+      const SheetPoint b = wheel.barTo + back;
+      const SheetPoint from = on.at(a.x, side * a.y);
+      const SheetPoint to = on.at(b.x, side * b.y);
+      const SheetPoint out =
+          on.at(wheel.at + back.x, side * (wheel.radius + back.y)) - on.at(wheel.at, side * wheel.radius);
+      line(0, on.at(wheel.at, side * wheel.radius), between(from, to, 0.5), kLinkWidth);
+      line(0, from, to, kLinkWidth);
+      hatch(idOf(0), from, to, unit(out));
+    }
+  }
+}
+
+void SectionBuilder::addCup(const SheetCup& cup) {
+  const SheetWheel& wheel = m_layout.wheels[at(cup.wheel)];
+  const SheetAxis& on = axis(wheel.axis);
+  const double rim = wheel.radius + kRimHeight;
+  const double lane = laneOf(wheel.axis, wheel.link);
+  for (const double side : sides(wheel.axis)) {
+    line(wheel.link, on.at(wheel.at, side * rim), on.at(cup.at, side * rim), kLinkWidth);
+    line(wheel.link, on.at(cup.at, side * rim), on.at(cup.at, side * lane), kLinkWidth);
+  }
+  m_section.links[at(wheel.link)].places.insert(m_section.links[at(wheel.link)].places.begin(),
+                                                on.at((wheel.at + cup.at) / 2, rim));
+  anchor(m_section.links[at(wheel.link)], on.at(cup.at, (rim + lane) / 2));
+}
+
+void SectionBuilder::addBar(const SheetBearing& bearing, double height, double out) {
+  const SheetAxis& on = axis(bearing.axis);
+  const SheetPoint from = on.at(bearing.at - kBearingHalf, height);
+  const SheetPoint to = on.at(bearing.at + kBearingHalf, height);
+  stroke(jointId(bearing.joint), bearing.parent, from, to, kLinkWidth, kSymbolDepth);
+  if (bearing.parent == 0) hatch(jointId(bearing.joint), from, to, out * on.up);
+}
+
+/// From the parent's own shaft to its bars.
+void SectionBuilder::addParentLine(const SheetBearing& bearing, double height) {
+  if (bearing.parent == 0) return;
+  const SheetAxis& on = axis(bearing.axis);
+  const int home = axisOfLink(m_placement, bearing.parent);
+  if (home == bearing.axis) {  // coaxial: a short wall to the parent's shaft
+    const double own = laneOf(home, bearing.parent);
+    const double bar = own > height ? height + kBearingGap : height - kBearingGap;
+    for (const double side : sides(home)) {
+      line(bearing.parent, on.at(bearing.at, side * bar), on.at(bearing.at, side * own), kLinkWidth);
+    }
+  } else if (bearing.straightArm) {
+    const SheetAxis& from = axis(home);
+    const SheetPoint end = on.at(bearing.at, 0);
+    const double coordinate = from.coordinateOf(end);
+    const double side = from.heightOf(end) < 0 ? -1 : 1;
+    const SheetPoint start = from.at(coordinate, side * laneOf(home, bearing.parent));
+    const SheetPoint bar = end - (height + kBearingGap) * unit(end - start);
+    line(bearing.parent, start, bar, kLinkWidth);
+    anchor(m_section.links[at(bearing.parent)], between(start, bar, 0.5));
+  }
+}
+
+void SectionBuilder::addArrow(const SheetBearing& bearing, double height) {
+  if (!bearing.driven) return;
+  const SheetAxis& on = axis(bearing.axis);
+  const double place = bearing.at + bearing.freeEnd * kArrowPlace;
+  const TurnArrow arrow = on.half ? turnArrow(on.at(place, height), on.along, 9)
+                                  : turnArrow(on.at(place, 0), on.along, height + 9);
+  const ElementId joint = jointId(bearing.joint);
+  put(joint, MarkRole::input, kSymbolDepth, Stroke{arrow.bow, ColorRole::input, 2, Dash::solid});
+  put(joint, MarkRole::input, kSymbolDepth, Fill{Polyline{arrow.tip, true}, ColorRole::input});
+  m_section.outlines.push_back({joint, kSymbolDepth, arrow.bow, kHitHalfWidth});
+  forEachChord(arrow.bow, [&](SheetPoint a, SheetPoint b) {
+    m_section.lines.push_back({a, b, -1, kNoHold});
+  });
+  m_section.lines.push_back({arrow.tip[0], between(arrow.tip[1], arrow.tip[2], 0.5), -1, kNoHold});
+}
+
+void SectionBuilder::addBearing(const SheetBearing& bearing) {
+  const SheetAxis& on = axis(bearing.axis);
+  const double lane = laneOf(bearing.axis, bearing.child);
+  const bool coaxial = bearing.parent != 0 && axisOfLink(m_placement, bearing.parent) == bearing.axis;
+  const bool fromInside = coaxial && laneOf(bearing.axis, bearing.parent) < lane;
+  const double bar = fromInside ? lane - kBearingGap : lane + kBearingGap;
+  m_hold = bearing.parent == 0 || coaxial || bearing.straightArm ? 0 : kNoHold;
+  addBar(bearing, bar, 1);
+  if (!on.half || lane == 0) addBar(bearing, -bar, -1);
+  m_hold = 0;
+  addParentLine(bearing, lane);
+  addArrow(bearing, lane);
+  Section::Anchors& anchors = m_section.joints[at(bearing.joint)];
+  const double beyond = bar + (bearing.parent == 0 ? kHatching : 0);
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0 && on.half && lane > 0) break;
+    anchor(anchors, on.at(bearing.at, side * beyond));
+    anchor(anchors, on.at(bearing.at - kBearingHalf, side * beyond));
+    anchor(anchors, on.at(bearing.at + kBearingHalf, side * beyond));
+  }
+}
+
+/// Arms to axes across, and to wheels that a link holds on the axis of another: found round what stands.
+void SectionBuilder::addArms() {
+  struct Wish {
+    int link;
+    int joint;  ///< whose bearing it is; -1: a wheel
+    std::vector<SheetPoint> ends;
+  };
+  m_hold = 0;
+  std::vector<Wish> wishes;
+  for (const SheetBearing& bearing : m_plan.bearings) {
+    if (bearing.parent == 0 || bearing.straightArm) continue;
+    if (axisOfLink(m_placement, bearing.parent) == bearing.axis) continue;
+    const SheetAxis& on = axis(bearing.axis);
+    const double bar = laneOf(bearing.axis, bearing.child) + kBearingGap;
+    wishes.push_back({bearing.parent, bearing.joint, {on.at(bearing.at, bar), on.at(bearing.at, -bar)}});
+  }
+  for (const SheetWheel& wheel : m_layout.wheels) {
+    if (wheel.link == 0 || axisOfLink(m_placement, wheel.link) == wheel.axis) continue;
+    const SheetAxis& on = axis(wheel.axis);
+    const double foot = wheel.isRing() ? wheel.radius + kRimHeight : laneOf(wheel.axis, wheel.link);
+    Wish wish{wheel.link, -1, {}};
+    for (const double side : sides(wheel.axis)) {
+      wish.ends.push_back(on.at(wheel.at, side * foot));
+      if (wheel.isRing()) continue;
+      wish.ends.push_back(on.at(wheel.at - 12, side * foot));
+      wish.ends.push_back(on.at(wheel.at + 12, side * foot));
+    }
+    wishes.push_back(std::move(wish));
+  }
+  std::vector<SheetPoint> ends;
+  for (const Wish& wish : wishes) ends.insert(ends.end(), wish.ends.begin(), wish.ends.end());
+  ArmRouter router(m_section.lines, ends);
+  for (const Wish& wish : wishes) {
+    if (m_stop.stop_requested()) return;
+    const auto course = router.route(wish.link, wish.ends, {}, m_stop);
+    if (!course) continue;
+    m_section.armLength += course->length;
+    m_section.crossings += course->crossings;
+    if (course->crossings > 0 && wish.joint >= 0) m_section.crossing.push_back(wish.joint);
+    const std::vector<SheetPoint>& points = course->points;
+    for (std::size_t i = 1; i < points.size(); ++i) line(wish.link, points[i - 1], points[i], kLinkWidth);
+    if (points.size() > 1) {
+      const std::size_t half = points.size() / 2;
+      anchor(m_section.links[at(wish.link)], between(points[half - 1], points[half], 0.5));
+    }
+  }
+}
+
+/// Of the pitch line of a wheel through several planes, what lies beside the other's.
+std::pair<SheetPoint, SheetPoint> besideOf(const std::pair<SheetPoint, SheetPoint>& line,
+                                           const std::pair<SheetPoint, SheetPoint>& other) {
+  const double length = distance(line.first, line.second);
+  if (length < distance(other.first, other.second) + 1) return line;
+  const SheetPoint way = unit(line.second - line.first);
+  const auto along = [&](SheetPoint p) { return std::clamp(dot(p - line.first, way), 0.0, length); };
+  const double from = along(other.first), to = along(other.second);
+  return to - from < 1 ? line : std::pair(line.first + from * way, line.first + to * way);
+}
+
+void SectionBuilder::addMesh(const SheetPair& pair) {
+  const SheetWheel& a = m_layout.wheels[at(pair.tail)];
+  const SheetWheel& b = m_layout.wheels[at(pair.head)];
+  const ElementId mesh = m_part.mechanism.gearMeshes[at(pair.mesh)].id;
+  const auto bar = [&](const SheetWheel& wheel, double side) {
+    return std::pair(axis(wheel.axis).at(wheel.barFrom.x, side * wheel.barFrom.y),
+                     axis(wheel.axis).at(wheel.barTo.x, side * wheel.barTo.y));
+  };
+  double nearest = 1e300;
+  std::pair<SheetPoint, SheetPoint> ofA;
+  std::pair<SheetPoint, SheetPoint> ofB;
+  std::vector<std::pair<SheetPoint, SheetPoint>> contacts;
+  for (const double side : sides(a.axis)) {
+    for (const double other : sides(b.axis)) {
+      const auto p = besideOf(bar(a, side), bar(b, other));
+      const auto q = besideOf(bar(b, other), bar(a, side));
+      const double away = std::min(distance(p.first, q.first), distance(between(p.first, p.second, 0.5),
+                                                                        between(q.first, q.second, 0.5)));
+      if (away < 3 * kBarGap)
+        contacts.emplace_back(between(p.first, q.first, 0.5), between(p.second, q.second, 0.5));
+      if (away >= nearest) continue;
+      nearest = away;
+      ofA = p;
+      ofB = q;
+    }
+  }
+  Section::Anchors anchors{mesh, {}};
+  if (contacts.empty()) {  // far apart on the sheet: a dashed bow says that they mesh
+    const SheetPoint from = ofA.first.x > ofA.second.x ? ofA.first : ofA.second;
+    const SheetPoint to = ofB.first.x > ofB.second.x ? ofB.first : ofB.second;
+    const double pull = from.y < to.y ? 1 : -1;
+    const Curve bow = Curve::pulled(from, to, pull * 26, pull * 26);
+    put(mesh, MarkRole::line, kLineDepth, Stroke{bow, ColorRole::secondary, 1.4, Dash::dashed});
+    m_section.outlines.push_back({mesh, kLineDepth, bow, kHitHalfWidth});
+    forEachChord(bow, [&](SheetPoint x, SheetPoint y) { m_section.lines.push_back({x, y, -1, kNoHold}); });
+    anchor(anchors, bow.at(0.5));
+  }
+  for (const auto& [from, to] : contacts) {
+    m_section.highlights.push_back(
+        {mesh, MarkRole::line, kSymbolDepth,
+         Stroke{Polyline{{from, to}, false}, ColorRole::accent, kContactWidth, Dash::solid}});
+    m_section.outlines.push_back({mesh, kSymbolDepth + 1, Curve::straight(from, to), kHitHalfWidth});
+    anchor(anchors, from);
+    anchor(anchors, to);
+  }
+  m_section.meshes.push_back(std::move(anchors));
+}
+
+/// Dash-dotted through everything that stands on an axis, and a little beyond.
+void SectionBuilder::addAxes() {
+  constexpr double kBeyond = 16;
+  constexpr double kLonely = 90;
+  for (std::size_t a = 0; a < m_layout.axes.size(); ++a) {
+    const SheetAxis& on = m_layout.axes[a];
+    double low = 1e300;
+    double high = -1e300;
+    const auto include = [&](double x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    };
+    for (const SheetShaft& shaft : m_plan.shafts) {
+      if (shaft.axis != static_cast<int>(a)) continue;
+      include(shaft.low);
+      include(shaft.high);
+    }
+    for (const SheetWheel& wheel : m_layout.wheels) {
+      if (wheel.axis == static_cast<int>(a)) include(wheel.at);
+    }
+    if (low > high) {
+      const double middle = m_layout.along(on, on.base);
+      low = middle - kLonely;
+      high = middle + kLonely;
+    }
+    const SheetPoint from = on.at(low - kBeyond, 0);
+    const SheetPoint to = on.at(high + kBeyond, 0);
+    const ElementId id = m_part.mechanism.axes[at(on.axis)].id;
+    put(id, MarkRole::line, kAxisDepth,
+        Stroke{Polyline{{from, to}, false}, ColorRole::secondary, kAxisWidth, Dash::dashDotted});
+    m_section.outlines.push_back({id, kAxisDepth, Curve::straight(from, to), kHitHalfWidth});
+    m_section.lines.push_back({from, to, -1, kNoHold});
+    m_section.axes.push_back({id, {to, from}});
+  }
+}
+
+void occupy(ObstacleGrid& taken, const Shape& shape) {
+  if (const auto* line = std::get_if<Polyline>(&shape)) {
+    for (std::size_t i = 1; i < line->points.size(); ++i) {
+      taken.addCurve(Curve::straight(line->points[i - 1], line->points[i]));
+    }
+    if (line->closed) taken.addCurve(Curve::straight(line->points.back(), line->points.front()));
+  } else if (const auto* curve = std::get_if<Curve>(&shape)) {
+    taken.addCurve(*curve);
+  } else {
+    taken.addBox(extentOf(shape));
+  }
+}
+
+}  // namespace
+
+Section sectionOf(const DrawnPart& part, const Placement& placement, const SheetLayout& layout,
+                  const ShaftPlan& plan, const std::stop_token& stop) {
+  return SectionBuilder(part, placement, layout, plan, stop).build();
+}
+
+Extent extentOf(const Section& section) {
+  Extent all;
+  for (std::size_t i = 0; i < section.marks.size(); ++i) {
+    const Extent mark = extentOf(section.marks[i]);
+    all = i == 0 ? mark : all.united(mark);
+  }
+  return all;
+}
+
+ObstacleGrid obstaclesOf(const Section& section, double beyond) {
+  ObstacleGrid taken(extentOf(section).grown(beyond));
+  for (const Mark& mark : section.marks) {
+    if (const auto* stroke = std::get_if<Stroke>(&mark.what)) occupy(taken, stroke->shape);
+    if (const auto* fill = std::get_if<Fill>(&mark.what)) occupy(taken, fill->shape);
+  }
+  return taken;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/presentation/drawing/planar.h"
+
+namespace geargraph {
+
+/// The frame behind a line: short slanted strokes on its side `out` (a unit vector).
+[[nodiscard]] std::vector<std::vector<SheetPoint>> hatching(SheetPoint from, SheetPoint to, SheetPoint out);
+
+/// An arrow about a shaft: its bow, seen half from the side, and the tip.
+struct TurnArrow {
+  Curve bow;
+  std::vector<SheetPoint> tip;
+};
+/// `center` on the shaft, `along` its direction, `reach` how far the bow stands off on either side.
+[[nodiscard]] TurnArrow turnArrow(SheetPoint center, SheetPoint along, double reach);
+
+}  // namespace geargraph

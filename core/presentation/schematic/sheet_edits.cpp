@@ -1,0 +1,231 @@
+#include "core/presentation/schematic/sheet_edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mechanism/fitting/axis_drag.h"
+#include "core/mechanism/fitting/mesh_snap.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/placement/placement.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kFewTeeth = 8;           ///< a wheel that is fitted in has no fewer
+constexpr int kDefaultTeeth = 20;      ///< where no distance says more
+constexpr double kPlanetShare = 0.43;  ///< of the distance that a new planet's radius takes in a ring
+
+NumberTriple wholeTriple(const Vector3& v) {
+  const auto whole = [](double x) { return Number(static_cast<int>(std::lround(x))); };
+  return {whole(v[0]), whole(v[1]), whole(v[2])};
+}
+
+/// Directions of the sheet are those of the base frame as a rule; others keep six digits.
+NumberTriple directionTriple(const Vector3& v) {
+  const auto digits = [](double x) {
+    const auto millionths = static_cast<long long>(std::llround(x * 1e6));
+    return Number(Rational(millionths, 1'000'000));
+  };
+  return {digits(v[0]), digits(v[1]), digits(v[2])};
+}
+
+const TurningJoint* firstJointOn(const Mechanism& mechanism, AxisId axis) {
+  for (const TurningJoint& joint : mechanism.turningJoints) {
+    if (joint.axis == axis) return &joint;
+  }
+  return nullptr;
+}
+
+bool isHeldBy(const Mechanism& mechanism, AxisId axis, LinkId link) {
+  return std::any_of(mechanism.turningJoints.begin(), mechanism.turningJoints.end(),
+                     [&](const TurningJoint& joint) {
+                       return joint.axis == axis && (joint.tail == link || joint.head == link);
+                     });
+}
+
+struct Line {
+  Vector3 point;
+  Vector3 direction;
+};
+
+/// The line that a new axis is drawn along; its point is the one nearest to the sheet's base.
+Line drawnLine(const SheetFrame& frame, const DrawnShaft& shaft) {
+  const bool level = std::abs(shaft.to.x - shaft.from.x) >= std::abs(shaft.to.y - shaft.from.y);
+  const Vector3 direction = level ? frame.right : frame.up;
+  const Vector3 at = frame.spaceOf(shaft.from) - frame.base;
+  return {frame.base + (at - dot(at, direction) * direction), direction};
+}
+
+/// The link at the end of the list, tied to the carrier on an axis.
+Expected<Mechanism> withCarriedLink(Mechanism mechanism, LinkId carrier, AxisId axis) {
+  Expected<Mechanism> linked = withLink(std::move(mechanism), {});
+  if (!linked) return linked;
+  Mechanism next = std::move(linked).value();
+  const LinkId link = next.links.back().id;
+  next.view.nodes.erase(link);  // the digraph finds a place for it
+  return withTurningJoint(std::move(next), carrier, link, axis);
+}
+
+std::optional<int> teethOf(const Mechanism& mechanism, const Placement& placement, int link, int axisClass) {
+  for (std::size_t m = 0; m + 1 < mechanism.gearMeshes.size(); ++m) {  // the last one is new
+    const auto& geometry = placement.meshes[m];
+    if (!geometry || geometry->kind == MeshKind::bevel) continue;
+    if (geometry->tail == link && geometry->tailClass == axisClass) return mechanism.gearMeshes[m].tailTeeth;
+    if (geometry->head == link && geometry->headClass == axisClass) return mechanism.gearMeshes[m].headTeeth;
+  }
+  return std::nullopt;
+}
+
+struct Teeth {
+  int tail = kDefaultTeeth;
+  int head = kDefaultTeeth;
+};
+
+/// Teeth whose sum is what the distance asks for.
+Teeth externalTeeth(std::optional<int> tail, std::optional<int> head, int sum) {
+  if (tail && head) return {*tail, *head};
+  if (tail && sum - *tail >= kFewTeeth) return {*tail, sum - *tail};
+  if (head && sum - *head >= kFewTeeth) return {sum - *head, *head};
+  const int half = std::max(sum / 2, kFewTeeth);
+  return {half, std::max(sum - half, kFewTeeth)};
+}
+
+/// Teeth whose difference is; the ring first.
+Teeth internalTeeth(std::optional<int> ring, std::optional<int> pinion, int difference) {
+  if (ring && pinion) return {*ring, *pinion};
+  if (pinion) return {*pinion + difference, *pinion};
+  if (ring && *ring - difference >= kFewTeeth) return {*ring, *ring - difference};
+  const int planet = std::max(kFewTeeth, static_cast<int>(std::lround(kPlanetShare * difference)));
+  return {planet + difference, planet};
+}
+
+/// How far a place lies from a line, towards another one.
+double heightTowards(const SheetFrame::Line& line, const SheetFrame::Line& other, SheetPoint p) {
+  const SheetPoint out = turned(line.along);
+  const double way = dot(other.at - line.at, out) < 0 ? -1 : 1;
+  return way * dot(p - line.at, out);
+}
+
+enum class RingOf { neither, tail, head };
+
+/// Whose ring the drag means: that of the axis that the other end lies beyond.
+RingOf ringMeant(const SheetFrame& frame, const Mechanism& mechanism, const Placement& placement,
+                 const MeshGeometry& geometry, const DrawnMesh& mesh) {
+  const auto lineOf = [&](int axisClass) {
+    const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
+    return frame.line(mechanism.axes[static_cast<std::size_t>(axis)].id);
+  };
+  const SheetFrame::Line* tail = lineOf(geometry.tailClass);
+  const SheetFrame::Line* head = lineOf(geometry.headClass);
+  if (tail == nullptr || head == nullptr) return RingOf::neither;
+  const double distance = heightTowards(*tail, *head, head->at);
+  constexpr double kBeyond = 6;  // px
+  if (std::max(heightTowards(*tail, *head, mesh.from), heightTowards(*tail, *head, mesh.to)) >
+      distance + kBeyond) {
+    return RingOf::tail;
+  }
+  if (std::max(heightTowards(*head, *tail, mesh.from), heightTowards(*head, *tail, mesh.to)) >
+      distance + kBeyond) {
+    return RingOf::head;
+  }
+  return RingOf::neither;
+}
+
+}  // namespace
+
+Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const SheetFrame& frame, const DrawnShaft& shaft) {
+  const SheetFrame::Line* near = frame.axisNear(shaft.from, shaft.reach);
+  AxisId axis = near == nullptr ? AxisId() : near->axis;
+  const TurningJoint* held = axis.empty() ? nullptr : firstJointOn(mechanism, axis);
+  LinkId carrier = shaft.carrier;
+  if (carrier.empty()) carrier = held == nullptr ? mechanism.links.front().id : held->tail;
+  Line line = drawnLine(frame, shaft);
+  const bool own = held != nullptr && !isHeldBy(mechanism, axis, carrier);
+  const bool isFirst = mechanism.axes.empty();
+  if (own || isFirst || axis.empty()) {
+    const Axis* there = own ? mechanism.find(axis) : nullptr;
+    const bool placed = there != nullptr && there->point && there->direction;
+    const NumberTriple point = placed ? *there->point : wholeTriple(isFirst ? Vector3{} : line.point);
+    const NumberTriple direction = placed ? *there->direction : directionTriple(line.direction);
+    Expected<Mechanism> next = withCarriedLink(std::move(mechanism), carrier, {});
+    if (!next) return next;
+    axis = next->turningJoints.back().axis;
+    next = withAxisPlaced(std::move(next).value(), axis, point, direction);
+    if (!next) return next;
+    mechanism = std::move(next).value();
+  } else {
+    Expected<Mechanism> next = withCarriedLink(std::move(mechanism), carrier, axis);
+    if (!next) return next;
+    mechanism = std::move(next).value();
+  }
+  const Axis* on = mechanism.find(axis);
+  if (!on->point || !on->direction || isFirst) return mechanism;
+  const Vector3 point{(*on->point)[0].value(), (*on->point)[1].value(), (*on->point)[2].value()};
+  const Vector3 direction =
+      unit(Vector3{(*on->direction)[0].value(), (*on->direction)[1].value(), (*on->direction)[2].value()});
+  const double along = dot(frame.spaceOf(between(shaft.from, shaft.to, 0.5)) - point, direction);
+  const JointId joint = mechanism.turningJoints.back().id;
+  return withOffset(std::move(mechanism), joint, Number(static_cast<int>(std::lround(along))));
+}
+
+Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame, const DrawnMesh& mesh) {
+  Expected<Mechanism> next = withGearMesh(std::move(mechanism), mesh.tail, mesh.head);
+  if (!next) return next;
+  const Placement placement = placementOf(*next);
+  const auto& geometry = placement.meshes.back();
+  if (!geometry || geometry->kind == MeshKind::bevel) return next;
+  const AxisLine& a = placement.lineOfClass(geometry->tailClass);
+  const AxisLine& b = placement.lineOfClass(geometry->headClass);
+  const double distance = length(cross(a.direction, b.point - a.point));
+  const bool isFree = a.automatic || b.automatic;
+  const int sum =
+      isFree ? 2 * kDefaultTeeth
+             : std::max(1, static_cast<int>(std::lround(2 * distance / placement.module.toDouble())));
+  const std::optional<int> tail = teethOf(*next, placement, geometry->tail, geometry->tailClass);
+  const std::optional<int> head = teethOf(*next, placement, geometry->head, geometry->headClass);
+  const RingOf ring = ringMeant(frame, *next, placement, *geometry, mesh);
+  Teeth teeth;
+  if (ring == RingOf::neither) {
+    teeth = externalTeeth(tail, head, sum);
+  } else {
+    const bool isTail = ring == RingOf::tail;
+    const Teeth pair = internalTeeth(isTail ? tail : head, isTail ? head : tail, sum);
+    teeth = isTail ? pair : Teeth{pair.head, pair.tail};
+  }
+  const MeshId id = next->gearMeshes.back().id;
+  next = withTeeth(std::move(next).value(), id, teeth.tail, teeth.head);
+  if (next && ring != RingOf::neither) next = withMeshKind(std::move(next).value(), id, MeshKind::internal);
+  if (!next || !tail || !head) return next;
+  return withMeshSnapped(std::move(next).value(), id);
+}
+
+Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame, const DraggedAxis& drag) {
+  constexpr double kLeast = 0.02;  ///< of the distance: nearer the wheels would have no room
+  const SheetFrame::Line* line = frame.line(drag.axis);
+  const Axis* axis = mechanism.find(drag.axis);
+  if (line == nullptr || axis == nullptr) return withAxisPlaced(std::move(mechanism), drag.axis, {}, {});
+  const std::optional<AxisReach> reach = axisReach(mechanism, drag.axis);
+  const SheetFrame::Line* other = reach ? frame.line(reach->from) : nullptr;
+  const double height = other == nullptr ? 0 : heightTowards(*other, *line, line->at);
+  if (height > 1e-6) {
+    const double moved = heightTowards(*other, *line, drag.to) - heightTowards(*other, *line, drag.from);
+    double factor = std::max(1 + moved / height, kLeast);
+    if (!drag.snapped) return withAxisReach(std::move(mechanism), drag.axis, Rational::fromDouble(factor));
+    const long long steps = std::max(1LL, std::llround(factor * reach->module / kModuleStep));
+    return withAxisReach(std::move(mechanism), drag.axis,
+                         Rational(steps, 20) / Rational::fromDouble(reach->module));
+  }
+  if (!axis->point) return withAxisMoved(std::move(mechanism), drag.axis, {});
+  const Vector3 along = frame.spaceOf(line->at + line->along) - frame.spaceOf(line->at);
+  Vector3 way = frame.spaceOf(drag.to) - frame.spaceOf(drag.from);
+  way = way - (dot(way, along) / dot(along, along)) * along;
+  NumberTriple place = *axis->point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double moved = place[i].value() + way[i];
+    if (std::abs(way[i]) > 1e-9)
+      place[i] = drag.snapped ? Number(static_cast<int>(std::lround(moved))) : Number::fromDouble(moved);
+  }
+  return withAxisMoved(std::move(mechanism), drag.axis, place);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/presentation/painting/renderer.h"
+#include "core/presentation/stage/stage.h"
+
+namespace geargraph {
+
+/// A frame with the stage it is of, which keeps all that it looks at: for a picture that is painted later, on
+/// another thread. Cost: O(instances).
+class KeptFrame {
+ public:
+  /// `stage` may be null: then the picture is of an empty scene.
+  KeptFrame(StagePtr stage, const Frame& frame)
+      : m_stage(std::move(stage)),
+        m_poses(frame.poses.begin(), frame.poses.end()),
+        m_emphasis(frame.emphasis.begin(), frame.emphasis.end()),
+        m_showing(frame.showing.begin(), frame.showing.end()),
+        m_marks(frame.marks.begin(), frame.marks.end()),
+        m_frame(frame) {
+    m_frame.poses = m_poses;
+    m_frame.emphasis = m_emphasis;
+    m_frame.showing = m_showing;
+    m_frame.marks = m_marks;
+  }
+  KeptFrame(const KeptFrame&) = delete;
+  KeptFrame& operator=(const KeptFrame&) = delete;
+
+  [[nodiscard]] const StagePtr& stage() const { return m_stage; }
+  [[nodiscard]] const Frame& frame() const { return m_frame; }
+
+ private:
+  StagePtr m_stage;
+  std::vector<Pose> m_poses;
+  std::vector<Highlight> m_emphasis;
+  std::vector<Showing> m_showing;
+  std::vector<MarkLine> m_marks;
+  Frame m_frame;
+};
+
+using KeptFramePtr = std::shared_ptr<const KeptFrame>;
+
+}  // namespace geargraph

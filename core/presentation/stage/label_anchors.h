@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/presentation/painting/camera.h"
+#include "core/presentation/painting/renderer.h"
+#include "core/presentation/painting/seen_map.h"
+#include "core/presentation/stage/stage.h"
+
+namespace geargraph {
+
+/// Half of a label's plate, in logical pixels.
+constexpr double kLabelRadius = 11.5;
+
+/// What a picture shows, and how.
+struct LabelGround {
+  const Stage& stage;
+  std::span<const Pose> poses;
+  std::span<const Showing> showing;  ///< empty: everything
+  const Camera& camera;
+  const Viewport& viewport;
+  double pixelRatio = 1;
+  const SeenMap* seen = nullptr;  ///< what the picture shows where; none: it was not looked at anew
+
+  [[nodiscard]] bool isShown(const StageLabel& label) const {
+    return showing.empty() || showing[label.instance] == Showing::solid;
+  }
+  /// Logical pixels.
+  [[nodiscard]] Eigen::Vector2d project(const Eigen::Vector3d& point) const {
+    const ScreenPoint at = camera.project(point, viewport);
+    return {at.x / pixelRatio, at.y / pixelRatio};
+  }
+  [[nodiscard]] Eigen::Vector3d middleOf(const StageLabel& label) const {
+    return poses[label.instance] * label.place;
+  }
+};
+
+/// The cells of a map that labels are placed by.
+[[nodiscard]] Viewport labelCells(const Viewport& viewport, double pixelRatio);
+
+/// Where the label of a link stands: on what is seen of the link, or beside it with a line to it.
+struct LabelAnchor {
+  Eigen::Vector3d off{0, 0, 0};  ///< mm in the world, from the middle of the part; no turning turns it
+  Eigen::Vector2d away{0, 0};    ///< logical pixels from there to the plate
+};
+
+/// The anchors of links' labels: in the midst of what is seen of a link, so that a number never stands on
+/// another part. One stays where it is as long as that shows its link well, so labels of turning parts do not
+/// wander.
+class LabelAnchors {
+ public:
+  /// @pre the ground has a map
+  /// Cost: the map's cells; for parts that are narrower than a plate, as many places as there are round them.
+  void renew(const LabelGround& ground);
+  void reset() { *this = {}; }
+  [[nodiscard]] bool areNew() const { return m_areNew; }
+  /// None where nothing of the link is seen.
+  [[nodiscard]] const LabelAnchor* of(const ElementId& link) const {
+    const auto anchor = m_anchors.find(link);
+    return anchor == m_anchors.end() ? nullptr : &anchor->second;
+  }
+
+ private:
+  std::map<ElementId, LabelAnchor> m_anchors;
+  bool m_areNew = true;
+};
+
+}  // namespace geargraph

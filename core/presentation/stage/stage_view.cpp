@@ -1,0 +1,138 @@
+#include "core/presentation/stage/stage_view.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/contract.h"
+#include "core/presentation/stage/exploded.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kCross = 0.018;  // of the scene's radius: half the size of a traced point's cross
+
+/// The colour of what moves: arrows, traced points.
+Rgb motionInk(const Look& look) {
+  return Rgb::fromHex(look.letters.red > 0.5F ? 0xFF8FC7 : 0xB0126B);
+}
+
+void addTrace(std::vector<MarkLine>& lines, const Stage& stage, const ShownTrace& trace,
+              const SeenPoses& seen, const Rgb& ink) {
+  const std::size_t instance = trace.point.instance;
+  lines.push_back({trace.path.points, stage.scene.instances[instance].colour, 2.4F, false});
+  const Eigen::Vector3d at = seen.poses[instance] * trace.point.place;
+  const double size = kCross * boundsOf(stage.scene).radius();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d arm = size * Eigen::Vector3d::Unit(axis);
+    lines.push_back({{at - arm, at + arm}, ink, 2.4F, false});
+  }
+}
+
+}  // namespace
+
+std::vector<double> inputAngles(const Stage& stage, const StageView& view) {
+  std::vector<double> angles;
+  if (!stage.place) return angles;
+  for (std::size_t k = 0; k < stage.inputSpeeds.size(); ++k)
+    angles.push_back(stage.inputSpeeds[k] * view.time + (k < view.turned.size() ? view.turned[k] : 0));
+  return angles;
+}
+
+std::optional<std::size_t> instanceOf(const Stage& stage, const std::optional<ElementId>& link) {
+  if (!link) return std::nullopt;
+  const auto& instances = stage.scene.instances;
+  const auto found = std::find_if(instances.begin(), instances.end(),
+                                  [&](const Instance& instance) { return instance.element == *link; });
+  if (found == instances.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - instances.begin());
+}
+
+SeenPoses seenPoses(const Stage& stage, const StageView& view, std::span<const Eigen::Vector3d> separations) {
+  const auto& instances = stage.scene.instances;
+  SeenPoses seen;
+  for (const Instance& instance : instances) seen.poses.push_back(instance.pose);
+  if (stage.place) stage.place(inputAngles(stage, view), seen.poses);
+  if (const auto ridden = instanceOf(stage, view.ridden)) {
+    seen.ground = instances[*ridden].pose * seen.poses[*ridden].inverse();
+    for (Pose& pose : seen.poses) pose = seen.ground * pose;
+  }
+  pullApart(stage.scene, separations, view.pulledApart, seen.poses);
+  return seen;
+}
+
+std::optional<CutPlane> cutPlane(const Bounds& bounds, std::span<const Pose> poses,
+                                 const std::optional<SectionChoice>& section) {
+  if (!section || bounds.box.isEmpty()) return std::nullopt;
+  Eigen::AlignedBox3d box = bounds.box;
+  for (const Pose& pose : poses)
+    box.extend(Eigen::Vector3d(pose.translation()));  // pulled apart, it is longer
+  const double low = box.min()[section->axis], high = box.max()[section->axis];
+  // What stands before the viewer of the standard views goes first: front looks along +y, right along -x.
+  const double sense = (section->axis == 1) != section->isTurned ? -1 : 1;
+  CutPlane plane;
+  plane.normal = sense * Eigen::Vector3d::Unit(section->axis);
+  plane.offset = sense * (low + section->place * (high - low));
+  return plane;
+}
+
+std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part) {
+  if (part == 0 || scene.instances.empty()) return std::nullopt;
+  Scene apart = scene;
+  for (std::size_t i = 0; i < separations.size(); ++i)
+    apart.instances[i].pose.pretranslate(part * separations[i]);
+  return boundsOf(apart).box.min().z();
+}
+
+std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const SeenPoses& seen,
+                                const std::optional<CutPlane>& cut) {
+  const std::vector<double> angles = inputAngles(stage, view);
+  const auto watcher = instanceOf(stage, view.ridden);
+  const Rgb ink = motionInk(view.look);
+  const Moment moment{seen.poses, angles, seen.ground, watcher, view.look.letters, ink, cut};
+  std::vector<MarkLine> lines = stageLines(stage, view.marks, moment);
+  for (const ShownTrace& trace : view.traces) {
+    if (trace.point.watcher == watcher && !trace.path.points.empty())
+      addTrace(lines, stage, trace, seen, ink);
+  }
+  return lines;
+}
+
+SeenStage::SeenStage(StagePtr stage)
+    : m_stage(std::move(stage)), m_separations(separations(*m_stage)), m_bounds(boundsOf(m_stage->scene)) {}
+
+void SeenStage::show(const StageView& view) {
+  if (m_seen.poses.empty() || m_view.pulledApart != view.pulledApart)
+    m_floor = floorOf(m_stage->scene, m_separations, view.pulledApart);
+  m_view = view;
+  m_seen = seenPoses(*m_stage, view, m_separations);
+  m_lines = seenLines(*m_stage, view, m_seen, cut());
+  m_showing.clear();
+  for (const Instance& instance : m_stage->scene.instances)
+    m_showing.push_back(view.hidden.contains(instance.element) ? Showing::hidden : Showing::solid);
+}
+
+std::vector<Eigen::Vector3d> SeenStage::corners() const {
+  Scene seen{m_stage->scene.solids, {}};
+  for (std::size_t i = 0; i < m_seen.poses.size(); ++i) {
+    if (m_showing[i] == Showing::hidden) continue;
+    seen.instances.push_back(m_stage->scene.instances[i]);
+    seen.instances.back().pose = m_seen.poses[i];
+  }
+  return outlineOf(seen);
+}
+
+Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {
+  GEARGRAPH_REQUIRE(m_seen.poses.size() == m_stage->scene.instances.size());
+  Frame frame;
+  frame.viewport = viewport;
+  frame.pixelRatio = pixelRatio;
+  frame.camera = m_view.camera;
+  frame.look = m_view.look;
+  frame.poses = m_seen.poses;
+  frame.showing = m_showing;
+  frame.section = cut();
+  frame.floor = m_floor;
+  frame.marks = m_lines;
+  return frame;
+}
+
+}  // namespace geargraph

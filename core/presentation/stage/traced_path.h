@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/presentation/stage/stage.h"
+
+namespace geargraph {
+
+/// The way that a point of a part takes.
+struct TracedPath {
+  std::vector<double> times;            ///< s
+  std::vector<Eigen::Vector3d> points;  ///< mm; one a time
+  double length = 0;                    ///< mm
+};
+
+/// Which point, and seen from where.
+struct TracedPoint {
+  std::size_t instance = 0;
+  Eigen::Vector3d place{0, 0, 0};  ///< in the instance's frame
+  std::optional<std::size_t>
+      watcher;  ///< an instance of the link that the path is seen from; none: the ground
+};
+
+/// The path over so many seconds from time 0, while the inputs run at their speeds from `start` (rad, one an
+/// input). Sampled the more finely until the length changes by less than a ten-thousandth, or 2^17 poses have
+/// been made; the length is extrapolated from the last two.
+/// @pre the stage moves, seconds > 0
+[[nodiscard]] TracedPath tracedPath(const Stage& stage, const TracedPoint& point,
+                                    std::span<const double> start, double seconds);
+
+/// As CSV: time in s, x, y, z in the unit; a heading line first.
+[[nodiscard]] std::string pathCsv(const TracedPath& path, const std::string& unit);
+
+}  // namespace geargraph

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/presentation/stage/stage.h"
+#include "core/presentation/train_stage/joint_motion.h"
+
+namespace geargraph {
+
+/// Fills `range` and `beyondLimits` of a stage that moves so, where joints of the mechanism have limits.
+void addJointStops(Stage& stage, const Mechanism& mechanism, const JointMotion& motion);
+
+}  // namespace geargraph

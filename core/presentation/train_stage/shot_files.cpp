@@ -1,0 +1,145 @@
+// The pictures of a shot as files.
+
+#include <unistd.h>
+
+#include <memory>
+
+#include "core/foundations/files/file.h"
+#include "core/presentation/train_stage/stage_picture.h"
+
+namespace geargraph {
+namespace {
+
+namespace fs = std::filesystem;
+using Failure = std::optional<ShotFailure>;
+
+std::string_view textOf(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT
+}
+
+ShotFailure fileFailure(std::string message) {
+  return {ShotFailure::Kind::file, std::move(message)};
+}
+
+/// Paints one picture after the other and gives each to `take`, which says what went wrong.
+template <class Take>
+Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
+  for (int picture = 0; picture < painter.pictures(); ++picture) {
+    Image image = painter.paint(picture, run.stop);
+    if (run.stop.stop_requested()) return ShotFailure{ShotFailure::Kind::stopped, "The export was stopped."};
+    if (image.rgba.empty()) return ShotFailure{ShotFailure::Kind::graphics, "The driver painted nothing."};
+    if (run.finish) run.finish(image, painter);
+    if (image.rgba.empty())
+      return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the labels."};
+    if (Failure failure = take(image, picture)) return failure;
+    if (run.progress) run.progress(picture + 1, painter.pictures());
+  }
+  return std::nullopt;
+}
+
+Failure paintInto(StagePainter& painter, const ShotRun& run, ByteSink& sink) {
+  if (painter.pictures() == 1) {
+    return forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
+      sink.write(textOf(pngBytes(image)));
+      return std::nullopt;
+    });
+  }
+  AnimatedPng film(painter.pictures(), painter.shot().film->framesPerSecond);
+  Failure failure = forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
+    const std::string bytes = film.add(image);
+    if (bytes.empty())
+      return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the pictures."};
+    sink.write(bytes);
+    return sink.failed() ? std::optional(fileFailure("The file could not be written.")) : std::nullopt;
+  });
+  if (!failure) sink.write(film.end());
+  return failure;
+}
+
+/// A folder that goes again with all that is in it.
+class Scratch {
+ public:
+  explicit Scratch(fs::path path) : m_path(std::move(path)) {
+    std::error_code error;
+    m_made = fs::create_directories(m_path, error);
+  }
+  ~Scratch() {
+    std::error_code error;
+    if (m_made) fs::remove_all(m_path, error);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] bool isMade() const { return m_made; }
+  [[nodiscard]] const fs::path& path() const { return m_path; }
+
+ private:
+  fs::path m_path;
+  bool m_made = false;
+};
+
+std::string pictureName(int picture) {
+  std::string digits = std::to_string(picture + 1);
+  return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".png";
+}
+
+Failure moveIn(const fs::path& from, const fs::path& folder, int count) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) {
+    fs::rename(from, folder, error);
+    return error ? std::optional(fileFailure("The folder \"" + folder.string() + "\" could not be made."))
+                 : std::nullopt;
+  }
+  for (int picture = 0; picture < count; ++picture) {
+    fs::rename(from / pictureName(picture), folder / pictureName(picture), error);
+    if (error)
+      return fileFailure("\"" + (folder / pictureName(picture)).string() + "\" could not be written.");
+  }
+  return std::nullopt;
+}
+
+Failure graphicsFailure(const Diagnostics& why) {
+  return ShotFailure{ShotFailure::Kind::graphics, why.front().message};
+}
+
+}  // namespace
+
+Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun& run) {
+  auto painter = StagePainter::create(shot);
+  if (!painter) return graphicsFailure(painter.error());
+  if (path == "-") {
+    DescriptorSink out(STDOUT_FILENO);
+    Failure failure = paintInto(**painter, run, out);
+    if (!failure && out.failed()) failure = fileFailure("Standard output could not be written.");
+    return failure;
+  }
+  AtomicFile file(path);
+  if (Failure failure = paintInto(**painter, run, file)) {
+    const bool isFile = failure->kind == ShotFailure::Kind::file;
+    if (const auto why = isFile ? file.commit() : std::nullopt) failure->message = why->message;
+    return failure;
+  }
+  if (const auto why = file.commit()) return fileFailure(why->message);
+  return std::nullopt;
+}
+
+Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotRun& run) {
+  auto painter = StagePainter::create(shot);
+  if (!painter) return graphicsFailure(painter.error());
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(folder, error);
+  if (fs::exists(target, error) && !fs::is_directory(target, error))
+    return fileFailure("\"" + folder.string() + "\" is no folder.");
+  if (!run.mayOverwrite && fs::is_directory(target, error) && !fs::is_empty(target, error))
+    return fileFailure("The folder \"" + folder.string() + "\" is not empty; nothing was written.");
+  const Scratch scratch(target.parent_path() /
+                        ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".part"));
+  if (!scratch.isMade()) return fileFailure("No folder could be made beside \"" + folder.string() + "\".");
+  Failure failure = forEachPicture(**painter, run, [&](const Image& image, int picture) -> Failure {
+    const auto why = writeFile(scratch.path() / pictureName(picture), textOf(pngBytes(image)));
+    return why ? std::optional(fileFailure(why->message)) : std::nullopt;
+  });
+  if (!failure) failure = moveIn(scratch.path(), target, (*painter)->pictures());
+  return failure;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,117 @@
+#include "core/presentation/train_stage/stage_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/presentation/drawing/text_metrics.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kTextSize = 12;
+constexpr double kRing = 2.2;
+constexpr double kLine = 1.4, kDot = 2.2, kRim = 1;  // of a label's line; its rim sets it off from any part
+constexpr double kLongestBar = 110, kFromEdge = 16, kFromBelow = 24, kTick = 4;
+
+/// The tint that a label's colour is: that of a link.
+Tint tintOf(const Stage& stage, const StageLabel& label) {
+  for (const StageLabel& other : stage.labels) {
+    if (other.kind == LabelKind::link && other.colour == label.colour)
+      return Tint::ofLink(std::stoi(other.text));
+  }
+  return ColorRole::secondary;
+}
+
+Box boxAbout(SheetPoint middle, double halfWidth, double halfHeight, double corner) {
+  const SheetPoint half{halfWidth, halfHeight};
+  return {Extent::spanning(middle - half, middle + half), corner};
+}
+
+Shape plateOf(LabelKind kind, SheetPoint middle) {
+  constexpr double kHalf = kLabelRadius;
+  if (kind == LabelKind::link) return Circle{middle, kHalf};
+  if (kind == LabelKind::joint) return boxAbout(middle, kHalf - 1, kHalf - 1, 0);
+  return boxAbout(middle, kHalf, kHalf - 2, 4);
+}
+
+SheetPoint sheetPoint(const Eigen::Vector2d& point) {
+  return {point.x(), point.y()};
+}
+
+/// The line to what the label speaks of, with a dot at its end.
+void addLine(DisplayList& list, const Stage& stage, const LabelPlate& place) {
+  const StageLabel& label = stage.labels[place.label];
+  const Tint tint = tintOf(stage, label);
+  const auto add = [&](auto what) {
+    list.marks.push_back({label.element, MarkRole::line, 0, std::move(what)});
+  };
+  const Curve line = Curve::straight(sheetPoint(place.rim()), sheetPoint(place.anchor));
+  const Shape dot = Circle{sheetPoint(place.anchor), kDot};
+  add(Stroke{line, ColorRole::sheet, kLine + 2 * kRim, Dash::solid});
+  add(Fill{Circle{sheetPoint(place.anchor), kDot + kRim}, ColorRole::sheet});
+  add(Stroke{line, tint, kLine, Dash::solid});
+  add(Fill{dot, tint});
+}
+
+void addLabel(DisplayList& list, const Stage& stage, const LabelPlate& place) {
+  const StageLabel& label = stage.labels[place.label];
+  const SheetPoint middle = sheetPoint(place.middle);
+  const Shape plate = plateOf(label.kind, middle);
+  const auto add = [&](MarkRole role, auto what) {
+    list.marks.push_back({label.element, role, 0, std::move(what)});
+  };
+  add(MarkRole::node, Fill{plate, ColorRole::sheet});
+  if (label.kind != LabelKind::axis)
+    add(MarkRole::node, Stroke{plate, tintOf(stage, label), kRing, Dash::solid});
+  const bool bold = label.kind != LabelKind::axis;
+  const double room = 2 * kLabelRadius - 7, width = textWidth(label.text, kTextSize, bold);
+  const double size = width > room ? std::max(6.0, kTextSize * room / width) : kTextSize;
+  add(MarkRole::label, Text{label.text, middle, size, bold, ColorRole::ink});
+}
+
+/// As long as a round number of length units, at the depth of the view's middle.
+void addScaleBar(DisplayList& list, const StagePainter& painter) {
+  const Viewport& size = painter.shot().size;
+  const double ratio = painter.pixelRatio();
+  const double perPixel = painter.view().camera.millimetresPerPixel(size) * ratio;
+  const double length = niceLength(perPixel, kLongestBar);
+  const double right = size.width / ratio - kFromEdge, left = right - length / perPixel;
+  const double y = size.height / ratio - kFromBelow;
+  const auto bar = [&](SheetPoint from, SheetPoint to) {
+    list.marks.push_back(
+        {ElementId(), MarkRole::line, 0, Fill{Box{Extent::spanning(from, to), 0}, ColorRole::secondary}});
+  };
+  bar({left, y - 1}, {right, y + 0.6});
+  bar({left, y - kTick}, {left + 1.6, y + kTick});
+  bar({right - 1.6, y - kTick}, {right, y + kTick});
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.6g ", length);
+  const std::string text = number.data() + painter.shot().stage->unit;
+  const SheetPoint middle{right - textWidth(text, kTextSize, false) / 2, y - 13};
+  list.marks.push_back(
+      {ElementId(), MarkRole::label, 0, Text{text, middle, kTextSize, false, ColorRole::secondary}});
+}
+
+}  // namespace
+
+StageLabels::StageLabels(const OverlayChoice& choice) : m_choice(choice) {
+  m_places.setShown(LabelKind::link, choice.links);
+  m_places.setShown(LabelKind::joint, choice.joints);
+  m_places.setShown(LabelKind::axis, choice.axes);
+}
+
+DisplayList StageLabels::over(StagePainter& painter) {
+  const Stage& stage = painter.seen().stage();
+  const SeenMap seen = painter.seenForLabels();
+  const std::vector<LabelPlate> places = m_places.find(painter.labelGround(seen));
+  DisplayList list;
+  for (const LabelPlate& place : places) {
+    if (place.hasLine()) addLine(list, stage, place);
+  }
+  for (const LabelPlate& place : places) addLabel(list, stage, place);
+  if (m_choice.scaleBar) addScaleBar(list, painter);
+  return list;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/stage/label_places.h"
+#include "core/presentation/train_stage/stage_picture.h"
+
+namespace geargraph {
+
+/// What lies over the picture of the solids.
+struct OverlayChoice {
+  bool links = false;
+  bool joints = false;
+  bool axes = false;
+  bool scaleBar = false;
+  [[nodiscard]] bool any() const { return links || joints || axes || scaleBar; }
+};
+
+/// The labels and the scale bar of the 3D view as a drawing, one picture of a film after the other: a link's
+/// number in a disc ringed with its colour, a joint's in a square, an axis' letter on a plate. Units are
+/// logical pixels from the upper left corner; StagePainter::pixelRatio() of them are a pixel of the picture.
+class StageLabels {
+ public:
+  explicit StageLabels(const OverlayChoice& choice);
+  [[nodiscard]] DisplayList over(StagePainter& painter);
+
+ private:
+  OverlayChoice m_choice;
+  LabelPlaces m_places;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,325 @@
+#include "core/presentation/train_stage/train_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+#include "core/presentation/drawing/palette.h"
+#include "core/machine/bodies/body_plan.h"
+#include "core/machine/bodies/body_recipe.h"
+#include "core/machine/solids/toothless_gear.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/theory/pose/link_twists.h"
+#include "core/theory/pose/turning_lines.h"
+#include "core/presentation/train_stage/joint_motion.h"
+#include "core/presentation/train_stage/joint_stops.h"
+#include "core/presentation/train_stage/stage_marks.h"
+#include "core/machine/solids/spec_findings.h"
+
+namespace geargraph {
+namespace {
+
+constexpr int kMostCloseMeshes = 100;
+constexpr std::size_t kLevelsOfGear = 4;
+constexpr double kLongestPeriod = 3600;  // s; beyond, nobody waits for it to come round
+
+Rgb colourOf(int link) {
+  const Color color = linkColor(link);
+  return Rgb::fromHex(static_cast<unsigned>(color.red << 16 | color.green << 8 | color.blue));
+}
+
+/// Middle of a gear's teeth, in its own frame.
+Eigen::Vector3d middleOf(const GearSpec& spec) {
+  if (spec.kind != GearKind::bevel) return Eigen::Vector3d::Zero();
+  return {0, 0, (coneDistance(spec) - 0.5 * spec.faceWidth) * std::cos(spec.coneAngle)};
+}
+
+/// The stage while it is built, with the link of every instance.
+class StageBuilder {
+ public:
+  StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache,
+               const ShapeSource* shapes, StageMemory* memory, const std::stop_token& stop)
+      : m_mechanism(mechanism),
+        m_placement(placement),
+        m_cache(cache),
+        m_shapes(shapes),
+        m_memory(memory),
+        m_stop(stop) {}
+
+  /// Null when `stop` was requested meanwhile.
+  std::shared_ptr<Stage> build();
+  [[nodiscard]] const std::vector<int>& linkOfInstance() const { return m_links; }
+
+ private:
+  Instance& add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose);
+  [[nodiscard]] DetailLevels& levelsOf(std::size_t solid);
+  void addGear(const TrainGear& gear, std::size_t position);
+  void noteToothless(const TrainGear& gear);
+  void addBody(const LinkBody& body);
+  void addShapes(int link);
+  void addLabels();
+
+  const Mechanism& m_mechanism;
+  const Placement& m_placement;
+  GearCache& m_cache;
+  const ShapeSource* m_shapes;
+  StageMemory* m_memory;
+  const std::stop_token& m_stop;
+  std::shared_ptr<Stage> m_stage = std::make_shared<Stage>();
+  std::vector<int> m_links;
+  std::unordered_map<const Solid*, std::size_t> m_placeOf;  ///< among the scene's solids
+  std::vector<std::optional<std::size_t>> m_instanceOfGear;
+  std::vector<StageLabel> m_labelOf;  ///< by link; radius 0: none yet
+};
+
+Instance& StageBuilder::add(int link, const std::shared_ptr<const Solid>& solid, const Pose& pose) {
+  auto& solids = m_stage->scene.solids;
+  const auto [known, isNew] = m_placeOf.try_emplace(solid.get(), solids.size());
+  if (isNew) solids.push_back(solid);
+  Instance instance;
+  instance.solid = known->second;
+  instance.pose = pose;
+  instance.colour = colourOf(link);
+  instance.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
+  m_links.push_back(link);
+  return m_stage->scene.instances.emplace_back(std::move(instance));
+}
+
+/// Those of a solid: without finer ones yet, where nobody has told them.
+DetailLevels& StageBuilder::levelsOf(std::size_t solid) {
+  auto& levels = m_stage->scene.levels;
+  if (levels.size() <= solid) levels.resize(solid + 1);
+  return levels[solid];
+}
+
+// The link's number stands beside its largest wheel. Gears that cannot be made are left out; the train's
+// diagnostics say why.
+void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
+  const bool isToothless = gear.spec.teeth > kMostShownTeeth;
+  const auto detail = [&](double tolerance) -> Expected<std::shared_ptr<const DeferredSolid>> {
+    if (!isToothless) return m_cache.deferred(gear.spec, tolerance);
+    return std::make_shared<const DeferredSolid>(
+        [spec = gear.spec, tolerance] { return toothlessGear(spec, tolerance); });
+  };
+  if (!specDiagnostics(gear.spec).empty()) return;
+  if (isToothless) noteToothless(gear);
+  Instance& instance = add(gear.link, (*detail(kFarthestTolerance))->solid(), gear.pose);
+  if (DetailLevels& levels = levelsOf(instance.solid); levels.finer.empty()) {
+    levels.unit = gear.spec.module;
+    levels.error = kFarthestTolerance;
+    std::vector<double> finer{kFarTolerance, kScreenTolerance};
+    // Of a large train who sees a wheel from close by sees few of them, and all would have to be made.
+    if (m_mechanism.c() <= kMostCloseMeshes) finer.push_back(kExportTolerance);
+    for (const double error : finer) levels.finer.push_back({error, *detail(error)});
+  }
+  m_instanceOfGear[position] = m_stage->scene.instances.size() - 1;
+  for (const int mesh : gear.meshes) {
+    instance.also.push_back(m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id);
+  }
+  if (gear.wheel) instance.also.push_back(*gear.wheel);
+  StageLabel& label = m_labelOf[static_cast<std::size_t>(gear.link)];
+  const double radius = nominalTipRadius(gear.spec);
+  if (radius <= label.radius) return;
+  label.radius = radius;
+  label.instance = m_stage->scene.instances.size() - 1;
+  label.place = middleOf(gear.spec);
+}
+
+void StageBuilder::noteToothless(const TrainGear& gear) {
+  m_stage->notes.push_back({m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
+                            "Gear " + gear.name + " has " + std::to_string(gear.spec.teeth) +
+                                " teeth, too fine to be told apart: it is shown without them."});
+}
+
+void StageBuilder::addBody(const LinkBody& body) {
+  const Solid& solid = *body.rough->solid();
+  Instance& instance = add(body.link, body.rough->solid(), Pose::Identity());
+  levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, body.fine}}};
+  const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
+  if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
+  StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
+  if (label.radius > 0) return;
+  const Eigen::AlignedBox3d box = boundsOf(solid);
+  label.radius = 0.25 * box.diagonal().norm();
+  label.instance = m_stage->scene.instances.size() - 1;
+  label.place = box.center();
+}
+
+/// A file's frame in the base frame, reference pose.
+Pose poseOf(const LinkShape& shape) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto triple = [](const std::optional<NumberTriple>& numbers) -> Eigen::Vector3d {
+    if (!numbers) return Eigen::Vector3d::Zero();
+    return {(*numbers)[0].value(), (*numbers)[1].value(), (*numbers)[2].value()};
+  };
+  const Eigen::Vector3d turns = kDegree * triple(shape.orientation);
+  Pose pose = Pose::Identity();
+  pose.translate(triple(shape.position));
+  for (const int axis : {2, 1, 0}) pose.rotate(Eigen::AngleAxisd(turns[axis], Eigen::Vector3d::Unit(axis)));
+  return pose;
+}
+
+void StageBuilder::addShapes(int link) {
+  const Link& wearer = m_mechanism.links[static_cast<std::size_t>(link)];
+  const std::string who = "Link " + std::to_string(m_mechanism.linkLabel(link)) + " wears ";
+  for (const LinkShape& shape : wearer.shapes) {
+    const double scale = shape.scale ? shape.scale->value() : 1;
+    const auto found = m_shapes->cache.find(m_shapes->folder, shape.file, scale, m_shapes->stop);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      m_stage->notes.push_back({wearer.id, who + "\"" + shape.file + "\", which is not shown: " + *why});
+      continue;
+    }
+    add(link, std::get<std::shared_ptr<const Solid>>(found), poseOf(shape)).isOpen = true;
+  }
+}
+
+void StageBuilder::addLabels() {
+  for (int link = 1; link <= m_mechanism.n(); ++link) {
+    StageLabel& label = m_labelOf[static_cast<std::size_t>(link)];
+    if (label.radius == 0) continue;
+    label.text = std::to_string(m_mechanism.linkLabel(link));
+    label.colour = colourOf(link);
+    label.element = m_mechanism.links[static_cast<std::size_t>(link)].id;
+    m_stage->labels.push_back(std::move(label));
+  }
+}
+
+std::shared_ptr<Stage> StageBuilder::build() {
+  BodyCache once;
+  const GearTrain train =
+      shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once, m_stop);
+  if (train.hasSimpleBodies) {
+    m_stage->notes.push_back(
+        {m_mechanism.links.front().id,
+         "A train of " + std::to_string(train.gears.size()) +
+             " gears: its shafts and arms are straight, and pass through what is in their "
+             "way (up to " +
+             std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
+  }
+  m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());
+  m_labelOf.resize(m_mechanism.links.size());
+  m_instanceOfGear.resize(train.gears.size());
+  for (std::size_t gear = 0; gear < train.gears.size() && !m_stop.stop_requested(); ++gear)
+    addGear(train.gears[gear], gear);
+  for (const LinkBody& body : train.bodies) {
+    if (m_stop.stop_requested()) return nullptr;
+    addBody(body);
+  }
+  for (int link = 0; m_shapes != nullptr && link <= m_mechanism.n(); ++link) {
+    if (m_stop.stop_requested()) return nullptr;
+    addShapes(link);
+  }
+  if (m_stop.stop_requested()) return nullptr;
+  addLabels();
+  if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene, m_stop);
+  if (m_stop.stop_requested()) return nullptr;
+  m_stage->unit = m_mechanism.unit;
+  addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});
+  return m_stage;
+}
+
+/// What moves the stage; shared by the function that places it, and by its copies.
+struct Mover {
+  SpanningTree tree;
+  ForwardKinematics kinematics;
+  JointMotion motion;
+  std::vector<int> linkOfInstance;
+  std::vector<Pose> reference;
+
+  void operator()(std::span<const double> inputAngles, std::span<Pose> poses) const {
+    std::vector<double> angles(static_cast<std::size_t>(kinematics.jointCount()));
+    motion.angles(inputAngles, angles);
+    const std::vector<Pose> links = kinematics.poses(angles);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      poses[i] = links[static_cast<std::size_t>(linkOfInstance[i])] * reference[i];
+    }
+  }
+
+  /// The joints' rates depend on the inputs' as their angles do.
+  void twists(std::span<const double> inputAngles, std::span<const double> inputSpeeds,
+              std::span<Twist3> result) const {
+    std::vector<double> angles(static_cast<std::size_t>(kinematics.jointCount())), rates(angles.size());
+    motion.angles(inputAngles, angles);
+    motion.angles(inputSpeeds, rates);
+    const std::vector<LinkTwist> links = linkTwists(tree, kinematics, kinematics.poses(angles), rates);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const LinkTwist& twist = links[static_cast<std::size_t>(linkOfInstance[i])];
+      result[i] = {twist.angular, twist.linear};
+    }
+  }
+};
+
+/// What every instance's link turns about, and how much for each input.
+std::vector<StageHandle> handlesOf(const Mover& mover, const SpanningTree& tree) {
+  std::vector<StageHandle> handles;
+  const std::size_t columns = mover.motion.inputs.size();
+  for (const int link : mover.linkOfInstance) {
+    StageHandle& handle = handles.emplace_back();
+    if (link == 0) continue;
+    const int joint = tree.jointToParent(link);
+    const double sense = -tree.directionToGround(joint);
+    handle.point = mover.kinematics.line(joint).point;
+    handle.direction = mover.kinematics.line(joint).direction;
+    for (std::size_t k = 0; k < columns; ++k) {
+      handle.gains.push_back(sense * mover.motion.gains[static_cast<std::size_t>(joint) * columns + k]);
+    }
+  }
+  return handles;
+}
+
+std::vector<StageJoint> jointsOf(const Mover& mover, const Mechanism& mechanism) {
+  std::vector<StageJoint> joints(mechanism.turningJoints.size());
+  const std::size_t columns = mover.motion.inputs.size();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const int position = static_cast<int>(i);
+    joints[i].element = mechanism.turningJoints[i].id;
+    joints[i].text = std::to_string(mechanism.jointLabel(position));
+    const auto first = mover.motion.gains.begin() + static_cast<std::ptrdiff_t>(i * columns);
+    joints[i].gains.assign(first, first + static_cast<std::ptrdiff_t>(columns));
+  }
+  for (int link = 1; link <= mechanism.n(); ++link)
+    joints[static_cast<std::size_t>(mover.tree.jointToParent(link))].colour = colourOf(link);
+  return joints;
+}
+
+}  // namespace
+
+StageMemory::StageMemory() : m_bodies(std::make_unique<BodyCache>()) {}
+StageMemory::~StageMemory() = default;
+
+void StageMemory::addFactsTo(Scene& scene, const std::stop_token& stop) {
+  m_facts.addBoxesTo(scene, stop);
+  if (m_findsEdges) m_facts.addEdgesTo(scene, stop);
+  m_facts.forgetOthers();
+}
+
+StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const ShapeSource* shapes,
+                    StageMemory* memory, const std::stop_token& stop) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
+  const Placement& placement = snapshot.kinematics->placement;
+  const SpanningTree& tree = *snapshot.tree;
+  StageBuilder builder(mechanism, placement, cache, shapes, memory, stop);
+  const std::shared_ptr<Stage> stage = builder.build();
+  if (!stage) return nullptr;
+  const auto motion = jointMotion(snapshot, stop);
+  if (stop.stop_requested()) return nullptr;
+  if (!motion) return stage;
+  std::vector<Pose> reference;
+  for (const Instance& instance : stage->scene.instances) reference.push_back(instance.pose);
+  stage->inputSpeeds = motion->speeds;
+  stage->period = motion->period <= kLongestPeriod ? motion->period : 0;
+  const auto mover =
+      std::make_shared<const Mover>(Mover{tree, ForwardKinematics(tree, turningLines(placement)), *motion,
+                                          builder.linkOfInstance(), std::move(reference)});
+  addJointStops(*stage, mechanism, *motion);
+  stage->handles = handlesOf(*mover, tree);
+  stage->joints = jointsOf(*mover, mechanism);
+  stage->place = [mover](std::span<const double> angles, std::span<Pose> poses) { (*mover)(angles, poses); };
+  stage->twists = [mover](std::span<const double> angles, std::span<const double> speeds,
+                          std::span<Twist3> twists) { mover->twists(angles, speeds, twists); };
+  return stage;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <numeric>
+
+#include "core/teaching/derivation/quantity_tables.h"
+#include "core/theory/matroid/coefficient_matrix.h"
+
+namespace geargraph {
+namespace {
+
+class CoefficientTable final : public QuantityTable {
+ public:
+  CoefficientTable(SnapshotPtr snapshot, EntryForm form)
+      : QuantityTable(QuantityKind::coefficients, form),
+        m_snapshot(std::move(snapshot)),
+        m_matrix(*m_snapshot->mechanism, *m_snapshot->kinematics->model, m_snapshot->kinematics->placement) {
+    m_joints.resize(static_cast<std::size_t>(m_matrix.columns()));
+    std::iota(m_joints.begin(), m_joints.end(), 0);
+    if (form == EntryForm::symbols) putInputsFirst();
+    m_columns.resize(m_joints.size());
+    for (std::size_t i = 0; i < m_joints.size(); ++i) {
+      m_columns[static_cast<std::size_t>(m_joints[i])] = static_cast<int>(i);
+    }
+  }
+
+  [[nodiscard]] int rows() const override { return m_matrix.rows(); }
+  [[nodiscard]] int columns() const override { return m_matrix.columns(); }
+  [[nodiscard]] std::optional<int> partition() const override {
+    if (m_inputs == 0) return std::nullopt;
+    return m_inputs;
+  }
+  [[nodiscard]] Heading rowHeading(int row) const override {
+    const int label = graph().edgeLabel(graph().t() + row);
+    return {label, "C" + std::to_string(label), graph().edgeId(graph().t() + row)};
+  }
+  [[nodiscard]] Heading columnHeading(int column) const override {
+    const int label = graph().edgeLabel(jointAt(column));
+    return {label, std::to_string(label), graph().edgeId(jointAt(column))};
+  }
+  [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
+    return geargraph::elementsOfRow(MatrixKind::spanningTree, graph(), m_snapshot->tree.get(), row);
+  }
+
+  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+    std::vector<QuantityEntry> entries;
+    for (const CoefficientMatrix::Entry& entry : m_matrix.row(row)) {
+      entries.push_back(shownEntry(row, entry));
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const QuantityEntry& a, const QuantityEntry& b) { return a.column < b.column; });
+    return entries;
+  }
+
+  [[nodiscard]] CellExplanation explanation(int row, int column) const override {
+    const int joint = jointAt(column);
+    const std::string jointName = "joint " + std::to_string(graph().edgeLabel(joint));
+    const std::string cycle = rowHeading(row).text;
+    const std::string mesh = std::to_string(graph().edgeLabel(graph().t() + row));
+    const std::string equation = form() == EntryForm::symbols ? " Eq. (24)" : " Eq. (18)";
+    for (const CoefficientMatrix::Entry& entry : m_matrix.row(row)) {
+      if (entry.joint != joint) continue;
+      const QuantityEntry shown = shownEntry(row, entry);
+      CellExplanation cell{cycle + ", " + jointName + ": " + shown.text, {}};
+      const std::string gear = entry.tail ? "tail" : "head";
+      if (form() == EntryForm::symbols) {
+        cell.text = "The row divided by the radius of the head's gear: " + jointName +
+                    " turns about the axis of the " + gear + "'s gear, which leaves " +
+                    (entry.tail ? "the ratio i" + mesh + " = " + m_matrix.ratio(row).toString() : "1") + ".";
+      } else {
+        cell.text = "T times the moment of " + jointName + "'s axis about the pitch point of mesh " + mesh +
+                    ", along the normal of the mesh: the radius of the " + gear + "'s gear.";
+      }
+      cell.text += equation;
+      return cell;
+    }
+    return {cycle + ", " + jointName + ": 0", cycle + " does not use " + jointName +
+                                                  ", so it has no part in the equation of mesh " + mesh +
+                                                  "." + equation};
+  }
+
+ private:
+  [[nodiscard]] const Digraph& graph() const { return *m_snapshot->graph; }
+  [[nodiscard]] int jointAt(int column) const { return m_joints[static_cast<std::size_t>(column)]; }
+
+  void putInputsFirst() {
+    const MatroidAnalysis* matroid = m_snapshot->matroid();
+    if (matroid == nullptr) return;
+    std::vector<char> isInput(m_joints.size(), 0);
+    for (const int joint : matroid->choice.joints) isInput[static_cast<std::size_t>(joint)] = 1;
+    std::stable_partition(m_joints.begin(), m_joints.end(),
+                          [&](int joint) { return isInput[static_cast<std::size_t>(joint)] != 0; });
+    m_inputs = static_cast<int>(matroid->choice.joints.size());
+  }
+
+  [[nodiscard]] QuantityEntry shownEntry(int mesh, const CoefficientMatrix::Entry& entry) const {
+    const int column = m_columns[static_cast<std::size_t>(entry.joint)];
+    const std::string minus = entry.sign < 0 ? "-" : "";
+    if (form() == EntryForm::symbols) {
+      const std::string label = std::to_string(graph().edgeLabel(graph().t() + mesh));
+      const double value = entry.sign * (entry.tail ? m_matrix.ratio(mesh).toDouble() : 1);
+      if (!entry.tail) return {column, minus + "1", minus + "1", value, false};
+      return {column, minus + "i" + label, minus + "i_{" + label + "}", value, true};
+    }
+    if (form() == EntryForm::decimals) return decimalEntry(column, entry.length);
+    const auto radius = m_matrix.exactRadius(mesh, entry.tail);
+    return radius ? fractionEntry(column, Rational(entry.sign) * *radius)
+                  : irrationalEntry(column, entry.length);
+  }
+
+  SnapshotPtr m_snapshot;
+  CoefficientMatrix m_matrix;
+  std::vector<int> m_joints;   ///< by column
+  std::vector<int> m_columns;  ///< by joint
+  int m_inputs = 0;
+};
+
+}  // namespace
+
+QuantityTablePtr coefficientTable(SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const CoefficientTable>(std::move(snapshot), form);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/mechanism/graph/integer_matrix.h"
+
+namespace geargraph {
+
+enum class QuantityKind;
+
+/// The words and symbols of the field that the program shows.
+enum class Term {
+  movingLinks,
+  turningJoints,
+  gearMeshes,
+  rank,
+  degreesOfFreedom,
+  incidenceMatrix,
+  reducedIncidenceMatrix,
+  pathMatrix,
+  spanningTreeMatrix,
+  cycleBasisMatrix,
+  cutsetMatrix,
+  digraph,
+  functionalSchematic,
+  link,
+  ground,
+  turningJoint,
+  gearMesh,
+  input,
+  axis,
+  axisPoint,
+  axisDirection,
+  offset,
+  jointLimits,
+  teeth,
+  module,
+  meshKind,
+  pitchPoint,
+  gearRatio,
+  spanningTree,
+  cycle,
+  label,
+  screw,
+  coefficientMatrix,
+  solution,
+  ttGraph,
+  level,
+  transferVertex,
+  chord,
+  terminalEquation,
+  fundamentalCircuit,
+};
+
+struct Definition {
+  Term term = Term::link;
+  std::string_view symbol;  ///< "n", "Γ⁰"; empty where the term has none
+  std::string_view name;    ///< "Moving links"
+  std::string_view text;    ///< what it is, in full sentences
+  int equation = 0;         ///< of the paper, 0 where none defines it
+};
+
+/// The one table of definitions: tooltips, search and lessons read it. Every term once, in the order of Term.
+[[nodiscard]] const std::vector<Definition>& glossary();
+[[nodiscard]] const Definition& definitionOf(Term term);
+[[nodiscard]] Term termOf(MatrixKind kind);
+[[nodiscard]] Term termOf(QuantityKind kind);
+
+}  // namespace geargraph

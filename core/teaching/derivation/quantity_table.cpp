@@ -1,0 +1,112 @@
+#include "core/teaching/derivation/quantity_table.h"
+
+#include <array>
+#include <charconv>
+
+#include "core/foundations/base/contract.h"
+#include "core/teaching/derivation/quantity_tables.h"
+
+namespace geargraph {
+
+const std::vector<QuantityKind>& allQuantityKinds() {
+  static const std::vector<QuantityKind> kinds = {QuantityKind::screws, QuantityKind::coefficients,
+                                                  QuantityKind::solution};
+  return kinds;
+}
+
+std::string_view quantitySymbol(QuantityKind kind) {
+  constexpr std::array<std::string_view, 3> kSymbols = {"û", "P", "θ̇"};
+  return kSymbols.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view quantityTitle(QuantityKind kind) {
+  constexpr std::array<std::string_view, 3> kTitles = {"Screws", "Coefficient matrix", "Solution"};
+  return kTitles.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view quantityCommandName(QuantityKind kind) {
+  constexpr std::array<std::string_view, 3> kNames = {"screw", "p", "solution"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view quantityAsciiName(QuantityKind kind) {
+  constexpr std::array<std::string_view, 3> kNames = {"U", "P", "S"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<QuantityEntry> QuantityTable::entry(int row, int column) const {
+  for (QuantityEntry& entry : this->row(row)) {
+    if (entry.column == column) return std::move(entry);
+  }
+  return std::nullopt;
+}
+
+std::vector<EntryForm> formsOf(const AnalysisSnapshot& snapshot, QuantityKind kind) {
+  if (!snapshot.kinematics || !snapshot.kinematics->model) return {};
+  switch (kind) {
+    case QuantityKind::screws:
+      return {EntryForm::decimals, EntryForm::fractions};
+    case QuantityKind::coefficients:
+      return {EntryForm::decimals, EntryForm::fractions, EntryForm::symbols};
+    case QuantityKind::solution: {
+      const MatroidAnalysis* matroid = snapshot.matroid();
+      if (matroid == nullptr || !matroid->solution) return {};
+      std::vector<EntryForm> forms;
+      const std::size_t entries = matroid->solution->inputs.size() * matroid->solution->outputs.size();
+      if (matroid->solution->matrix.size() == entries) forms.push_back(EntryForm::decimals);
+      if (!snapshot.solved || !snapshot.solved->exact) return forms;
+      if (snapshot.solved->exact->matrix.size() == entries) forms.push_back(EntryForm::fractions);
+      if (snapshot.solved->symbolic && snapshot.solved->symbolic->matrix.size() == entries) {
+        forms.push_back(EntryForm::symbols);
+      }
+      return forms;
+    }
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+QuantityTablePtr quantityTable(const SnapshotPtr& snapshot, QuantityKind kind, EntryForm form) {
+  const std::vector<EntryForm> forms = formsOf(*snapshot, kind);
+  if (std::find(forms.begin(), forms.end(), form) == forms.end()) return nullptr;
+  switch (kind) {
+    case QuantityKind::screws:
+      return screwTable(snapshot, form);
+    case QuantityKind::coefficients:
+      return coefficientTable(snapshot, form);
+    case QuantityKind::solution:
+      return solutionTable(snapshot, form);
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+std::string latexOf(const Rational& value) {
+  const std::string text = value.toString();
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return text;
+  const bool negative = text.front() == '-';
+  return (negative ? "-\\frac{" : "\\frac{") + text.substr(negative ? 1 : 0, slash - (negative ? 1 : 0)) +
+         "}{" + text.substr(slash + 1) + "}";
+}
+
+std::string shortDecimal(double value) {
+  std::array<char, 32> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0, std::chars_format::general, 6);
+  return {digits.data(), end.ptr};
+}
+
+QuantityEntry decimalEntry(int column, double value) {
+  const std::string text = shortDecimal(value);
+  return {column, text, text, value, false};
+}
+
+QuantityEntry fractionEntry(int column, const Rational& value) {
+  return {column, value.toString(), latexOf(value), value.toDouble(), false};
+}
+
+QuantityEntry irrationalEntry(int column, double value) {
+  const std::string text = shortDecimal(value);
+  return {column, "≈ " + text, "\\approx " + text, value, false};
+}
+
+}  // namespace geargraph

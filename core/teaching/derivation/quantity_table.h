@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/theory/analysis/analysis.h"
+#include "core/teaching/derivation/cell_explanation.h"
+
+namespace geargraph {
+
+/// What the matroid method computes beside the matrices of whole numbers.
+enum class QuantityKind {
+  screws,        ///< û of every joint of every cycle [AU, Eqs. (6)-(12)]
+  coefficients,  ///< P [AU, Eqs. (17)-(20), (24)]
+  solution,      ///< the outputs over the inputs [AU, Eqs. (22), (23), (25)]
+};
+
+/// In which numbers a quantity is told.
+enum class EntryForm { decimals, fractions, symbols };
+
+[[nodiscard]] const std::vector<QuantityKind>& allQuantityKinds();
+[[nodiscard]] std::string_view quantitySymbol(QuantityKind kind);  ///< "û", "P", "θ̇"
+[[nodiscard]] std::string_view quantityTitle(QuantityKind kind);
+[[nodiscard]] std::string_view quantityCommandName(QuantityKind kind);  ///< "screw", "p", "solution"
+[[nodiscard]] std::string_view quantityAsciiName(QuantityKind kind);    ///< "U", "P", "S": for programs
+
+/// One entry that is not 0.
+struct QuantityEntry {
+  int column = 0;
+  std::string
+      text;  ///< "-15/2", "-i18*i17", "0.707107"; "≈ 0.707107" where a fraction was wanted and is none
+  std::string latex;
+  double value = 0;
+  bool isFormula = false;  ///< in the gear ratios
+};
+
+/// A quantity as a table with labels: an immutable value; rows are answered when they are asked for.
+class QuantityTable {
+ public:
+  virtual ~QuantityTable() = default;
+  QuantityTable(const QuantityTable&) = delete;
+  QuantityTable& operator=(const QuantityTable&) = delete;
+
+  [[nodiscard]] QuantityKind kind() const { return m_kind; }
+  [[nodiscard]] EntryForm form() const { return m_form; }
+  [[nodiscard]] virtual int rows() const = 0;
+  [[nodiscard]] virtual int columns() const = 0;
+  /// `element` of a heading is empty where nothing lights up with it (the components of a screw).
+  [[nodiscard]] virtual Heading rowHeading(int row) const = 0;
+  [[nodiscard]] virtual Heading columnHeading(int column) const = 0;
+  /// The non-zeros by column. Cost: O(length of the cycle), for a solution O(inputs).
+  [[nodiscard]] virtual std::vector<QuantityEntry> row(int row) const = 0;
+  /// What a row speaks of.
+  [[nodiscard]] virtual std::set<ElementId> elementsOfRow(int row) const = 0;
+  [[nodiscard]] virtual CellExplanation explanation(int row, int column) const = 0;
+  /// The first column behind the dashed line.
+  [[nodiscard]] virtual std::optional<int> partition() const { return std::nullopt; }
+  /// Do the headings name rates (θ̇8) rather than elements?
+  [[nodiscard]] virtual bool headsAreRates() const { return false; }
+  /// A row in the terms of a matrix of numbers: 0 where nothing stands.
+  [[nodiscard]] std::optional<QuantityEntry> entry(int row, int column) const;
+
+ protected:
+  QuantityTable(QuantityKind kind, EntryForm form) : m_kind(kind), m_form(form) {}
+
+ private:
+  QuantityKind m_kind;
+  EntryForm m_form;
+};
+
+using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
+
+/// The forms that a quantity has now: symbols only where they are solved for and not over their budget,
+/// fractions of a solution when the exact part is there. Empty where the quantity is undefined.
+[[nodiscard]] std::vector<EntryForm> formsOf(const AnalysisSnapshot& snapshot, QuantityKind kind);
+
+/// The table; null where the snapshot does not have it in this form.
+[[nodiscard]] QuantityTablePtr quantityTable(const SnapshotPtr& snapshot, QuantityKind kind, EntryForm form);
+
+// As text for other programs, with the labels, as matrix_text.h writes matrices; symbols as formulas.
+// Cost: O(rows * columns).
+[[nodiscard]] std::string quantityTsv(const QuantityTable& table);
+[[nodiscard]] std::string quantityCsv(const QuantityTable& table);
+[[nodiscard]] std::string quantityLatex(const QuantityTable& table);
+[[nodiscard]] std::string quantityMatlab(const QuantityTable& table);
+[[nodiscard]] std::string quantityNumpy(const QuantityTable& table);
+
+/// "-15/2" as "-\frac{15}{2}".
+[[nodiscard]] std::string latexOf(const Rational& value);
+/// About six digits, as a screen shows them.
+[[nodiscard]] std::string shortDecimal(double value);
+
+}  // namespace geargraph

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/teaching/derivation/quantity_table.h"
+
+namespace geargraph {
+
+// The three tables of quantity_table.h. @pre formsOf() names the form
+
+/// A row for each joint of each cycle, "C16 12"; columns L M N of its direction, P Q R of its moment about
+/// the pitch point, the parts divided.
+[[nodiscard]] QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form);
+
+/// A row for each mesh, a column for each joint: lengths as Eq. (19) prints them; as symbols the row divided
+/// by the radius of the head's gear, the inputs first as in Eq. (24).
+[[nodiscard]] QuantityTablePtr coefficientTable(SnapshotPtr snapshot, EntryForm form);
+
+/// A row for each output, a column for each input, as Eqs. (23) and (25).
+[[nodiscard]] QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form);
+
+[[nodiscard]] QuantityEntry decimalEntry(int column, double value);
+[[nodiscard]] QuantityEntry fractionEntry(int column, const Rational& value);
+/// Where an exact value was wanted and a root stands in the way.
+[[nodiscard]] QuantityEntry irrationalEntry(int column, double value);
+
+}  // namespace geargraph

@@ -1,0 +1,110 @@
+#include <array>
+#include <charconv>
+
+#include "core/teaching/derivation/quantity_table.h"
+
+namespace geargraph {
+namespace {
+
+enum class Spelling { plain, latex };
+
+/// As many digits as read back as the same number, where digits are wanted; else the text of the screen.
+std::string spelled(const QuantityTable& table, const QuantityEntry& entry, Spelling spelling) {
+  if (spelling == Spelling::latex) return entry.latex;
+  const bool approximate = entry.text.find("≈") != std::string::npos;
+  if (table.form() != EntryForm::decimals && !approximate) return entry.text;
+  std::array<char, 40> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), entry.value + 0.0);
+  return {digits.data(), end.ptr};
+}
+
+std::string rowText(const QuantityTable& table, int row, const std::string& separator, Spelling spelling) {
+  std::string text;
+  int column = 0;
+  const auto put = [&](const std::string& entry) {
+    if (column++ > 0) text += separator;
+    text += entry;
+  };
+  for (const QuantityEntry& entry : table.row(row)) {
+    while (column < entry.column) put("0");
+    put(spelled(table, entry, spelling));
+  }
+  while (column < table.columns()) put("0");
+  return text;
+}
+
+/// Two blanks part the cycle and the joint of a screw's row on the screen; one does in a text.
+std::string plainLabel(std::string label) {
+  if (const std::size_t gap = label.find("  "); gap != std::string::npos) label.erase(gap, 1);
+  return label;
+}
+
+std::string separated(const QuantityTable& table, const std::string& separator) {
+  std::string text(quantityAsciiName(table.kind()));
+  for (int j = 0; j < table.columns(); ++j) text += separator + table.columnHeading(j).text;
+  text += "\n";
+  for (int i = 0; i < table.rows(); ++i) {
+    text += plainLabel(table.rowHeading(i).text) + separator + rowText(table, i, separator, Spelling::plain) +
+            "\n";
+  }
+  return text;
+}
+
+std::string comment(const QuantityTable& table, const std::string& mark) {
+  std::string text = mark + ' ' + std::string(quantityTitle(table.kind())) + "; rows";
+  for (int i = 0; i < table.rows(); ++i) text += ' ' + plainLabel(table.rowHeading(i).text);
+  text += "; columns";
+  for (int j = 0; j < table.columns(); ++j) text += ' ' + table.columnHeading(j).text;
+  return text + '\n';
+}
+
+std::string latexHeading(const QuantityTable& table, const Heading& heading) {
+  if (table.headsAreRates()) return "\\dot{\\theta}_{" + heading.text + "}";
+  const std::string text = plainLabel(heading.text);
+  if (text.size() < 2 || text.front() != 'C') return text;
+  const std::size_t blank = text.find(' ');
+  const std::string rest = blank == std::string::npos ? "" : "," + text.substr(blank + 1);
+  return "C_{" + text.substr(1, blank == std::string::npos ? blank : blank - 1) + rest + "}";
+}
+
+}  // namespace
+
+std::string quantityTsv(const QuantityTable& table) {
+  return separated(table, "\t");
+}
+
+std::string quantityCsv(const QuantityTable& table) {
+  return separated(table, ",");
+}
+
+std::string quantityLatex(const QuantityTable& table) {
+  std::string columns = "c|";
+  for (int j = 0; j < table.columns(); ++j) {
+    if (j > 0 && table.partition() == j) columns += '|';
+    columns += 'r';
+  }
+  std::string text = "\\begin{array}{" + columns + "}\n";
+  for (int j = 0; j < table.columns(); ++j) text += " & " + latexHeading(table, table.columnHeading(j));
+  text += " \\\\ \\hline\n";
+  for (int i = 0; i < table.rows(); ++i) {
+    text += latexHeading(table, table.rowHeading(i)) + " & " + rowText(table, i, " & ", Spelling::latex);
+    text += i + 1 < table.rows() ? " \\\\\n" : "\n";
+  }
+  return text + "\\end{array}\n";
+}
+
+std::string quantityMatlab(const QuantityTable& table) {
+  std::string text = comment(table, "%") + std::string(quantityAsciiName(table.kind())) + " = [\n";
+  for (int i = 0; i < table.rows(); ++i) text += "  " + rowText(table, i, " ", Spelling::plain) + '\n';
+  return text + "];\n";
+}
+
+std::string quantityNumpy(const QuantityTable& table) {
+  std::string text = comment(table, "#") + std::string(quantityAsciiName(table.kind())) + " = np.array([\n";
+  for (int i = 0; i < table.rows(); ++i) {
+    text += "    [" + rowText(table, i, ", ", Spelling::plain) + "],\n";
+  }
+  return text + "])\n";
+}
+
+}  // namespace geargraph

@@ -1,0 +1,134 @@
+#include <array>
+#include <cmath>
+
+#include "core/teaching/derivation/quantity_tables.h"
+#include "core/theory/matroid/screw.h"
+
+namespace geargraph {
+namespace {
+
+constexpr double kRounding = 1e-12;  // of the largest component: what doubles lose, shown as 0
+
+/// L M N P Q R.
+template <class Scalar>
+std::array<Scalar, 6> componentsOf(const Screw<Scalar>& screw) {
+  const auto& [u, r] = screw;
+  return {u[0], u[1], u[2], r[0], r[1], r[2]};
+}
+
+class ScrewTable final : public QuantityTable {
+ public:
+  ScrewTable(SnapshotPtr snapshot, EntryForm form)
+      : QuantityTable(QuantityKind::screws, form), m_snapshot(std::move(snapshot)) {
+    const IntegerMatrix& cycles = *m_snapshot->matrix(MatrixKind::spanningTree);
+    std::vector<MatrixEntry> entries;
+    for (int mesh = 0; mesh < cycles.rows(); ++mesh) {
+      cycles.rowEntries(mesh, entries);
+      for (const MatrixEntry& entry : entries) m_rows.push_back({mesh, entry.column});
+    }
+  }
+
+  [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
+  [[nodiscard]] int columns() const override { return 6; }
+  [[nodiscard]] std::optional<int> partition() const override { return 3; }
+  [[nodiscard]] Heading columnHeading(int column) const override {
+    return {column, std::string(1, "LMNPQR"[column]), {}};
+  }
+  [[nodiscard]] Heading rowHeading(int row) const override {
+    const Digraph& graph = *m_snapshot->graph;
+    const auto [mesh, joint] = at(row);
+    const int label = graph.edgeLabel(joint);
+    return {label, "C" + std::to_string(graph.edgeLabel(graph.t() + mesh)) + "  " + std::to_string(label),
+            graph.edgeId(joint)};
+  }
+  [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
+    const Digraph& graph = *m_snapshot->graph;
+    return {graph.edgeId(at(row).joint), graph.edgeId(graph.t() + at(row).mesh)};
+  }
+
+  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+    const std::array<double, 6> values = componentsOf(screwOf(at(row)));
+    std::optional<std::array<Rational, 6>> exact;
+    if (const auto screw = exactScrewOf(at(row))) exact = componentsOf(*screw);
+    std::vector<QuantityEntry> entries;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const int column = static_cast<int>(i);
+      if (exact ? (*exact)[i].isZero() : isRounding(values, i)) continue;
+      if (form() == EntryForm::decimals) {
+        entries.push_back(decimalEntry(column, values[i]));
+      } else {
+        entries.push_back(exact ? fractionEntry(column, (*exact)[i]) : irrationalEntry(column, values[i]));
+      }
+    }
+    return entries;
+  }
+
+  [[nodiscard]] CellExplanation explanation(int row, int column) const override {
+    const Digraph& graph = *m_snapshot->graph;
+    const auto [mesh, joint] = at(row);
+    const std::string jointName = "joint " + std::to_string(graph.edgeLabel(joint));
+    const std::string meshName = "mesh " + std::to_string(graph.edgeLabel(graph.t() + mesh));
+    const auto shown = entry(row, column);
+    const std::string axis(1, "xyz"[column % 3]);
+    CellExplanation cell;
+    cell.title = "C" + std::to_string(graph.edgeLabel(graph.t() + mesh)) + ", " + jointName + ", " +
+                 std::string(1, "LMNPQR"[column]) + ": " + (shown ? shown->text : "0");
+    if (column < 3) {
+      cell.text =
+          "The " + axis + " component of the unit vector u along the axis of " + jointName + ". Eqs. (7)-(9)";
+    } else {
+      cell.text = "The " + axis + " component of the moment of " + jointName +
+                  "'s axis about the pitch point of " + meshName +
+                  ": how fast that point moves for one unit of speed. Eqs. (10)-(12)";
+    }
+    return cell;
+  }
+
+ private:
+  struct Place {
+    int mesh = 0;
+    int joint = 0;
+  };
+
+  [[nodiscard]] Place at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] const Placement& placement() const { return m_snapshot->kinematics->placement; }
+
+  [[nodiscard]] Screw<double> screwOf(Place place) const {
+    const auto joint = static_cast<std::size_t>(place.joint);
+    const AxisClasses& classes = *placement().classes;
+    const AxisLine& line = placement().lineOfClass(classes.classOf[joint]);
+    const double sense = classes.sense[joint];
+    return screwAbout(placement().meshes[static_cast<std::size_t>(place.mesh)]->pitchPoint, line.point,
+                      sense * line.direction);
+  }
+
+  /// Nothing where the pitch point or the length of the direction is a root.
+  [[nodiscard]] std::optional<Screw<Rational>> exactScrewOf(Place place) const {
+    const auto joint = static_cast<std::size_t>(place.joint);
+    const AxisClasses& classes = *placement().classes;
+    const auto point = exactPitchPoint(*m_snapshot->mechanism, placement(), place.mesh);
+    const ExactLine line = exactLineOfClass(*m_snapshot->mechanism, placement(), classes.classOf[joint]);
+    const auto length = dot(line.direction, line.direction).squareRoot();
+    if (!point || !length) return std::nullopt;
+    const Rational scale = Rational(classes.sense[joint]) / *length;
+    return screwAbout(*point, line.point, scale * line.direction);
+  }
+
+  static bool isRounding(const std::array<double, 6>& values, std::size_t i) {
+    const std::size_t part = i < 3 ? 0 : 3;
+    const double most = std::max({std::abs(values[part]), std::abs(values[part + 1]),
+                                  std::abs(values[part + 2]), part == 0 ? 1.0 : 0.0});
+    return std::abs(values[i]) <= kRounding * most;
+  }
+
+  SnapshotPtr m_snapshot;
+  std::vector<Place> m_rows;
+};
+
+}  // namespace
+
+QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const ScrewTable>(std::move(snapshot), form);
+}
+
+}  // namespace geargraph

@@ -1,0 +1,89 @@
+#include "core/teaching/derivation/quantity_tables.h"
+
+namespace geargraph {
+namespace {
+
+class SolutionTable final : public QuantityTable {
+ public:
+  SolutionTable(SnapshotPtr snapshot, EntryForm form)
+      : QuantityTable(QuantityKind::solution, form), m_snapshot(std::move(snapshot)) {}
+
+  [[nodiscard]] int rows() const override { return static_cast<int>(live().outputs.size()); }
+  [[nodiscard]] int columns() const override { return static_cast<int>(live().inputs.size()); }
+  [[nodiscard]] bool headsAreRates() const override { return true; }
+  [[nodiscard]] Heading rowHeading(int row) const override {
+    return headingOf(live().outputs[static_cast<std::size_t>(row)]);
+  }
+  [[nodiscard]] Heading columnHeading(int column) const override {
+    return headingOf(live().inputs[static_cast<std::size_t>(column)]);
+  }
+  [[nodiscard]] std::set<ElementId> elementsOfRow(int row) const override {
+    const int joint = live().outputs[static_cast<std::size_t>(row)];
+    const Mechanism& mechanism = *m_snapshot->mechanism;
+    return {graph().edgeId(joint), mechanism.turningJoints[static_cast<std::size_t>(joint)].head};
+  }
+
+  [[nodiscard]] std::vector<QuantityEntry> row(int row) const override {
+    std::vector<QuantityEntry> entries;
+    for (int column = 0; column < columns(); ++column) {
+      if (!isZero(row, column)) entries.push_back(shownEntry(row, column));
+    }
+    return entries;
+  }
+
+  [[nodiscard]] CellExplanation explanation(int row, int column) const override {
+    const std::string output = rowHeading(row).text;
+    const std::string input = columnHeading(column).text;
+    const bool zero = isZero(row, column);
+    const std::string text = zero ? "0" : shownEntry(row, column).text;
+    CellExplanation cell{"Joint " + output + " over joint " + input + ": " + text, {}};
+    cell.text = zero ? "Joint " + output + " does not feel input " + input + "."
+                     : "How fast joint " + output + " turns for one unit of speed at joint " + input +
+                           ", the other inputs at rest.";
+    if (form() == EntryForm::symbols && !zero && hasFractions()) {
+      cell.text += " With these teeth: " + exactAt(row, column).toString() + ".";
+    }
+    cell.text += form() == EntryForm::symbols ? " Eq. (25)" : " Eq. (23)";
+    return cell;
+  }
+
+ private:
+  [[nodiscard]] const Digraph& graph() const { return *m_snapshot->graph; }
+  [[nodiscard]] const LiveSolution& live() const { return *m_snapshot->matroid()->solution; }
+  [[nodiscard]] Heading headingOf(int joint) const {
+    const int label = graph().edgeLabel(joint);
+    return {label, std::to_string(label), graph().edgeId(joint)};
+  }
+  [[nodiscard]] std::size_t at(int row, int column) const {
+    return static_cast<std::size_t>(row) * live().inputs.size() + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] bool hasFractions() const {
+    return m_snapshot->solved && m_snapshot->solved->exact && !m_snapshot->solved->exact->matrix.empty();
+  }
+  [[nodiscard]] const Rational& exactAt(int row, int column) const {
+    return m_snapshot->solved->exact->matrix[at(row, column)];
+  }
+  [[nodiscard]] bool isZero(int row, int column) const {
+    // Where the exact part is not there yet: zeros of the live solution are exact.
+    return form() == EntryForm::decimals ? live().matrix[at(row, column)] == 0
+                                         : exactAt(row, column).isZero();
+  }
+
+  [[nodiscard]] QuantityEntry shownEntry(int row, int column) const {
+    if (form() == EntryForm::decimals) return decimalEntry(column, live().matrix[at(row, column)]);
+    if (form() == EntryForm::fractions) return fractionEntry(column, exactAt(row, column));
+    const auto& symbol = m_snapshot->solved->symbolic->matrix[at(row, column)];
+    if (!symbol) return fractionEntry(column, exactAt(row, column));  // the formula would fill pages
+    return {column, symbol->toText(), symbol->toLatex(), exactAt(row, column).toDouble(), true};
+  }
+
+  SnapshotPtr m_snapshot;
+};
+
+}  // namespace
+
+QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form) {
+  return std::make_shared<const SolutionTable>(std::move(snapshot), form);
+}
+
+}  // namespace geargraph

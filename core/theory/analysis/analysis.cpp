@@ -1,0 +1,96 @@
+#include "core/theory/analysis/analysis.h"
+
+#include <set>
+#include <utility>
+
+#include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/model/validate.h"
+
+namespace geargraph {
+namespace {
+
+/// The placement and the T-T graph both meet axes that split or merge and meshes without a carrier; such a
+/// finding is said once, in the words of the T-T graph, whose notions they are.
+Diagnostics geometryFindings(const Diagnostics& ttGraph, const Diagnostics& placement) {
+  std::set<std::pair<Code, ElementId>> said;
+  for (const Diagnostic& diagnostic : ttGraph) {
+    for (const ElementId& element : diagnostic.elements) said.emplace(diagnostic.code, element);
+  }
+  Diagnostics findings = ttGraph;
+  for (const Diagnostic& diagnostic : placement) {
+    const bool known =
+        !diagnostic.elements.empty() && said.contains({diagnostic.code, diagnostic.elements.front()});
+    if (!known) findings.push_back(diagnostic);
+  }
+  return findings;
+}
+
+}  // namespace
+
+SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const std::stop_token& stop) {
+  auto snapshot = std::make_shared<AnalysisSnapshot>();
+  snapshot->revision = revision;
+  snapshot->graph = std::make_shared<const Digraph>(*mechanism);
+  snapshot->mechanism = std::move(mechanism);
+  if (auto tree = SpanningTree::of(*snapshot->graph)) {
+    snapshot->tree = std::make_shared<const SpanningTree>(std::move(*tree));
+  } else {
+    snapshot->diagnostics = treeDiagnostics(*snapshot->mechanism);
+  }
+  snapshot->matrices.reserve(allMatrixKinds().size());
+  for (const MatrixKind kind : allMatrixKinds()) {
+    snapshot->matrices.push_back(matrixOf(kind, snapshot->graph, snapshot->tree));
+  }
+  if (stop.stop_requested()) return nullptr;
+  if (!snapshot->tree) return snapshot;
+
+  snapshot->kinematics = liveKinematics(*snapshot->mechanism, snapshot->graph, snapshot->tree, stop);
+  if (!snapshot->kinematics) return nullptr;
+  append(snapshot->diagnostics, geometryFindings(snapshot->kinematics->ttGraph->diagnostics(),
+                                                 snapshot->kinematics->placement.diagnostics));
+  if (const MatroidAnalysis* matroid = snapshot->matroid()) {
+    append(snapshot->diagnostics, matroid->diagnostics);
+  }
+  return snapshot;
+}
+
+Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop) {
+  if (!live.kinematics || hasErrors(live.diagnostics)) return {};
+  return gearDiagnostics(*live.mechanism, live.kinematics->placement, stop);
+}
+
+SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
+  if (live->mechanism->states.empty() || !live->kinematics || !live->kinematics->model) return live;
+  auto states = solveStates(*live->mechanism, *live->kinematics->model, live->kinematics->placement,
+                            options.symbolic, stop);
+  if (!states) return nullptr;
+  auto snapshot = std::make_shared<AnalysisSnapshot>(*live);
+  append(snapshot->diagnostics, stateDiagnostics(*states));
+  snapshot->states = std::make_shared<const std::vector<StateSolution>>(std::move(*states));
+  return snapshot;
+}
+
+SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
+  const SnapshotPtr withStates = analyzeStates(live, options, stop);
+  if (!withStates) return nullptr;
+  auto snapshot = std::make_shared<AnalysisSnapshot>(*withStates);
+  snapshot->isComplete = true;
+  const MatroidAnalysis* matroid = live->matroid();
+  if (matroid != nullptr && matroid->solution && !hasErrors(live->diagnostics)) {
+    snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
+    if (!snapshot->solved) return nullptr;
+  }
+  // Last: by now whoever draws the bodies has found the ways that these findings ask for, too.
+  append(snapshot->diagnostics, toothFindings(*live, stop));
+  if (stop.stop_requested()) return nullptr;
+  if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);
+  return snapshot;
+}
+
+SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision, const std::stop_token& stop,
+                    const SolveOptions& options) {
+  const SnapshotPtr live = analyzeLive(std::move(mechanism), revision, stop);
+  return live ? analyzeFully(live, options, stop) : nullptr;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,110 @@
+#include "core/theory/analysis/kinematics.h"
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+Diagnostic skipped(std::string message) {
+  return {Code::symbolicSkipped, std::move(message), {}, {}, 0, 0};
+}
+
+/// Fills the symbolic parts of a solution.
+class SymbolicPass {
+ public:
+  SymbolicPass(const Mechanism& mechanism, const LiveKinematics& live, SolvedKinematics& result,
+               const std::stop_token& stop)
+      : m_mechanism(mechanism), m_live(live), m_result(result), m_stop(stop) {}
+
+  /// False where `stop` was requested.
+  bool run() {
+    const ExactSolution& exact = *m_result.exact;
+    const std::size_t entries = exact.inputs.size() * exact.outputs.size();
+    if (entries > SolvedKinematics::kMostSymbolicEntries) {
+      m_result.diagnostics.push_back(skipped("The symbolic solution has " + std::to_string(entries) +
+                                             " entries, which nobody reads; it was left out."));
+      return true;
+    }
+    return byMatroid() && byTtGraph();
+  }
+
+ private:
+  bool byMatroid() {
+    const CoefficientMatrix coefficients(m_mechanism, *m_live.model, m_live.placement);
+    m_result.symbolic = solveSymbolic(m_mechanism, *m_live.model, coefficients,
+                                      m_live.matroid->independentMeshes, m_result.exact->inputs, m_stop);
+    if (m_stop.stop_requested()) return false;
+    if (!m_result.symbolic) {
+      m_result.diagnostics.push_back(skipped(
+          "The equations of this mechanism are so coupled that the symbolic solution would fill pages; it "
+          "was left out."));
+    } else if (m_result.symbolic->skipped > 0) {
+      m_result.diagnostics.push_back(skipped(
+          std::to_string(m_result.symbolic->skipped) +
+          " entries of the symbolic solution are left as a chain of substitutions: expanded, one has over " +
+          std::to_string(kExpansionBudget) + " terms, or all together over " +
+          std::to_string(kSolutionBudget) + " factors."));
+    }
+    return true;
+  }
+
+  bool byTtGraph() {
+    if (!m_result.symbolic) return true;
+    const TtGraph& graph = *m_live.ttGraph;
+    m_result.ttSymbolic =
+        ttSymbolicSolution(ttRatioRing(graph, RatioNaming::matroid), graph, m_result.ttPlan, m_stop);
+    const RatioRingPtr names = ttRatioRing(graph, RatioNaming::ttGraph);
+    if (const auto inOwnNames = ttSymbolicSolution(names, graph, m_result.ttPlan, m_stop)) {
+      m_result.ttSteps = substitutionSteps(names, graph, m_result.ttPlan, *inOwnNames, m_stop);
+    }
+    return !m_stop.stop_requested();
+  }
+
+  const Mechanism& m_mechanism;
+  const LiveKinematics& m_live;
+  SolvedKinematics& m_result;
+  const std::stop_token& m_stop;
+};
+
+}  // namespace
+
+LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& graph,
+                                 const SpanningTreePtr& tree, const std::stop_token& stop) {
+  auto live = std::make_shared<LiveKinematics>();
+  live->placement = placementOf(mechanism, JointTree(graph, tree));
+  if (stop.stop_requested()) return nullptr;
+  live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, ReferenceLines(live->placement));
+  if (stop.stop_requested()) return nullptr;
+  live->model = KinematicModel::of(graph, tree, live->placement);
+  if (live->model) {
+    live->matroid = analyzeMatroid(mechanism, *live->model, live->placement, stop);
+    if (!live->matroid) return nullptr;
+  }
+  return live;
+}
+
+SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinematics& live,
+                                     const SolveOptions& options, const std::stop_token& stop) {
+  GEARGRAPH_REQUIRE(live.matroid && live.matroid->solution);
+  auto solved = std::make_shared<SolvedKinematics>();
+  const std::vector<int>& inputs = live.matroid->choice.joints;
+  const std::vector<Rational>& speeds = live.matroid->speeds;
+  solved->exact = solveExact(*live.model, inputs, speeds, stop);
+  if (!solved->exact) return nullptr;
+
+  if (live.ttGraph->isComplete()) {
+    solved->ttPlan = substitutionPlan(*live.ttGraph, inputs);
+    if (solved->exact->matrix.empty()) {  // too large to hold: the rates are compared instead
+      solved->agreement = agreementWith(*live.ttGraph, *solved->exact, speeds, stop);
+    } else if ((solved->ttExact = ttSolution(*live.ttGraph, solved->ttPlan, stop))) {
+      solved->agreement = agreementOf(*solved->exact, *solved->ttExact);
+    }
+    if (stop.stop_requested()) return nullptr;
+  }
+  if (options.symbolic && live.ttGraph->isComplete() && !SymbolicPass(mechanism, live, *solved, stop).run()) {
+    return nullptr;
+  }
+  return solved;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/theory/analysis/agreement.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/matroid_analysis.h"
+#include "core/theory/matroid/symbolic_solution.h"
+#include "core/mechanism/placement/placement.h"
+#include "core/theory/ttgraph/substitution_steps.h"
+#include "core/theory/ttgraph/tt_graph.h"
+#include "core/theory/ttgraph/tt_solution.h"
+
+namespace geargraph {
+
+/// What both methods say at once, while somebody draws.
+struct LiveKinematics {
+  Placement placement;
+  std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
+  std::optional<KinematicModel> model;     ///< none where a mesh has no geometry
+  std::optional<MatroidAnalysis> matroid;  ///< with the model
+};
+
+using LiveKinematicsPtr = std::shared_ptr<const LiveKinematics>;
+
+/// Null when `stop` was requested. Cost: near linear in n + t + c.
+/// @pre graph and tree are the mechanism's
+[[nodiscard]] LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& graph,
+                                               const SpanningTreePtr& tree, const std::stop_token& stop = {});
+
+struct SolveOptions {
+  bool symbolic = true;
+};
+
+/// The exact and symbolic solutions by both methods, and their agreement, for the inputs of the live
+/// solution.
+struct SolvedKinematics {
+  /// Larger solutions than this (outputs x inputs) get no symbols, and say so.
+  static constexpr std::size_t kMostSymbolicEntries = 20'000;
+
+  std::optional<ExactSolution> exact;
+  std::optional<SymbolicSolution> symbolic;  ///< none where switched off or over its budget
+  SubstitutionPlan ttPlan;
+  std::optional<RateMatrix<Rational>> ttExact;  ///< none above ExactSolution::kMostExactEntries
+  std::optional<RateMatrix<std::optional<RationalFunction>>>
+      ttSymbolic;  ///< in the names i_k; with `symbolic`
+  /// The chain (39)-(42) in the T-T graph's own names; with ttSymbolic.
+  std::optional<std::vector<SubstitutionStep>> ttSteps;
+  std::optional<Agreement> agreement;
+  Diagnostics diagnostics;  ///< symbolic-skipped
+};
+
+using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;
+
+/// Null when `stop` was requested.
+/// @pre the live analysis of the same mechanism has a solution
+[[nodiscard]] SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinematics& live,
+                                                   const SolveOptions& options = {},
+                                                   const std::stop_token& stop = {});
+
+}  // namespace geargraph

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/base/rational.h"
+#include "core/foundations/exact/prime_field.h"
+
+namespace geargraph {
+
+/// How many bases the linear matroid of [I; A] has, I the unit rows of `rank` elements, A these sparse rows.
+/// Exact. `unitOrder`, `rowOrder`: places of the elements in one common order, in which neighbours are close.
+/// Nothing where `stop` was requested or the work went over the budget.
+///
+/// 1. Rows of A that are proportional, or that have one non-zero, are parallel elements: their weights add.
+///    Columns likewise are series elements: weights w1 w2 / (w1 + w2), and the count is (w1 + w2) times the
+///    rest's.
+/// 2. What falls apart is counted by parts.
+/// 3. The rest is swept element by element (base_sweep.h).
+[[nodiscard]] std::optional<Rational> countBases(
+    const PrimeField& field, const std::vector<int>& unitOrder,
+    const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows,
+    const std::vector<int>& rowOrder, const std::stop_token& stop);
+
+}  // namespace geargraph

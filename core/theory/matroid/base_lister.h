@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/exact/prime_field.h"
+
+namespace geargraph {
+
+/// The bases of the linear matroid of these sparse rows of length `rank`, in lexicographic order, `limit` at
+/// most.
+/// @pre the rows have that rank Nothing where `stop` was requested or the work went over the budget of some
+/// 100 million steps.
+/// Cost: a dense elimination for each step into the tree of choices; no step is in vain.
+[[nodiscard]] std::optional<std::vector<std::vector<int>>> listBases(
+    const PrimeField& field, int rank,
+    const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows, std::size_t limit,
+    const std::stop_token& stop);
+
+}  // namespace geargraph

@@ -1,0 +1,101 @@
+#include "core/theory/matroid/dependencies.h"
+
+#include <map>
+
+#include "core/foundations/exact/sparse_expansion.h"
+
+namespace geargraph {
+namespace {
+
+/// The mesh rows transposed: an equation per phi, an unknown multiplier per mesh.
+SparseRows<Fused> multiplierRows(const KinematicModel& model, const FusedField& field) {
+  const SparseRows<Fused> rows = meshRows(model, field);
+  std::vector<std::vector<std::pair<int, Fused>>> columns(static_cast<std::size_t>(model.n()));
+  for (int mesh = 0; mesh < rows.rows(); ++mesh) {
+    for (int entry = rows.begin(mesh); entry < rows.end(mesh); ++entry) {
+      columns[rows.column(entry)].emplace_back(mesh, rows.value(entry));
+    }
+  }
+  SparseRows<Fused> transposed;
+  for (const auto& column : columns) {
+    for (const auto& [mesh, value] : column) transposed.add(mesh, value);
+    transposed.endRow();
+  }
+  return transposed;
+}
+
+/// Multipliers that are not 0, by mesh.
+using Vector = std::map<int, Fused>;
+
+void subtractMultiple(const FusedField& field, Vector& from, const Vector& what, int pivot) {
+  const Fused factor = field.quotient(from.at(pivot), what.at(pivot));
+  for (const auto& [mesh, value] : what) {
+    Fused& target = from[mesh];
+    field.subtractProduct(target, factor, value);
+    if (field.isZero(target)) from.erase(mesh);
+  }
+}
+
+/// Vectors of multipliers in echelon form, each led by its latest mesh and free of the others' leaders.
+class Echelon {
+ public:
+  explicit Echelon(const FusedField& field) : m_field(field) {}
+
+  void add(Vector vector) {
+    while (!vector.empty()) {
+      const int leader = vector.rbegin()->first;
+      const auto known = m_byLeader.find(leader);
+      if (known == m_byLeader.end()) {
+        m_byLeader.emplace(leader, std::move(vector));
+        return;
+      }
+      subtractMultiple(m_field, vector, known->second, leader);
+    }
+  }
+
+  /// From the earliest leader up, so that every vector is reduced by finished ones.
+  std::map<int, Vector> reduced() && {
+    for (auto& [leader, vector] : m_byLeader) {
+      std::vector<int> others;
+      for (const auto& [mesh, value] : vector) {
+        if (mesh != leader && m_byLeader.contains(mesh)) others.push_back(mesh);
+      }
+      for (const int other : others) {
+        if (vector.contains(other)) subtractMultiple(m_field, vector, m_byLeader.at(other), other);
+      }
+    }
+    return std::move(m_byLeader);
+  }
+
+ private:
+  const FusedField& m_field;
+  std::map<int, Vector> m_byLeader;
+};
+
+}  // namespace
+
+std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model, const FusedField& field,
+                                                      const std::stop_token& stop) {
+  const auto system = eliminate(field, multiplierRows(model, field), model.c(), model.c(), stop);
+  if (!system) return std::nullopt;
+  constexpr std::size_t kMostEntries = 20'000'000;
+  const auto multipliers = expandSparse(field, *system, kMostEntries, stop);
+  if (!multipliers) return std::nullopt;
+  std::map<int, Vector> vectors;  // by free multiplier
+  for (int mesh = 0; mesh < model.c(); ++mesh) {
+    for (const auto& [column, value] : (*multipliers)[mesh]) vectors[column].emplace(mesh, value);
+  }
+  Echelon echelon(field);
+  for (auto& [column, vector] : vectors) echelon.add(std::move(vector));
+  std::vector<Redundancy> result;
+  for (const auto& [leader, vector] : std::move(echelon).reduced()) {
+    Redundancy redundancy{leader, {}};
+    for (const auto& [mesh, value] : vector) {
+      if (mesh != leader) redundancy.dependsOn.push_back(mesh);
+    }
+    result.push_back(std::move(redundancy));
+  }
+  return result;
+}
+
+}  // namespace geargraph

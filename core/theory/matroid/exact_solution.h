@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/theory/matroid/live_solution.h"
+
+namespace geargraph {
+
+/// A mechanism solved for its inputs in fractions [AU, Eqs. (22), (23)].
+struct ExactSolution {
+  std::vector<int> inputs;   ///< joints, in column order
+  std::vector<int> outputs;  ///< the other joints, by label
+  std::vector<Rational>
+      matrix;  ///< theta_outputs = matrix * theta_inputs, row by row; empty above kMostExactEntries
+  std::vector<Rational> rates;  ///< by joint, for the given speeds
+
+  static constexpr std::size_t kMostExactEntries = 250'000;
+};
+
+/// Nothing where `stop` was requested.
+/// @pre the inputs are valid (chooseInputs(), solveLive()); a speed for each
+/// Cost: near linear in n + c, times E, times the digits that come up.
+[[nodiscard]] std::optional<ExactSolution> solveExact(const KinematicModel& model,
+                                                      std::span<const int> inputs,
+                                                      std::span<const Rational> speeds,
+                                                      const std::stop_token& stop = {});
+
+}  // namespace geargraph

@@ -1,0 +1,216 @@
+#include "core/theory/matroid/findings.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/wording.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/symbolic_solution.h"
+
+namespace geargraph {
+namespace {
+
+constexpr std::size_t kMostNames = 12;
+
+/// Speaks of elements by their labels and collects them as culprits.
+class Speaker {
+ public:
+  Speaker(const Mechanism& mechanism, Code code) : m_mechanism(mechanism) { m_finding.code = code; }
+
+  std::string meshes(std::span<const int> positions) {
+    return names(
+        positions, [&](int m) { m_finding.elements.emplace_back(m_mechanism.gearMeshes[m].id); },
+        [&](int m) { return m_mechanism.meshLabel(m); });
+  }
+  std::string joints(std::span<const int> positions) {
+    return names(
+        positions, [&](int j) { m_finding.elements.emplace_back(m_mechanism.turningJoints[j].id); },
+        [&](int j) { return m_mechanism.jointLabel(j); });
+  }
+  std::string links(std::span<const int> positions) {
+    return names(
+        positions, [&](int l) { m_finding.elements.emplace_back(m_mechanism.links[l].id); },
+        [&](int l) { return l; });
+  }
+  Diagnostic say(std::string message) {
+    m_finding.message = std::move(message);
+    return std::move(m_finding);
+  }
+
+ private:
+  template <class Collect, class Label>
+  std::string names(std::span<const int> positions, const Collect& collect, const Label& label) {
+    std::vector<std::string> texts;
+    for (const int position : positions) {
+      collect(position);
+      texts.push_back(std::to_string(label(position)));
+    }
+    return listed(texts, kMostNames);
+  }
+
+  const Mechanism& m_mechanism;
+  Diagnostic m_finding;
+};
+
+std::string plural(std::size_t count, const char* one, const char* many) {
+  return count == 1 ? one : many;
+}
+
+std::vector<int> marked(const std::vector<char>& marks) {
+  std::vector<int> places;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i] != 0) places.push_back(static_cast<int>(i));
+  }
+  return places;
+}
+
+Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundancy) {
+  Speaker speaker(mechanism, Code::redundantMesh);
+  const std::vector<int> mesh{redundancy.mesh};
+  const std::string name = speaker.meshes(mesh);
+  const std::string others = speaker.meshes(redundancy.dependsOn);
+  return speaker.say("Mesh " + name + " follows from " +
+                     plural(redundancy.dependsOn.size(), "mesh ", "meshes ") + others +
+                     ": it constrains nothing more. Harmless for the motion; the load is shared.");
+}
+
+std::string loopText(Speaker& speaker, const std::vector<LockedLoop>& loops) {
+  std::string text;
+  for (std::size_t i = 0; i < loops.size() && i < 3; ++i) {
+    text += (i == 0 ? "" : "; ") + speaker.meshes(loops[i].meshes);
+  }
+  return text;
+}
+
+Diagnostic locked(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
+  Speaker speaker(mechanism, Code::locked);
+  return speaker.say(
+      "Nothing can move: the loop of " +
+      plural(analysis.lockedLoops.front().meshes.size(), "mesh ", "meshes ") +
+      loopText(speaker, analysis.lockedLoops) +
+      " locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.");
+}
+
+Diagnostic deadJoints(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
+  Speaker speaker(mechanism, Code::deadJoint);
+  const std::vector<int> joints = marked(analysis.dead);
+  std::string message = plural(joints.size(), "Joint ", "Joints ") + speaker.joints(joints) +
+                        " can never turn, locked by " +
+                        plural(analysis.lockedLoops.front().meshes.size(), "mesh ", "meshes ") +
+                        loopText(speaker, analysis.lockedLoops) + ".";
+  for (std::size_t i = 0; i < analysis.rigidBlocks.size() && i < 3; ++i) {
+    message += " Links " + speaker.links(analysis.rigidBlocks[i]) + " form a rigid block.";
+  }
+  return speaker.say(std::move(message));
+}
+
+Diagnostic idle(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
+  Speaker speaker(mechanism, Code::idleJoint);
+  const std::vector<int> joints = marked(analysis.idle);
+  const std::string names = speaker.joints(joints);
+  return speaker.say("No mesh constrains " + plural(joints.size(), "joint ", "joints ") + names + ": " +
+                     plural(joints.size(), "it has", "they have") + " to be driven.");
+}
+
+/// What the joint's rate comes to over the inputs of the choice, with short factors in front of the q.
+std::string relationText(const Mechanism& mechanism, int joint, const std::vector<int>& inputs,
+                         const std::vector<std::string>& factors) {
+  const auto name = [&](int of) { return "q" + std::to_string(mechanism.jointLabel(of)); };
+  std::string sum;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    std::string factor = factors[i];
+    if (factor == "0") continue;
+    const bool isSum = factor.find(' ') != std::string::npos && factor.find('/') == std::string::npos;
+    const bool negative = !isSum && factor[0] == '-';
+    if (negative) factor.erase(0, 1);
+    if (isSum) factor = "(" + factor + ")";
+    sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+    sum += (factor == "1" ? "" : factor + " ") + name(inputs[i]);
+  }
+  return name(joint) + " = " + (sum.empty() ? "0" : sum);
+}
+
+Diagnostic invalidInputs(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+                         const MatroidAnalysis& analysis, std::span<const int> wanted,
+                         const std::stop_token& stop) {
+  constexpr std::size_t kMostRelations = 4;
+  Speaker speaker(mechanism, Code::invalidInputs);
+  const InputChoice& choice = analysis.choice;
+  std::string message = "The mechanism has " + std::to_string(analysis.dof) + " " +
+                        plural(static_cast<std::size_t>(analysis.dof), "degree", "degrees") +
+                        " of freedom, and " + std::to_string(wanted.size()) +
+                        plural(wanted.size(), " input is", " inputs are") + " chosen.";
+  for (std::size_t i = 0; i < choice.rejected.size() && i < kMostRelations; ++i) {
+    const std::vector<int> joint{choice.rejected[i]};
+    const std::string name = speaker.joints(joint);
+    const auto twice = std::count(wanted.begin(), wanted.end(), joint[0]) > 1;
+    message += twice ? " Joint " + name + " is chosen twice."
+                     : " Joint " + name + " is no free choice: " +
+                           forcedRelation(mechanism, model, placement, analysis, joint[0], stop) + ".";
+  }
+  if (!choice.added.empty()) {
+    message += " Still free: choose " + speaker.joints(choice.added) + " too.";
+  }
+  const std::string valid = speaker.joints(choice.joints);
+  message +=
+      choice.joints.empty() ? " The only valid set is the empty one." : " A valid set is " + valid + ".";
+  return speaker.say(std::move(message));
+}
+
+}  // namespace
+
+std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
+                           const Placement& placement, const MatroidAnalysis& analysis, int joint,
+                           const std::stop_token& stop) {
+  constexpr int kMostSymbolicJoints = 200;
+  constexpr int kShort = 12;
+  const std::vector<int>& inputs = analysis.choice.joints;
+  if (analysis.dead[joint] != 0) return relationText(mechanism, joint, {}, {});
+  const std::vector<int> outputs = outputsOf(model, inputs);
+  const auto row =
+      static_cast<std::size_t>(std::find(outputs.begin(), outputs.end(), joint) - outputs.begin());
+  const std::size_t columns = inputs.size();
+  std::vector<std::string> factors;
+  if (model.t() <= kMostSymbolicJoints) {
+    const CoefficientMatrix matrix(mechanism, model, placement);
+    const auto symbolic =
+        solveSymbolic(mechanism, model, matrix, analysis.independentMeshes, inputs, stop, {kShort});
+    for (std::size_t i = 0; symbolic && i < columns; ++i) {
+      const auto& entry = symbolic->matrix[row * columns + i];
+      if (entry) factors.push_back(entry->toText());
+    }
+  }
+  if (factors.size() != columns) {
+    const auto exact = solveExact(model, inputs, analysis.speeds, stop);
+    if (!exact || exact->matrix.empty()) return relationText(mechanism, joint, {joint}, {"..."});
+    factors.clear();
+    for (std::size_t i = 0; i < columns; ++i) factors.push_back(exact->matrix[row * columns + i].toString());
+  }
+  return relationText(mechanism, joint, inputs, factors);
+}
+
+Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+                       const MatroidAnalysis& analysis, std::span<const int> wanted,
+                       const std::stop_token& stop) {
+  Diagnostics findings;
+  for (const Redundancy& redundancy : analysis.redundancies)
+    findings.push_back(redundantMesh(mechanism, redundancy));
+  if (analysis.dof == 0 && model.t() > 0) {
+    findings.push_back(locked(mechanism, analysis));
+  } else if (!analysis.lockedLoops.empty()) {
+    findings.push_back(deadJoints(mechanism, analysis));
+  }
+  if (model.c() == 0 && model.t() > 0) {
+    Diagnostic none;
+    none.code = Code::noMeshes;
+    none.message = "There are no gear meshes yet: every joint is free.";
+    findings.push_back(std::move(none));
+  } else if (std::find(analysis.idle.begin(), analysis.idle.end(), 1) != analysis.idle.end()) {
+    findings.push_back(idle(mechanism, analysis));
+  }
+  if (analysis.inputsGiven && !analysis.choice.wantedIsValid()) {
+    findings.push_back(invalidInputs(mechanism, model, placement, analysis, wanted, stop));
+  }
+  return findings;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <stop_token>
+
+#include "core/theory/matroid/matroid_analysis.h"
+
+namespace geargraph {
+
+/// The findings about what the numbers mean: redundant-mesh, locked, dead-joint, idle-joint, no-meshes and
+/// invalid-inputs. `wanted`: the document's inputs.
+[[nodiscard]] Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model,
+                                     const Placement& placement, const MatroidAnalysis& analysis,
+                                     std::span<const int> wanted, const std::stop_token& stop);
+
+/// The forced relation behind a rejected input, over the inputs of the choice: "q10 = -i15 q8"; "q5 = 0"
+/// where the joint stands still. In symbols where they are short enough, else in numbers.
+[[nodiscard]] std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& model,
+                                         const Placement& placement, const MatroidAnalysis& analysis,
+                                         int joint, const std::stop_token& stop);
+
+}  // namespace geargraph

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/theory/matroid/structure.h"
+
+namespace geargraph {
+
+/// A valid set of inputs near what somebody wanted: E joints whose rates determine all others, a basis of the
+/// dual matroid of P.
+struct InputChoice {
+  std::vector<int> joints;    ///< the set: wanted ones in their order, then added ones by label
+  std::vector<int> rejected;  ///< wanted ones that follow from the wanted ones before them, or stand still
+  std::vector<int> added;     ///< what completes the set
+  [[nodiscard]] bool wantedIsValid() const { return rejected.empty() && added.empty(); }
+};
+
+/// Takes the wanted joints one by one where they are independent of those before, then fills up in the order
+/// of labels. Nothing where `stop` was requested. Cost: O(t E) sparse steps; joints that no mesh constrains
+/// cost nothing.
+[[nodiscard]] std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
+                                                      const Structure& structure, std::span<const int> wanted,
+                                                      const std::stop_token& stop = {});
+
+}  // namespace geargraph

@@ -1,0 +1,91 @@
+#include "core/theory/matroid/input_roles.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/foundations/base/contract.h"
+#include "core/theory/matroid/input_choice.h"
+
+namespace geargraph {
+namespace {
+
+std::size_t placeOf(const std::vector<int>& joints, int joint) {
+  const auto found = std::find(joints.begin(), joints.end(), joint);
+  GEARGRAPH_REQUIRE(found != joints.end());
+  return static_cast<std::size_t>(found - joints.begin());
+}
+
+}  // namespace
+
+std::vector<int> commandedBy(const LiveSolution& solution, int input) {
+  const std::size_t columns = solution.inputs.size();
+  const std::size_t column = placeOf(solution.inputs, input);
+  std::vector<int> commanded;
+  for (std::size_t row = 0; row < solution.outputs.size(); ++row) {
+    if (solution.matrix[row * columns + column] != 0) commanded.push_back(solution.outputs[row]);
+  }
+  return commanded;
+}
+
+std::vector<int> commandersOf(const LiveSolution& solution, int output) {
+  const std::size_t columns = solution.inputs.size();
+  const std::size_t row = placeOf(solution.outputs, output);
+  std::vector<int> commanders;
+  for (std::size_t column = 0; column < columns; ++column) {
+    if (solution.matrix[row * columns + column] != 0) commanders.push_back(solution.inputs[column]);
+  }
+  return commanders;
+}
+
+std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution) {
+  const std::size_t columns = solution.inputs.size();
+  std::map<std::vector<std::string>, std::vector<int>> groups;  // by row over its first entry that is not 0
+  const auto add = [&](int joint, const std::vector<Rational>& row) {
+    const auto leading = std::find_if(row.begin(), row.end(), [](const Rational& r) { return !r.isZero(); });
+    if (leading == row.end()) return;
+    std::vector<std::string> key;
+    for (const Rational& entry : row) key.push_back((entry / *leading).toString());
+    groups[std::move(key)].push_back(joint);
+  };
+  for (std::size_t i = 0; i < columns; ++i) {
+    std::vector<Rational> row(columns);
+    row[i] = 1;
+    add(solution.inputs[i], row);
+  }
+  for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
+    const auto begin = solution.matrix.begin() + static_cast<std::ptrdiff_t>(i * columns);
+    add(solution.outputs[i], std::vector<Rational>(begin, begin + static_cast<std::ptrdiff_t>(columns)));
+  }
+  std::vector<std::vector<int>> tied;
+  for (auto& [key, joints] : groups) {
+    if (joints.size() < 2) continue;
+    std::sort(joints.begin(), joints.end());
+    tied.push_back(std::move(joints));
+  }
+  std::sort(tied.begin(), tied.end());
+  return tied;
+}
+
+std::optional<std::vector<int>> inputsWith(const KinematicModel& model, std::span<const int> wanted,
+                                           std::span<const int> present) {
+  const FusedField field;
+  const auto structure = structureOf(model, field);
+  if (!structure) return std::nullopt;
+  std::vector<int> joints(wanted.begin(), wanted.end());
+  for (const int joint : present) {
+    if (std::find(joints.begin(), joints.end(), joint) == joints.end()) joints.push_back(joint);
+  }
+  const auto choice = chooseInputs(model, field, *structure, joints);
+  if (!choice || choice->joints.size() < wanted.size()) return std::nullopt;
+  if (!std::equal(wanted.begin(), wanted.end(), choice->joints.begin())) return std::nullopt;
+  return choice->joints;
+}
+
+std::vector<int> chainTo(const SpanningTree& tree, int link) {
+  std::vector<int> chain;
+  for (int node = link; node != 0; node = tree.parent(node)) chain.push_back(tree.jointToParent(node));
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/live_solution.h"
+
+namespace geargraph {
+
+/// The outputs whose rates depend on the input, by label: K(y, x) is not 0. They are also those that may be
+/// driven in its place, the others staying. Zeros of the live solution are exact.
+/// @pre the solution has its matrix; `input` is one of its inputs
+[[nodiscard]] std::vector<int> commandedBy(const LiveSolution& solution, int input);
+
+/// The inputs that an output depends on, in column order: those whose place it may take.
+/// @pre as above; `output` is one of its outputs
+[[nodiscard]] std::vector<int> commandersOf(const LiveSolution& solution, int output);
+
+/// Joints that turn together in every motion, at a fixed ratio: rows of K that are proportional, inputs among
+/// them, in groups of two at least, by label. Joints that never turn are in none. Exact.
+/// @pre the solution has its matrix
+[[nodiscard]] std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution);
+
+/// A valid set of inputs with all of `wanted` in it, in that order, filled up with present ones: what turns
+/// given motions of an end-effector's joints into motors to be read. Nothing where the wanted joints are not
+/// independent.
+[[nodiscard]] std::optional<std::vector<int>> inputsWith(const KinematicModel& model,
+                                                         std::span<const int> wanted,
+                                                         std::span<const int> present);
+
+/// The joints from the ground to a link, the first at the ground.
+[[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, int link);
+
+}  // namespace geargraph

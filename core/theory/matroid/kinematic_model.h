@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/foundations/exact/sparse_rows.h"
+#include "core/mechanism/graph/matrices.h"
+#include "core/mechanism/placement/placement.h"
+
+namespace geargraph {
+
+/// The mechanism as whole numbers, in axis-group coordinates: phi_v is the speed of link v about its class's
+/// line, relative to the class's top. Every mesh is then a row of three links at most, whatever its cycle's
+/// length:
+///     N_tail (phi_i - phi_k) - s N_head (phi_j - phi_k) = 0,  terms of a class's top drop out,
+/// and a joint's rate is a difference of two phi. Same solutions as the paper's P, better conditioned,
+/// shorter.
+///
+/// Links and joints are ordinals of the digraph; unknown v - 1 is phi_v.
+class KinematicModel {
+ public:
+  /// The links of a mesh row, 0 where the term drops out: the tail's gear bears N_tail, the carrier -N_tail
+  /// on the tail's axis, the head's gear -s N_head, the carrier s N_head on the head's axis.
+  struct MeshRow {
+    std::array<int, 4> links{};
+    int tailTeeth = 1;
+    int headTeeth = 1;
+    int sign = 1;  ///< s
+  };
+  /// theta = sign * (phi_child - phi_parent); parent 0: it is the class's top and drops out.
+  struct JointRate {
+    int child = 0;
+    int parent = 0;
+    int sign = 1;
+  };
+
+  /// Nothing where the joints are no spanning tree or a mesh has no geometry.
+  /// @pre graph, tree and placement are of one mechanism
+  /// Cost: O(n + c).
+  [[nodiscard]] static std::optional<KinematicModel> of(DigraphPtr graph, SpanningTreePtr tree,
+                                                        const Placement& placement);
+
+  [[nodiscard]] const Digraph& graph() const { return *m_graph; }
+  [[nodiscard]] const SpanningTree& tree() const { return *m_tree; }
+  [[nodiscard]] int n() const { return m_graph->n(); }
+  [[nodiscard]] int t() const { return m_graph->t(); }
+  [[nodiscard]] int c() const { return m_graph->c(); }
+  [[nodiscard]] const MeshRow& meshRow(int mesh) const { return m_rows[static_cast<std::size_t>(mesh)]; }
+  [[nodiscard]] const JointRate& jointRate(int joint) const {
+    return m_rates[static_cast<std::size_t>(joint)];
+  }
+
+  /// The mesh's row over the phi, added to `rows` (the row is not ended): its entries are +-tail and +-head,
+  /// the field's numbers for N_tail and N_head.
+  template <class Field>
+  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field,
+                  const typename Field::Value& tail, const typename Field::Value& head) const {
+    const MeshRow& row = meshRow(mesh);
+    const auto add = [&](int link, const typename Field::Value& weight, bool positive) {
+      if (link != 0) rows.add(link - 1, positive ? weight : field.negated(weight));
+    };
+    add(row.links[0], tail, true);
+    add(row.links[1], tail, false);
+    add(row.links[2], head, row.sign < 0);
+    add(row.links[3], head, row.sign > 0);
+  }
+  /// The same with the teeth themselves.
+  template <class Field>
+  void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field) const {
+    const MeshRow& row = meshRow(mesh);
+    addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
+  }
+  /// The joint's rate over the phi, added likewise.
+  template <class Field>
+  void addRateRow(SparseRows<typename Field::Value>& rows, int joint, const Field& field) const {
+    const JointRate& rate = jointRate(joint);
+    rows.add(rate.child - 1, field.fromInteger(rate.sign));
+    if (rate.parent != 0) rows.add(rate.parent - 1, field.fromInteger(-rate.sign));
+  }
+
+  /// The joint's rate, from the phi of all links, `width` solutions side by side as in substitute().
+  /// @pre phi has a place for every unknown
+  template <class Field>
+  [[nodiscard]] typename Field::Value rateOf(const Field& field, int joint,
+                                             std::span<const typename Field::Value> phi,
+                                             std::size_t width = 1, std::size_t place = 0) const {
+    const JointRate& rate = jointRate(joint);
+    const auto at = [&](int link) -> const auto& {
+      return phi[(static_cast<std::size_t>(link) - 1) * width + place];
+    };
+    auto value = at(rate.child);
+    if (rate.parent != 0) field.subtract(value, at(rate.parent));
+    return rate.sign > 0 ? value : field.negated(value);
+  }
+
+ private:
+  KinematicModel() = default;
+
+  DigraphPtr m_graph;
+  SpanningTreePtr m_tree;
+  std::vector<MeshRow> m_rows;
+  std::vector<JointRate> m_rates;
+};
+
+}  // namespace geargraph

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory_resource>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/theory/matroid/structure.h"
+
+namespace geargraph {
+
+/// Some mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
+/// of it solves the mechanism, and tells whether the inputs are valid.
+template <class Field>
+[[nodiscard]] SparseRows<typename Field::Value> inputRows(
+    const KinematicModel& model, const Field& field, std::span<const int> meshes, std::span<const int> inputs,
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
+  SparseRows<typename Field::Value> rows(memory);
+  rows.reserve(meshes.size() + inputs.size(), 4 * meshes.size() + 3 * inputs.size());
+  for (const int mesh : meshes) {
+    model.addMeshRow(rows, mesh, field);
+    rows.endRow();
+  }
+  const auto minus = field.fromInteger(-1);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    model.addRateRow(rows, inputs[i], field);
+    rows.add(model.n() + static_cast<int>(i), minus);
+    rows.endRow();
+  }
+  return rows;
+}
+
+/// A mechanism solved for its inputs [AU, Eqs. (22), (23)], in doubles whose zeros are exact.
+struct LiveSolution {
+  std::vector<int> inputs;    ///< joints, in column order
+  std::vector<int> outputs;   ///< the other joints, by label
+  std::vector<double> rates;  ///< by joint, for the given speeds
+  /// theta_outputs = matrix * theta_inputs, row by row: -P_r^-1 P_E. Empty above kMostLiveEntries.
+  std::vector<double> matrix;
+
+  int rank = 0;
+  std::vector<char> dead;  ///< by joint; a MatroidAnalysis takes it over
+  int redundant = 0;       ///< meshes that depend on others
+
+  static constexpr std::size_t kMostLiveEntries = 2'000'000;
+};
+
+/// Nothing where the inputs are not valid, or `stop` was requested.
+/// Cost: near linear in n + c, times E for the matrix.
+/// @pre a speed for each input
+[[nodiscard]] std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedField& field,
+                                                    std::span<const int> inputs,
+                                                    std::span<const Rational> speeds,
+                                                    const std::stop_token& stop = {});
+
+[[nodiscard]] std::vector<int> allMeshes(const KinematicModel& model);
+
+/// The joints that are not among the inputs, by label.
+[[nodiscard]] std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inputs);
+
+/// The absolute angular velocity vector of every link in the base frame, reference pose, rad/s.
+[[nodiscard]] std::vector<Vector3> linkVelocities(const KinematicModel& model, const Placement& placement,
+                                                  std::span<const double> rates);
+
+/// The relative angular velocity at each mesh, w_head - w_tail [AU, Eq. (15): -sum T u theta]. A vector: the
+/// axes of two gears need not be parallel.
+[[nodiscard]] std::vector<Vector3> meshVelocities(const KinematicModel& model,
+                                                  const std::vector<Vector3>& links);
+
+}  // namespace geargraph

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/foundations/exact/expansion.h"
+#include "core/theory/matroid/coefficient_matrix.h"
+
+namespace geargraph {
+
+/// One line of the solution as it is found: theta_joint = sum of coefficient * theta of joints known by then
+/// (inputs, or of lines before).
+struct SymbolicLine {
+  struct Term {
+    int joint = 0;
+    RationalFunction coefficient;
+  };
+  int joint = 0;
+  int mesh = -1;  ///< the mesh whose equation gives it; -1 where elimination combined several
+  std::vector<Term> terms;
+};
+
+/// A mechanism solved for its inputs in the gear ratios i_k = N_tail / N_head [AU, Eqs. (24), (25)].
+///
+/// Where ratios coincide so that a mesh is redundant for these teeth only, the equations of independent
+/// meshes are solved: true for these teeth and for all others that leave the mechanism its freedom.
+struct SymbolicSolution {
+  RatioRingPtr ring;         ///< variable m is the ratio of mesh m, "i15"
+  std::vector<int> inputs;   ///< joints, in column order
+  std::vector<int> outputs;  ///< the other joints, by label
+  std::vector<SymbolicLine> lines;
+  /// theta_outputs = matrix * theta_inputs, row by row; none where an entry went over the budget: the lines
+  /// say it.
+  std::vector<std::optional<RationalFunction>> matrix;
+  int skipped = 0;  ///< entries that went over the budget
+};
+
+/// The ring of the mechanism's ratios with their values.
+[[nodiscard]] RatioRingPtr ratioRingOf(const Mechanism& mechanism);
+
+/// Nothing where `stop` was requested, or the coupled core of the equations alone went over what anybody
+/// reads. `meshes`: independent ones, r of them. @pre the inputs are valid
+[[nodiscard]] std::optional<SymbolicSolution> solveSymbolic(
+    const Mechanism& mechanism, const KinematicModel& model, const CoefficientMatrix& matrix,
+    std::span<const int> meshes, std::span<const int> inputs, const std::stop_token& stop = {},
+    ExpansionBudget budget = {});
+
+}  // namespace geargraph

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "core/mechanism/graph/spanning_tree.h"
+
+namespace geargraph {
+
+/// The line that a turning joint turns about, in the reference pose, base frame. `direction` has length 1.
+struct TurningLine {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+};
+
+/// Where every link is, from the angles of the turning joints: T_child = T_parent Exp(u, p, theta), one pass
+/// down the spanning tree. Lines stay as they are in the reference pose, so no step is ever added to another.
+///
+/// A pose is the displacement from the reference pose: a point that was at x is at pose * x.
+class ForwardKinematics {
+ public:
+  /// `lines` by joint, in the order of the digraph.
+  ForwardKinematics(const SpanningTree& tree, std::vector<TurningLine> lines);
+
+  /// Poses by node for these joint angles (rad, by joint; positive turns the head about +direction relative
+  /// to the tail). Angles may be of any size; they are brought within one turn first. Identity: all angles 0
+  /// give the identity; each link moves against its parent as its joint's angle says. Cost: O(n).
+  /// @pre one angle a joint, one pose a link
+  void place(std::span<const double> jointAngles, std::span<Eigen::Isometry3d> poses) const;
+  [[nodiscard]] std::vector<Eigen::Isometry3d> poses(std::span<const double> jointAngles) const;
+
+  [[nodiscard]] int linkCount() const { return static_cast<int>(m_steps.size()) + 1; }
+  [[nodiscard]] int jointCount() const { return static_cast<int>(m_lines.size()); }
+  [[nodiscard]] const TurningLine& line(int joint) const { return m_lines[static_cast<std::size_t>(joint)]; }
+
+ private:
+  struct Step {
+    int node = 0;
+    int parent = 0;
+    int joint = 0;
+    double sense = 1;  ///< +1 where the joint's arrow leads away from the ground
+  };
+  std::vector<TurningLine> m_lines;
+  std::vector<Step> m_steps;  ///< every node behind its parent
+};
+
+}  // namespace geargraph

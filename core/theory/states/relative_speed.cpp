@@ -1,0 +1,68 @@
+#include "core/theory/states/relative_speed.h"
+
+#include <algorithm>
+
+#include "core/mechanism/placement/mesh_word.h"
+#include "core/mechanism/placement/tolerance.h"
+
+namespace geargraph {
+
+int directionSign(const Placement& placement, int oneClass, int otherClass) {
+  const Vector3& one = placement.lineOfClass(oneClass).direction;
+  const Vector3& other = placement.lineOfClass(otherClass).direction;
+  if (length(cross(one, other)) >= kSameLine) return 0;
+  return dot(one, other) < 0 ? -1 : 1;
+}
+
+std::vector<SpeedAbout> absoluteSpeed(const Placement& placement, std::span<const Rational> rates, int link) {
+  const JointTree& tree = *placement.tree;
+  std::vector<SpeedAbout> speeds;
+  while (link != 0) {
+    const auto joint = static_cast<std::size_t>(tree.joint[static_cast<std::size_t>(link)]);
+    const int parent = tree.parent[static_cast<std::size_t>(link)];
+    const int at = placement.classes->classOf[joint];
+    int sense = (tree.joints[joint].tail == parent ? 1 : -1) * placement.classes->sense[joint];
+    auto known = speeds.begin();
+    while (known != speeds.end() && directionSign(placement, known->axisClass, at) == 0) ++known;
+    if (known == speeds.end()) {
+      known = speeds.insert(known, SpeedAbout{at, 0});
+    } else {
+      sense *= directionSign(placement, known->axisClass, at);
+    }
+    known->speed += Rational(sense) * rates[joint];
+    link = parent;
+  }
+  std::erase_if(speeds, [](const SpeedAbout& about) { return about.speed.isZero(); });
+  return speeds;
+}
+
+RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int to) {
+  const AxisClasses& classes = *placement.classes;
+  ClassPath path;
+  path.walk(classes, from, to);
+  RelativeSpeed speed;
+  int last = -1;  // the part of the stretch before
+  int entry = from;
+  for (std::size_t i = 0; i < path.classes().size(); ++i) {
+    const int at = path.classes()[i];
+    const int exit = i + 1 < path.classes().size() ? path.change(i) : to;
+    int sign = 1;
+    auto part = std::find_if(speed.parts.begin(), speed.parts.end(), [&](const Part& known) {
+      return (sign = directionSign(placement, known.axisClass, at)) != 0;
+    });
+    if (part == speed.parts.end()) {
+      sign = 1;
+      part = speed.parts.insert(part, Part{at, {}});
+    }
+    const int top = classes.classes[static_cast<std::size_t>(at)].top;
+    if (exit != top) part->terms.push_back({exit, sign});
+    if (entry != top) part->terms.push_back({entry, -sign});
+    const int index = static_cast<int>(part - speed.parts.begin());
+    if (index != last) ++speed.stretches;
+    last = index;
+    entry = exit;
+  }
+  return speed;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/foundations/exact/sparse_rows.h"
+#include "core/theory/matroid/kinematic_model.h"
+#include "core/mechanism/placement/placement.h"
+
+namespace geargraph {
+
+/// The angular velocity of one link relative to another, as sums over the phi of the kinematic model
+/// (kinematic_model.h), one sum a direction: w = sum over the parts of (sum of factor * phi[link]) * u.
+///
+/// Directions count as one where they are parallel in the reference pose (placement's tolerance); along a
+/// stretch of parallel axes they stay so in every motion.
+struct RelativeSpeed {
+  struct Term {
+    int link = 0;
+    int factor = 1;  ///< +1 or -1
+  };
+  struct Part {
+    int axisClass = 0;  ///< u is the direction of its line
+    std::vector<Term> terms;
+  };
+  std::vector<Part> parts;
+  /// How often the direction changes along the path, plus one; 0 for a link against itself.
+  int stretches = 0;
+
+  /// Of `to` against `from`; from the ground (0) it is the absolute velocity.
+  /// Cost: O(axis classes on the path).
+  /// @pre the placement has a tree
+  [[nodiscard]] static RelativeSpeed between(const Placement& placement, int from, int to);
+
+  /// Do constant coefficients say when it is 0? On three stretches or fewer, every part has to vanish: two
+  /// directions are independent, and three links of a spherical chain that closes are a rigid triangle, even
+  /// where their axes lie in one plane for an instant. Four directions or more make a linkage that moves and
+  /// whose speeds depend on the pose.
+  [[nodiscard]] bool closesWithoutLinkage() const { return stretches <= 3; }
+};
+
+/// A part of an absolute angular velocity: so much about the line of a class.
+struct SpeedAbout {
+  int axisClass = 0;
+  Rational speed;
+};
+
+/// The absolute angular velocity of a link as sums about pairwise different directions, those that are 0 left
+/// out; nothing left: it stands still. Cost: O(joints to the ground).
+/// @pre the placement has a tree; a rate for every joint
+[[nodiscard]] std::vector<SpeedAbout> absoluteSpeed(const Placement& placement,
+                                                    std::span<const Rational> rates, int link);
+
+/// +1 where the lines of two classes point the same way, -1 where opposite ways, 0 where they are not
+/// parallel.
+[[nodiscard]] int directionSign(const Placement& placement, int oneClass, int otherClass);
+
+/// A part's sum, from the phi of all links.
+template <class Field>
+[[nodiscard]] typename Field::Value valueOf(const Field& field, const RelativeSpeed::Part& part,
+                                            const std::vector<typename Field::Value>& phi) {
+  typename Field::Value sum = field.fromInteger(0);
+  for (const RelativeSpeed::Term& term : part.terms) {
+    field.subtractProduct(sum, field.fromInteger(-term.factor), phi[static_cast<std::size_t>(term.link) - 1]);
+  }
+  return sum;
+}
+
+/// A part's sum as entries of a row over the phi; the row is not ended.
+template <class Field>
+void addPart(SparseRows<typename Field::Value>& rows, const RelativeSpeed::Part& part, const Field& field) {
+  for (const RelativeSpeed::Term& term : part.terms) rows.add(term.link - 1, field.fromInteger(term.factor));
+}
+
+}  // namespace geargraph

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph {
+
+/// state-locked: `locking` are the engaged couplings without any one of which the drive would turn; empty
+/// where no single one is to blame, or where the train itself is locked.
+[[nodiscard]] Diagnostic stateLocked(const Mechanism& mechanism, const ShiftState& state,
+                                     const std::vector<int>& locking, bool byTrain);
+
+/// state-free: these links still turn while the drive is held.
+[[nodiscard]] Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
+                                   const std::vector<int>& links);
+
+/// turning-loop: the coupling ties links over four directions or more.
+[[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state,
+                                         const Coupling& coupling);
+
+/// The ratio of the state is beyond the largest double.
+[[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);
+
+}  // namespace geargraph

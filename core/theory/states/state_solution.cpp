@@ -1,0 +1,236 @@
+#include "core/theory/states/state_solution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/foundations/base/position_index.h"
+#include "core/foundations/exact/expansion.h"
+#include "core/theory/matroid/symbolic_solution.h"
+#include "core/theory/states/state_findings.h"
+#include "core/theory/states/state_system.h"
+
+namespace geargraph {
+namespace {
+
+/// Solves the states of one mechanism, one after the other.
+class StateSolver {
+ public:
+  StateSolver(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+              RatioRingPtr ring, const std::stop_token& stop)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_ring(std::move(ring)),
+        m_stop(stop),
+        m_linkAt(mechanism.links),
+        m_couplingAt(mechanism.couplings) {}
+
+  /// Nothing where `stop` was requested.
+  std::optional<StateSolution> solve(int position) {
+    const ShiftState& state = m_mechanism.states[static_cast<std::size_t>(position)];
+    StateSolution result;
+    result.state = position;
+    for (const CouplingId id : state.engaged) result.engaged.push_back(m_couplingAt.at(id));
+    std::sort(result.engaged.begin(), result.engaged.end());
+    result.engaged.erase(std::unique(result.engaged.begin(), result.engaged.end()), result.engaged.end());
+
+    for (const int coupling : result.engaged) {
+      const Coupling& element = m_mechanism.couplings[static_cast<std::size_t>(coupling)];
+      if (!speedOver(element).closesWithoutLinkage())
+        result.diagnostics.push_back(couplingLinkage(m_mechanism, state, element));
+    }
+    if (!result.diagnostics.empty()) return result;
+
+    const StateSystem system = systemOf(state, result.engaged);
+    const auto solved = eliminated(system, m_model, m_stop);
+    if (!solved) return std::nullopt;
+    std::vector<Rational> phi;
+    result.driveTurns = driveIsFree(*solved, phi);
+    result.rank = solved->rank() - (result.driveTurns ? 1 : 0);
+    result.dof = m_model.n() - result.rank;
+    if (state.drive && !result.driveTurns) result.diagnostics.push_back(locked(state, result.engaged));
+    if (result.dof > 1)
+      result.diagnostics.push_back(stateFree(m_mechanism, state, result.dof, freeLinks(*solved)));
+    if (result.dof == 1 && result.driveTurns) fillSpeeds(state, system, *solved, phi, result);
+    if (m_stop.stop_requested()) return std::nullopt;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] RelativeSpeed speedOver(const Coupling& coupling) const {
+    const int last = m_linkAt.at(coupling.links.back());
+    const int first = coupling.kind == CouplingKind::brake ? 0 : m_linkAt.at(coupling.links.front());
+    return RelativeSpeed::between(m_placement, first, last);
+  }
+
+  [[nodiscard]] int ownClass(int link) const { return m_placement.classes->classOfLink(link); }
+  /// +1 where the axis of the link's own joint points as the line of the class does.
+  [[nodiscard]] int ownSense(int link) const {
+    return m_placement.classes
+        ->sense[static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(link)])];
+  }
+
+  [[nodiscard]] StateSystem systemOf(const ShiftState& state, const std::vector<int>& engaged) const {
+    StateSystem system;
+    for (const int coupling : engaged) {
+      RelativeSpeed speed = speedOver(m_mechanism.couplings[static_cast<std::size_t>(coupling)]);
+      for (RelativeSpeed::Part& part : speed.parts) system.held.push_back(std::move(part));
+    }
+    if (!state.drive) return system;
+    const int drive = m_linkAt.at(*state.drive);
+    system.drive = RelativeSpeed::Part{};  // the ground: no term, so that it cannot turn
+    for (RelativeSpeed::Part& part : RelativeSpeed::between(m_placement, 0, drive).parts) {
+      const int sign = directionSign(m_placement, part.axisClass, ownClass(drive)) * ownSense(drive);
+      if (sign == 0) continue;
+      for (RelativeSpeed::Term& term : part.terms) term.factor *= sign;
+      system.drive = std::move(part);
+    }
+    return system;
+  }
+
+  [[nodiscard]] bool driveTurnsWith(const ShiftState& state, const std::vector<int>& engaged) const {
+    const auto system = eliminated(systemOf(state, engaged), m_model, m_stop);
+    std::vector<Rational> phi;
+    return system && driveIsFree(*system, phi);
+  }
+
+  [[nodiscard]] Diagnostic locked(const ShiftState& state, const std::vector<int>& engaged) const {
+    if (!driveTurnsWith(state, {})) return stateLocked(m_mechanism, state, {}, true);
+    std::vector<int> locking;
+    for (const int coupling : engaged) {
+      std::vector<int> others = engaged;
+      std::erase(others, coupling);
+      if (driveTurnsWith(state, others)) locking.push_back(coupling);
+    }
+    return stateLocked(m_mechanism, state, locking, false);
+  }
+
+  /// Links that turn in a motion drawn at random while the drive stands.
+  [[nodiscard]] std::vector<int> freeLinks(const Elimination<Rational>& system) const {
+    const RationalField field;
+    const PrimeField prime;
+    ResidueStream random(prime, 0x66726565U);
+    std::vector<Rational> phi(static_cast<std::size_t>(system.columns), Rational(0));
+    for (const int column : system.freeColumns)
+      phi[static_cast<std::size_t>(column)] =
+          static_cast<std::int64_t>(prime.toNumber(random.next()) >> 30U) + 1;
+    substitute(field, system, phi);
+    std::vector<int> links;
+    for (int link = 1; link <= m_model.n(); ++link) {
+      const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, link);
+      const bool turns =
+          std::any_of(speed.parts.begin(), speed.parts.end(),
+                      [&](const RelativeSpeed::Part& p) { return !valueOf(field, p, phi).isZero(); });
+      if (turns) links.push_back(link);
+    }
+    return links;
+  }
+
+  void fillSpeeds(const ShiftState& state, const StateSystem& system, const Elimination<Rational>& solved,
+                  const std::vector<Rational>& phi, StateSolution& result) const {
+    const RationalField field;
+    for (int joint = 0; joint < m_model.t(); ++joint)
+      result.rates.push_back(m_model.rateOf(field, joint, phi));
+    if (!state.driven) return;
+    const int driven = m_linkAt.at(*state.driven);
+    const RelativeSpeed::Part* turning = nullptr;
+    int directions = 0;
+    const RelativeSpeed speed = RelativeSpeed::between(m_placement, 0, driven);
+    for (const RelativeSpeed::Part& part : speed.parts) {
+      if (valueOf(field, part, phi).isZero()) continue;
+      turning = &part;
+      ++directions;
+    }
+    result.drivenStands = directions == 0;
+    if (directions != 1) return;
+    const int sign = senseOfDriven(m_linkAt.at(*state.drive), driven, turning->axisClass);
+    result.ratio = (Rational(sign) * valueOf(field, *turning, phi)).inverse();
+    if (!std::isfinite(result.ratio->toDouble())) {
+      result.ratio.reset();
+      result.diagnostics.push_back(ratioBeyondRange(state));
+      return;
+    }
+    if (m_ring) result.symbolicRatio = symbolicRatio(system, solved, *turning, sign);
+  }
+
+  /// +1 where the class's line points as the drive's axis does; where that lies across, as driven's own axis.
+  [[nodiscard]] int senseOfDriven(int drive, int driven, int axisClass) const {
+    const int along = directionSign(m_placement, axisClass, ownClass(drive)) * ownSense(drive);
+    if (along != 0) return along;
+    const int own = directionSign(m_placement, axisClass, ownClass(driven)) * ownSense(driven);
+    return own == 0 ? 1 : own;
+  }
+
+  /// The equations of independent rows in the ratios i_k: true for these teeth, and for all others that leave
+  /// the state its freedom.
+  [[nodiscard]] std::optional<RationalFunction> symbolicRatio(const StateSystem& system,
+                                                              const Elimination<Rational>& solved,
+                                                              const RelativeSpeed::Part& driven,
+                                                              int sign) const {
+    constexpr int kMostTermsOfTheCore = 600;
+    std::vector<char> left(static_cast<std::size_t>(m_model.c()) + system.held.size() + 1, 0);
+    for (const auto& check : solved.checks) left[static_cast<std::size_t>(check.source)] = 1;
+
+    std::stop_source enough;
+    const std::stop_callback forward(m_stop, [&] { enough.request_stop(); });
+    const RationalFunctionField bounded(m_ring, kMostTermsOfTheCore, enough);
+    const RationalFunctionField field(m_ring);
+    const auto ratio = [&](int mesh, bool tail) {
+      return tail ? RationalFunction::variable(m_ring, mesh) : field.one();
+    };
+    const auto symbols = eliminate(bounded, system.rows(m_model, bounded, ratio, left), m_model.n(),
+                                   m_model.n() + 1, enough.get_token());
+    if (!symbols || !symbols->freeColumns.empty()) return std::nullopt;
+    std::vector<std::optional<RationalFunction>> phi(static_cast<std::size_t>(symbols->columns));
+    phi.back() = field.one();
+    ExpansionBudget budget;
+    if (!expand(field, *symbols, std::vector<char>(phi.size(), 0), phi, budget, m_stop)) return std::nullopt;
+    RationalFunction speed = field.fromInteger(0);
+    for (const RelativeSpeed::Term& term : driven.terms) {
+      const auto& value = phi[static_cast<std::size_t>(term.link) - 1];
+      if (!value) return std::nullopt;
+      speed += field.fromInteger(static_cast<std::int64_t>(sign) * term.factor) * *value;
+    }
+    if (speed.isZero()) return std::nullopt;
+    RationalFunction result = field.one() / speed;
+    if (result.termCount() > kExpansionBudget) return std::nullopt;
+    return result;
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  RatioRingPtr m_ring;  ///< null: no symbols
+  std::stop_token m_stop;
+  PositionIndex<LinkTag> m_linkAt;
+  PositionIndex<CouplingTag> m_couplingAt;
+};
+
+}  // namespace
+
+std::optional<std::vector<StateSolution>> solveStates(const Mechanism& mechanism, const KinematicModel& model,
+                                                      const Placement& placement, bool symbolic,
+                                                      const std::stop_token& stop) {
+  StateSolver solver(mechanism, model, placement, symbolic ? ratioRingOf(mechanism) : nullptr, stop);
+  std::vector<StateSolution> solutions;
+  for (int state = 0; state < static_cast<int>(mechanism.states.size()); ++state) {
+    auto solution = solver.solve(state);
+    if (!solution) return std::nullopt;
+    solutions.push_back(std::move(*solution));
+  }
+  return solutions;
+}
+
+std::optional<Rational> stepBetween(const StateSolution& from, const StateSolution& to) {
+  if (!from.ratio || !to.ratio || from.ratio->sign() != to.ratio->sign()) return std::nullopt;
+  return *from.ratio / *to.ratio;
+}
+
+Diagnostics stateDiagnostics(std::span<const StateSolution> states) {
+  Diagnostics all;
+  for (const StateSolution& state : states)
+    all.insert(all.end(), state.diagnostics.begin(), state.diagnostics.end());
+  return all;
+}
+
+}  // namespace geargraph

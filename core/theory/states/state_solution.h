@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/foundations/exact/rational_function.h"
+#include "core/theory/matroid/kinematic_model.h"
+
+namespace geargraph {
+
+/// What a mechanism does with some couplings engaged: the rows of the meshes and of the couplings together,
+/// solved in fractions. An engaged brake holds its link against the ground, w = 0; an engaged clutch makes
+/// two links turn as one, w_a - w_b = 0. Both are vectors: where the axes between the two links are not
+/// parallel they are several rows (relative_speed.h), of the reference pose.
+///
+/// Identity  dof = n - rank; 1 is what a gear of a gearbox has.
+struct StateSolution {
+  int state = 0;             ///< position in the document
+  std::vector<int> engaged;  ///< couplings by position, each once, in the document's order of couplings
+  int rank = 0;              ///< of the rows of meshes and engaged couplings
+  int dof = 0;
+
+  bool driveTurns = false;      ///< false where nothing is driven, too
+  bool drivenStands = false;    ///< with joint speeds: driven turns at 0, the ratio is infinite
+  std::vector<Rational> rates;  ///< by joint, for `drive` at 1; empty unless dof is 1 and the drive turns
+  /// Absolute speed of `drive` over that of `driven`, about their common direction; where they turn about
+  /// different ones, each about its own axis. None where there are no rates, or driven stands or tumbles.
+  std::optional<Rational> ratio;
+  /// The same in the gear ratios i_k; none also where it went over the budget.
+  std::optional<RationalFunction> symbolicRatio;
+  /// state-locked, state-free; turning-loop for a coupling that closes a linkage (then nothing is solved).
+  Diagnostics diagnostics;
+
+  [[nodiscard]] bool isSolved() const { return !rates.empty(); }
+};
+
+/// Every state of the document, in its order. Nothing where `stop` was requested.
+/// Cost: an exact elimination of the whole train for each state, near linear in n + c; `symbolic` another.
+/// @pre model and placement are the mechanism's
+[[nodiscard]] std::optional<std::vector<StateSolution>> solveStates(const Mechanism& mechanism,
+                                                                    const KinematicModel& model,
+                                                                    const Placement& placement,
+                                                                    bool symbolic = true,
+                                                                    const std::stop_token& stop = {});
+
+/// The step from one gear to the next, ratio over ratio; none where one of them has no ratio or they turn
+/// opposite ways.
+[[nodiscard]] std::optional<Rational> stepBetween(const StateSolution& from, const StateSolution& to);
+
+/// The findings of all states, in their order.
+[[nodiscard]] Diagnostics stateDiagnostics(std::span<const StateSolution> states);
+
+}  // namespace geargraph

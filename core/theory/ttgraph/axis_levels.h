@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/graph/digraph.h"
+#include "core/theory/ttgraph/reference_lines.h"
+
+namespace geargraph {
+
+/// The turning joints that stay coaxial in every motion, and so the levels of the T-T graph: the letters on
+/// its tree branches [AU, Fig. 5].
+///
+/// Two joints are on one level if they share a link and are collinear in the drawn pose, or through others
+/// that are. Lines are never compared across the mechanism: axes 1 and 3 of a robot wrist coincide in the
+/// drawn pose and are two axes. Where an axis has no line of its author's, its id in the document decides.
+struct AxisLevels {
+  /// The axis of the level's first joint, which gives the level its direction.
+  struct Axis {
+    int position = 0;  ///< in the document
+    AxisId id;
+  };
+
+  std::vector<int> ofJoint;  ///< by turning joint: its level
+  std::vector<Axis> axes;    ///< by level
+  std::set<int> reversed;    ///< joints whose axes point against their levels
+  /// By level: its name where it is not the id, because primes tell apart what an axis splits into.
+  std::map<int, std::string> primedNames;
+  Diagnostics diagnostics;  ///< split-axis, merged-axes
+
+  [[nodiscard]] int count() const { return static_cast<int>(axes.size()); }
+  /// The position of the level's axis in the document.
+  [[nodiscard]] int axisOf(int level) const { return axes[static_cast<std::size_t>(level)].position; }
+  /// +1 if the joint's axis points as its level does, else -1.
+  [[nodiscard]] int senseOf(int joint) const {
+    return !reversed.empty() && reversed.contains(joint) ? -1 : 1;
+  }
+  [[nodiscard]] const std::string& name(int level) const {
+    const auto primed = primedNames.find(level);
+    return primed != primedNames.end() ? primed->second : axes[static_cast<std::size_t>(level)].id.text();
+  }
+  [[nodiscard]] const std::string& levelOf(int joint) const {
+    return name(ofJoint[static_cast<std::size_t>(joint)]);
+  }
+};
+
+/// Cost: O(t log t), for lines that are not all alike.
+/// @pre `graph` is the mechanism's, `lines` its own or nothing
+[[nodiscard]] AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph,
+                                    const ReferenceLines& lines);
+
+}  // namespace geargraph

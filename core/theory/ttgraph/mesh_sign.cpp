@@ -1,0 +1,61 @@
+#include "core/theory/ttgraph/mesh_sign.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geargraph {
+namespace {
+
+/// From the line's foot to the point.
+Vector3 armTo(const AxisLine& line, const Vector3& point) {
+  const Vector3 from = point - line.point;
+  return from - dot(from, line.direction) * line.direction;
+}
+
+std::optional<int> signOfParallel(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  const int sense = dot(tail.direction, head.direction) > 0 ? 1 : -1;
+  if (pose.kind == MeshKind::external) return -sense;
+  if (pose.kind == MeshKind::internal) return sense;
+  if (pose.pitchPoint == nullptr) return std::nullopt;
+  const double between = dot(armTo(tail, *pose.pitchPoint), armTo(head, *pose.pitchPoint));
+  if (between == 0) return std::nullopt;
+  return between < 0 ? -sense : sense;
+}
+
+/// 1. The apex: the point of the tail's axis that is nearest to the head's; the axes have to meet there.
+/// 2. The shares: pitch point - apex = tailShare * u_tail + headShare * u_head (least squares).
+std::optional<int> signOfMeeting(const MeshPose& pose, const AxisLine& tail, const AxisLine& head) {
+  if (pose.pitchPoint == nullptr) return std::nullopt;
+  const double cosine = dot(tail.direction, head.direction);
+  const double sineSquared = 1 - cosine * cosine;
+  const Vector3 apart = head.point - tail.point;
+  const double toTail = dot(apart, tail.direction);
+  const double toHead = dot(apart, head.direction);
+  const Vector3 apex = tail.point + ((toTail - cosine * toHead) / sineSquared) * tail.direction;
+  const Vector3 pitchLine = *pose.pitchPoint - apex;
+  const double reach = std::max(length(apart), length(pitchLine));
+  if (length(armTo(head, apex)) > kGeometryFits * reach) return std::nullopt;
+
+  const double onTail = dot(pitchLine, tail.direction);
+  const double onHead = dot(pitchLine, head.direction);
+  const double tailShare = onTail - cosine * onHead;
+  const double headShare = onHead - cosine * onTail;
+  if (tailShare == 0 || headShare == 0) return std::nullopt;
+  return (tailShare > 0) == (headShare > 0) ? -1 : 1;
+}
+
+}  // namespace
+
+std::optional<int> meshSign(const MeshPose& pose) {
+  if (pose.tailAxis != nullptr && pose.headAxis != nullptr) {
+    return areParallel(pose.tailAxis->direction, pose.headAxis->direction)
+               ? signOfParallel(pose, *pose.tailAxis, *pose.headAxis)
+               : signOfMeeting(pose, *pose.tailAxis, *pose.headAxis);
+  }
+  // Axes that nothing placed are parallel and point one way unless they carry bevel gears.
+  if (pose.kind == MeshKind::external) return -1;
+  if (pose.kind == MeshKind::internal) return 1;
+  return std::nullopt;
+}
+
+}  // namespace geargraph

@@ -1,0 +1,115 @@
+#include "core/theory/ttgraph/substitution.h"
+
+#include <functional>
+#include <queue>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph {
+namespace {
+
+class Planner {
+ public:
+  Planner(const TtGraph& graph, std::span<const int> inputs)
+      : m_graph(graph), m_known(static_cast<std::size_t>(graph.graph().t()), 0) {
+    m_plan.inputs.assign(inputs.begin(), inputs.end());
+    for (const int joint : inputs) {
+      GEARGRAPH_REQUIRE(m_known.at(static_cast<std::size_t>(joint)) == 0);
+      m_known[static_cast<std::size_t>(joint)] = 1;
+    }
+    for (int joint = 0; joint < graph.graph().t(); ++joint) {
+      if (m_known[static_cast<std::size_t>(joint)] == 0) m_plan.outputs.push_back(joint);
+    }
+  }
+
+  SubstitutionPlan byLevels() {
+    m_plan.byLevels = true;
+    return std::move(m_plan);
+  }
+
+  SubstitutionPlan run() {
+    index();
+    while (!m_ready.empty()) {
+      const int mesh = m_ready.top();
+      m_ready.pop();
+      m_done[static_cast<std::size_t>(mesh)] = 1;
+      if (m_unknowns[static_cast<std::size_t>(mesh)] == 0) {
+        m_plan.surplusMeshes.push_back(mesh);
+      } else {
+        solve(mesh);
+      }
+    }
+    for (int mesh = 0; mesh < m_graph.graph().c(); ++mesh) {
+      if (m_done[static_cast<std::size_t>(mesh)] == 0) m_plan.coupledMeshes.push_back(mesh);
+    }
+    numberColumns();
+    return std::move(m_plan);
+  }
+
+ private:
+  template <class Visit>
+  void forJointsOf(int mesh, const Visit& visit) const {
+    for (const CircuitTerm& term : m_graph.tailCircuit(mesh)) visit(static_cast<std::size_t>(term.joint));
+    for (const CircuitTerm& term : m_graph.headCircuit(mesh)) visit(static_cast<std::size_t>(term.joint));
+  }
+
+  void index() {
+    const int meshes = m_graph.graph().c();
+    m_unknowns.assign(static_cast<std::size_t>(meshes), 0);
+    m_done.assign(static_cast<std::size_t>(meshes), 0);
+    m_meshesOf.resize(m_known.size());
+    for (int mesh = 0; mesh < meshes; ++mesh) {
+      int& unknowns = m_unknowns[static_cast<std::size_t>(mesh)];
+      forJointsOf(mesh, [&](std::size_t joint) {
+        if (m_known[joint] != 0) return;
+        ++unknowns;
+        m_meshesOf[joint].push_back(mesh);
+      });
+      if (unknowns <= 1) m_ready.push(mesh);
+    }
+  }
+
+  void solve(int mesh) {
+    std::size_t joint = 0;
+    forJointsOf(mesh, [&](std::size_t candidate) {
+      if (m_known[candidate] == 0) joint = candidate;
+    });
+    m_known[joint] = 1;
+    m_plan.steps.push_back({mesh, static_cast<int>(joint)});
+    for (const int other : m_meshesOf[joint]) {
+      if (--m_unknowns[static_cast<std::size_t>(other)] == 1) m_ready.push(other);
+    }
+  }
+
+  void numberColumns() {
+    m_plan.columnOf.resize(m_known.size());
+    const auto add = [this](int joint) {
+      m_plan.columnOf[static_cast<std::size_t>(joint)] = static_cast<int>(m_plan.jointAt.size());
+      m_plan.jointAt.push_back(joint);
+    };
+    for (const int joint : m_plan.outputs) {
+      if (m_known[static_cast<std::size_t>(joint)] == 0) add(joint);
+    }
+    m_plan.coupledUnknowns = static_cast<int>(m_plan.jointAt.size());
+    for (const SubstitutionPlan::Step& step : m_plan.steps) add(step.joint);
+    for (const int joint : m_plan.inputs) add(joint);
+  }
+
+  const TtGraph& m_graph;
+  std::vector<char> m_known;                 ///< by joint
+  std::vector<int> m_unknowns;               ///< by mesh: its unknown joints
+  std::vector<char> m_done;                  ///< by mesh
+  std::vector<std::vector<int>> m_meshesOf;  ///< by unknown joint
+  std::priority_queue<int, std::vector<int>, std::greater<>> m_ready;
+  SubstitutionPlan m_plan;
+};
+
+}  // namespace
+
+SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs, long long mostTerms) {
+  GEARGRAPH_REQUIRE(graph.isComplete());
+  Planner planner(graph, inputs);
+  return graph.longestCircuitTerms() > mostTerms ? planner.byLevels() : planner.run();
+}
+
+}  // namespace geargraph

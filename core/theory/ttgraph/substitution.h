@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/theory/ttgraph/tt_graph.h"
+
+namespace geargraph {
+
+/// The order in which the terminal equations give the unknown joint rates, as in Eqs. (39)-(42) of [AU]: take
+/// a mesh with one unknown left in its terminal and circuit equations, solve, substitute, repeat. No
+/// arithmetic is needed for the order. Where every mesh left has two unknowns or more, what is left is
+/// coupled and has to be solved together.
+///
+/// Columns number the joints for the solution: coupled unknowns first, then those that substitution gives,
+/// then the inputs.
+struct SubstitutionPlan {
+  struct Step {
+    int mesh = 0;
+    int joint = 0;
+  };
+
+  /// The circuits are too long to write down: no steps, and no columns; the solution goes by levels
+  /// (level_system.h).
+  bool byLevels = false;
+  std::vector<int> inputs;         ///< joints, in the order asked for
+  std::vector<int> outputs;        ///< the other joints, ascending: the unknowns
+  std::vector<Step> steps;         ///< in order; of several ready meshes the first in the document is taken
+  std::vector<int> surplusMeshes;  ///< all their joints were known when they were reached
+  std::vector<int> coupledMeshes;  ///< ascending
+  int coupledUnknowns = 0;
+  std::vector<int> columnOf;  ///< by joint
+  std::vector<int> jointAt;   ///< by column
+
+  [[nodiscard]] int firstInputColumn() const { return static_cast<int>(outputs.size()); }
+};
+
+constexpr long long kMostCircuitTerms = 200'000;
+
+/// Cost: the circuit terms, and O(c log c). `mostTerms`: with more, the plan is by levels.
+/// @pre graph.isComplete(); the inputs are joints of the graph, each once
+[[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
+                                                long long mostTerms = kMostCircuitTerms);
+
+}  // namespace geargraph

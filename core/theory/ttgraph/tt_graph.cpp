@@ -1,0 +1,109 @@
+#include "core/theory/ttgraph/tt_graph.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/contract.h"
+#include "core/theory/ttgraph/mesh_sign.h"
+
+namespace geargraph {
+namespace {
+
+std::optional<int> signFromPlaces(const MeshPose& pose,
+                                  const std::optional<ReferenceLines::MeshPlaces>& places) {
+  if (!places) return meshSign(pose);
+  AxisLine tail = *pose.tailAxis;
+  AxisLine head = *pose.headAxis;
+  tail.point = {0, 0, 0};
+  head.point = places->headPoint;
+  return meshSign({&tail, &head, &places->pitchPoint, pose.kind});
+}
+
+}  // namespace
+
+TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree,
+                 const ReferenceLines& lines)
+    : m_graph(std::move(graph)),
+      m_tree(std::move(tree)),
+      m_levels(axisLevels(mechanism, *m_graph, lines)),
+      m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
+  addTerminals(mechanism, lines);
+}
+
+Diagnostics TtGraph::diagnostics() const {
+  Diagnostics all = m_levels.diagnostics;
+  all.insert(all.end(), m_vertices.diagnostics.begin(), m_vertices.diagnostics.end());
+  return all;
+}
+
+long long TtGraph::longestCircuitTerms() const {
+  // By level: the depth of its link nearest the ground.
+  std::vector<int> topDepth(static_cast<std::size_t>(m_levels.count()), m_graph->nodeCount());
+  for (const int node : m_tree->preorder()) {
+    if (node == 0) continue;
+    const int level = m_levels.ofJoint[static_cast<std::size_t>(m_tree->jointToParent(node))];
+    int& top = topDepth[static_cast<std::size_t>(level)];
+    top = std::min(top, m_tree->depth(node) - 1);
+  }
+  long long terms = 0;
+  for (const std::optional<TerminalPair>& pair : m_terminals) {
+    if (!pair) continue;
+    // A chord's circuit stays on one level, so it never climbs above the level's top.
+    const TransferVertex& vertex = *m_vertices.ofMesh[static_cast<std::size_t>(pair->mesh)];
+    for (const auto& [gear, level] :
+         {std::pair(pair->tail, vertex.tailLevel), std::pair(pair->head, vertex.headLevel)}) {
+      const int top = topDepth[static_cast<std::size_t>(level)];
+      terms += (m_tree->depth(gear) - top) + (m_tree->depth(pair->carrier) - top);
+    }
+  }
+  return terms;
+}
+
+void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {
+  const auto lineOf = [&](int level) { return lines.axis(m_levels.axisOf(level)); };
+  m_terminals.reserve(static_cast<std::size_t>(m_graph->c()));
+  for (int mesh = 0; mesh < m_graph->c(); ++mesh) {
+    const auto at = static_cast<std::size_t>(mesh);
+    auto& terminal = m_terminals.emplace_back();
+    const std::optional<TransferVertex>& vertex = m_vertices.ofMesh[at];
+    if (!vertex) {
+      m_complete = false;
+      continue;
+    }
+    const GearMesh& pair = mechanism.gearMeshes[at];
+    const MeshPose pose{lineOf(vertex->tailLevel), lineOf(vertex->headLevel), nullptr, pair.kind};
+    std::optional<int> sign = pair.kind ? meshSign(pose) : std::nullopt;
+    if (!sign) {  // the kind alone does not tell, so the place of the pitch point has to
+      sign = signFromPlaces(pose, lines.placesOf(mesh));
+    }
+    if (!sign) {
+      m_unsigned.push_back(mesh);
+      m_complete = false;
+      continue;
+    }
+    const DigraphEdge& edge = m_graph->meshEdge(mesh);
+    terminal = TerminalPair{mesh,     edge.tail, edge.head,      vertex->carrier,
+                            mesh + 1, *sign,     pair.tailTeeth, pair.headTeeth};
+  }
+}
+
+void TtGraph::writeCircuits() const {
+  GEARGRAPH_REQUIRE(m_complete);
+  std::vector<CircuitTerm>& terms = m_circuits->terms;
+  std::vector<std::size_t>& starts = m_circuits->starts;
+  starts.reserve(2 * m_terminals.size() + 1);
+  starts.push_back(0);
+  // The walk leads from the gear to the carrier, so a branch that it meets against its direction leads from
+  // the carrier to the gear, and counts.
+  const auto addChord = [&](int gear, int carrier) {
+    for (const PathStep& step : treePath(*m_tree, gear, carrier)) {
+      terms.push_back({step.joint, -step.direction * m_levels.senseOf(step.joint)});
+    }
+    starts.push_back(terms.size());
+  };
+  for (const std::optional<TerminalPair>& pair : m_terminals) {
+    addChord(pair->tail, pair->carrier);
+    addChord(pair->head, pair->carrier);
+  }
+}
+
+}  // namespace geargraph

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mechanism/graph/digraph.h"
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/theory/ttgraph/axis_levels.h"
+#include "core/theory/ttgraph/transfer_vertices.h"
+
+namespace geargraph {
+
+/// The terminal graph of one mesh: two chords, gear i - carrier k and gear j - carrier k, marked by the same
+/// number of primes [AU, Fig. 4(b), Fig. 6], and its terminal equation [AU, Eqs. (26)-(30)]
+///
+///     w_ik = sign * (N_j / N_i) * w_jk          i the tail gear, j the head gear
+struct TerminalPair {
+  int mesh = 0;
+  int tail = 0;
+  int head = 0;
+  int carrier = 0;
+  int primes = 1;
+  int sign = 0;  ///< -1: the gears turn against each other, each seen along its own axis
+  int tailTeeth = 0;
+  int headTeeth = 0;
+};
+
+/// A turning joint's part in a chord's velocity.
+struct CircuitTerm {
+  int joint = 0;
+  int coefficient = 0;  ///< +1 or -1
+};
+
+/// The T-T graph: tree branches with levels, and for each mesh its carrier, terminal equation and two
+/// fundamental circuits. An immutable value.
+class TtGraph {
+ public:
+  /// Cost: O(n log n + c) for walks over few levels; the circuits are written down when first asked for.
+  /// @pre graph and tree are the mechanism's, `lines` its own or nothing
+  TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr tree, const ReferenceLines& lines);
+
+  [[nodiscard]] const Digraph& graph() const { return *m_graph; }
+  [[nodiscard]] const SpanningTree& tree() const { return *m_tree; }
+  [[nodiscard]] const AxisLevels& levels() const { return m_levels; }
+  [[nodiscard]] const TransferVertices& transferVertices() const { return m_vertices; }
+
+  /// By mesh; none where there is no transfer vertex or the drawn pose does not tell the sign.
+  [[nodiscard]] const std::optional<TerminalPair>& terminal(int mesh) const {
+    return m_terminals[static_cast<std::size_t>(mesh)];
+  }
+  /// No more circuit terms than this: the depths of gears and carriers, without walking. Cost: O(n + c).
+  [[nodiscard]] long long longestCircuitTerms() const;
+  /// Meshes that have a carrier but no sign: their axes are skew, or a bevel pair's place is not known.
+  [[nodiscard]] const std::vector<int>& unsignedMeshes() const { return m_unsigned; }
+  /// Every mesh has its equations.
+  [[nodiscard]] bool isComplete() const { return m_complete; }
+
+  /// The fundamental circuit of the chord of the tail gear (head gear): the chord's velocity as a sum over
+  /// tree branches, from the gear to the carrier [AU, Eqs. (31)-(38)]. Cost: once the sum of the lengths of
+  /// the meshes' walks, from any thread. @pre isComplete()
+  [[nodiscard]] std::span<const CircuitTerm> tailCircuit(int mesh) const { return circuit(2 * mesh); }
+  [[nodiscard]] std::span<const CircuitTerm> headCircuit(int mesh) const { return circuit(2 * mesh + 1); }
+
+  [[nodiscard]] Diagnostics diagnostics() const;
+
+ private:
+  /// All chords' circuits; two chords a mesh, tail and head.
+  struct Circuits {
+    std::once_flag written;
+    std::vector<std::size_t> starts;  ///< by chord: its first term
+    std::vector<CircuitTerm> terms;
+  };
+
+  [[nodiscard]] std::span<const CircuitTerm> circuit(int chord) const {
+    std::call_once(m_circuits->written, [this] { writeCircuits(); });
+    const auto first = m_circuits->starts[static_cast<std::size_t>(chord)];
+    return std::span(m_circuits->terms)
+        .subspan(first, m_circuits->starts[static_cast<std::size_t>(chord) + 1] - first);
+  }
+  void addTerminals(const Mechanism& mechanism, const ReferenceLines& lines);
+  void writeCircuits() const;
+
+  DigraphPtr m_graph;
+  SpanningTreePtr m_tree;
+  AxisLevels m_levels;
+  TransferVertices m_vertices;
+  std::vector<std::optional<TerminalPair>> m_terminals;
+  std::vector<int> m_unsigned;
+  bool m_complete = true;
+  std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
+};
+
+}  // namespace geargraph

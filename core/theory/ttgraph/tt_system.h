@@ -1,0 +1,184 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/exact/elimination.h"
+#include "core/theory/ttgraph/substitution.h"
+
+namespace geargraph {
+
+/// What a system does without.
+struct LeftOut {
+  std::vector<char> meshes;   ///< by mesh, 1: its row; empty: none
+  std::vector<char> columns;  ///< by column, 1: its terms in the coupled rest, for its rate is 0; empty: none
+};
+
+/// The terminal equations with their circuits put in, one row a mesh, in some arithmetic:
+///
+///     tail(mesh) * (tail circuit) + head(mesh) * (head circuit) = 0
+///
+/// solved by substitution, and by the common elimination where the rest is coupled.
+///
+/// `Weights` gives the two factors of a mesh: N_i and -s N_j, or i and -s.
+template <class Field>
+class TtSystem {
+ public:
+  using Value = typename Field::Value;
+
+  /// `left`: of the coupled rest only. None where `stop` was requested.
+  /// Cost: the circuit terms, and the elimination of the coupled rest.
+  template <class Weights>
+  [[nodiscard]] static std::optional<TtSystem> of(const Field& field, const TtGraph& graph,
+                                                  const SubstitutionPlan& plan, const Weights& weights,
+                                                  const LeftOut& left = {},
+                                                  const std::stop_token& stop = {}) {
+    TtSystem system(field, plan);
+    system.m_direct.unknowns = system.m_direct.columns = static_cast<int>(plan.jointAt.size());
+    for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
+      system.addRow(system.m_direct.rows, graph, mesh, weights, {});
+    }
+    for (const SubstitutionPlan::Step& step : plan.steps) {
+      system.m_direct.lines.push_back(
+          {plan.columnOf[static_cast<std::size_t>(step.joint)], step.mesh, false});
+    }
+    SparseRows<Value> rest;
+    for (const int mesh : plan.coupledMeshes) {
+      if (!left.meshes.empty() && left.meshes[static_cast<std::size_t>(mesh)] != 0) continue;
+      system.addRow(rest, graph, mesh, weights, left.columns);
+      system.m_restMeshes.push_back(mesh);
+    }
+    auto solved =
+        eliminate(field, std::move(rest), plan.coupledUnknowns, static_cast<int>(plan.jointAt.size()), stop);
+    if (!solved) return std::nullopt;
+    system.m_rest = std::move(*solved);
+    return system;
+  }
+
+  /// The arithmetic to go on with: the one it was made with, or one like it that lives longer.
+  void setField(const Field& field) { m_field = &field; }
+
+  /// Unknowns that the equations leave open: too few inputs, or dependent ones. Ascending.
+  [[nodiscard]] std::vector<int> openJoints() const {
+    std::vector<int> joints;
+    for (const int column : m_rest.freeColumns) joints.push_back(jointAt(column));
+    std::sort(joints.begin(), joints.end());
+    return joints;
+  }
+
+  /// Meshes whose equation gave no unknown: redundant where they hold, else the inputs contradict each other.
+  /// Ascending.
+  [[nodiscard]] std::vector<int> surplusMeshes() const {
+    std::vector<int> meshes = m_plan->surplusMeshes;
+    for (const auto& check : m_rest.checks) {
+      meshes.push_back(m_restMeshes[static_cast<std::size_t>(check.source)]);
+    }
+    std::sort(meshes.begin(), meshes.end());
+    return meshes;
+  }
+
+  /// The rates of all joints, by joint, for these input rates; open joints stand still.
+  /// Cost: the non-zeros.
+  [[nodiscard]] std::vector<Value> rates(std::span<const Value> inputRates) const {
+    std::vector<Value> x = columns(inputRates);
+    substitute(*m_field, m_direct, x);
+    substitute(*m_field, m_rest, x);
+    return byJoint(std::move(x));
+  }
+
+  /// The rates, and whether every equation that gave no unknown holds.
+  [[nodiscard]] std::pair<std::vector<Value>, bool> solve(std::span<const Value> inputRates) const {
+    std::vector<Value> found = rates(inputRates);
+    const bool all = holds(found);
+    return {std::move(found), all};
+  }
+
+  /// Do the surplus meshes hold at these rates?
+  [[nodiscard]] bool holds(const std::vector<Value>& rates) const {
+    std::vector<Value> x;
+    for (const int joint : m_plan->jointAt) x.push_back(rates[static_cast<std::size_t>(joint)]);
+    for (const int mesh : surplusMeshes()) {
+      if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, mesh, x))) return false;
+    }
+    return true;
+  }
+
+  /// Rows by mesh, lines in the order of the plan's steps.
+  [[nodiscard]] const Elimination<Value>& direct() const { return m_direct; }
+  /// The coupled rest, in the same columns.
+  [[nodiscard]] const Elimination<Value>& rest() const { return m_rest; }
+
+  /// The mesh of a row of the rest.
+  [[nodiscard]] int restMesh(int row) const { return m_restMeshes[static_cast<std::size_t>(row)]; }
+  /// The meshes that had to be solved together: those of the rest that gave no unknown one by one. Ascending.
+  [[nodiscard]] std::vector<int> coupledMeshes() const {
+    std::vector<char> alone(m_restMeshes.size(), 0);
+    for (const auto& line : m_rest.lines) {
+      if (!line.core) alone[static_cast<std::size_t>(line.row)] = 1;
+    }
+    std::vector<int> meshes;
+    for (std::size_t row = 0; row < alone.size(); ++row) {
+      if (alone[row] == 0) meshes.push_back(m_restMeshes[row]);
+    }
+    return meshes;
+  }
+
+  /// By column: 0 but for the inputs.
+  [[nodiscard]] std::vector<Value> columns(std::span<const Value> inputRates) const {
+    std::vector<Value> x(m_plan->jointAt.size(), m_field->fromInteger(0));
+    std::copy(inputRates.begin(), inputRates.end(), x.begin() + m_plan->firstInputColumn());
+    return x;
+  }
+
+ private:
+  TtSystem(const Field& field, const SubstitutionPlan& plan) : m_field(&field), m_plan(&plan) {}
+
+  [[nodiscard]] int jointAt(int column) const { return m_plan->jointAt[static_cast<std::size_t>(column)]; }
+
+  [[nodiscard]] std::vector<Value> byJoint(std::vector<Value> x) const {
+    std::vector<Value> rates(x.size());
+    for (std::size_t column = 0; column < x.size(); ++column) {
+      rates[static_cast<std::size_t>(jointAt(static_cast<int>(column)))] = std::move(x[column]);
+    }
+    return rates;
+  }
+
+  template <class Weights>
+  void addRow(SparseRows<Value>& rows, const TtGraph& graph, int mesh, const Weights& weights,
+              const std::vector<char>& left) const {
+    const auto add = [&](std::span<const CircuitTerm> circuit, const Value& weight) {
+      const Value negative = m_field->negated(weight);
+      for (const CircuitTerm& term : circuit) {
+        const int column = m_plan->columnOf[static_cast<std::size_t>(term.joint)];
+        if (!left.empty() && left[static_cast<std::size_t>(column)] != 0) continue;
+        rows.add(column, term.coefficient > 0 ? weight : negative);
+      }
+    };
+    const auto [tail, head] = weights(*graph.terminal(mesh));
+    add(graph.tailCircuit(mesh), tail);
+    add(graph.headCircuit(mesh), head);
+    rows.endRow();
+  }
+
+  const Field* m_field;
+  const SubstitutionPlan* m_plan;
+  Elimination<Value> m_direct;
+  Elimination<Value> m_rest;
+  std::vector<int> m_restMeshes;  ///< by row of the rest
+};
+
+/// The factors of Eq. (26) in whole numbers: N_i w_ik - s N_j w_jk = 0.
+template <class Field>
+struct TeethWeights {
+  const Field* field;
+  [[nodiscard]] std::pair<typename Field::Value, typename Field::Value> operator()(
+      const TerminalPair& pair) const {
+    return {field->fromInteger(pair.tailTeeth), field->fromInteger(-pair.sign * pair.headTeeth)};
+  }
+};
+
+}  // namespace geargraph

@@ -1,0 +1,294 @@
+#include <QTest>
+#include <algorithm>
+#include <array>
+
+#include "core/design/fixes/fixes.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/validate.h"
+#include "tests/core/support/example_files.h"
+
+namespace geargraph {
+namespace {
+
+NumberTriple triple(int x, int y, int z) {
+  return {Number(x), Number(y), Number(z)};
+}
+
+GearMesh& meshOf(Mechanism& mechanism, const char* id) {
+  return *std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
+                       [id](const GearMesh& mesh) { return mesh.id == MeshId(id); });
+}
+
+/// What the editor lists: the snapshot's findings and those of the teeth.
+Diagnostics findingsOf(const AnalysisSnapshot& snapshot) {
+  Diagnostics all = snapshot.diagnostics;
+  if (!snapshot.tree) return all;
+  const Diagnostics teeth = trainOf(*snapshot.mechanism, placementOf(*snapshot.mechanism)).diagnostics;
+  all.insert(all.end(), teeth.begin(), teeth.end());
+  return all;
+}
+
+}  // namespace
+
+/// Every fix: the finding is provoked, its fix is named, and after it the finding is gone.
+class FixesTest : public QObject {
+  Q_OBJECT
+
+  SnapshotPtr snapshot;
+
+  [[nodiscard]] std::optional<Diagnostic> finding(Code code) const {
+    for (const Diagnostic& found : findingsOf(*snapshot)) {
+      if (found.code == code) return found;
+    }
+    return std::nullopt;
+  }
+  void provoke(const Mechanism& mechanism) {
+    snapshot = analyzeLive(std::make_shared<const Mechanism>(mechanism));
+  }
+  [[nodiscard]] QStringList offered(Code code) const {
+    QStringList texts;
+    if (const auto found = finding(code)) {
+      for (const Fix& fix : fixesFor(*found, *snapshot)) texts << QString::fromStdString(fix.text);
+    }
+    return texts;
+  }
+  /// Each fix mends; the mechanism after the first of them is the snapshot's then.
+  void eachMends(Code code) {
+    const auto found = finding(code);
+    QVERIFY(found);
+    const SnapshotPtr broken = snapshot;
+    SnapshotPtr afterFirst;
+    for (const Fix& fix : fixesFor(*found, *broken)) {
+      const Expected<Mechanism> mended = fix.edit(*broken->mechanism);
+      QVERIFY2(mended, fix.text.c_str());
+      QVERIFY2(wellFormedDiagnostics(*mended).empty(), fix.text.c_str());
+      provoke(*mended);
+      const auto same = finding(code);
+      QVERIFY2(!same || same->elements != found->elements, fix.text.c_str());
+      if (!afterFirst) afterFirst = snapshot;
+    }
+    snapshot = afterFirst;
+  }
+
+ private slots:
+  void aLooseLinkIsTiedToTheGround() {
+    provoke(*withLink(test::example("robot"), {0, 0}));
+    QCOMPARE(offered(Code::disconnected), (QStringList{"Tie link 8 to the ground", "Drop link 8"}));
+    eachMends(Code::disconnected);
+    QCOMPARE(snapshot->mechanism->t(), 8);
+    QVERIFY(snapshot->tree != nullptr);
+  }
+
+  void loosePartsAreTiedOnceEach() {
+    Mechanism robot = test::example("robot");
+    for (int i = 0; i < 3; ++i) robot = *withLink(std::move(robot), {0, 0});
+    robot = *withTurningJoint(std::move(robot), robot.links[8].id, robot.links[9].id);
+    provoke(robot);
+    QCOMPARE(offered(Code::disconnected).first(), QString("Tie links 8, 10 to the ground"));
+    eachMends(Code::disconnected);
+    QCOMPARE(snapshot->mechanism->t(), 10);
+  }
+
+  void aSecondBearingIsDropped() {
+    Mechanism robot = test::example("robot");
+    robot.turningJoints.push_back({JointId("x"), LinkId("0"), LinkId("1"), AxisId("b"), Number(90), {}});
+    provoke(robot);
+    QCOMPARE(offered(Code::turningLoop), (QStringList{"Drop joint 15, a second bearing on axis b",
+                                                      "Drop joint 10, a second bearing on axis b"}));
+    eachMends(Code::turningLoop);
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
+  }
+
+  void aLoopOfSeveralAxesLosesOneOfItsJoints() {
+    Mechanism robot = test::example("robot");
+    robot.turningJoints.push_back({JointId("x"), LinkId("3"), LinkId("6"), AxisId("a"), Number(0), {}});
+    provoke(robot);
+    QCOMPARE(offered(Code::turningLoop).first(), QString("Drop joint 15"));
+    eachMends(Code::turningLoop);
+  }
+
+  void teethThatFitThePitchPoint() {
+    provoke(*withTeeth(test::example("robot"), MeshId("15"), 18, 30));
+    QCOMPARE(offered(Code::teethGeometry), (QStringList{"Use 36 teeth on gear 1", "Use 15 teeth on gear 4",
+                                                        "Let the pitch point follow from axes and teeth"}));
+    eachMends(Code::teethGeometry);
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
+  }
+
+  void aWrongKindIsFlipped() {
+    provoke(*withMeshKind(test::example("robot"), MeshId("15"), MeshKind::internal));
+    QCOMPARE(offered(Code::teethGeometry).first(), QString("Call mesh 15 external"));
+    eachMends(Code::teethGeometry);
+    provoke(*withMeshKind(test::example("robot"), MeshId("16"), MeshKind::external));
+    QCOMPARE(offered(Code::pitchGeometry).first(), QString("Call mesh 16 bevel"));
+    eachMends(Code::pitchGeometry);
+    QVERIFY(*snapshot->mechanism == test::example("robot"));
+  }
+
+  void aPitchPointElsewhereIsDerived() {
+    provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(20, -36, 0)));
+    QCOMPARE(offered(Code::pitchGeometry).first(), QString("Let the pitch point follow from axes and teeth"));
+    eachMends(Code::pitchGeometry);
+    provoke(*withPitchPoint(test::example("robot"), MeshId("15"), triple(0, 0, 5)));
+    QCOMPARE(offered(Code::pitchPointOnAxis).first(),
+             QString("Let the pitch point follow from axes and teeth"));
+    eachMends(Code::pitchPointOnAxis);
+  }
+
+  void anInternalPairOfEqualWheelsIsCalledExternal() {
+    Mechanism robot = test::example("robot");
+    GearMesh& mesh = meshOf(robot, "15");
+    mesh.headTeeth = mesh.tailTeeth;
+    mesh.kind = MeshKind::internal;
+    mesh.pitchPoint.reset();
+    provoke(robot);
+    QCOMPARE(offered(Code::teethGeometry).first(), QString("Call mesh 15 external"));
+    eachMends(Code::teethGeometry);
+  }
+
+  void aMeshThatCannotBeIsDropped() {
+    provoke(*withGearMesh(test::example("robot"), LinkId("5"), LinkId("1")));
+    QCOMPARE(offered(Code::coaxialMesh), QStringList{"Drop mesh 19"});
+    eachMends(Code::coaxialMesh);
+    provoke(*withGearMesh(test::example("robot"), LinkId("4"), LinkId("3")));
+    QCOMPARE(offered(Code::noTransferVertex), QStringList{"Drop mesh 19"});
+    eachMends(Code::noTransferVertex);
+  }
+
+  void aRedundantMeshMayGo() {
+    provoke(test::example("redundant-planetary"));
+    const int rank = snapshot->matroid()->rank;
+    const auto redundant = snapshot->matroid()->redundancies.size();
+    QVERIFY(offered(Code::redundantMesh).first().startsWith("Drop mesh "));
+    eachMends(Code::redundantMesh);
+    QCOMPARE(snapshot->matroid()->rank, rank);
+    QCOMPARE(snapshot->matroid()->redundancies.size(), redundant - 1);
+  }
+
+  void inputsAreExchangedCompletedAndLeft() {
+    const auto driven = [](std::initializer_list<const char*> joints) {
+      std::vector<Input> inputs;
+      for (const char* joint : joints) inputs.push_back({JointId(joint), Number(3), {}});
+      return *withInputs(test::example("robot"), std::move(inputs));
+    };
+    const auto speeds = [this] {
+      QStringList texts;
+      for (const Input& input : *snapshot->mechanism->inputs) {
+        texts << QString::fromStdString(input.joint.text() + "=" + input.speed.text());
+      }
+      return texts.join(' ');
+    };
+    provoke(driven({"8", "10", "11"}));
+    QCOMPARE(offered(Code::invalidInputs),
+             (QStringList{"Exchange input 10 for 9", "Let the program choose the inputs"}));
+    eachMends(Code::invalidInputs);
+    QCOMPARE(speeds(), QString("8=3 9=3 11=3"));
+    provoke(driven({"8", "11"}));
+    QCOMPARE(offered(Code::invalidInputs).first(), QString("Drive 9 too"));
+    eachMends(Code::invalidInputs);
+    QCOMPARE(speeds(), QString("8=3 11=3 9=1"));
+    provoke(driven({"8", "9", "10", "11"}));
+    QCOMPARE(offered(Code::invalidInputs).first(), QString("Stop driving 10"));
+    eachMends(Code::invalidInputs);
+    QCOMPARE(speeds(), QString("8=3 9=3 11=3"));
+  }
+
+  void anAxisNamedTwiceIsSplit() {
+    Mechanism robot = *withJointAxis(test::example("robot"), JointId("13"), AxisId("a"));
+    provoke(robot);
+    QCOMPARE(offered(Code::splitAxis), QStringList{"Give each its own axis"});
+    eachMends(Code::splitAxis);
+    QVERIFY(snapshot->mechanism->find(JointId("13"))->axis != AxisId("a"));
+  }
+
+  void planetsThatDoNotFitGetOtherTeeth() {
+    provoke(test::example("cannot-be-assembled"));
+    QVERIFY(finding(Code::assembly));
+    const QStringList texts = offered(Code::assembly);
+    QVERIFY2(!texts.isEmpty() && texts.first().contains("on the planets"), qPrintable(texts.join(" | ")));
+    const auto found = finding(Code::assembly);
+    const SnapshotPtr broken = snapshot;
+    for (const Fix& fix : fixesFor(*found, *broken)) {
+      provoke(*fix.edit(*broken->mechanism));
+      QVERIFY2(!finding(Code::assembly), fix.text.c_str());
+      QVERIFY2(!hasErrors(snapshot->diagnostics), fix.text.c_str());
+    }
+  }
+
+  void undercutGoesWithMoreTeethOfTheSameRatio() {
+    Mechanism pair = test::example("spur-pair");
+    pair.gearMeshes.front().pitchPoint.reset();
+    pair = *withTeeth(std::move(pair), pair.gearMeshes.front().id, 9, 18);
+    provoke(pair);
+    QVERIFY(finding(Code::undercut));
+    QVERIFY2(offered(Code::undercut).first().endsWith("the teeth everywhere"),
+             qPrintable(offered(Code::undercut).join(" | ")));
+    eachMends(Code::undercut);
+    const GearMesh& mesh = snapshot->mechanism->gearMeshes.front();
+    QCOMPARE(mesh.headTeeth, 2 * mesh.tailTeeth);
+  }
+
+  void aLockedTrainIsFreed() {
+    provoke(test::example("locked-train"));
+    const Code code = finding(Code::locked) ? Code::locked : Code::deadJoint;
+    QVERIFY(!offered(code).isEmpty());
+    eachMends(code);
+    QVERIFY(snapshot->matroid()->dof > 0);
+  }
+
+  void ratiosRoundALoopAreMadeToAgree() {
+    // Two parallel paths from shaft 1 to shaft 2 with ratios 1/2 and 20/41.
+    Mechanism train = emptyMechanism();
+    train = *withLink(std::move(train), {0, 0});
+    train = *withLink(std::move(train), {1, 0});
+    const LinkId ground = train.links[0].id;
+    const LinkId one = train.links[1].id;
+    const LinkId two = train.links[2].id;
+    train = *withTurningJoint(std::move(train), ground, one);
+    train = *withTurningJoint(std::move(train), ground, two);
+    train = *withGearMesh(std::move(train), one, two, 20, 40);
+    train = *withGearMesh(std::move(train), one, two, 20, 41);
+    provoke(train);
+    QVERIFY(finding(Code::locked));
+    QVERIFY2(offered(Code::locked).first().startsWith("Use "), qPrintable(offered(Code::locked).join(" | ")));
+    eachMends(Code::locked);
+  }
+
+  /// A coupling closes this loop, not a turning joint: the coupling can be dropped.
+  void aCouplingThatClosesALinkageIsDropped() {
+    Mechanism arm = emptyMechanism();
+    const std::array<NumberTriple, 4> directions{triple(0, 0, 1), triple(1, 0, 0), triple(0, 1, 1),
+                                                 triple(1, 1, 0)};
+    for (const NumberTriple& direction : directions) {
+      arm = *withLink(std::move(arm), {0, 0});
+      const LinkId tail = arm.links[arm.links.size() - 2].id;
+      arm = *withTurningJoint(std::move(arm), tail, LinkId(arm.links.back().id));
+      arm.axes.back().point = triple(0, 0, 0);
+      arm.axes.back().direction = direction;
+    }
+    arm.couplings.push_back({CouplingId("B"), CouplingKind::brake, {arm.links.back().id}, {}});
+    arm.states.push_back({"s", {CouplingId("B")}, arm.links[1].id, arm.links[2].id, {}});
+    snapshot = analyze(std::make_shared<const Mechanism>(arm));
+    const auto found = finding(Code::turningLoop);
+    QVERIFY(found && found->detail == Detail::couplingLinkage);
+    const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
+    QCOMPARE(fixes.size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(fixes.front().text), QString("Drop brake B"));
+    snapshot = analyze(std::make_shared<const Mechanism>(fixes.front().edit(arm).value()));
+    QVERIFY(!finding(Code::turningLoop));
+  }
+
+  void whatOnlyAPersonCanTellHasNoFix() {
+    provoke(emptyMechanism());
+    QVERIFY(fixesFor({Code::noMeshes, "", {}, {}, 0, 0}, *snapshot).empty());
+    QVERIFY(fixesFor({Code::symbolicSkipped, "", {}, {}, 0, 0}, *snapshot).empty());
+    // A finding about elements that are gone meanwhile.
+    QVERIFY(fixesFor({Code::teethGeometry, "", {MeshId("gone")}, {}, 0, 0}, *snapshot).empty());
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::FixesTest)
+#include "test_fixes.moc"

@@ -1,0 +1,151 @@
+// Plain main(), no Qt: this program also runs under the thread sanitizer.
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "core/foundations/base/request_worker.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace geargraph {
+namespace {
+
+int failures = 0;
+
+void check(bool holds, const char* what) {
+  if (holds) return;
+  ++failures;
+  std::printf("FAIL: %s\n", what);
+}
+
+/// Work on request 0 begins, and goes on until it is asked to stop.
+struct Endless {
+  std::promise<void> begun;
+  std::atomic<bool> stopped = false;
+
+  void operator()(const std::stop_token& stop) {
+    begun.set_value();
+    while (!stop.stop_requested()) std::this_thread::yield();
+    stopped = true;
+  }
+};
+
+void theNewestRequestStopsTheOneUnderWayAndDropsTheOthers() {
+  Endless endless;
+  std::vector<int> done;
+  std::promise<void> last;
+  {
+    RequestWorker<int> worker([&](int request, const std::stop_token& stop) {
+      if (request == 0) return endless(stop);
+      done.push_back(request);
+      check(!stop.stop_requested(), "the newest request is not asked to stop");
+      last.set_value();
+    });
+    worker.request(0);
+    endless.begun.get_future().wait();
+    worker.request(7);
+    last.get_future().wait();
+  }
+  check(endless.stopped, "the work under way is asked to stop");
+  check(done == std::vector<int>{7}, "the newest request is worked off");
+}
+
+void whatGoesOnElsewhereIsAskedToStopToo() {
+  std::promise<std::stop_token> token;
+  RequestWorker<int> worker([&](int request, const std::stop_token& stop) {
+    if (request == 0) token.set_value(stop);
+  });
+  worker.request(0);
+  const std::stop_token stop = token.get_future().get();
+  check(!stop.stop_requested(), "it goes on while nothing newer is wanted");
+  worker.request(1);
+  check(stop.stop_requested(), "a newer request asks it to stop, whether or not the call is over");
+}
+
+void workInTheBackgroundWaitsUntilNothingNewerComes() {
+  using Clock = std::chrono::steady_clock;
+  std::promise<Clock::time_point> begun;
+  RequestWorker<int> worker(
+      [&](int request, const std::stop_token&) {
+        if (request == 2) begun.set_value(Clock::now());
+      },
+      Urgency::background);
+  worker.request(1);
+  const Clock::time_point asked = Clock::now();
+  worker.request(2);
+  check(begun.get_future().get() - asked >= kRest, "a drag that goes on is left its processors");
+}
+
+#ifdef __linux__
+void workInTheBackgroundTakesWhatIsLeft() {
+  std::promise<int> priority;
+  RequestWorker<int> worker(
+      [&](int, const std::stop_token&) {
+        priority.set_value(getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())));
+      },
+      Urgency::background);
+  worker.request(0);
+  const int own = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+  check(own == 19 || priority.get_future().get() > own, "a lower priority than this thread's");
+}
+#endif
+
+void overtakenRequestsAreDropped() {
+  std::promise<void> begun;
+  std::promise<void> go;
+  std::promise<void> last;
+  std::vector<int> done;
+  RequestWorker<int> worker([&](int request, const std::stop_token&) {
+    if (request == 0) {
+      begun.set_value();
+      go.get_future().wait();
+    } else {
+      done.push_back(request);
+      last.set_value();
+    }
+  });
+  worker.request(0);
+  begun.get_future().wait();
+  for (int request = 1; request <= 100; ++request) worker.request(request);
+  go.set_value();
+  last.get_future().wait();
+  check(done == std::vector<int>{100}, "of many waiting requests the newest is worked off");
+}
+
+void theDestructorStopsTheWorkUnderWayAndBeginsNoMore() {
+  Endless endless;
+  std::atomic<int> begun = 0;
+  {
+    RequestWorker<int> worker([&](int request, const std::stop_token& stop) {
+      ++begun;
+      if (request == 0) endless(stop);
+    });
+    worker.request(0);
+    endless.begun.get_future().wait();
+  }
+  check(endless.stopped, "the destructor stops the work under way");
+  check(begun == 1, "and nothing else is begun");
+}
+
+}  // namespace
+}  // namespace geargraph
+
+int main() {
+  geargraph::theNewestRequestStopsTheOneUnderWayAndDropsTheOthers();
+  geargraph::whatGoesOnElsewhereIsAskedToStopToo();
+#ifdef __linux__
+  geargraph::workInTheBackgroundTakesWhatIsLeft();
+#endif
+  geargraph::workInTheBackgroundWaitsUntilNothingNewerComes();
+  geargraph::overtakenRequestsAreDropped();
+  geargraph::theDestructorStopsTheWorkUnderWayAndBeginsNoMore();
+  std::printf("%d failures\n", geargraph::failures);
+  return geargraph::failures == 0 ? 0 : 1;
+}

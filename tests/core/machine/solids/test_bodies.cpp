@@ -1,0 +1,166 @@
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+
+#include "core/machine/solids/bodies.h"
+#include "core/machine/bodies/body_recipe.h"
+#include "tests/core/machine/solids/topology.h"
+
+using namespace geargraph;
+using std::numbers::pi;
+
+namespace {
+
+void compareShell(const Solid& solid, int genus) {
+  const test::Topology topology = test::topologyOf(solid);
+  QVERIFY(topology.closed);
+  QVERIFY(topology.manifold);
+  QCOMPARE(topology.degenerate, 0);
+  QCOMPARE(topology.pieces, 1);
+  QCOMPARE(topology.genus, genus);
+  QVERIFY(test::worstNormalDegrees(solid, 1e-4) < 20);
+}
+
+}  // namespace
+
+class TestBodies : public QObject {
+  Q_OBJECT
+ private slots:
+  void shaftsAndTubesAreClosed() {
+    compareShell(tube(3, 0, -5, 12, 0.01), 0);
+    compareShell(tube(4, 2.5, 0, 3, 0.01), 1);
+  }
+
+  /// Parts beside each other, each where it was put.
+  void recipesMakeWhatTheirPartsSay() {
+    const Eigen::Isometry3d there = frameAlong({1, 2, 3}, {0, 1, 0});
+    const Eye hub{{0, 0}, 4, 2};
+    const std::vector<Eye> ends{{{20, 0}, 3, 1}, {{-10, 18}, 3, 1}};
+    const std::vector<ProfileVertex> ring{{8, 2}, {5, 2}, {5, -2}, {8, -2}};
+    Solid expected = tube(3, 1, -5, 12, 0.01);
+    append(expected, spider(hub, ends, -1, 1, 0.02), there);
+    append(expected, lathed(ring, 0.01));
+    for (int i = 0; i < 2; ++i) append(expected, tubeSector(10, 9, -2, 5, 0.3, 0.01), there);
+    const BarPart bar{10, 9, -2, 5, 0.3};
+    const BodyRecipe recipe{{TubePart{3, 1, -5, 12}, 1, Eigen::Isometry3d::Identity()},
+                            {SpiderPart{hub, ends, -1, 1}, 2, there},
+                            {LathePart{ring}, 1, Eigen::Isometry3d::Identity()},
+                            {bar, 1, there},
+                            {bar, 1, there}};
+    QVERIFY(madeBy(recipe, 0.01) == expected);
+  }
+
+  void equalRecipesGetOneSolid() {
+    BodyCache cache(2);
+    const auto recipe = [](double length) {
+      return BodyRecipe{{TubePart{3, 1, 0, length}, 1, Eigen::Isometry3d::Identity()}};
+    };
+    const auto solid = [&](double length) { return cache.deferred(recipe(length), 0.01); };
+    const auto first = solid(4);
+    QCOMPARE(solid(4), first);
+    const auto second = solid(5);
+    QVERIFY(second->made() == nullptr);
+    QVERIFY(*second->solid() == madeBy(recipe(5), 0.01));
+    QCOMPARE(solid(4), first);
+    QVERIFY(solid(6) != first);  // drops that of 5, the oldest
+    QCOMPARE(solid(4), first);
+    QVERIFY(solid(5) != second);
+  }
+
+  void aRecipeIsEveryNumberOfItsParts() {
+    const BodyRecipe recipe{
+        {SpiderPart{{{0, 0}, 4, 2}, {{{20, 0}, 3, 1}}, -1, 1}, 1, Eigen::Isometry3d::Identity()}};
+    std::vector<BodyRecipe> others(5, recipe);
+    std::get<SpiderPart>(others[0][0].shape).ends[0].hole = 1.5;
+    std::get<SpiderPart>(others[1][0].shape).hub.centre.y() = 1e-9;
+    others[2][0].module = 2;
+    others[3][0].placed.translation().x() = 1;
+    others[4].push_back(recipe[0]);
+    BodyCache cache;
+    const auto solid = cache.deferred(recipe, 0.01);
+    for (const BodyRecipe& other : others) QVERIFY(cache.deferred(other, 0.01) != solid);
+    QVERIFY(cache.deferred(recipe, 0.02) != solid);
+    QCOMPARE(cache.deferred(recipe, 0.01), solid);
+  }
+
+  void barsOfCagesAreClosed() {
+    const Solid bar = tubeSector(10, 9, -2, 5, 0.3, 0.01);
+    compareShell(bar, 0);
+    QVERIFY(std::abs(signedVolume(bar) / (0.3 * (100 - 81) * 7) - 1) < 0.01);
+  }
+
+  void tubesHaveTheirVolume() {
+    const double plain = pi * (16 - 6.25) * 30;
+    QVERIFY(std::abs(signedVolume(tube(4, 2.5, 0, 30, 1e-4)) / plain - 1) < 0.01);  // but for the chamfers
+  }
+
+  void armsAreClosedWithAndWithoutHoles_data() {
+    QTest::addColumn<double>("holeA");
+    QTest::addColumn<double>("holeB");
+    QTest::addColumn<int>("genus");
+    QTest::newRow("two holes") << 2.0 << 1.0 << 2;
+    QTest::newRow("one hole") << 0.0 << 1.0 << 1;
+    QTest::newRow("no hole") << 0.0 << 0.0 << 0;
+  }
+  void armsAreClosedWithAndWithoutHoles() {
+    QFETCH(double, holeA);
+    QFETCH(double, holeB);
+    QFETCH(int, genus);
+    for (const double distance : {6.0, 25.0}) {
+      for (const double angle : {0.0, 1.0, 2.5, -2.0}) {
+        const Eigen::Vector2d end(distance * std::cos(angle), distance * std::sin(angle));
+        const Solid part = arm({{0, 0}, 3, holeA}, {end, 2, holeB}, -1, 2, 0.01);
+        compareShell(part, genus);
+        // Hull of two circles: two sectors and the trapezium between the tangents.
+        const double tangent = std::acos(1 / distance);
+        const double hull = 9 * (pi - tangent) + 4 * tangent + 5 * std::sqrt(distance * distance - 1);
+        const double area = hull - pi * (holeA * holeA + holeB * holeB);
+        QVERIFY(std::abs(signedVolume(part) / (3 * area) - 1) < 0.01);
+      }
+    }
+  }
+
+  /// A hub with several bars in one piece, as wide as they find room; area by hand for three of them.
+  void spidersAreOneClosedPiece() {
+    for (const int n : {2, 3, 4, 5, 6}) {
+      for (const double turn : {0.0, 0.4}) {
+        std::vector<Eye> ends;
+        for (int i = 0; i < n; ++i) {
+          const double angle = turn + 2 * pi * i / n;
+          ends.push_back({25 * Eigen::Vector2d(std::cos(angle), std::sin(angle)), 2, 1});
+        }
+        compareShell(spider({{0, 0}, 4, 2}, ends, -1, 2, 0.01), n + 1);
+      }
+    }
+    const Eye end{{20, 0}, 1, 0};
+    const Eye other{{-20, 0}, 1, 0};
+    const Solid bar = spider({{0, 0}, 3, 0}, std::vector{end, other}, 0, 1, 1e-4);
+    const double cap = 9 * std::asin(1.0 / 3) - std::sqrt(8.0);  // of the hub, inside a bar
+    const double area = 9 * pi - 2 * cap + 2 * (2 * (20 - std::sqrt(8.0)) + pi / 2);
+    QVERIFY2(std::abs(signedVolume(bar) / area - 1) < 1e-3,
+             qPrintable(QString::number(signedVolume(bar) / area)));
+  }
+
+  /// Arms with no room for bars side by side still have no vertex in common.
+  void crowdedSpidersAreClosedPieces() {
+    const Solid part = spider({{0, 0}, 4, 2},
+                              std::vector<Eye>{{{20, 0}, 2, 1}, {{19, 3}, 2, 1}, {{5, 0}, 3, 1}}, 0, 3, 0.01);
+    const test::Topology topology = test::topologyOf(part);
+    QVERIFY(topology.closed && topology.manifold);
+    QCOMPARE(topology.degenerate, 0);
+    QCOMPARE(topology.pieces, 3);
+  }
+
+  void framesAreRightHandedWithZAlongTheAxis() {
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 0, -1),
+                                        Eigen::Vector3d(1, 2, 3).normalized().eval()}) {
+      const Eigen::Isometry3d frame = frameAlong({1, 2, 3}, axis);
+      QVERIFY((frame.linear().col(2) - axis).norm() < 1e-12);
+      QVERIFY(std::abs(frame.linear().determinant() - 1) < 1e-12);
+      QVERIFY((frame.linear() * frame.linear().transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestBodies)
+#include "test_bodies.moc"

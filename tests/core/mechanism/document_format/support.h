@@ -1,0 +1,64 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/mechanism/document_format/mechanism_file.h"
+
+namespace geargraph::test {
+
+/// Readable in a failed comparison: "schema /links/0/id [links:3]; ...".
+inline std::string summary(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    text += text.empty() ? "" : "; ";
+    text += std::string(codeName(diagnostic.code)) + " " + diagnostic.pointer;
+    for (const ElementId& element : diagnostic.elements) {
+      text += " [" + std::string(listName(element.kind)) + ":" + element.id.text() + "]";
+    }
+  }
+  return text;
+}
+
+/// What reading the text gives: "" or the summary of its diagnostics.
+inline std::string findings(const std::string& text) {
+  const auto read = readMechanism(text);
+  return read ? std::string() : summary(read.error());
+}
+
+inline std::string contentsOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The text with the first occurrence of `from` replaced; aborts where there is none.
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  GEARGRAPH_REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// A small document that has every member of the format: a planetary stage with a brake and a clutch.
+inline const std::string kEverything = R"({
+  "format": "geargraph", "version": 1, "name": "stage", "notes": "free\ntext", "unit": "in",
+  "links": [{"id": 0, "name": "ground"}, {"id": "sun"}, {"id": "arm", "pinned": true, "shapes": [
+    {"file": "parts/arm.stl", "position": [0, 0, "1/2"], "orientation": [90, 0, 0.0], "scale": 0.25}]}, {"id": "planet"}],
+  "axes": [{"id": "a", "point": [0, "22/7", 0.10], "direction": [0, 0, 1e-3], "pinned": true}, {"id": "p"}],
+  "turningJoints": [
+    {"id": 4, "tail": 0, "head": "sun", "axis": "a", "offset": -1.50},
+    {"id": 5, "tail": 0, "head": "arm", "axis": "a", "limits": [-170.0, null]},
+    {"id": 6, "tail": "arm", "head": "planet", "axis": "p"}],
+  "gearMeshes": [
+    {"id": 7, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "external",
+     "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true}],
+  "wheels": [{"id": "w", "link": "sun", "profileShift": 0.1, "bore": 8, "backlash": 0.04}],
+  "gearDefaults": {"pressureAngle": 20, "backlash": 0.05, "faceWidth": 10},
+  "inputs": [{"joint": 4, "speed": "1/3"}],
+  "couplings": [{"id": "B", "kind": "brake", "link": "arm"}, {"id": "C", "kind": "clutch", "links": ["sun", "arm"]}],
+  "states": [{"name": "1", "engaged": ["B", "C"], "drive": "sun", "driven": "arm"}],
+  "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
+    "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
+})";
+
+}  // namespace geargraph::test

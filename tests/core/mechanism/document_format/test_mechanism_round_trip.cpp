@@ -1,0 +1,177 @@
+#include <QtTest>
+
+#include "core/mechanism/model/edits.h"
+#include "tests/core/mechanism/document_format/support.h"
+#include "tests/core/support/example_files.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+class TestMechanismRoundTrip : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyMemberIsRead();
+  void writingAndReading_isTheIdentity();
+  void numbersKeepTheirSpelling_data();
+  void numbersKeepTheirSpelling();
+  void unknownMembersOfEveryLevelSurvive();
+  void placesOfTheTtGraphSurvive();
+  void textsSurvive();
+  void theRobotsFile_isCanonical();
+  void theRobotsPitchPoints_lieOnBothPitchSurfaces();
+};
+
+namespace {
+
+Mechanism read(const std::string& text) {
+  auto mechanism = readMechanism(text);
+  if (!mechanism) qFatal("%s", summary(mechanism.error()).c_str());
+  return *mechanism;
+}
+
+Mechanism robot() {
+  return example("robot");
+}
+
+using NodePlaces = std::map<LinkId, SheetPoint>;
+
+}  // namespace
+
+void TestMechanismRoundTrip::everyMemberIsRead() {
+  const Mechanism m = read(kEverything);
+  QCOMPARE(m.name, std::string("stage"));
+  QCOMPARE(m.notes, std::string("free\ntext"));
+  QCOMPARE(m.unit, std::string("in"));
+  QCOMPARE(m.n(), 3);
+  QCOMPARE(m.links[0].name, std::string("ground"));
+  QVERIFY(m.axes[0].point->at(1).exact() == Rational(22, 7));
+  QVERIFY(m.axes[0].direction->at(2).exact() == Rational(1, 1000));
+  QVERIFY(!m.axes[1].point && !m.axes[1].direction);
+  QVERIFY(m.turningJoints[0].offset.exact() == Rational(-3, 2));
+  QVERIFY(!m.turningJoints[0].limits.any());
+  QCOMPARE(m.turningJoints[1].limits.low->text(), std::string("-170.0"));
+  QVERIFY(!m.turningJoints[1].limits.high);
+  QVERIFY(m.turningJoints[1].tail == LinkId("0") && m.turningJoints[1].head == LinkId("arm"));
+  QVERIFY(m.turningJoints[2].axis == AxisId("p"));
+  const GearMesh& mesh = m.gearMeshes[0];
+  QVERIFY(mesh.tailTeeth == 20 && mesh.headTeeth == 31 && mesh.kind == MeshKind::external);
+  QVERIFY(mesh.tailWheel == WheelId("w") && !mesh.headWheel && mesh.faceWidth->exact() == Rational(3, 8));
+  QVERIFY(m.wheels[0].link == LinkId("sun") && m.wheels[0].bore->value() == 8);
+  QVERIFY(m.gearDefaults->pressureAngle->value() == 20 && m.gearDefaults->faceWidth->value() == 10);
+  QVERIFY(m.inputs->at(0).joint == JointId("4") && m.inputs->at(0).speed.exact() == Rational(1, 3));
+  QVERIFY(m.couplings[0].kind == CouplingKind::brake && m.couplings[1].links.size() == 2);
+  QVERIFY(m.states[0].engaged.size() == 2 && m.states[0].driven == LinkId("arm"));
+  QVERIFY((m.view.nodes.at(LinkId("sun")) == SheetPoint{-3, 4}));
+  QVERIFY((m.view.ttNodes.at(LinkId("0")) == SheetPoint{-5, 6}));
+  QVERIFY((m.view.camera == ViewCamera{{0, 1, 2.5}, -26, 20, 400}));
+  QCOMPARE(m.view.unknown, (UnknownMembers{{"grid", "{\"zoom\": 1.50}"}}));
+  QVERIFY(m.links[2].pinned && m.axes[0].pinned && m.gearMeshes[0].pinned);
+  QVERIFY(!m.links[1].pinned && !m.axes[1].pinned);
+  const LinkShape& shape = m.links[2].shapes.at(0);
+  QCOMPARE(shape.file, std::string("parts/arm.stl"));
+  QVERIFY(shape.position->at(2).exact() == Rational(1, 2) && shape.orientation->at(0).value() == 90);
+  QVERIFY(shape.scale->exact() == Rational(1, 4) && m.links[1].shapes.empty());
+}
+
+void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {
+  const Mechanism mechanism = read(kEverything);
+  const std::string written = writeMechanism(mechanism);
+  QVERIFY(read(written) == mechanism);
+  QCOMPARE(writeMechanism(read(written)), written);
+  QVERIFY(read(writeMechanism(emptyMechanism())) == emptyMechanism());
+}
+
+void TestMechanismRoundTrip::numbersKeepTheirSpelling_data() {
+  QTest::addColumn<QString>("number");
+  for (const char* number :
+       {"0.10", "1e-3", "1E+02", "-0", "-0.0", "\"22/7\"", "\"-1/3\"", "\"+5\"", "\"007\"", "0",
+        "0.123456789012345678901234567890", "-987654321098765.43210987654321050", "1e15", "5e-4000"}) {
+    QTest::newRow(number) << number;
+  }
+}
+
+void TestMechanismRoundTrip::numbersKeepTheirSpelling() {
+  QFETCH(QString, number);
+  const std::string written = writeMechanism(read(with(kEverything, "-1.50", number.toStdString())));
+  QVERIFY2(written.find("\"offset\": " + number.toStdString() + "}") != std::string::npos, written.c_str());
+  const std::string unknown = writeMechanism(read(with(kEverything, "1.50}}", number.toStdString() + "}}")));
+  QVERIFY2(unknown.find("{\"zoom\": " + number.toStdString() + "}") != std::string::npos, unknown.c_str());
+}
+
+void TestMechanismRoundTrip::unknownMembersOfEveryLevelSurvive() {
+  std::string text = kEverything;
+  int count = 0;
+  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+    if (text.substr(at).starts_with("{\"0\": [")) continue;  // nodes: all of their members are links
+    const std::string member = "\"new " + std::to_string(count++) + "\": [1e-3, {\"\\u00e9\": null}, \"x\"],";
+    text.insert(at + 1, member);
+    at += member.size();
+  }
+  const std::string written = writeMechanism(read(text));
+  for (int i = 0; i < count; ++i) {
+    const std::string member = "\"new " + std::to_string(i) + "\": [1e-3, {\"\\u00e9\": null}, \"x\"]";
+    QVERIFY2(written.find(member) != std::string::npos, member.c_str());
+  }
+  QCOMPARE(count, 21);  // every object of the document but both lists of nodes
+  QVERIFY(read(written) == read(text));
+}
+
+void TestMechanismRoundTrip::placesOfTheTtGraphSurvive() {
+  const Mechanism before = robot();
+  const std::vector<std::pair<LinkId, SheetPoint>> places{{LinkId("4"), {130.5, -0.1}},
+                                                          {LinkId("7"), {1.0 / 3, 2e5}}};
+  const Mechanism placed = withTtNodesMoved(before, places).value();
+  const Mechanism again = readMechanism(writeMechanism(placed)).value();
+  QCOMPARE(again, placed);
+  QCOMPARE(again.view.ttNodes, NodePlaces(places.begin(), places.end()));
+  QCOMPARE(again.view.nodes, before.view.nodes);  // the digraph's own places are another matter
+  // The place of a deleted link goes with it, the others stay.
+  const std::vector<ElementId> gone{LinkId("7")};
+  QCOMPARE(withoutElements(again, gone).value().view.ttNodes, (NodePlaces{places.front()}));
+  const std::vector<std::pair<LinkId, SheetPoint>> none{{LinkId("none"), {0, 0}}};
+  QCOMPARE(withTtNodesMoved(before, none).error()[0].code, Code::unknownId);
+}
+
+void TestMechanismRoundTrip::textsSurvive() {
+  Mechanism mechanism = emptyMechanism();
+  mechanism.name = "Γ \"quoted\" \\ / \b\f\n\r\t\x01 \xF0\x9F\x98\x80";
+  mechanism.notes = std::string("a\0b", 3);
+  mechanism.links[0].name = "=1+2";
+  QVERIFY(read(writeMechanism(mechanism)) == mechanism);
+  const std::string escaped = with(kEverything, "\"stage\"", R"("\u0393\ud83d\ude00\/\b")");
+  QCOMPARE(read(escaped).name, std::string("Γ\xF0\x9F\x98\x80/\b"));
+}
+
+void TestMechanismRoundTrip::theRobotsFile_isCanonical() {
+  const std::string file = exampleText("robot");
+  QCOMPARE(QString::fromStdString(writeMechanism(robot())), QString::fromStdString(file));
+}
+
+/// Table 1: each pitch point is d/2 from the axis of each of its two gears, d = 2 N.
+void TestMechanismRoundTrip::theRobotsPitchPoints_lieOnBothPitchSurfaces() {
+  const Mechanism m = robot();
+  const auto distanceFromAxis = [&](const NumberTriple& point, const char* id) {
+    const Axis& axis = *m.find(AxisId(id));
+    Rational squared;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!axis.direction->at(i).exact().isZero()) continue;  // axes of the robot are parallel to y or z
+      const Rational difference = point.at(i).exact() - axis.point->at(i).exact();
+      squared += difference * difference;
+    }
+    return squared.squareRoot().value();
+  };
+  const struct {
+    const char* mesh;
+    const char* tailAxis;
+    const char* headAxis;
+  } rows[] = {{"15", "a", "b"}, {"16", "b", "c"}, {"17", "c", "d"}, {"18", "d", "e"}};
+  for (const auto& row : rows) {
+    const GearMesh& mesh = *m.find(MeshId(row.mesh));
+    QVERIFY2(distanceFromAxis(*mesh.pitchPoint, row.tailAxis) == Rational(mesh.tailTeeth), row.mesh);
+    QVERIFY2(distanceFromAxis(*mesh.pitchPoint, row.headAxis) == Rational(mesh.headTeeth), row.mesh);
+  }
+}
+
+QTEST_APPLESS_MAIN(TestMechanismRoundTrip)
+#include "test_mechanism_round_trip.moc"

@@ -1,0 +1,144 @@
+#include <QtTest>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/pins.h"
+#include "core/mechanism/model/shapes.h"
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/shifting_sets.h"
+#include "tests/core/mechanism/document_format/broken_documents.h"
+#include "tests/core/mechanism/document_format/support.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/mechanisms.h"
+#include "tests/fuzz/mutations.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+namespace {
+
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+/// resources/schema/geargraph.schema.json, held against texts by a validator that knows nothing of the
+/// reader. It keeps to keywords that draft 7 and draft 2020-12 share.
+class DocumentSchema {
+ public:
+  DocumentSchema()
+      : m_source(nlohmann::json::parse(contentsOf(sourcePath("resources/schema/geargraph.schema.json")))) {
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(m_source), m_schema);
+  }
+
+  /// "" where the text fits; else the first thing that is wrong.
+  [[nodiscard]] std::string complaint(const std::string& text) const {
+    nlohmann::json document;
+    try {
+      document = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::out_of_range&) {
+      return "a number beyond a double";
+    }
+    valijson::ValidationResults results;
+    if (valijson::Validator().validate(m_schema, Adapter(document), &results)) return {};
+    valijson::ValidationResults::Error error;
+    if (!results.popError(error)) return "rejected";
+    std::string where;
+    for (const std::string& step : error.context) where += step;
+    return where + ": " + error.description;
+  }
+
+ private:
+  nlohmann::json m_source;
+  valijson::Schema m_schema;
+};
+
+const DocumentSchema& schema() {
+  static const DocumentSchema only;
+  return only;
+}
+
+}  // namespace
+
+/// The published schema and the reader agree: what the program writes fits, what the reader rejects does not.
+class TestSchema : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void examplesFit() {
+    const std::vector<std::string> names = exampleNames();
+    QVERIFY(names.size() >= 17);
+    for (const std::string& name : names) QCOMPARE(schema().complaint(exampleText(name)), std::string());
+  }
+
+  void everyMemberOfTheFormatFits() { QCOMPARE(schema().complaint(kEverything), std::string()); }
+
+  void whatTheProgramWritesFits() {
+    std::vector<Mechanism> mechanisms{emptyMechanism(), readMechanism(kEverything).value(),
+                                      planetarySet({24, 18}, 3), ravigneauxSet({}, 3).value()};
+    for (const std::string& name : exampleNames()) mechanisms.push_back(example(name));
+    for (int i = 0; i < 40; ++i)
+      mechanisms.push_back(randomTree(static_cast<std::uint64_t>(i), 1 + i % 12, i % 7));
+    for (Mechanism& mechanism : mechanisms) {
+      QCOMPARE(schema().complaint(writeMechanism(mechanism)), std::string());
+      // With all that views add, in numbers as they come from the mouse.
+      const LinkId last = mechanism.links.back().id;
+      mechanism.view.camera = ViewCamera{{1.0 / 3, -2e-9, 4e12}, -179.99, 89, 1e-4, {}};
+      mechanism.view.nodes[last] = {-0.1, 1e14};
+      mechanism.view.ttNodes[last] = {1.5, -3};
+      mechanism = withPinMark(std::move(mechanism), last, true).value();
+      mechanism = withShapes(std::move(mechanism), last,
+                             {{"a/b c.stl", {}, {}, {}},
+                              {"a/../ä.obj",
+                               NumberTriple{Number(1), Number(2), Number(3)},
+                               NumberTriple{Number(0), Number(0), Number(90)},
+                               *Number::fromText("1/3"),
+                               {{"finish", "[1]"}}}})
+                      .value();
+      QCOMPARE(schema().complaint(writeMechanism(mechanism)), std::string());
+    }
+  }
+
+  /// All faults but those that no schema can state: references between members, names that are used twice,
+  /// and numbers that vanish together.
+  void whatTheReaderRejectsIsRejected() {
+    const std::set<std::string> beyondSchemas{
+        "direction of length 0",          "direction too short for a double",
+        "fraction beyond the range",      "reference pose beyond a limit",
+        "limits that leave no turn",      "member twice",
+        "member twice in an unknown one", "wheel of another link"};
+    std::set<std::string> passed;
+    int rejected = 0;
+    for (const BrokenDocument& broken : brokenDocuments()) {
+      const std::string expected = broken.expected;
+      const bool isReference = expected.starts_with("duplicate-id") || expected.starts_with("unknown-id") ||
+                               expected.starts_with("self-joint");
+      const std::string complaint = schema().complaint(with(kEverything, broken.from, broken.to));
+      if (!complaint.empty()) ++rejected;
+      if (complaint.empty() && !isReference) passed.insert(broken.name);
+    }
+    QCOMPARE(passed, beyondSchemas);
+    QVERIFY2(rejected >= 60, qPrintable(QString::number(rejected)));
+  }
+
+  /// What the reader accepts fits: seeded mutations of a document with every member.
+  void whatTheReaderAcceptsFits() {
+    Random random(20240608);
+    int accepted = 0;
+    for (int round = 0; round < 3'000; ++round) {
+      std::string text = kEverything;
+      mutate(text, random);
+      if (!readMechanism(text)) continue;
+      ++accepted;
+      const std::string complaint = schema().complaint(text);
+      QVERIFY2(complaint.empty(), (complaint + "\n" + text).c_str());
+    }
+    QVERIFY2(accepted > 100, qPrintable(QString::number(accepted)));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestSchema)
+#include "test_schema.moc"

@@ -1,0 +1,63 @@
+#include <QTest>
+
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/shift_edits.h"
+#include "core/mechanism/model/validate.h"
+#include "tests/core/support/mechanisms.h"
+
+namespace geargraph {
+
+class LimitsTest : public QObject {
+  Q_OBJECT
+
+  const Mechanism robot = test::robotTopology();
+  const std::string longest = std::string(kLongestName, 'x');
+
+  /// The finding that keeps a document from being opened is known before it is saved.
+  static void checkRefused(const Mechanism& mechanism, const std::string& pointer) {
+    const Diagnostics beyond = limitDiagnostics(mechanism);
+    QCOMPARE(beyond.size(), std::size_t{1});
+    QCOMPARE(beyond.front().code, Code::schema);
+    QCOMPARE(beyond.front().pointer, pointer);
+    QVERIFY(!wellFormedDiagnostics(mechanism).empty());
+    const auto read = readMechanism(writeMechanism(mechanism));
+    QVERIFY(!read);
+    QCOMPARE(read.error().front().pointer, pointer);
+  }
+
+ private slots:
+  void theRobotIsWithinThem() { QVERIFY(limitDiagnostics(robot).empty()); }
+
+  void namesHaveALongest() {
+    const Mechanism fine = *withName(robot, robot.links[2].id, longest);
+    QVERIFY(limitDiagnostics(fine).empty());
+    QVERIFY(*readMechanism(writeMechanism(fine)) == fine);
+    checkRefused(*withName(robot, robot.links[2].id, longest + "x"), "/links/2/name");
+    checkRefused(*withStateRenamed(*withState(robot), 0, longest + "x"), "/states/0/name");
+    Mechanism named = robot;
+    named.name = longest + "x";
+    checkRefused(named, "/name");
+  }
+
+  void charactersCountAndNotBytes() {
+    std::string gears;
+    for (std::size_t i = 0; i < kLongestName; ++i) gears += "齿";
+    QVERIFY(limitDiagnostics(*withName(robot, robot.links[1].id, gears)).empty());
+    checkRefused(*withName(robot, robot.links[1].id, gears + "齿"), "/links/1/name");
+  }
+
+  void idsHaveALongest() { checkRefused(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
+
+  void listsHaveALongest() {
+    Mechanism many = emptyMechanism();
+    for (std::size_t i = 1; i <= kLongestList; ++i) many.links.push_back({LinkId(std::to_string(i)), {}, {}});
+    checkRefused(many, "/links");
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::LimitsTest)
+#include "test_limits.moc"

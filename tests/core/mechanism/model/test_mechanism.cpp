@@ -1,0 +1,287 @@
+#include <QTest>
+#include <random>
+
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/validate.h"
+#include "tests/core/support/mechanisms.h"
+
+namespace geargraph {
+namespace {
+
+using test::robotTopology;
+
+/// The codes of the findings, in order.
+std::vector<Code> codesOf(const Diagnostics& diagnostics) {
+  std::vector<Code> codes;
+  for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
+  return codes;
+}
+
+template <class Value>
+Code refusalOf(const Expected<Value>& result) {
+  return result.error().front().code;
+}
+
+ElementId link(const char* id) {
+  return LinkId(id);
+}
+
+}  // namespace
+
+class MechanismTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void limitsOfJointsTurnOverWithTheJoint() {
+    const JointLimits limits{Number(-10), Number::fromText("170.5")};
+    const Mechanism limited = withJointLimits(robotTopology(), JointId("8"), limits).value();
+    QCOMPARE(limited.find(JointId("8"))->limits, limits);
+    const Mechanism flipped = withFlipped(limited, JointId("8")).value();
+    const JointLimits expected{Number::fromText("-170.5"), Number(10)};
+    QCOMPARE(flipped.find(JointId("8"))->limits, expected);
+    QVERIFY(withFlipped(flipped, JointId("8")).value() == limited);
+    const JointLimits open{std::nullopt, Number(90)};
+    QCOMPARE(opposite(open), (JointLimits{Number(-90), std::nullopt}));
+    QVERIFY(withJointLimits(limited, JointId("8"), {}).value() == robotTopology());
+  }
+
+  void limitsHoldTheReferencePose() {
+    const auto refused = [](const JointLimits& limits) {
+      return !withJointLimits(robotTopology(), JointId("8"), limits);
+    };
+    QVERIFY(refused({Number(1), Number(170)}));
+    QVERIFY(refused({Number(-170), Number(-1)}));
+    QVERIFY(refused({Number(0), Number(0)}));
+    QVERIFY(refused({Number(1), std::nullopt}));
+    QVERIFY(!refused({Number(0), std::nullopt}));
+    QVERIFY(!refused({Number(-720), Number(720)}));
+    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("8"), {Number(1), Number(2)})), Code::schema);
+    QCOMPARE(refusalOf(withJointLimits(robotTopology(), JointId("99"), {})), Code::unknownId);
+  }
+
+  void numbersKeepTheirSpelling() {
+    for (const char* text : {"22/7", "0.10", "1e-3", "-5", "0"}) {
+      QCOMPARE(Number::fromText(text).value().text(), std::string(text));
+    }
+    QCOMPARE(Number(Rational(1, 8)).text(), std::string("0.125"));
+    QCOMPARE(Number(Rational(-1, 3)).text(), std::string("-1/3"));
+    QCOMPARE(Number(Rational(-1, 20)).text(), std::string("-0.05"));
+    QVERIFY(Number::fromDouble(0.1).exact() == Rational(1, 10));
+    QVERIFY(!Number::fromText("1e400").has_value());  // exact, but beyond every double
+  }
+
+  void numbersAreExactHoweverTheyAreWritten() {
+    // Those that a double holds alone, with their text, and those that it does not.
+    for (const char* text :
+         {"0", "-0", "12.5", "-0.1", "1e-3", "0.001", "1e+22", "10000000000000000000000", "9007199254740993",
+          "0.1000000000000000055", "22/7", "4/2", "1e-400", "3.14159"}) {
+      const Number number = Number::fromText(text).value();
+      const Rational exact = Rational::fromText(text).value();
+      QCOMPARE(number.exact(), exact);
+      QCOMPARE(number.value(), exact.toDouble());
+      QCOMPARE(number.text(), std::string(text));
+      QCOMPARE(number.isZero(), exact.isZero());
+      const Number copy = number;  // NOLINT(performance-unnecessary-copy-initialization)
+      QCOMPARE(copy, number);
+      QCOMPARE(copy.text(), std::string(text));
+    }
+    QVERIFY(Number::fromText("22/7")->isFractionText() && !Number::fromText("0.50")->isFractionText());
+  }
+
+  void numbersOfOneValueAndTwoSpellingsDiffer() {
+    for (const auto& [a, b] : {std::pair{"0.5", "0.50"}, {"0.50", "0.5"}, {"1/2", "2/4"}, {"0", "-0"}}) {
+      QVERIFY(Number::fromText(a) != Number::fromText(b));
+    }
+    QVERIFY(Number::fromText("0.50") == Number::fromText("0.50"));
+    QVERIFY(Number(2) == Number::fromText("2") && Number(2) != Number(3) && Number() == Number(0));
+  }
+
+  void numbersAreSmall() { QVERIFY(sizeof(Number) <= 2 * sizeof(double)); }
+
+  void labelsFollowTheOrderOfTheDocument() {
+    const Mechanism robot = robotTopology();
+    QCOMPARE(labelOf(robot, LinkId("4")).value(), std::string("4"));
+    QCOMPARE(labelOf(robot, JointId("14")).value(), std::string("14"));
+    QCOMPARE(labelOf(robot, MeshId("18")).value(), std::string("18"));
+    QCOMPARE(labelOf(robot, AxisId("c")).value(), std::string("c"));
+    QVERIFY(!labelOf(robot, MeshId("99")).has_value());
+    const Mechanism shorter = withoutElements(robot, std::array{link("3")}).value();
+    QCOMPARE(labelOf(shorter, MeshId("17")).value(),
+             std::string("15"));  // 6 links and 6 joints before, then the third mesh
+  }
+
+  void editsBuildAPlanetarySet() {
+    Mechanism set = emptyMechanism();
+    for (int i = 0; i < 3; ++i) set = withLink(set, {double(i), 0}).value();
+    set = withTurningJoint(set, LinkId("0"), LinkId("1")).value();
+    const AxisId sunAxis = set.turningJoints.back().axis;
+    set = withTurningJoint(set, LinkId("0"), LinkId("2"), sunAxis).value();
+    set = withTurningJoint(set, LinkId("2"), LinkId("3")).value();
+    set = withGearMesh(set, LinkId("1"), LinkId("3"), 24, 18).value();
+    QVERIFY(wellFormedDiagnostics(set).empty());
+    QVERIFY(treeDiagnostics(set).empty());
+    QCOMPARE(set.axes.size(), std::size_t(2));
+    QCOMPARE(set.n() + set.t() + set.c(), 7);
+  }
+
+  void newIdsNeverLookAlike() {
+    Mechanism mechanism = robotTopology();
+    mechanism = withLink(mechanism, {}).value();
+    QCOMPARE(mechanism.links.back().id.text(), std::string("19"));
+  }
+
+  void aJointThatClosesALoopIsRefused() {
+    const Mechanism robot = robotTopology();
+    const auto refused = withTurningJoint(robot, LinkId("3"), LinkId("0"));
+    QCOMPARE(refusalOf(refused), Code::turningLoop);
+    QVERIFY(refused.error().front().detail == Detail::turningCycle);
+  }
+
+  void edgesNeedTwoKnownLinks() {
+    const Mechanism robot = robotTopology();
+    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
+    QCOMPARE(refusalOf(withTurningJoint(robot, LinkId("3"), LinkId("3"))), Code::selfJoint);
+    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("x"))), Code::unknownId);
+    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 0, 12)), Code::schema);
+    QCOMPARE(refusalOf(withGearMesh(robot, LinkId("3"), LinkId("4"), 12, 100'001)), Code::schema);
+  }
+
+  void deletingALinkTakesWhatNeedsItAlong() {
+    Mechanism robot = robotTopology();
+    robot.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}, {JointId("9"), Number(1), {}}};
+    robot.couplings = {{CouplingId("A"), CouplingKind::brake, {LinkId("4")}, {}}};
+    robot.states = {{"1", {CouplingId("A")}, LinkId("4"), LinkId("3"), {}}};
+    robot.wheels = {{WheelId("w"), LinkId("4"), {}, {}, {}, {}}};
+    robot.view.nodes[LinkId("4")] = {1, 2};
+    const Mechanism without = withoutElements(robot, std::array{link("4")}).value();
+    QVERIFY(wellFormedDiagnostics(without).empty());
+    QCOMPARE(without.links.size(), std::size_t(7));
+    QVERIFY(without.find(JointId("8")) == nullptr);
+    QVERIFY(without.find(MeshId("15")) == nullptr);
+    QVERIFY(without.find(AxisId("a")) == nullptr);  // nobody else turned about it
+    QVERIFY(without.find(AxisId("b")) != nullptr);
+    QCOMPARE(without.inputs->size(), std::size_t(1));
+    QVERIFY(without.couplings.empty() && without.wheels.empty() && without.view.nodes.empty());
+    QVERIFY(without.states[0].engaged.empty() && !without.states[0].drive);
+  }
+
+  void theGroundStays() {
+    QCOMPARE(refusalOf(withoutElements(robotTopology(), std::array{link("0")})), Code::schema);
+    const Mechanism turned = withGround(robotTopology(), LinkId("1")).value();
+    QCOMPARE(turned.links.front().id, LinkId("1"));
+    QVERIFY(treeDiagnostics(turned).empty());
+  }
+
+  void flippingAMeshTakesItsTeethAlong() {
+    const Mechanism flipped = withFlipped(robotTopology(), MeshId("15")).value();
+    const GearMesh& mesh = *flipped.find(MeshId("15"));
+    QCOMPARE(mesh.tail, LinkId("1"));
+    QCOMPARE(mesh.tailTeeth, 36);
+    QCOMPARE(mesh.headTeeth, 18);
+    QVERIFY(withFlipped(flipped, MeshId("15")).value() == robotTopology());
+    QCOMPARE(refusalOf(withFlipped(flipped, LinkId("1"))), Code::unknownId);
+  }
+
+  void axesAreRenamedWithTheirJoints() {
+    const Mechanism renamed = withName(robotTopology(), AxisId("b"), "main").value();
+    QCOMPARE(renamed.find(JointId("9"))->axis, AxisId("main"));
+    QVERIFY(wellFormedDiagnostics(renamed).empty());
+    QCOMPARE(refusalOf(withName(robotTopology(), AxisId("b"), "c")), Code::duplicateId);
+    QCOMPARE(refusalOf(withName(robotTopology(), AxisId("b"), "")), Code::schema);
+    QCOMPARE(refusalOf(withName(robotTopology(), JointId("8"), "x")), Code::schema);
+  }
+
+  void anAxisHasADirection() {
+    const NumberTriple zero{};
+    QCOMPARE(refusalOf(withAxisPlaced(robotTopology(), AxisId("a"), {}, zero)), Code::schema);
+  }
+
+  void inputsAreDistinctJoints() {
+    const std::vector<Input> twice{{JointId("8"), Number(1), {}}, {JointId("8"), Number(2), {}}};
+    QCOMPARE(refusalOf(withInputs(robotTopology(), twice)), Code::duplicateId);
+    const std::vector<Input> nowhere{{JointId("15"), Number(1), {}}};
+    QCOMPARE(refusalOf(withInputs(robotTopology(), nowhere)), Code::unknownId);
+  }
+
+  void looseLinksAreAllNamed() {
+    Mechanism robot = robotTopology();
+    robot.turningJoints.erase(robot.turningJoints.begin() + 4);  // 1 -> 2: then 2, 3 and 7 hang nowhere
+    const Diagnostics findings = treeDiagnostics(robot);
+    QCOMPARE(codesOf(findings), std::vector<Code>{Code::disconnected});
+    QCOMPARE(findings[0].elements, (std::vector<ElementId>{link("2"), link("3"), link("7")}));
+  }
+
+  void aRedundantBearingIsNamed() {
+    Mechanism robot = robotTopology();
+    robot.turningJoints.push_back({JointId("x"), LinkId("5"), LinkId("1"), AxisId("b"), Number(0), {}});
+    const Diagnostics findings = treeDiagnostics(robot);
+    QCOMPARE(codesOf(findings), std::vector<Code>{Code::turningLoop});
+    QCOMPARE(findings[0].elements, (std::vector<ElementId>{JointId("x"), JointId("9"), JointId("10")}));
+    QVERIFY(findings[0].detail == Detail::redundantBearing);
+  }
+
+  void everyLoopAndEveryLooseLinkIsReportedTogether() {
+    Mechanism robot = robotTopology();
+    robot.links.push_back({LinkId("lost"), "", {}});
+    robot.turningJoints.push_back({JointId("x"), LinkId("5"), LinkId("3"), AxisId("e"), Number(0), {}});
+    robot.turningJoints.push_back({JointId("y"), LinkId("4"), LinkId("6"), AxisId("e"), Number(0), {}});
+    QCOMPARE(codesOf(treeDiagnostics(robot)),
+             (std::vector<Code>{Code::disconnected, Code::turningLoop, Code::turningLoop}));
+  }
+
+  void everyFaultOfAMechanismIsFound() {
+    Mechanism wrong = robotTopology();
+    wrong.links.push_back({LinkId("7"), "", {}});
+    wrong.turningJoints[0].axis = AxisId("nowhere");
+    wrong.gearMeshes[0].head = wrong.gearMeshes[0].tail;
+    wrong.gearMeshes[1].tailTeeth = 0;
+    wrong.gearMeshes[2].headWheel = WheelId("none");
+    wrong.axes[0].direction = NumberTriple{};
+    wrong.inputs = std::vector<Input>{{JointId("99"), Number(1), {}}};
+    wrong.couplings = {{CouplingId("C"), CouplingKind::clutch, {LinkId("1")}, {}}};
+    wrong.states = {{"1", {CouplingId("Z")}, {}, {}, {}}};
+    QCOMPARE(
+        codesOf(wellFormedDiagnostics(wrong)),
+        (std::vector<Code>{Code::duplicateId, Code::schema, Code::unknownId, Code::selfJoint, Code::schema,
+                           Code::unknownId, Code::unknownId, Code::schema, Code::unknownId}));
+    QVERIFY(wellFormedDiagnostics(robotTopology()).empty());
+  }
+
+  void randomEditsKeepTheMechanismWellFormed() {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      std::mt19937_64 random(seed);
+      Mechanism mechanism = emptyMechanism();
+      const auto anyLink = [&] { return mechanism.links[random() % mechanism.links.size()].id; };
+      for (int step = 0; step < 120; ++step) {
+        const auto next = [&]() -> Expected<Mechanism> {
+          switch (random() % 7) {
+            case 0:
+              return withTurningJoint(mechanism, anyLink(), anyLink());
+            case 1:
+              return withGearMesh(mechanism, anyLink(), anyLink(), 20, 30);
+            case 2:
+              return withoutElements(mechanism, std::array{ElementId(anyLink())});
+            case 3:
+              return withGround(mechanism, anyLink());
+            case 4:
+              if (mechanism.gearMeshes.empty()) return mechanism;
+              return withFlipped(mechanism, mechanism.gearMeshes[random() % mechanism.gearMeshes.size()].id);
+            default:
+              return withLink(mechanism, {double(step), 0});
+          }
+        }();
+        if (next) mechanism = *next;
+        QVERIFY(wellFormedDiagnostics(mechanism).empty());
+        for (const Diagnostic& diagnostic : treeDiagnostics(mechanism)) {
+          QCOMPARE(diagnostic.code, Code::disconnected);  // no edit closes a loop
+        }
+      }
+      QVERIFY(mechanism.links.size() > 1);
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::MechanismTest)
+#include "test_mechanism.moc"

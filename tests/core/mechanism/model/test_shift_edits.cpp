@@ -1,0 +1,62 @@
+#include <QtTest>
+
+#include "core/mechanism/model/shift_edits.h"
+#include "core/mechanism/model/validate.h"
+#include "tests/core/support/gearboxes.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+class TestShiftEdits : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void newCouplingsTakeTheFirstFreeLetter() {
+    const Mechanism more = *withClutch(*withBrake(eightSpeed(), LinkId("6")), LinkId("1"), LinkId("3"));
+    QCOMPARE(more.couplings[5].id, CouplingId("F"));
+    QCOMPARE(more.couplings[6].id, CouplingId("G"));
+    QCOMPARE(more.couplings[6].links, (std::vector{LinkId("1"), LinkId("3")}));
+    QVERIFY(wellFormedDiagnostics(more).empty());
+  }
+
+  void couplingsThatMakeNoSenseAreRefused() {
+    QCOMPARE(withBrake(eightSpeed(), LinkId("0")).error()[0].code, Code::schema);
+    QCOMPARE(withBrake(eightSpeed(), LinkId("77")).error()[0].code, Code::unknownId);
+    QCOMPARE(withBrake(eightSpeed(), LinkId("1"), "A").error()[0].code, Code::duplicateId);
+    QCOMPARE(withClutch(eightSpeed(), LinkId("1"), LinkId("1")).error()[0].code, Code::selfJoint);
+  }
+
+  void statesFollowTheNameOfACoupling() {
+    const Mechanism renamed = *withCouplingRenamed(eightSpeed(), CouplingId("A"), "B1");
+    QCOMPARE(renamed.states[0].engaged[0], CouplingId("B1"));
+    QVERIFY(wellFormedDiagnostics(renamed).empty());
+    QCOMPARE(withCouplingRenamed(eightSpeed(), CouplingId("A"), "B").error()[0].code, Code::duplicateId);
+    QCOMPARE(withCouplingRenamed(eightSpeed(), CouplingId("A"), "").error()[0].code, Code::schema);
+  }
+
+  void aNewStateHasTheLinksOfTheLast() {
+    const Mechanism more = *withState(eightSpeed());
+    QCOMPARE(more.states.back().name, std::string("9"));
+    QCOMPARE(*more.states.back().drive, LinkId("1"));
+    QVERIFY(wellFormedDiagnostics(more).empty());
+    QCOMPARE(withStateRenamed(more, 9, "1").error()[0].code, Code::duplicateId);
+    QCOMPARE(withStateRenamed(more, 9, "P")->states[9].name, std::string("P"));
+    QCOMPARE(withoutState(more, 9)->states, eightSpeed().states);
+  }
+
+  void dotsKeepTheOrderOfTheCouplings() {
+    Mechanism gearbox = *withEngaged(eightSpeed(), 0, CouplingId("B"), false);
+    QCOMPARE(gearbox.states[0].engaged, (std::vector{CouplingId("A"), CouplingId("C")}));
+    gearbox = *withEngaged(gearbox, 0, CouplingId("B"), true);
+    QCOMPARE(gearbox.states[0].engaged, eightSpeed().states[0].engaged);
+  }
+
+  void driveAndDrivenOfOneStateOrOfAll() {
+    QCOMPARE(*withDrive(eightSpeed(), 2, LinkId("3"))->states[2].drive, LinkId("3"));
+    const Mechanism all = *withDriven(eightSpeed(), -1, LinkId("6"));
+    for (const ShiftState& state : all.states) QCOMPARE(*state.driven, LinkId("6"));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestShiftEdits)
+#include "test_shift_edits.moc"

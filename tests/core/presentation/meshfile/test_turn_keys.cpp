@@ -1,0 +1,43 @@
+#include <QtTest>
+#include <numbers>
+
+#include "core/presentation/meshfile/turn_keys.h"
+
+using namespace geargraph;
+
+class TestTurnKeys : public QObject {
+  Q_OBJECT
+ private slots:
+  void turnsCloseToTheLastBit() {
+    const Eigen::Quaterniond rest(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()));
+    const auto keys = uniformTurn(Eigen::Vector3d::UnitY(), rest, 4 * 12345, 7.5);
+    QCOMPARE(keys.size(), std::size_t(4 * 12345 + 1));
+    QCOMPARE(keys.back().seconds, 7.5);
+    QVERIFY(keys.back().rotation.coeffs() == -keys.front().rotation.coeffs());  // an odd number of turns
+    QVERIFY(keys[8].rotation.coeffs() == keys[0].rotation.coeffs());
+  }
+
+  void keysTurnTheWayTheyAreTold() {
+    const Eigen::Vector3d axis = Eigen::Vector3d(2, -1, 2) / 3;
+    const Eigen::Quaterniond rest(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
+    MeshNode node;
+    for (const long long quarters : {-6LL, -1LL, 1LL, 8LL}) {
+      node.keys = uniformTurn(axis, rest, quarters, 2);
+      for (int i = 0; i <= 20; ++i) {
+        const double angle = std::numbers::pi / 2 * static_cast<double>(quarters) * i / 20;
+        const Eigen::Quaterniond expected = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)) * rest;
+        QVERIFY(poseAt(node, 0.1 * i).linear().isApprox(expected.toRotationMatrix(), 1e-12));
+      }
+    }
+  }
+
+  void aNodeAtRestHasTwoEqualKeys() {
+    const auto keys = uniformTurn(Eigen::Vector3d::UnitZ(), Eigen::Quaterniond::Identity(), 0, 2);
+    QCOMPARE(keys.size(), std::size_t(2));
+    QVERIFY(keys[0].rotation.coeffs() == keys[1].rotation.coeffs());
+    QCOMPARE(keys[1].seconds, 2.0);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestTurnKeys)
+#include "test_turn_keys.moc"

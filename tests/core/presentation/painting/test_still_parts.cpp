@@ -1,0 +1,179 @@
+#include "core/presentation/painting/still_parts.h"
+
+#include <QTest>
+#include <functional>
+
+#include "core/presentation/painting/egl_host.h"
+#include "tests/core/presentation/painting/small_scenes.h"
+
+using namespace geargraph;
+
+namespace {
+
+using Layer = StillParts::Layer;
+
+StillParts::View aView() {
+  StillParts::View view;
+  view.width = kView.width;
+  view.height = kView.height;
+  view.look = Look::light().cheaper();
+  return view;
+}
+
+std::vector<StillParts::Part> boxes(int count) {
+  std::vector<StillParts::Part> parts;
+  for (int i = 0; i < count; ++i) {
+    StillParts::Part& part = parts.emplace_back();
+    part.solid = std::make_shared<const Solid>(boxSolid({-1, -1, -1}, {1, 1, 1}));
+    part.pose.translation().x() = 3 * i;
+  }
+  return parts;
+}
+
+void move(StillParts::Part& part) {
+  part.pose.translation().z() += 1;
+}
+
+constexpr Showing kPainted = Showing::solid, kLeft = Showing::hidden;
+using Shown = std::vector<Showing>;
+
+/// A shaft with wheels before and behind it, and what a look at it in motion shows.
+Scene rowScene() {
+  Scene scene;
+  add(scene, cylinderSolid(3, -20, 20), {0, 0, 0}, 0x8A9099, "0");
+  add(scene, revolvedSolid({{4, -3}, {15, -3}, {15, 3}, {4, 3}}, 64), {0, 0, 5}, kOrange, "2");
+  add(scene, boxSolid({-6, -6, -6}, {6, 6, 6}), {12, -12, 0}, kBlue, "1");
+  add(scene, boxSolid({-6, -6, -6}, {6, 6, 6}), {-12, 12, -12}, kGreen, "3");
+  return scene;
+}
+
+}  // namespace
+
+class TestStillParts : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theFirstPictureKeepsNothing() {
+    StillParts still;
+    QCOMPARE(still.next(aView(), boxes(3)), Layer::none);
+  }
+
+  void whatStaysIsPaintedOnceAndWhatMovesEachTime() {
+    StillParts still;
+    auto parts = boxes(3);
+    (void)still.next(aView(), parts);
+    move(parts[1]);
+    QCOMPARE(still.next(aView(), parts), Layer::anew);
+    QCOMPARE(still.added(), (Shown{kPainted, kLeft, kPainted}));
+    QCOMPARE(still.rest(), (Shown{kLeft, kPainted, kLeft}));
+    move(parts[1]);
+    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QVERIFY(!still.hasAdded());
+    QCOMPARE(still.rest(), (Shown{kLeft, kPainted, kLeft}));
+  }
+
+  void whatHasComeToRestJoinsTheOthers() {
+    StillParts still;
+    auto parts = boxes(3);
+    (void)still.next(aView(), parts);
+    move(parts[1]);
+    (void)still.next(aView(), parts);
+    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QVERIFY(still.hasAdded());
+    QCOMPARE(still.added(), (Shown{kLeft, kPainted, kLeft}));
+    QCOMPARE(still.rest(), Shown(3, kLeft));
+  }
+
+  void aChangeOfWhatWasKeptBeginsTheLayerAnew() {
+    const auto changes = std::vector<std::function<void(StillParts::Part&)>>{
+        move,
+        [](StillParts::Part& part) { part.colour = Rgb::fromHex(kBlue); },
+        [](StillParts::Part& part) { part.emphasis = Highlight::hovered; },
+        [](StillParts::Part& part) { part.showing = Showing::hidden; },
+        [](StillParts::Part& part) {
+          part.levels.finer.push_back({0.1, nullptr});
+        },
+        [](StillParts::Part& part) { part.solid = std::make_shared<const Solid>(*part.solid); }};
+    for (const auto& change : changes) {
+      StillParts still;
+      auto parts = boxes(3);
+      (void)still.next(aView(), parts);
+      (void)still.next(aView(), parts);
+      change(parts[0]);
+      QCOMPARE(still.next(aView(), parts), Layer::anew);
+      QCOMPARE(still.added(), (Shown{kLeft, kPainted, kPainted}));
+      QCOMPARE(still.rest().front(), parts[0].showing);
+    }
+  }
+
+  void partsThatComeAndGoAreNotTakenForOthers() {
+    StillParts still;
+    auto parts = boxes(3);
+    (void)still.next(aView(), parts);
+    (void)still.next(aView(), parts);
+    parts.pop_back();
+    QCOMPARE(still.next(aView(), parts), Layer::anew);
+    QCOMPARE(still.added(), Shown(2, kPainted));
+    parts.push_back(boxes(1).front());
+    QCOMPARE(still.next(aView(), parts), Layer::kept);
+    QCOMPARE(still.rest(), (Shown{kLeft, kLeft, kPainted}));
+  }
+
+  void anotherCameraKeepsNothingAndAnotherLookBeginsAnew() {
+    StillParts still;
+    const auto parts = boxes(2);
+    StillParts::View view = aView();
+    (void)still.next(view, parts);
+    QCOMPARE(still.next(view, parts), Layer::anew);
+    view.camera = view.camera.orbited(5, 0);
+    QCOMPARE(still.next(view, parts), Layer::none);
+    QCOMPARE(still.next(view, parts), Layer::anew);
+    QCOMPARE(still.next(view, parts), Layer::kept);
+    view.look = Look::dark().cheaper();
+    QCOMPARE(still.next(view, parts), Layer::anew);
+    view.width += 1;
+    QCOMPARE(still.next(view, parts), Layer::none);
+  }
+
+  /// Whatever came before it, a quick look is the one that somebody sees who looks for the first time.
+  void aQuickLookOverWhatIsKeptIsThatWhichIsPaintedAnew() {
+    auto made = EglHost::create();
+    QVERIFY(made.has_value());
+    EglHost& host = **made;
+    Scene scene = rowScene();
+    Frame frame = frameOf(scene, Look::light().cheaper(), StandardView::isometric);
+    frame.look.edges = false;
+    std::vector<Highlight> emphasis(scene.instances.size(), Highlight::none);
+    std::vector<Showing> showing(scene.instances.size(), Showing::solid);
+    frame.emphasis = emphasis;
+    frame.showing = showing;
+    const std::vector<std::function<void()>> steps{
+        [] {},
+        [] {},
+        [&] { scene.instances[1].pose.translation().z() = 8; },
+        [&] { scene.instances[1].pose.translation().z() = -8; },
+        [&] {
+          scene.solids[2] = std::make_shared<const Solid>(boxSolid({-6, -6, -6}, {6, 6, 9}));
+        },
+        [&] { emphasis[3] = Highlight::selected; },
+        [&] { showing[2] = Showing::hidden; },
+        [&] { showing[2] = Showing::ghost; },
+        [&] { showing[2] = Showing::solid; },
+        [&] { frame.look = Look::dark().cheaper(), frame.look.edges = false; },
+        [&] { frame.camera = frame.camera.orbited(9, 4); },
+        [&] { scene.instances[0].colour = Rgb::fromHex(kGreen); },
+        [&] { frame.floor = 0; },  // parts have swung below it
+        [&] { frame.section = CutPlane{}; },
+        [&] { frame.section.reset(); }};
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+      steps[step]();
+      auto other = EglHost::create();
+      QVERIFY(other.has_value());
+      for (EglHost* painter : {&host, other->get()}) painter->setScene(scene);
+      QVERIFY2(host.picture(frame).rgba == (*other)->picture(frame).rgba, qPrintable(QString::number(step)));
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestStillParts)
+#include "test_still_parts.moc"

@@ -1,0 +1,171 @@
+#include <QRegularExpression>
+#include <QTest>
+#include <QXmlStreamReader>
+#include <set>
+
+#include "core/presentation/report/report.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
+
+namespace geargraph {
+namespace {
+
+Report reportOf(Mechanism mechanism) {
+  return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
+}
+
+/// What a formula's number stands beside.
+std::map<int, std::string> numbered(const Report& report) {
+  std::map<int, std::string> equations;
+  for (const ReportBlock& block : report.blocks) {
+    const auto* equation = std::get_if<ReportEquation>(&block);
+    if (equation == nullptr || !equation->number) continue;
+    if (!equations.emplace(*equation->number, equation->tex).second) {
+      qFatal("two equations (%d)", *equation->number);
+    }
+  }
+  return equations;
+}
+
+/// Every <math> of the page, read as XML; the number of them.
+int mathsOf(const QString& page) {
+  static const QRegularExpression math(QStringLiteral("<math.*?</math>"),
+                                       QRegularExpression::DotMatchesEverythingOption);
+  int count = 0;
+  for (auto found = math.globalMatch(page); found.hasNext(); ++count) {
+    QXmlStreamReader reader(found.next().captured());
+    while (!reader.atEnd()) reader.readNext();
+    if (reader.hasError()) qFatal("%s", qPrintable(reader.errorString()));
+  }
+  return count;
+}
+
+/// Braces and environments close in order, no line within a formula is empty, no dollar is left over.
+QString latexFault(const QString& text) {
+  std::vector<QString> open;
+  static const QRegularExpression mark(QStringLiteral(R"(\\(begin|end)\{([a-z*]+)\}|\\[{}\\$]|[{}])"));
+  for (auto found = mark.globalMatch(text); found.hasNext();) {
+    const auto match = found.next();
+    const QString word = match.captured();
+    if (word == "{") open.push_back(word);
+    if (match.captured(1) == "begin") open.push_back(match.captured(2));
+    const QString closed = word == "}"                  ? QStringLiteral("{")
+                           : match.captured(1) == "end" ? match.captured(2)
+                                                        : QString();
+    if (closed.isEmpty()) continue;
+    if (open.empty() || open.back() != closed)
+      return QStringLiteral("%1 at %2").arg(word).arg(match.capturedStart());
+    open.pop_back();
+  }
+  if (!open.empty()) return open.back() + " is open";
+  static const QRegularExpression gap(
+      QStringLiteral(R"(\\begin\{equation\*\}((?!\\end\{equation).)*\n\s*\n)"),
+      QRegularExpression::DotMatchesEverythingOption);
+  return gap.match(text).hasMatch() ? QStringLiteral("an empty line in a formula") : QString();
+}
+
+}  // namespace
+
+/// The derivation as data and in its three forms.
+class ReportTest : public QObject {
+  Q_OBJECT
+
+  static void check(const Report& report) {
+    (void)numbered(report);
+    const QString page = QString::fromStdString(reportHtml(report, {"<svg/>", "", "<svg/>"}));
+    qsizetype formulas = 0;
+    for (const ReportBlock& block : report.blocks)
+      formulas += std::holds_alternative<ReportEquation>(block) ? 1 : 0;
+    QVERIFY(mathsOf(page) >= formulas);
+    QCOMPARE(latexFault(QString::fromStdString(reportLatex(report))), QString());
+    QVERIFY(reportMarkdown(report).size() > 100);
+  }
+
+ private slots:
+  // The paper's own text, with its own numbers.
+  void theRobotIsThePaper() {
+    const auto equations = numbered(reportOf(test::example("robot")));
+    for (const int number : {1, 2, 3, 4, 5, 6, 16, 17, 18, 20, 21, 23, 24, 25}) {
+      QVERIFY2(equations.contains(number), qPrintable(QString::number(number)));
+    }
+    for (int number = 27; number <= 45; ++number) {
+      QVERIFY2(equations.contains(number), qPrintable(QString::number(number)));
+    }
+    QCOMPARE(equations.at(21), std::string("E = t - r = 7 - 4 = 3"));
+    QCOMPARE(equations.at(27), std::string("\\omega_{40}' = -n_{14} \\omega_{10}'"));
+    QCOMPARE(equations.at(31), std::string("\\omega_{51}'' = \\omega_{50} - \\omega_{10}"));
+    QVERIFY(equations.at(20).find("i_{16} &= \\frac{N_{5}}{N_{2}} = \\frac{20}{30} = \\frac{2}{3}") !=
+            std::string::npos);
+    QVERIFY(equations.at(25).find("-i_{17} i_{16} i_{15} & -i_{17} i_{16} & -i_{17}") != std::string::npos);
+    QVERIFY(equations.at(40).find("&= -n_{52} n_{41} \\omega_{40} - n_{52} \\omega_{50}") !=
+            std::string::npos);
+    QVERIFY(equations.at(45).find("-i_{17} i_{16} i_{15} & -i_{17} i_{16} & -i_{17}") != std::string::npos);
+  }
+
+  void everyExampleIsWrittenInEveryForm() {
+    const std::vector<std::string> names = test::exampleNames();
+    QVERIFY(names.size() > 10);
+    for (const std::string& name : names) check(reportOf(test::example(name)));
+  }
+
+  void anyTrainIsWritten() {
+    for (unsigned seed = 1; seed <= 12; ++seed)
+      check(
+          reportOf(test::randomTrain(seed, 8 + 3 * static_cast<int>(seed), 6 + 2 * static_cast<int>(seed))));
+  }
+
+  // Views light up an equation with its element.
+  void equationsSayWhatTheyAreAbout() {
+    const Report report = reportOf(test::example("robot"));
+    std::map<int, std::vector<ElementId>> about;
+    for (const ReportBlock& block : report.blocks) {
+      const auto* equation = std::get_if<ReportEquation>(&block);
+      if (equation != nullptr && equation->number) about[*equation->number] = equation->elements;
+    }
+    const std::vector<ElementId> meshes{MeshId("15"), MeshId("16"), MeshId("17"), MeshId("18")};
+    QVERIFY(about.at(20) == meshes);
+    QVERIFY(about.at(27) == std::vector<ElementId>{MeshId("15")});
+    QVERIFY(about.at(31) == std::vector<ElementId>{MeshId("16")});
+    QVERIFY(about.at(39) == std::vector<ElementId>{JointId("10")});
+    QVERIFY(about.at(45).empty());
+  }
+
+  // Where a part is missing, what comes before it is there, and no other number is shown.
+  void looseLinksHaveAnIncidenceMatrixAndNoMore() {
+    Mechanism mechanism = test::example("robot");
+    mechanism.turningJoints.pop_back();
+    const Report report = reportOf(std::move(mechanism));
+    const auto equations = numbered(report);
+    QVERIFY(equations.contains(1) && equations.contains(2));
+    QVERIFY(!equations.contains(3) && !equations.contains(25) && !equations.contains(45));
+    QVERIFY(reportMarkdown(report).find("no spanning tree") != std::string::npos);
+  }
+
+  void whatAUserWritesIsTextInEveryForm() {
+    Mechanism mechanism = test::example("spur-pair");
+    mechanism.name = "a_b & <i>c</i> $d$ {e} 50% #1 \\x";
+    mechanism.links[1].name = "| pipe\nline `code` ~ ^";
+    const Report report = reportOf(std::move(mechanism));
+    const std::string html = reportHtml(report, {});
+    QVERIFY(html.find("<h1>a_b &amp; &lt;i&gt;c&lt;/i&gt; $d$ {e} 50% #1 \\x</h1>") != std::string::npos);
+    const std::string latex = reportLatex(report);
+    QVERIFY(latex.find("\\title{a\\_b \\& <i>c</i> \\$d\\$ \\{e\\} 50\\% \\#1 \\textbackslash{}x}") !=
+            std::string::npos);
+    QVERIFY(latex.find("\\textasciitilde{} \\textasciicircum{}") != std::string::npos);
+    const std::string markdown = reportMarkdown(report);
+    QVERIFY(markdown.find("# a\\_b & \\<i\\>c\\</i\\> \\$d\\$ \\{e\\} 50% \\#1 \\\\x\n") !=
+            std::string::npos);
+    QVERIFY(markdown.find("| \\| pipe line \\`code\\` \\~ ^ |") != std::string::npos);
+  }
+
+  void aMatrixThatNobodyCouldReadIsNamedInstead() {
+    const Report report = reportOf(test::randomTrain(7, 60, 40));
+    QVERIFY(!numbered(report).contains(1));
+    QVERIFY(reportMarkdown(report).find("export --to csv --matrix incidence") != std::string::npos);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::ReportTest)
+#include "test_report.moc"

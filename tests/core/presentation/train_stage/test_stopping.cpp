@@ -1,0 +1,137 @@
+#include <pthread.h>
+
+#include <QtTest>
+#include <any>
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <future>
+#include <thread>
+
+#include "core/machine/bodies/complete_train.h"
+#include "core/theory/matroid/input_sets.h"
+#include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/train_stage/train_stage.h"
+#include "core/presentation/schematic/schematic.h"
+#include "tests/core/support/deep_train.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/extreme_documents.h"
+
+namespace geargraph {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+/// What it comes to is kept until it has ended, so that what it made is not given back in its time.
+using Work = std::function<std::any(const std::stop_token&)>;
+
+Seconds timeOn(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return Seconds(static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec));
+}
+
+/// Processor time that work goes on for when it is asked to stop after `after` of it, so that it does not
+/// matter what else the machine does. Below 0: it was done before.
+Seconds overtime(const Work& work, Seconds after) {
+  std::atomic<double> end = 0;
+  std::promise<clockid_t> begun;
+  std::promise<void> done;
+  auto clock = begun.get_future();
+  auto finished = done.get_future();
+  std::jthread thread([&](const std::stop_token& stop) {
+    clockid_t own{};
+    pthread_getcpuclockid(pthread_self(), &own);
+    begun.set_value(own);
+    const std::any made = work(stop);
+    end = timeOn(CLOCK_THREAD_CPUTIME_ID).count();
+    done.set_value();
+  });
+  const clockid_t its = clock.get();
+  const auto isDone = [&] {
+    return finished.wait_for(std::chrono::milliseconds(1)) == std::future_status::ready;
+  };
+  while (!isDone()) {
+    if (timeOn(its) < after) continue;
+    const Seconds asked = timeOn(its);
+    thread.request_stop();
+    finished.wait();
+    return Seconds(end.load()) - asked;
+  }
+  return Seconds(-1);
+}
+
+MechanismPtr shared(Mechanism mechanism) {
+  return std::make_shared<const Mechanism>(std::move(mechanism));
+}
+
+}  // namespace
+
+/// Each kind of long work, on the worst documents known, ends soon after it is cancelled.
+class StoppingTest : public QObject {
+  Q_OBJECT
+
+  void exportsOf(const char* name, const Mechanism& mechanism) {
+    GearCache gears;
+    const StagePtr stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, nullptr);
+    QTest::addRow("solids, %s", name) << Work([stage](const std::stop_token& stop) {
+      MeshWriteOptions how;
+      how.stop = stop;
+      return std::any(encodedMesh(sceneOf(*stage, {}, stop), MeshFormat::glb, "train", how));
+    });
+  }
+
+  void worksOn(const char* name, const Mechanism& mechanism) {
+    const MechanismPtr document = shared(mechanism);
+    const SnapshotPtr live = analyzeLive(document);
+    const auto add = [name](const char* work, const Work& run) {
+      QTest::addRow("%s, %s", work, name) << run;
+    };
+    add("live", [document](const std::stop_token& stop) { return std::any(analyzeLive(document, 0, stop)); });
+    add("exact and symbolic",
+        [live](const std::stop_token& stop) { return std::any(analyzeFully(live, {}, stop)); });
+    add("stage", [live](const std::stop_token& stop) {
+      GearCache cache;
+      return std::any(trainStage(*live, cache, nullptr, nullptr, stop));
+    });
+    add("train", [live](const std::stop_token& stop) {
+      return std::any(trainOf(*live->mechanism, live->kinematics->placement, stop));
+    });
+    add("schematic",
+        [document](const std::stop_token& stop) { return std::any(schematicGeometry(*document, stop)); });
+    add("inputs", [live](const std::stop_token& stop) {
+      const MatroidAnalysis* matroid = live->matroid();
+      if (matroid == nullptr) return std::any();
+      const auto sets = InputSets::of(*live->kinematics->model, FusedField(), matroid->choice.joints, stop);
+      if (!sets) return std::any();
+      return std::any(std::pair(sets->count(stop), sets->list(1'000'000, stop)));
+    });
+  }
+
+ private slots:
+  void workEndsWithinATenthOfASecond_data() {
+    QTest::addColumn<Work>("work");
+    worksOn("1,000 links", test::deepTrain(1, 1000));
+    worksOn("180 links", test::deepTrain(2, 180));
+    worksOn("many teeth", test::robotOfManyTeeth());
+    worksOn("robot, far offsets", test::farOffsets("robot"));
+    worksOn("gearbox, far offsets", test::farOffsets("eight-speed-gearbox"));
+    exportsOf("180 links", test::deepTrain(2, 180));
+    exportsOf("gearbox", test::example("eight-speed-gearbox"));
+  }
+  void workEndsWithinATenthOfASecond() {
+    QFETCH(Work, work);
+    for (const double after : {0.002, 0.1, 0.8}) {
+      const Seconds more = overtime(work, Seconds(after));
+      if (more < Seconds(0)) return;
+      QVERIFY2(more < Seconds(0.1),
+               qPrintable(QStringLiteral("%1 s more after %2 s").arg(more.count()).arg(after)));
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::StoppingTest)
+#include "test_stopping.moc"

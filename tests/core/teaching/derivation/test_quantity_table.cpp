@@ -1,0 +1,196 @@
+#include <QTest>
+
+#include "core/teaching/derivation/quantity_table.h"
+#include "core/mechanism/model/edits.h"
+#include "tests/core/support/example_files.h"
+
+namespace geargraph {
+
+/// The tables beside the matrices of whole numbers, for the paper's robot.
+class QuantityTableTest : public QObject {
+  Q_OBJECT
+
+  SnapshotPtr live;
+  SnapshotPtr full;
+
+  [[nodiscard]] static Mechanism robot() { return test::example("robot"); }
+  [[nodiscard]] QuantityTablePtr table(QuantityKind kind, EntryForm form) const {
+    return quantityTable(full, kind, form);
+  }
+  /// "C15 | -i15 0 0 -1 0 0 0"
+  [[nodiscard]] static QStringList lines(const QuantityTable& table) {
+    QStringList all;
+    for (int i = 0; i < table.rows(); ++i) {
+      QString line = QString::fromStdString(table.rowHeading(i).text).simplified() + " |";
+      for (int j = 0; j < table.columns(); ++j) {
+        const auto entry = table.entry(i, j);
+        line += ' ' + (entry ? QString::fromStdString(entry->text) : QString("0"));
+      }
+      all << line;
+    }
+    return all;
+  }
+  [[nodiscard]] static QString explained(const QuantityTable& table, int row, int column) {
+    const CellExplanation cell = table.explanation(row, column);
+    return QString::fromStdString(cell.title + " | " + cell.text);
+  }
+
+ private slots:
+  void initTestCase() {
+    live = analyzeLive(std::make_shared<const Mechanism>(robot()));
+    full = analyzeFully(live);
+  }
+
+  void eq24_coefficientsInRatios() {
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    QStringList heads;
+    for (int j = 0; j < p->columns(); ++j) heads << QString::fromStdString(p->columnHeading(j).text);
+    QCOMPARE(heads.join(' '), QString("8 9 11 10 12 13 14"));  // the inputs first
+    QCOMPARE(p->partition(), std::optional<int>(3));
+    QCOMPARE(lines(*p), (QStringList{"C15 | -i15 0 0 -1 0 0 0", "C16 | 0 i16 0 -i16 1 0 0",
+                                     "C17 | 0 0 i17 0 -i17 1 0", "C18 | 0 0 0 0 0 -i18 1"}));
+  }
+
+  void eq19_coefficientsInLengths() {
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::fractions);
+    QVERIFY(!p->partition());
+    // d4/2 = 18, d1/2 = 36, d5/2 = 20, d2/2 = 30, d6/2 = 24, d7'/2 = 18, d7''/2 = 16, d3/2 = 24
+    QCOMPARE(lines(*p), (QStringList{"C15 | -18 0 -36 0 0 0 0", "C16 | 0 20 -20 0 30 0 0",
+                                     "C17 | 0 0 0 24 -24 18 0", "C18 | 0 0 0 0 0 -16 24"}));
+    const QuantityTablePtr decimals = table(QuantityKind::coefficients, EntryForm::decimals);
+    for (int row = 0; row < 4; ++row) {
+      const auto exact = p->row(row);
+      const auto rounded = decimals->row(row);
+      QCOMPARE(exact.size(), rounded.size());
+      for (std::size_t i = 0; i < exact.size(); ++i) QCOMPARE(exact[i].value, rounded[i].value);
+    }
+  }
+
+  void eq25_solution() {
+    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    QVERIFY(s->headsAreRates());
+    QCOMPARE(lines(*s),
+             (QStringList{"10 | -i15 0 0", "12 | -i16*i15 -i16 0", "13 | -i17*i16*i15 -i17*i16 -i17",
+                          "14 | -i18*i17*i16*i15 -i18*i17*i16 -i18*i17"}));
+    QCOMPARE(lines(*table(QuantityKind::solution, EntryForm::fractions)).at(1), QString("12 | -1/3 -2/3 0"));
+    QCOMPARE(lines(*table(QuantityKind::solution, EntryForm::decimals)).at(0), QString("10 | -0.5 0 0"));
+  }
+
+  void eq06_screws() {
+    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::fractions);
+    QCOMPARE(u->rows(), 10);  // 2 + 3 + 3 + 2 joints of the four cycles
+    QCOMPARE(u->columns(), 6);
+    QCOMPARE(u->partition(), std::optional<int>(3));
+    QCOMPARE(QString::fromStdString(u->rowHeading(2).text).simplified(), QString("C16 9"));
+    for (int row = 0; row < u->rows(); ++row) {
+      double square = 0;
+      for (const QuantityEntry& entry : u->row(row))
+        square += entry.column < 3 ? entry.value * entry.value : 0;
+      QVERIFY(std::abs(square - 1) < 1e-12);
+    }
+    // Where all x are 0, Q = R = 0, Eq. (12): the moment is P alone.
+    for (int row = 0; row < u->rows(); ++row) {
+      QVERIFY(u->entry(row, 3));
+      QVERIFY(!u->entry(row, 4) && !u->entry(row, 5));
+    }
+  }
+
+  void pIsTTimesTheScrewsMoment() {
+    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::decimals);
+    const IntegerMatrix& t = *full->matrix(MatrixKind::spanningTree);
+    int row = 0;
+    for (int mesh = 0; mesh < p->rows(); ++mesh) {
+      for (const QuantityEntry& entry : p->row(mesh)) {
+        QCOMPARE(entry.value, t.entry(mesh, entry.column) * u->entry(row, 3)->value);
+        ++row;
+      }
+    }
+  }
+
+  void cellsTellTheirRule() {
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    QCOMPARE(
+        explained(*p, 1, 1),
+        QString("C16, joint 9: i16 | The row divided by the radius of the head's gear: joint 9 turns about "
+                "the axis of the tail's gear, which leaves the ratio i16 = 2/3. Eq. (24)"));
+    QVERIFY(explained(*p, 1, 0).contains("C16 does not use joint 8"));
+    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    QVERIFY(explained(*s, 1, 0).contains("With these teeth: -1/3. Eq. (25)"));
+    QVERIFY(explained(*s, 0, 2).contains("does not feel input 11"));
+    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
+    QVERIFY(explained(*u, 2, 3).contains("C16, joint 9, P"));
+    QVERIFY(explained(*u, 2, 3).contains("pitch point of mesh 16"));
+    QVERIFY(explained(*u, 2, 2).contains("Eqs. (7)-(9)"));
+  }
+
+  void rowsNameWhatLightsUp() {
+    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::symbols);
+    QCOMPARE(s->elementsOfRow(1), (std::set<ElementId>{JointId("12"), LinkId("2")}));
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    QCOMPARE(p->elementsOfRow(0), (std::set<ElementId>{JointId("8"), JointId("10"), MeshId("15")}));
+    const QuantityTablePtr u = table(QuantityKind::screws, EntryForm::decimals);
+    QCOMPARE(u->elementsOfRow(2), (std::set<ElementId>{JointId("9"), MeshId("16")}));
+    QVERIFY(u->columnHeading(0).element.id.empty());
+  }
+
+  void textsForOtherPrograms() {
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    QVERIFY(quantityCsv(*p).starts_with("P,8,9,11,10,12,13,14\nC15,-i15,0,0,-1,0,0,0\n"));
+    QVERIFY(quantityTsv(*p).find("C16\t0\ti16\t0\t-i16\t1\t0\t0\n") != std::string::npos);
+    const std::string latex = quantityLatex(*p);
+    QVERIFY(latex.starts_with("\\begin{array}{c|rrr|rrrr}\n & 8 & 9"));
+    QVERIFY(latex.find("C_{15} & -i_{15} & 0") != std::string::npos);
+    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::fractions);
+    QVERIFY(quantityLatex(*s).find("\\dot{\\theta}_{12} & -\\frac{1}{3} & -\\frac{2}{3} & 0") !=
+            std::string::npos);
+    QVERIFY(quantityMatlab(*s).find("S = [\n  -1/2 0 0\n") != std::string::npos);
+    // Decimals that read back as the same double.
+    QVERIFY(quantityNumpy(*table(QuantityKind::solution, EntryForm::decimals))
+                .find("[-0.3333333333333333, -0.6666666666666666, 0]") != std::string::npos);
+    QVERIFY(
+        quantityCsv(*table(QuantityKind::screws, EntryForm::decimals)).starts_with("U,L,M,N,P,Q,R\nC15 8,"));
+  }
+
+  void whatIsNotThereYetIsNotShown() {
+    QVERIFY(quantityTable(live, QuantityKind::solution, EntryForm::decimals) != nullptr);
+    QVERIFY(quantityTable(live, QuantityKind::solution, EntryForm::fractions) == nullptr);
+    QVERIFY(quantityTable(live, QuantityKind::coefficients, EntryForm::symbols) != nullptr);
+    const SnapshotPtr empty = analyzeLive(std::make_shared<const Mechanism>(emptyMechanism()));
+    for (const QuantityKind kind : allQuantityKinds()) {
+      const QuantityTablePtr none = quantityTable(empty, kind, EntryForm::decimals);
+      QVERIFY(!none || none->rows() == 0);
+    }
+    Mechanism loose = *withLink(robot(), {0, 0});
+    const SnapshotPtr broken = analyzeLive(std::make_shared<const Mechanism>(std::move(loose)));
+    for (const QuantityKind kind : allQuantityKinds()) QVERIFY(formsOf(*broken, kind).empty());
+  }
+
+  void rootsAreSaidToBeRounded() {
+    // An axis in the direction (1 1 0): its unit vector is no fraction.
+    Mechanism bevel = emptyMechanism();
+    bevel = *withLink(std::move(bevel), {0, 0});
+    bevel = *withLink(std::move(bevel), {1, 0});
+    const LinkId ground = bevel.links[0].id;
+    bevel = *withTurningJoint(std::move(bevel), ground, bevel.links[1].id);
+    bevel = *withTurningJoint(std::move(bevel), ground, bevel.links[2].id);
+    const NumberTriple origin{Number(0), Number(0), Number(0)};
+    bevel = *withAxisPlaced(std::move(bevel), bevel.axes[0].id, origin,
+                            NumberTriple{Number(1), Number(1), Number(0)});
+    bevel = *withAxisPlaced(std::move(bevel), bevel.axes[1].id, origin,
+                            NumberTriple{Number(0), Number(0), Number(1)});
+    bevel = *withGearMesh(std::move(bevel), bevel.links[1].id, bevel.links[2].id, 20, 20);
+    const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(bevel)));
+    QVERIFY2(snapshot->matroid() != nullptr,
+             snapshot->diagnostics.empty() ? "" : snapshot->diagnostics.front().message.c_str());
+    const QuantityTablePtr u = quantityTable(snapshot, QuantityKind::screws, EntryForm::fractions);
+    QCOMPARE(QString::fromStdString(u->entry(0, 0)->text), QString("≈ 0.707107"));
+    QVERIFY(quantityCsv(*u).find("0.7071067811865") != std::string::npos);
+    QVERIFY(quantityCsv(*u).find("≈") == std::string::npos);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::QuantityTableTest)
+#include "test_quantity_table.moc"
