@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/files/byte_sink.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

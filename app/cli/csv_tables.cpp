@@ -1,7 +1,7 @@
 #include "app/cli/csv_tables.h"
 
-#include "core/teaching/derivation/quantity_table.h"
 #include "core/foundations/files/matrix_csv.h"
+#include "core/teaching/derivation/quantity_table.h"
 
 namespace geargraph::cli {
 namespace {

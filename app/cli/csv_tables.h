@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/files/csv.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/foundations/base/diagnostic.h"
 #include "core/design/collision/motion_findings.h"
+#include "core/foundations/base/diagnostic.h"
 #include "core/foundations/files/json_writer.h"
 
 namespace geargraph::cli {

@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <string_view>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/presentation/drawing/display_list.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

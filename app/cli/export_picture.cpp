@@ -11,12 +11,12 @@
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {

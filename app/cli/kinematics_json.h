@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/theory/analysis/analysis.h"
 #include "core/presentation/meshfile/train_files.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

@@ -8,8 +8,8 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/theory/analysis/analysis.h"
 #include "core/design/collision/motion_findings.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "app/cli/arguments.h"
-#include "core/theory/analysis/analysis.h"
 #include "core/presentation/train_stage/stage_labels.h"
 #include "core/presentation/train_stage/stage_picture.h"
+#include "core/theory/analysis/analysis.h"
 
 namespace geargraph::cli {
 

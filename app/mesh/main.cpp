@@ -13,8 +13,8 @@
 
 #include "core/foundations/files/byte_sink.h"
 #include "core/foundations/files/file.h"
-#include "core/presentation/meshfile/foreign_mesh.h"
 #include "core/foundations/sandbox/sandbox.h"
+#include "core/presentation/meshfile/foreign_mesh.h"
 
 namespace geargraph {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/contract.h"
+#include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/forward_kinematics.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/trains.h"

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include "core/foundations/base/contract.h"
-#include "core/teaching/derivation/quantity_table.h"
-#include "core/mechanism/graph/matrices.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/matrix_csv.h"
+#include "core/mechanism/graph/matrices.h"
+#include "core/teaching/derivation/quantity_table.h"
 #include "tests/bench/families.h"
 
 namespace geargraph {

@@ -15,12 +15,12 @@
 #include <map>
 #include <random>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/contract.h"
-#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/bench/families.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"

@@ -7,8 +7,8 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/contract.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/trains.h"
 

@@ -4,12 +4,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/foundations/base/contract.h"
 #include "core/design/collision/motion_findings.h"
+#include "core/foundations/base/contract.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/presentation/painting/egl_host.h"
-#include "core/presentation/train_stage/train_stage.h"
 #include "core/presentation/schematic/schematic.h"
+#include "core/presentation/train_stage/train_stage.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 

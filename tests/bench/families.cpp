@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/contract.h"
+#include "core/theory/analysis/analysis.h"
 #include "core/theory/matroid/input_sets.h"
 #include "tests/core/support/trains.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/cli/cli_run.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"

@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/fuzz/laws.h"
 
 namespace geargraph::test {

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "core/theory/matroid/exact_solution.h"
-#include "core/theory/matroid/symbolic_solution.h"
 #include "core/theory/matroid/screw.h"
+#include "core/theory/matroid/symbolic_solution.h"
 #include "tests/core/support/matroid_fixture.h"
 #include "tests/core/support/robot_variants.h"
 #include "tests/core/support/trains.h"

@@ -4,9 +4,9 @@ cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${WORK}")
 file(WRITE "${WORK}/core/README.md" "")
-file(WRITE "${WORK}/core/gears/README.md" "")
-file(WRITE "${WORK}/core/gears/good.h" "/// Symbols as in README.md, section 1.\nint a;  // core/README.md\n")
-file(WRITE "${WORK}/core/gears/bad.cpp" "auto page = \"a.md\";\n/// As in theory.md, section b.\n")
+file(WRITE "${WORK}/core/machine/teeth/README.md" "")
+file(WRITE "${WORK}/core/machine/teeth/good.h" "/// Symbols as in README.md, section 1.\nint a;  // core/README.md\n")
+file(WRITE "${WORK}/core/machine/teeth/bad.cpp" "auto page = \"a.md\";\n/// As in theory.md, section b.\n")
 execute_process(
   COMMAND ${CMAKE_COMMAND} -D SOURCE=${WORK} -P "${CHECK}"
   RESULT_VARIABLE status ERROR_VARIABLE errors)

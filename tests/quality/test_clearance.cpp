@@ -6,12 +6,12 @@
 #include <random>
 #include <set>
 
-#include "core/machine/solids/gear_solid.h"
+#include "core/design/synthesis/bevel_sets.h"
 #include "core/machine/bodies/complete_train.h"
+#include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/graph/digraph.h"
 #include "core/theory/pose/forward_kinematics.h"
 #include "core/theory/pose/turning_lines.h"
-#include "core/design/synthesis/bevel_sets.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/quality/rolling_rates.h"

@@ -3,11 +3,11 @@
 #include <memory>
 #include <numbers>
 
+#include "core/machine/bodies/complete_train.h"
 #include "core/machine/solids/gear_mesher.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
-#include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/graph/digraph.h"
 #include "core/theory/pose/forward_kinematics.h"
 #include "tests/core/support/example_files.h"

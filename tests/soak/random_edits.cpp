@@ -6,12 +6,18 @@
 #include <set>
 #include <tuple>
 
+#include "core/design/fixes/fixes.h"
+#include "core/design/synthesis/bevel_sets.h"
+#include "core/design/synthesis/insertion.h"
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/planets.h"
+#include "core/design/synthesis/reverted_train.h"
+#include "core/design/synthesis/shifting_sets.h"
+#include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/mesh_snap.h"
 #include "core/mechanism/fitting/module_fit.h"
-#include "core/design/fixes/fixes.h"
-#include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
@@ -19,12 +25,6 @@
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/schematic/sheet_edits.h"
-#include "core/design/synthesis/bevel_sets.h"
-#include "core/design/synthesis/insertion.h"
-#include "core/design/synthesis/planetary_set.h"
-#include "core/design/synthesis/planets.h"
-#include "core/design/synthesis/reverted_train.h"
-#include "core/design/synthesis/shifting_sets.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph::soak {

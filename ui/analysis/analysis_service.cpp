@@ -1,6 +1,6 @@
 #include "ui/analysis/analysis_service.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_analysis {
 
 AnalysisService::AnalysisService(QObject* parent, Ahead ahead)
     : QObject(parent), m_worker([this, ahead = std::move(ahead)](SnapshotPtr snapshot) {
@@ -21,4 +21,4 @@ void AnalysisService::arrived(const SnapshotPtr& snapshot) {
   emit snapshotReady(snapshot);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_analysis

@@ -6,7 +6,7 @@
 
 #include "core/theory/analysis/worker.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_analysis {
 
 /// The analysis worker for a window: snapshots arrive on the GUI thread, and a stale one never reaches a
 /// view.
@@ -41,4 +41,4 @@ class AnalysisService : public QObject {
   AnalysisWorker m_worker;  ///< last: it is stopped before what its deliveries touch goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_analysis

@@ -7,7 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 QString tr(const char* text) {
@@ -143,4 +143,4 @@ QString describeFully(const Mechanism& mechanism, const ElementId& element) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -8,9 +8,11 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
-
+namespace geargraph::inline placement {
 struct Placement;
+}  // namespace geargraph::inline placement
+
+namespace geargraph::inline canvas {
 
 /// The turning joint that carries a link: the one towards the ground, or the only one that could be it while
 /// the tree is not complete. Without one, `why` says so in words for a menu.
@@ -44,4 +46,4 @@ struct Carrying {
 /// With what it joins, its axis, its teeth: "Turning joint 12 from link 1 to link 2, axis c, driven".
 [[nodiscard]] QString describeFully(const Mechanism& mechanism, const ElementId& element);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

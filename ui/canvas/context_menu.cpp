@@ -6,7 +6,7 @@
 #include "core/mechanism/model/pins.h"
 #include "ui/canvas/canvas_edits.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 QString tr(const char* text) {
@@ -164,4 +164,4 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -8,7 +8,7 @@
 
 class QMenu;
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// What the entries of a context menu do; the view carries it out. Links are added and drawings tidied only
 /// where it says how.
@@ -38,4 +38,4 @@ struct ContextActions {
 void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optional<ElementId>& element,
                      const ContextActions& actions);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

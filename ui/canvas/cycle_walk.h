@@ -2,10 +2,10 @@
 
 #include <QString>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/presentation/drawing/digraph_drawing.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// A row of the cycle-basis matrix as a walk through the drawing [AU, Eq. (5)].
 struct CycleWalk {
@@ -17,4 +17,4 @@ struct CycleWalk {
 /// where there is no such mesh or no tree.
 [[nodiscard]] std::optional<CycleWalk> cycleWalk(const AnalysisSnapshot& snapshot, MeshId mesh);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

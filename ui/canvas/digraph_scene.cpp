@@ -6,7 +6,7 @@
 
 #include "core/presentation/drawing/coupling_marks.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 12 ms
@@ -209,4 +209,4 @@ DisplayList DigraphScene::displayList(const Emphases& emphases) const {
   return digraphDrawing(*m_geometry, emphases);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "ui/canvas/drawing_scene.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 using DigraphGeometryPtr = std::shared_ptr<const DigraphGeometry>;
 
@@ -66,4 +66,4 @@ class DigraphScene final : public DrawingScene {
   bool m_isSliceDue = false;    ///< of those that are to be drawn again
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

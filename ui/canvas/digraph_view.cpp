@@ -4,7 +4,7 @@
 #include "core/mechanism/model/edits.h"
 #include "ui/canvas/cycle_walk.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr std::size_t kLarge = 1'500;  ///< links; up to here a frame is enough to place all arrows
@@ -106,4 +106,4 @@ Expected<Mechanism> DigraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
   return withLink(m_placer->adopted(mechanism), at);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -4,7 +4,7 @@
 #include "ui/canvas/graph_view.h"
 #include "ui/canvas/node_placer.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// The digraph of the document, drawn and edited [AU, Fig. 2]. The fundamental cycle of the chosen mesh is
 /// shown as a walk.
@@ -56,4 +56,4 @@ class DigraphView final : public GraphView {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -4,7 +4,7 @@
 
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr double kRoomAround = 20000;  ///< how far the sheet can be pulled beyond the drawing
@@ -115,4 +115,4 @@ void DrawingScene::setOverlay(DisplayList overlay) {
   m_overlay->setMarks(std::move(overlay.marks));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -10,7 +10,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "ui/canvas/mark_item.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Plays a drawing on a scene: the marks of one element at one depth are one item, repainted only where they
 /// changed. Picking asks outlines(), never the items.
@@ -78,4 +78,4 @@ class DrawingScene : public QGraphicsScene {
   MarkItem* m_overlay = nullptr;  ///< owned by the scene
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -10,7 +10,7 @@
 #include "ui/canvas/mark_painter.h"
 #include "ui/canvas/rename_editor.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 Theme themeOf(const QPalette& palette) {
@@ -374,4 +374,4 @@ QString DrawingView::toolTipFor(const ElementId& element) const {
   return describeFully(mechanism(), element);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -3,8 +3,8 @@
 #include <QGraphicsView>
 #include <optional>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/presentation/drawing/palette.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/canvas/drawing_scene.h"
 #include "ui/canvas/element_commands.h"
 #include "ui/document/document.h"
@@ -13,7 +13,7 @@
 
 class QMenu;
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// A drawing of the document: what all of them have in common. It zooms, pans and fits, lights up what is
 /// hovered and selected in any view, picks by the drawing's outlines, gives tips and menus, and carries out
@@ -200,4 +200,4 @@ class DrawingView : public QGraphicsView {
   bool m_hovering = false;     ///< what is hovered is under our mouse
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -11,7 +11,7 @@
 #include "ui/canvas/drawing_view.h"
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr double kReach = 3;  ///< px on screen around an arrow that still hit it
@@ -283,4 +283,4 @@ bool DrawingView::toolKeyPressed(const QKeyEvent& event) {
   return false;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

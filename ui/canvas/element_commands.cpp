@@ -9,7 +9,7 @@
 #include "core/mechanism/model/shift_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 QString tr(const char* text) {
@@ -157,4 +157,4 @@ void ElementCommands::takeOff(const ElementId& coupling) {
         });
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -5,7 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// What keys and menus do with elements in any drawing: an edit of one undo step each.
 class ElementCommands {
@@ -39,4 +39,4 @@ class ElementCommands {
   Selection& m_selection;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

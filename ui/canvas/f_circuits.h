@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/palette.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// The two fundamental circuits of a mesh as walks round the T-T graph [AU, Fig. 6], and its equations in
 /// words: each along its chord from the gear to the carrier and back through the branches.
@@ -19,4 +19,4 @@ struct FCircuits {
 /// None where the mesh has no transfer vertex. @pre the mesh is in the graph
 [[nodiscard]] std::optional<FCircuits> fCircuits(const TtGraph& graph, int mesh);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

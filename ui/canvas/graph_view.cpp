@@ -7,7 +7,7 @@
 #include "ui/canvas/cycle_walk.h"
 #include "ui/canvas/mark_painter.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 bool isMesh(const ElementId& element) {
@@ -105,4 +105,4 @@ void GraphView::drawBackground(QPainter* painter, const QRectF& rect) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

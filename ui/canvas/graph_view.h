@@ -4,7 +4,7 @@
 #include "ui/canvas/node_sheet.h"
 #include "ui/canvas/tool_controller.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// A drawing in which links are nodes: all tools of the tool bar work in it.
 class GraphView : public DrawingView, protected NodeSheet {
@@ -50,4 +50,4 @@ class GraphView : public DrawingView, protected NodeSheet {
   MeshId m_wantedCycle;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

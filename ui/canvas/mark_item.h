@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Some marks of a display list on a scene: a node, an arrow, a halo, or what lies over the drawing. Picking
 /// is not its business: the view asks the outlines of the display list.
@@ -26,4 +26,4 @@ class MarkItem final : public QGraphicsItem {
   const Theme& m_theme;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

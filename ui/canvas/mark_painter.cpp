@@ -7,7 +7,7 @@
 #include <QTextLayout>
 #include <optional>
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr double kSmallestText = 4;     ///< px on screen
@@ -154,4 +154,4 @@ void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, 
   for (const Mark& mark : marks) std::visit(MarkPainter{painter, theme, scale, mark.role}, mark.what);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -9,7 +9,7 @@
 
 class QPainter;
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 [[nodiscard]] inline QColor toQColor(Color color) {
   return {color.red, color.green, color.blue};
@@ -28,4 +28,4 @@ namespace geargraph {
 /// many pixels a unit of the sheet takes; what would be too small to be seen is left out.
 void paintMarks(QPainter& painter, const std::vector<Mark>& marks, Theme theme, double scale);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -1,6 +1,6 @@
 #include "ui/canvas/node_placer.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few milliseconds
@@ -67,4 +67,4 @@ void NodePlacer::seek(const Request& request) {
   QMetaObject::invokeMethod(this, arrive, Qt::QueuedConnection);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

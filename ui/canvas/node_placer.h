@@ -6,7 +6,7 @@
 #include "core/foundations/base/request_worker.h"
 #include "core/presentation/drawing/layout.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Knows where every link of a document stands on the sheet: where the document says so, there; else where it
 /// was put before; else where the layout puts it. Small documents are laid out at once, large ones in a
@@ -52,4 +52,4 @@ class NodePlacer final : public QObject {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -7,7 +7,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 using NodeMoves = std::vector<std::pair<LinkId, SheetPoint>>;
 
@@ -31,4 +31,4 @@ class NodeSheet {
   [[nodiscard]] virtual Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

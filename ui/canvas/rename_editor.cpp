@@ -2,7 +2,7 @@
 
 #include <QKeyEvent>
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 RenameEditor::RenameEditor(const QString& text, QWidget* parent) : QLineEdit(text, parent) {
   setAlignment(Qt::AlignCenter);
@@ -40,4 +40,4 @@ void RenameEditor::finish(bool take) {
   deleteLater();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

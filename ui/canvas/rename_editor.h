@@ -2,7 +2,7 @@
 
 #include <QLineEdit>
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Edits one text where it stands: Enter or leaving it takes the text, Esc leaves it as it was. Deletes
 /// itself.
@@ -24,4 +24,4 @@ class RenameEditor final : public QLineEdit {
   bool m_finished = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

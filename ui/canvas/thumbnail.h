@@ -3,10 +3,10 @@
 #include <QImage>
 #include <optional>
 
-#include "core/presentation/drawing/palette.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/presentation/drawing/palette.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Larger mechanisms get no picture: nothing could be told apart on it.
 constexpr int kMostThumbnailLinks = 150;
@@ -16,4 +16,4 @@ constexpr int kMostThumbnailLinks = 150;
 /// Cost: some milliseconds; a layout where the document gives no places.
 [[nodiscard]] std::optional<QImage> digraphThumbnail(const Mechanism& mechanism, Theme theme, QSize pixels);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

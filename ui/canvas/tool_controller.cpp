@@ -3,14 +3,14 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "core/presentation/drawing/digraph_drawing.h"
-#include "core/presentation/drawing/hit_test.h"
 #include "core/mechanism/fitting/mesh_snap.h"
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/hit_test.h"
 #include "ui/canvas/element_commands.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 constexpr double kSnapReach = 6;  ///< px on screen
@@ -244,4 +244,4 @@ DisplayList ToolController::overlay() const {
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -9,7 +9,7 @@
 #include "ui/tools/snapping.h"
 #include "ui/tools/tool_machine.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// Carries out what the tools propose: turns proposals into edits of the document, into the selection, into
 /// what is shown over the drawing; numbers the gestures. The only place where a mouse changes a document.
@@ -79,4 +79,4 @@ class ToolController final : public QObject {
   std::optional<JointPreview> m_preview;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

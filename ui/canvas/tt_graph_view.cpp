@@ -1,14 +1,14 @@
 #include "ui/canvas/tt_graph_view.h"
 
-#include "core/presentation/drawing/tt_graph_drawing.h"
-#include "core/presentation/drawing/tt_graph_layout.h"
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
+#include "core/presentation/drawing/tt_graph_drawing.h"
+#include "core/presentation/drawing/tt_graph_layout.h"
 #include "core/theory/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 namespace {
 
 QString paragraph(const QString& text) {
@@ -174,4 +174,4 @@ Expected<Mechanism> TtGraphView::withLinkAt(const Mechanism& mechanism, SheetPoi
   return withTtNodesMoved(std::move(next), place);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/tt_graph_geometry.h"
 #include "ui/canvas/graph_view.h"
 
-namespace geargraph {
+namespace geargraph::inline canvas {
 
 /// The T-T graph of the document [AU, Figs. 5 and 6]: the tree of turning joints with the levels of its
 /// branches, the chords of every mesh to its transfer vertex. Of the chosen mesh it shows the two f-circuits
@@ -54,4 +54,4 @@ class TtGraphView final : public GraphView {
   bool m_behind = false;  ///< the drawing is out of date, as nobody sees it
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline canvas

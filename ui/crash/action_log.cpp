@@ -4,7 +4,7 @@
 #include <cstring>
 #include <ctime>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 
 std::int64_t ActionLog::now() {
   timespec time{};
@@ -36,4 +36,4 @@ ActionLog& actionLog() {
   return log;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

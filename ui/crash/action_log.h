@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 
 /// The last actions of the user by their names, for crash reports: never a text that was typed, the name of a
 /// file or anything of a document. One thread writes; a signal handler of any thread may read, and then at
@@ -43,4 +43,4 @@ class ActionLog {
 /// The log of the program.
 [[nodiscard]] ActionLog& actionLog();
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

@@ -10,7 +10,7 @@
 
 #include "ui/crash/action_log.h"
 
-namespace geargraph {
+namespace geargraph::inline crash {
 namespace {
 
 void note(const QByteArray& name) {
@@ -94,4 +94,4 @@ void ActionRecorder::onTriggered() {
   note(name.isEmpty() ? QByteArray("menu item") : "command " + name.toUtf8());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

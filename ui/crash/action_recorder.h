@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 
 /// Notes in actionLog() what the user does: commands by their object names, presses and drags by button and
 /// view, keys that are no text. Cost: a look at the type of each event.
@@ -22,4 +22,4 @@ class ActionRecorder : public QObject {
   quint64 m_lastInput = 0;  ///< time stamp: an event that a widget leaves to its parent is noted once
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

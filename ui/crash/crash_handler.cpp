@@ -21,7 +21,7 @@
 #include "core/foundations/base/broken_contract.h"
 #include "ui/crash/action_log.h"
 
-namespace geargraph {
+namespace geargraph::inline crash {
 namespace {
 
 struct Signal {
@@ -246,4 +246,4 @@ void installCrashHandler(const std::filesystem::path& folder, const std::string&
   for (Signal& each : signals) ::sigaction(each.number, &action, &each.before);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 
 /// From now on a crash of this process (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT with broken contracts,
 /// std::terminate) writes a report as text into `folder` before it ends the process as it would have without:
@@ -16,4 +16,4 @@ namespace geargraph {
 /// @pre no report is being written
 void installCrashHandler(const std::filesystem::path& folder, const std::string& details);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

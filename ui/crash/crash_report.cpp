@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 namespace {
 
 const QString kSeenSuffix = QStringLiteral(".seen");
@@ -54,4 +54,4 @@ void keepCrashReport(const CrashReport& report) {
   for (const QString& old : seen.mid(kKeptReports)) folder.remove(old);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

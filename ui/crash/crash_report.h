@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-namespace geargraph {
+namespace geargraph::inline crash {
 
 /// A report that an earlier run wrote when it crashed.
 struct CrashReport {
@@ -24,4 +24,4 @@ constexpr int kKeptReports = 5;
 /// The text of a report with the mangled names of functions spelled out. Lines that hold none stay.
 [[nodiscard]] QString readableReport(const QByteArray& written);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline crash

@@ -8,7 +8,7 @@
 
 #include "ui/theme/empty_label.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 DerivationPanel::DerivationPanel(Selection* selection, QWidget* parent)
     : QWidget(parent), m_service(new DerivationService(this)), m_view(new DerivationView(selection, this)) {
@@ -110,4 +110,4 @@ void DerivationPanel::fillSections() {
   m_sections->setCurrentIndex(m_view->currentHeading());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -9,7 +9,7 @@ class QLabel;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 /// The derivation of the newest snapshot: a list of its sections, and the derivation as on a page. It is
 /// worked out only while it is in sight.
@@ -55,4 +55,4 @@ class DerivationPanel : public QWidget {
   bool m_isAwake = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -1,6 +1,6 @@
 #include "ui/derivation/derivation_service.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 DerivationService::DerivationService(QObject* parent)
     : QObject(parent),
@@ -23,4 +23,4 @@ void DerivationService::make(const Request& request, const std::stop_token& stop
       Qt::QueuedConnection);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -3,11 +3,11 @@
 #include <QObject>
 #include <memory>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/request_worker.h"
 #include "core/presentation/pages/flow.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 using SetReportPtr = std::shared_ptr<const SetReport>;
 
@@ -36,4 +36,4 @@ class DerivationService : public QObject {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

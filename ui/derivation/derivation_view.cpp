@@ -11,7 +11,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 namespace {
 
 constexpr int kMargin = 18;
@@ -366,4 +366,4 @@ void DerivationView::scrollContentsBy(int dx, int dy) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -9,7 +9,7 @@
 #include "ui/derivation/formula_painter.h"
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 /// A derivation, set like a printed page, as wide as the view; a matrix that is wider even when it is small
 /// scrolls. Equations of an element light up with it and select it; of what is selected elsewhere the nearest
@@ -89,4 +89,4 @@ class DerivationView : public QAbstractScrollArea {
   int m_heading = -1;     ///< told last
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 namespace {
 
 constexpr std::size_t kMostFonts = 200;  // before sizes that were zoomed through are forgotten
@@ -64,4 +64,4 @@ void FormulaPainter::paint(QPainter& painter, const FormulaBox& box, QPointF ori
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

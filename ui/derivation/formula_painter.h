@@ -7,7 +7,7 @@
 
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_derivation {
 
 /// Paints formulas in the faces that they were set in.
 class FormulaPainter {
@@ -26,4 +26,4 @@ class FormulaPainter {
   std::map<std::pair<FontFace, int>, QRawFont> m_fonts;  ///< by face and hundredths of a pixel
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_derivation

@@ -10,7 +10,7 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/patch.h"
 
-namespace geargraph {
+namespace geargraph::inline document {
 
 /// The only command class of the program: the difference between two immutable mechanisms. The mechanisms
 /// themselves are what the document has kept whole; older ones are made from their neighbour in the history.
@@ -188,4 +188,4 @@ void Document::publish(const MechanismPtr& mechanism) {
   emit changed();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document

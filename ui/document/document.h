@@ -11,7 +11,7 @@
 #include "core/mechanism/model/element_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline document {
 
 /// One change of the document: its name in the undo list, and a pure function from one mechanism to the next.
 struct Edit {
@@ -25,8 +25,8 @@ struct Edit {
 /// The document of one window: the mechanism now, its history, and the file it belongs to. The only way to
 /// change it is apply(); what every view sees is an immutable value with a revision that only grows.
 ///
-/// The history holds the differences between documents (core/mechanism/model/patch.h), beside the documents of the
-/// last kKeptWhole steps. Beyond the limit of its memory the oldest steps go, a quarter at a time.
+/// The history holds the differences between documents (core/mechanism/model/patch.h), beside the documents
+/// of the last kKeptWhole steps. Beyond the limit of its memory the oldest steps go, a quarter at a time.
 class Document : public QObject {
   Q_OBJECT
 
@@ -96,4 +96,4 @@ class Document : public QObject {
   QString m_filePath;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document

@@ -9,7 +9,7 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 QString programDetails() {
   // Not translated: who reads it need not have the user's language.
@@ -44,4 +44,4 @@ void showAboutDialog(QWidget* parent) {
   box->show();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -4,7 +4,7 @@
 
 class QWidget;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The program and what it runs on, a line each: version, Qt, system, platform, OpenGL driver. For reports of
 /// problems; names neither user nor files. @pre there is an application
@@ -13,4 +13,4 @@ namespace geargraph {
 /// What this program is, with a button that copies programDetails().
 void showAboutDialog(QWidget* parent);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -16,7 +16,7 @@
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/status_line.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 void copy(const CrashReport& report) {
@@ -83,4 +83,4 @@ void offerCrashReports(const QString& folder, MainWindow& window) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 class MainWindow;
 
@@ -10,4 +10,4 @@ class MainWindow;
 /// shown, copied or deleted. A report that was shown or copied is not offered again.
 void offerCrashReports(const QString& folder, MainWindow& window);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

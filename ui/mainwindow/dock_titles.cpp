@@ -2,7 +2,7 @@
 
 #include <QDockWidget>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 DockTitles::DockTitles(QMainWindow* window) : QObject(window), m_window(window) {
   connect(window, &QMainWindow::tabifiedDockWidgetActivated, this, &DockTitles::renewSoon);
@@ -35,4 +35,4 @@ void DockTitles::renew() {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -2,7 +2,7 @@
 
 #include <QMainWindow>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Docks that share a place are told apart by their tabs, so they need no title bar; a dock that floats or
 /// stands alone shows one. Keeps that so while docks are moved.
@@ -23,4 +23,4 @@ class DockTitles : public QObject {
   bool m_pending = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -7,7 +7,7 @@
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kGap = 8;       ///< between a card and the next
@@ -94,4 +94,4 @@ void DocumentCard::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->restore();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -2,7 +2,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Roles of a list of documents; the name is its display text.
 enum DocumentRole {
@@ -27,4 +27,4 @@ class DocumentCard : public QStyledItemDelegate {
   Form m_form;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -16,7 +16,7 @@
 #include "core/foundations/files/matrix_csv.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 /// A file of so many bytes is read within a frame or two (3 MB: 0.1 to 0.2 s).
@@ -120,4 +120,4 @@ QString robotExamplePath() {
   return QStringLiteral(":/examples/robot.geargraph");
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

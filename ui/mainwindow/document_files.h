@@ -11,7 +11,7 @@
 
 class QWidget;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Reads a document from a file or, for a path that begins with ":/", from the program's own resources. A
 /// file that cannot be read at all is a `syntax` finding with the system's reason.
@@ -41,4 +41,4 @@ namespace geargraph {
 [[nodiscard]] QStringList examplePaths();
 [[nodiscard]] QString robotExamplePath();
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

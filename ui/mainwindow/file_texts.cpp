@@ -3,7 +3,7 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 QString documentFilter() {
   return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
@@ -17,4 +17,4 @@ Edit takingOver(const QString& text, const MechanismPtr& mechanism) {
   return {text, [mechanism](const Mechanism&) -> Expected<Mechanism> { return *mechanism; }, 0};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

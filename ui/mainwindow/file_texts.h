@@ -5,7 +5,7 @@
 #include "core/mechanism/model/difference.h"
 #include "ui/document/document.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The file types of the dialogs that open and save documents.
 [[nodiscard]] QString documentFilter();
@@ -16,4 +16,4 @@ namespace geargraph {
 /// The edit that replaces the whole mechanism, named `text` in the undo list.
 [[nodiscard]] Edit takingOver(const QString& text, const MechanismPtr& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

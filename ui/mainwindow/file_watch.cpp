@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::look);
@@ -51,4 +51,4 @@ void FileWatch::look() {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -37,7 +37,7 @@
 #include "ui/theme/icons.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kTitleBar = 40;  // px: at most that of a window manager
@@ -388,4 +388,4 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   emit closed();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -4,40 +4,55 @@
 #include <QTabWidget>
 #include <memory>
 
-#include "core/teaching/derivation/quantity_table.h"
 #include "core/mechanism/graph/integer_matrix.h"
+#include "core/teaching/derivation/quantity_table.h"
 #include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/window_actions.h"
 #include "ui/selection/selection.h"
 #include "ui/stage/stage_service.h"
 
-namespace geargraph {
-
-struct PictureWish;
-class DerivationPanel;
+namespace geargraph::inline canvas {
 class DigraphView;
-class DockTitles;
 class DrawingView;
-class SchematicView;
+class TtGraphView;
+}  // namespace geargraph::inline canvas
+namespace geargraph::inline panels {
 class GearboxPanel;
 class InputsPanel;
 class InsertSetDialog;
 class MatricesPanel;
-class NoticeBar;
-class MotionCheckService;
-class MotionPanel;
-class PictureJobs;
-class Presentation;
 class ProblemsPanel;
 class PropertiesPanel;
-class RecentFiles;
 class ResultsPanel;
+}  // namespace geargraph::inline panels
+namespace geargraph::inline search {
 class SearchField;
+}  // namespace geargraph::inline search
+namespace geargraph::inline ui_derivation {
+class DerivationPanel;
+}  // namespace geargraph::inline ui_derivation
+namespace geargraph::inline ui_motion {
+class MotionCheckService;
+}  // namespace geargraph::inline ui_motion
+namespace geargraph::inline ui_schematic {
+class SchematicView;
+}  // namespace geargraph::inline ui_schematic
+namespace geargraph::inline view3d {
+class MotionPanel;
+class View3D;
+}  // namespace geargraph::inline view3d
+
+namespace geargraph::inline mainwindow {
+
+struct PictureWish;
+class DockTitles;
+class NoticeBar;
+class PictureJobs;
+class Presentation;
+class RecentFiles;
 class StatusLine;
 class StartPage;
-class TtGraphView;
-class View3D;
 class WindowFiles;
 
 /// One document and all its views. The window owns the three things that views share (document, selection,
@@ -212,4 +227,4 @@ class MainWindow : public QMainWindow {
   PictureJobs* m_pictures = nullptr;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

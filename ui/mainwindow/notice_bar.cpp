@@ -10,7 +10,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 constexpr int kIcon = 16;
 }
@@ -107,4 +107,4 @@ void NoticeBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) renewIcon();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -9,7 +9,7 @@
 class QLabel;
 class QHBoxLayout;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Something that the user should decide on, but need not decide now.
 struct Notice {
@@ -58,4 +58,4 @@ class NoticeBar : public QToolBar {
   QList<QWidget*> m_buttons;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -12,7 +12,7 @@
 
 #include "core/presentation/train_stage/stage_picture.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 /// By row of the choice; the last two are of the 3D view only.
@@ -152,4 +152,4 @@ PictureWish PictureDialog::wish() const {
   return wish;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -10,7 +10,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QSpinBox;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// What the 3D view is written as: a PNG (animated where it is a film), a folder of them, or its solids.
 enum class SolidForm { png, pictures, glb };
@@ -56,4 +56,4 @@ class PictureDialog final : public QDialog {
   QCheckBox* m_fitted;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

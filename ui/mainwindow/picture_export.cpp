@@ -17,7 +17,7 @@
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 /// The view's picture or film, with its labels, as a job for another thread.
@@ -141,4 +141,4 @@ void MainWindow::onPictureWritten(const QString& path) {
   emit pictureExported(path);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -4,7 +4,7 @@
 
 #include "ui/mainwindow/notice_bar.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 const QString kKey = QStringLiteral("pictures");
@@ -69,4 +69,4 @@ void PictureJobs::onDone(const Job& job, const QString& why, bool stopped) {
   if (!m_isBusy) startNext();  // whoever heard of it may have added one
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

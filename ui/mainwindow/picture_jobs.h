@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 class NoticeBar;
 
@@ -47,4 +47,4 @@ class PictureJobs : public QObject {
   std::jthread m_thread;  ///< last: it ends before what it reports to goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -11,7 +11,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kSteps = 60;    // from the middle to either end
@@ -99,4 +99,4 @@ void PlayControls::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && m_speed != nullptr) renewButton();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

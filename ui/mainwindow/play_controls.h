@@ -8,7 +8,7 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Play or pause, and how fast: the middle of the slider is the speed of the inputs as they are, either end
 /// eight times slower or faster. A double click on the slider goes back to 1.0×.
@@ -37,4 +37,4 @@ class PlayControls : public QWidget {
 /// "1.0×", "0.25×": a speed as the tool bar shows it.
 [[nodiscard]] QString printedSpeed(double speed);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <QToolBar>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kHintMilliseconds = 5000;
@@ -75,4 +75,4 @@ void Presentation::showHint() {
   QTimer::singleShot(kHintMilliseconds, m_hint, &QWidget::hide);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

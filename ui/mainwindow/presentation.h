@@ -6,7 +6,7 @@
 class QLabel;
 class QMainWindow;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The window as a lecture hall wants it: full screen, large type, no bars, the drawing and the panels that
 /// were chosen. The choice is remembered apart from the layout for work; either comes back as it was.
@@ -42,4 +42,4 @@ class Presentation : public QObject {
   bool m_on = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

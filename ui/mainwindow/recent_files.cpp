@@ -6,7 +6,7 @@
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 const QString kKey = QStringLiteral("recentFiles");
 }
@@ -52,4 +52,4 @@ void RecentFiles::fill() {
   none->setEnabled(false);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QStringList>
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The files opened or saved lately, newest first, kept in the settings; and the menu that shows them.
 class RecentFiles : public QMenu {
@@ -25,4 +25,4 @@ class RecentFiles : public QMenu {
   void fill();
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -5,8 +5,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/presentation/drawing/svg_writer.h"
 #include "core/foundations/files/file.h"
+#include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/report/report.h"
 #include "ui/canvas/drawing_view.h"
@@ -16,7 +16,7 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/schematic/schematic_view.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 ReportForm formOf(const QString& path) {
@@ -86,4 +86,4 @@ void MainWindow::exportDerivation(const QString& path) {
   m_pictures->add({path, false, run});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

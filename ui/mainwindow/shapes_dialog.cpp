@@ -12,7 +12,7 @@
 
 #include "core/mechanism/model/shapes.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kFile = 0, kPosition = 1, kOrientation = 4, kScale = 7, kColumns = 8;
@@ -151,4 +151,4 @@ void ShapesDialog::removeChosen() {
   apply(tr("Take off a 3D file"), changed);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

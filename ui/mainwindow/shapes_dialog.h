@@ -8,7 +8,7 @@
 class QTableWidget;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The 3D files that a link wears: which, where, how turned and how large. Every change is an edit that can
 /// be undone. It does not lock the window.
@@ -35,4 +35,4 @@ class ShapesDialog final : public QDialog {
   QToolButton* m_remove;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

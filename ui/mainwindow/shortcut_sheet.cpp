@@ -11,7 +11,7 @@
 
 #include "ui/search/search_entries.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr std::size_t kColumns = 3;  // all of it without scrolling on a small screen
@@ -114,4 +114,4 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   resize(1160, 640);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

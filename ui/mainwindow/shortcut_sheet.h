@@ -4,7 +4,7 @@
 
 class QMenuBar;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// All keys on one sheet: those of the menus as they are now, and what mouse and keys do in the drawings and
 /// in the 3D view.
@@ -18,4 +18,4 @@ class ShortcutSheet : public QDialog {
   [[nodiscard]] static QString textFor(const QMenuBar& menus);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

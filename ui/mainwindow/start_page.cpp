@@ -19,7 +19,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kSideWidth = 320;
@@ -202,4 +202,4 @@ void StartPage::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && !isHidden()) fill();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

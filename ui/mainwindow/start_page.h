@@ -6,7 +6,7 @@ class QLabel;
 class QListView;
 class QStandardItemModel;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 class Thumbnails;
 
@@ -53,4 +53,4 @@ class StartPage : public QWidget {
   bool m_withRecent = true;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -9,7 +9,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 StatusLine::StatusLine(Selection* selection, QWidget* parent)
     : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
@@ -132,4 +132,4 @@ void StatusLine::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && m_message != nullptr) renewMessage();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -11,7 +11,7 @@
 class QLabel;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// The status bar: what the tool expects next, or why an edit was refused; and n, t, c, rank, DOF as chips.
 /// Pointing at a chip lights up what it counts.
@@ -54,4 +54,4 @@ class StatusLine : public QStatusBar {
   QToolButton* m_freedom;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

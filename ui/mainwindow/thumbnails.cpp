@@ -11,7 +11,7 @@
 #include "ui/canvas/thumbnail.h"
 #include "ui/mainwindow/document_files.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 constexpr int kFineness = 2;
 }
@@ -53,4 +53,4 @@ void Thumbnails::draw(const QString& path, Theme theme) {
   });
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

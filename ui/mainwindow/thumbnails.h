@@ -4,10 +4,10 @@
 #include <QObject>
 #include <QSize>
 
-#include "core/presentation/drawing/palette.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/presentation/drawing/palette.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Small pictures of documents for lists. Those of examples are drawn when they are asked for, those of files
 /// when the file is opened or saved, and kept in the cache folder, so that showing a list reads no document.
@@ -34,4 +34,4 @@ class Thumbnails : public QObject {
   void drawn(const QString& path, geargraph::Theme theme, const QImage& picture);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

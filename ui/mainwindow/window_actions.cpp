@@ -4,7 +4,7 @@
 
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 QString words(const char* text) {
@@ -194,4 +194,4 @@ void WindowActions::setTheme(Theme theme) {
   chosen->setChecked(true);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -9,7 +9,7 @@
 
 class QMainWindow;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 /// Every command of the window, with its key, its icon and its tip; menus and the tool bar show them. What
 /// cannot be done now is disabled, and its tip says why.
@@ -89,4 +89,4 @@ struct WindowActions {
   std::vector<std::pair<QAction*, QString>> m_icons;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -12,7 +12,7 @@
 #include "ui/search/search_field.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr double kFaster = 1.4142135623730951;  // two steps double the speed
@@ -78,4 +78,4 @@ void MainWindow::showElement(const ElementId& element) {
   if (place) drawing().ensureVisible(*place);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -13,7 +13,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/models/term_tips.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 const QString kMimeType = QStringLiteral("application/x-geargraph+json");
@@ -79,4 +79,4 @@ void MainWindow::insert(const Mechanism& fragment, const QString& text) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

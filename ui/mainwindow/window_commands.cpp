@@ -9,10 +9,10 @@
 #include <QMimeData>
 #include <QSettings>
 
-#include "core/teaching/derivation/matrix_text.h"
-#include "core/mechanism/model/edits.h"
 #include "core/design/synthesis/insertion.h"
 #include "core/design/synthesis/planets.h"
+#include "core/mechanism/model/edits.h"
+#include "core/teaching/derivation/matrix_text.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
@@ -29,7 +29,7 @@
 #include "ui/search/search_field.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 QString withSuffix(QString path, const QString& suffix) {
@@ -304,4 +304,4 @@ void MainWindow::showAbout() {
   showAboutDialog(this);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

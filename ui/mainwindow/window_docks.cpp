@@ -17,7 +17,7 @@
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 /// What somebody who opens a document has to know before anything else. A harmless remark is not.
@@ -134,4 +134,4 @@ void MainWindow::raiseProblems(const AnalysisSnapshot& snapshot) {
   m_isOpened = !snapshot.isComplete;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -18,7 +18,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/problems_panel.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 QString timeText(const QDateTime& time) {
@@ -246,4 +246,4 @@ void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
   if (m_autosave) m_autosave->adopt(std::move(offered->side), offered->document.note);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

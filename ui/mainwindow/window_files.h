@@ -13,7 +13,7 @@
 
 class QMimeData;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 struct WindowActions;
 class MainWindow;
@@ -115,4 +115,4 @@ class WindowFiles : public QObject {
   std::unique_ptr<Autosave> m_autosave;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

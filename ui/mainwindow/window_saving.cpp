@@ -15,7 +15,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/problems_panel.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 const QString kForeignKey = QStringLiteral("file");
@@ -170,4 +170,4 @@ void WindowFiles::onRemoved() {
                     {tr("Later"), tr("The document stays open"), {}}}});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -17,7 +17,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 const QString kSession = QStringLiteral("session/windows");
@@ -234,4 +234,4 @@ void WindowSet::setRestoresSession(bool restores) {
   QSettings().setValue(kRestores, restores);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

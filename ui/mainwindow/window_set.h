@@ -11,7 +11,7 @@
 
 class QTimer;
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 class MainWindow;
 
@@ -74,4 +74,4 @@ class WindowSet : public QObject {
   std::vector<std::unique_ptr<MainWindow>> m_windows;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

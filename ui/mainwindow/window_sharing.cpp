@@ -11,7 +11,7 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/mainwindow/window_set.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 namespace {
 
 const QString kReadOnlyKey = QStringLiteral("read-only");
@@ -123,4 +123,4 @@ void WindowFiles::offerInterrupted(const QString& path) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

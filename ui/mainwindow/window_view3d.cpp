@@ -17,7 +17,7 @@
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline mainwindow {
 
 namespace {
 
@@ -114,4 +114,4 @@ bool MainWindow::saveSpeeds(const QString& path) {
   return number > 0;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline mainwindow

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline models {
 namespace {
 
 QString shownText(std::string_view text) {
@@ -62,4 +62,4 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/diagnostic.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// The findings of an analysis or of a file as a list, the errors first.
 class DiagnosticModel : public QAbstractListModel {
@@ -32,4 +32,4 @@ class DiagnosticModel : public QAbstractListModel {
   Diagnostics m_diagnostics;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

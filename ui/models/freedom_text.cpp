@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/input_roles.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 namespace {
 
 QString tr(const char* text) {
@@ -51,4 +51,4 @@ QString freedomText(const AnalysisSnapshot& snapshot) {
   return lines.join(QStringLiteral("\n"));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

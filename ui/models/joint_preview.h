@@ -5,7 +5,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "ui/tools/tool.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// What the matrices would be if the arrow being drawn were let go now.
 struct PreviewSnapshot {
@@ -19,4 +19,4 @@ struct PreviewSnapshot {
 [[nodiscard]] std::optional<PreviewSnapshot> previewOf(const Mechanism& mechanism,
                                                        const JointPreview& preview);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -2,7 +2,7 @@
 
 #include "core/theory/states/relative_speed.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 void LinkSpeedsModel::setSnapshot(const SnapshotPtr& snapshot) {
   const auto rows = [](const SnapshotPtr& of) {
@@ -108,4 +108,4 @@ QVariant LinkSpeedsModel::headerData(int section, Qt::Orientation orientation, i
   return names[section];
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

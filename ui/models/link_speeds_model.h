@@ -5,7 +5,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "ui/models/speed_unit.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// The absolute angular velocities of the links, in the reference pose: about which axes and how fast,
 /// exactly, and as a vector in the base frame.
@@ -41,4 +41,4 @@ class LinkSpeedsModel : public QAbstractTableModel {
   SpeedUnit m_unit;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

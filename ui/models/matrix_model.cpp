@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline models {
 namespace {
 
 QString shownText(const std::string& text) {
@@ -258,4 +258,4 @@ bool MatrixModel::hasChanged(int row, int column) const {
   return m_before->entry(rowBefore->second, columnBefore->second) != now;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

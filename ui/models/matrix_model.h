@@ -6,12 +6,12 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/teaching/derivation/quantity_table.h"
+#include "core/theory/analysis/analysis.h"
 #include "ui/models/joint_preview.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// One matrix of the newest snapshot as a table: one of whole numbers, or a quantity (screws, P, solution) in
 /// decimals, fractions or symbols. Entries are asked for when they are shown, so a matrix of 10,000 rows
@@ -98,4 +98,4 @@ class MatrixModel : public QAbstractTableModel {
   QTimer m_glow;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

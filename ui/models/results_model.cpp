@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline models {
 namespace {
 
 constexpr int kLongestFraction = 9;  // characters; longer ones are told in digits
@@ -191,4 +191,4 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
   return QString::number(m_snapshot->graph->edgeLabel(solution()->inputs[static_cast<std::size_t>(input)]));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

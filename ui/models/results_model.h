@@ -5,7 +5,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "ui/models/speed_unit.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// The solution of the newest snapshot as a table [AU, Eqs. (23), (25)]: a row for each joint that is not an
 /// input; its name, its rate for one unit of each input, and its rate now.
@@ -70,4 +70,4 @@ class ResultsModel : public QAbstractTableModel {
 [[nodiscard]] QString printedFraction(const Rational& value);
 [[nodiscard]] QString printedNumber(double value);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -6,7 +6,7 @@
 #include "core/foundations/base/id.h"
 #include "core/foundations/base/rational.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// How speeds are told: in rad/s, in turns a minute, or as ratio to the speed of a chosen joint (relative
 /// speeds) or of the link that it carries (absolute ones).
@@ -23,4 +23,4 @@ struct SpeedUnit {
 /// The same without a fraction at hand.
 [[nodiscard]] QString speedText(double speed, const SpeedUnit& unit, std::optional<double> reference);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

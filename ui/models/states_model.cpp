@@ -4,7 +4,7 @@
 
 #include "ui/models/results_model.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 namespace {
 
 QString shown(const std::string& text) {
@@ -225,4 +225,4 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
   return section == 0 ? tr("state") : names[section - couplingCount() - 1];
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -5,7 +5,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// The shift table: a row a state of the document; its name, a column for each coupling, the links that make
 /// the ratio, the ratio exact and decimal, the step from the state before.
@@ -75,4 +75,4 @@ class StatesModel : public QAbstractTableModel {
   std::vector<Row> m_rows;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 QString shownText(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -20,4 +20,4 @@ QString tipOf(Term term) {
   return tip + QStringLiteral("</p>");
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

@@ -4,7 +4,7 @@
 
 #include "core/teaching/derivation/glossary.h"
 
-namespace geargraph {
+namespace geargraph::inline models {
 
 /// The definition of a term as a tooltip: its name in bold, the text, the paper's equation.
 [[nodiscard]] QString tipOf(Term term);
@@ -12,4 +12,4 @@ namespace geargraph {
 /// A text of core for a widget.
 [[nodiscard]] QString shownText(std::string_view text);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline models

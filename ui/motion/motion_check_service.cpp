@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/difference.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_motion {
 namespace {
 
 /// Does the document place all axes? Of a bare graph the program chooses the places, so that a collision is
@@ -50,4 +50,4 @@ void MotionCheckService::arrived(const MotionReportPtr& report, quint64 number) 
   emit reportReady(report);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_motion

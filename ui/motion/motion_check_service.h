@@ -3,10 +3,10 @@
 #include <QObject>
 #include <memory>
 
-#include "core/foundations/base/request_worker.h"
 #include "core/design/collision/motion_findings.h"
+#include "core/foundations/base/request_worker.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_motion {
 
 /// Null where there is nothing to check: errors, no motion, too many links.
 using MotionReportPtr = std::shared_ptr<const MotionReport>;
@@ -46,4 +46,4 @@ class MotionCheckService : public QObject {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_motion

@@ -15,7 +15,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 /// The value that all elements share, or nothing.
@@ -443,4 +443,4 @@ MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)
   addNote(tr("They are of several kinds. Select elements of one kind to change them together."));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

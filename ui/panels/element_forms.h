@@ -4,7 +4,7 @@
 
 #include "ui/panels/property_forms.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// The document's own name.
 class DocumentForm : public PropertyForm {
@@ -95,4 +95,4 @@ class MixedForm : public PropertyForm {
   void refresh() override {}
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

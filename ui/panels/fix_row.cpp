@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kGap = 6;
@@ -48,4 +48,4 @@ void FixRow::resizeEvent(QResizeEvent* event) {
   setMask(childrenRegion());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

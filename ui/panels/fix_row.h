@@ -4,7 +4,7 @@
 
 class QPushButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// The buttons that mend a finding, along the lower edge of its row in the list. Whatever is not a button
 /// lets the mouse through to the row.
@@ -30,4 +30,4 @@ class FixRow : public QWidget {
   QList<QPushButton*> m_buttons;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

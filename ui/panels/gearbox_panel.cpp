@@ -15,7 +15,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* parent)
     : QWidget(parent),
@@ -321,4 +321,4 @@ void GearboxPanel::hoverCoupling(int coupling) {
   m_selection->hover(std::set<ElementId>(links.begin(), links.end()));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -11,7 +11,7 @@ class QMenu;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class StatesTable;
 
@@ -69,4 +69,4 @@ class GearboxPanel : public QWidget {
   int m_shownState = -1;  ///< whose finding stands under the table
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/theory/matroid/input_roles.h"
 #include "core/mechanism/model/edits.h"
+#include "core/theory/matroid/input_roles.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"
@@ -19,7 +19,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 QPixmap linkDot(int label, qreal ratio) {
@@ -294,4 +294,4 @@ bool InputsPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -12,7 +12,7 @@ class QLabel;
 class QMenu;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class NumberField;
 class SpeedSlider;
@@ -69,4 +69,4 @@ class InputsPanel : public QWidget {
   quint64 m_gesture = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -14,7 +14,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/style_sheet.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 using Counts = std::vector<int>;
@@ -141,4 +141,4 @@ void InsertSetDialog::renew() {
   m_preview->setMechanism(*set);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

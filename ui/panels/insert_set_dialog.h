@@ -9,7 +9,7 @@ class QListWidget;
 class QPushButton;
 class QStackedWidget;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class SetForm;
 class SetPreview;
@@ -36,4 +36,4 @@ class InsertSetDialog : public QDialog {
   QPushButton* m_insert;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -20,7 +20,7 @@
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kCardWidth = 176;
@@ -313,4 +313,4 @@ void MatricesPanel::resizeEvent(QResizeEvent* event) {
   m_card->setVisible(width() >= kWidthForCard);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -14,7 +14,7 @@ class QLayout;
 class QStackedWidget;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class MatrixView;
 
@@ -70,4 +70,4 @@ class MatricesPanel : public QWidget {
   QLabel* m_cardText = nullptr;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

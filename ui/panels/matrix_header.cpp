@@ -7,7 +7,7 @@
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 void paintBracket(QPainter& painter, int x, int top, int bottom, int hook) {
   painter.drawPolyline(
@@ -85,4 +85,4 @@ void MatrixHeader::leaveEvent(QEvent* event) {
   emit sectionHovered(-1);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class MatrixView;
 
@@ -31,4 +31,4 @@ class MatrixHeader : public QHeaderView {
 /// Half of a bracket around rows `top` to `bottom` at x, its hooks pointing by `hook` pixels.
 void paintBracket(QPainter& painter, int x, int top, int bottom, int hook);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

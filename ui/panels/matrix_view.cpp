@@ -11,7 +11,7 @@
 #include "ui/panels/ratio_text.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kRowsMeasured = 200;  // for the widths of columns
@@ -312,4 +312,4 @@ void MatrixView::changeEvent(QEvent* event) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

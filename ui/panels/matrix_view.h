@@ -7,7 +7,7 @@
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// A matrix as it is printed: labels above and beside, brackets, the partition as a dashed line, ±1 tinted,
 /// zeros as faint dots. What the mouse is over lights up everywhere through the selection, and what is
@@ -68,4 +68,4 @@ class MatrixView : public QTableView {
   QTimer m_rest;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -9,7 +9,7 @@
 #include "core/mechanism/model/length.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
   setTextMargins(0, 0, 12, 0);
@@ -156,4 +156,4 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
   setWrong({});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

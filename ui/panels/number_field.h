@@ -6,7 +6,7 @@
 
 #include "core/mechanism/model/number.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end. What
 /// is no number turns red and changes nothing. Where the locale writes a decimal comma it may be typed.
@@ -64,4 +64,4 @@ class NumberField : public QLineEdit {
   bool m_selectOnRelease = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

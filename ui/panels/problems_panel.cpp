@@ -17,7 +17,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kIconRoom = 38;
@@ -210,4 +210,4 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -11,7 +11,7 @@ class QLabel;
 class QListView;
 class QStackedWidget;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// What is wrong with the mechanism, or with a file that could not be opened: pointing at a finding lights up
 /// its culprits everywhere, a click selects them, a button under it mends it. In large documents, and far
@@ -64,4 +64,4 @@ class ProblemsPanel : public QWidget {
   SnapshotPtr m_snapshot;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

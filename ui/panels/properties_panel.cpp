@@ -2,7 +2,7 @@
 
 #include "ui/panels/property_forms.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 PropertiesPanel::PropertiesPanel(Document* document, Selection* selection, QWidget* parent)
     : QScrollArea(parent), m_document(document), m_selection(selection) {
@@ -28,4 +28,4 @@ void PropertiesPanel::refresh() {
   if (m_form->isAboutExisting()) m_form->refresh();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -6,7 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class PropertyForm;
 
@@ -26,4 +26,4 @@ class PropertiesPanel : public QScrollArea {
   PropertyForm* m_form = nullptr;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -12,7 +12,7 @@
 #include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 PropertyForm::PropertyForm(Document* document, std::vector<ElementId> elements)
     : m_document(document),
@@ -199,4 +199,4 @@ PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& se
   return new MixedForm(document, std::move(elements));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

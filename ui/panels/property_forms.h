@@ -15,7 +15,7 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class NumberField;
 
@@ -102,4 +102,4 @@ class TripleField : public QWidget {
 /// where it is of several kinds. The caller owns it.
 [[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

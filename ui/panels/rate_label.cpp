@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QtMath>
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 const QString kTheta = QStringLiteral("θ");
 }
@@ -57,4 +57,4 @@ void RateLabel::paintEvent(QPaintEvent*) {
   painter.drawText(QPointF(advance, base), QLatin1Char(' ') + m_words);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -4,7 +4,7 @@
 
 class QPainter;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// The relative rate of a joint as the paper writes it: θ with a dot above and the joint's label below its
 /// right side. Few text fonts place a combining dot on a θ, so it is painted.
@@ -30,4 +30,4 @@ class RateLabel : public QWidget {
   QString m_words;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

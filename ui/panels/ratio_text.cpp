@@ -3,7 +3,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 struct Faces {
@@ -50,4 +50,4 @@ double paintRatios(QPainter* painter, const QFont& font, const QPointF& at, cons
   return x;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -6,7 +6,7 @@
 
 class QPainter;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// A formula in the gear ratios, "-i18*i17/(i15 + 1)", as print sets it: italic i with its label lowered,
 /// products side by side, the minus sign of print.
@@ -14,4 +14,4 @@ namespace geargraph {
 /// @return the advance in pixels; without a painter nothing is drawn. `at`: where the base line begins.
 double paintRatios(QPainter* painter, const QFont& font, const QPointF& at, const QString& formula);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -11,7 +11,7 @@
 #include "ui/panels/ratio_text.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kMargin = 16;   // at the left and right edge of the table
@@ -185,4 +185,4 @@ void ResultsHeader::paintSection(QPainter* painter, const QRect& rect, int secti
   painter->restore();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -7,7 +7,7 @@
 
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// Paints the cells of the results: rates, formulas in the gear ratios, numbers.
 class ResultsDelegate : public QStyledItemDelegate {
@@ -60,4 +60,4 @@ class LinkSpeedsDelegate : public QStyledItemDelegate {
 /// A disc in the colour that the link has in every view.
 void paintLinkDot(QPainter& painter, const QPointF& centre, int linkLabel);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

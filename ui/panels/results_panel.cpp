@@ -18,7 +18,7 @@
 #include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kRowHeight = 23;
@@ -425,4 +425,4 @@ void ResultsPanel::changeEvent(QEvent* event) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -17,7 +17,7 @@ class QStackedWidget;
 class QTableView;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// What the inputs make of all other joints: their rates for one unit of each input, their rates now, and
 /// whether both methods say the same; or the absolute velocities of the links. Speeds in rad/s, rpm or as
@@ -89,4 +89,4 @@ class ResultsPanel : public QWidget {
   QTimer m_patience;  ///< runs out where solving exactly takes long enough to be said
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -11,7 +11,7 @@
 #include "ui/models/results_model.h"
 #include "ui/panels/number_field.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 QString errorText(double error) {
@@ -193,4 +193,4 @@ std::vector<ChoiceForm::Choice> RevertedForm::choices(const Rational& ratio) con
   return choices;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

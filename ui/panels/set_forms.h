@@ -12,7 +12,7 @@ class QComboBox;
 class QFormLayout;
 class QTableWidget;
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 class NumberField;
 
@@ -117,4 +117,4 @@ class RevertedForm : public ChoiceForm {
   NumberField* m_most;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -7,7 +7,7 @@
 #include "ui/panels/results_delegate.h"
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kMostNames = 16;  // beyond, the wheels would have no room
@@ -125,4 +125,4 @@ void SetPreview::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

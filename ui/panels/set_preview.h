@@ -5,7 +5,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// A small picture of a set: the pitch circles of wheels on parallel axes seen along them, the pitch lines of
 /// bevels seen across, in the colours of the links, and the links' names.
@@ -33,4 +33,4 @@ class SetPreview : public QWidget {
   bool m_across = false;  ///< bevels: seen along x
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

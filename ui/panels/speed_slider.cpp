@@ -7,7 +7,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 constexpr double kHandle = 6.5;  // radius
 }
@@ -68,4 +68,4 @@ void SpeedSlider::keyPressEvent(QKeyEvent* event) {
   QAbstractSlider::keyPressEvent(event);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -2,7 +2,7 @@
 
 #include <QAbstractSlider>
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// A slider from -range to +range with its zero in the middle; the part between zero and the handle is
 /// filled, so that the direction shows. The arrow keys step, Home sets to zero.
@@ -29,4 +29,4 @@ class SpeedSlider : public QAbstractSlider {
   void follow(double x);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

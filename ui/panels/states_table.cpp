@@ -5,7 +5,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 namespace {
 
 constexpr int kMargin = 16;  // at the left and right edge of the table
@@ -190,4 +190,4 @@ void StatesTable::resizeEvent(QResizeEvent* event) {
   fitColumns();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

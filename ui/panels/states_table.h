@@ -7,7 +7,7 @@
 
 #include "ui/models/states_model.h"
 
-namespace geargraph {
+namespace geargraph::inline panels {
 
 /// Paints the cells of the shift table: dots of engaged couplings, names, ratios.
 class StatesDelegate : public QStyledItemDelegate {
@@ -63,4 +63,4 @@ class StatesTable : public QTableView {
   mutable QFont m_measured;  ///< the font of m_advances
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline panels

@@ -6,7 +6,7 @@
 
 #include "core/foundations/files/file.h"
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 
 Autosave::Autosave(Document* document, QString folder, QObject* parent)
     : QObject(parent),
@@ -111,4 +111,4 @@ void Autosave::finished(quint64 number, const QString& error) {
   if (isUpToDate()) emit upToDate();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

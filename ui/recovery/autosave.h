@@ -13,7 +13,7 @@
 
 class QTimer;
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 
 /// Keeps the unsaved changes of a document in a side file, never in the document's own: kDelay after an edit
 /// the newest state is handed to a thread, which writes it whole or not at all. The side file goes as soon as
@@ -76,4 +76,4 @@ class Autosave : public QObject {
   std::jthread m_thread;   ///< last: it starts when all else is there
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

@@ -16,7 +16,7 @@
 
 #include "core/foundations/files/file_identity.h"
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 namespace {
 
 const QString kListSuffix = QStringLiteral(".json");
@@ -166,4 +166,4 @@ void OpenDocuments::write() const {
   if (isWritten) std::filesystem::rename(nativePath(fresh.fileName()), nativePath(list), error);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

@@ -11,7 +11,7 @@
 
 class QLocalServer;
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 
 /// Another running program that has a document open.
 struct DocumentHolder {
@@ -66,4 +66,4 @@ class OpenDocuments : public QObject {
   std::function<bool(const QString&)> m_shower;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

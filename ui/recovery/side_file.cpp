@@ -11,7 +11,7 @@
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 namespace {
 
 constexpr const char* kMember = "autosave";
@@ -130,4 +130,4 @@ SideFiles leftBehind(const QString& folder, const QStringList& documents) {
   return held;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

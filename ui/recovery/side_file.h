@@ -10,7 +10,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline recovery {
 
 /// What a side file says about itself.
 struct SideNote {
@@ -65,4 +65,4 @@ using SideFiles = std::vector<std::unique_ptr<SideFile>>;
 [[nodiscard]] SideFiles leftBehindOf(const QString& filePath, const QString& folder);
 [[nodiscard]] SideFiles leftBehind(const QString& folder, const QStringList& documents);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline recovery

@@ -2,7 +2,7 @@
 
 #include "core/mechanism/model/difference.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_schematic {
 
 SchematicService::SchematicService(QObject* parent)
     : QObject(parent),
@@ -47,4 +47,4 @@ void SchematicService::arrived(const SchematicPtr& schematic, quint64 number) {
   emit drawn(schematic);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_schematic

@@ -9,7 +9,7 @@
 #include "core/foundations/base/request_worker.h"
 #include "core/presentation/schematic/schematic.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_schematic {
 
 using SchematicPtr = std::shared_ptr<const SchematicGeometry>;
 
@@ -52,4 +52,4 @@ class SchematicService : public QObject {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_schematic

@@ -7,7 +7,7 @@
 #include "core/presentation/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_schematic {
 namespace {
 
 QString lengthText(double length, const Mechanism& mechanism) {
@@ -288,4 +288,4 @@ std::optional<Mark> SchematicView::axisGhost(SheetPoint moved) const {
                      Dash::dashDotted}};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_schematic

@@ -4,7 +4,7 @@
 #include "ui/schematic/schematic_service.h"
 #include "ui/tools/section_tool.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_schematic {
 
 /// The functional schematic of the document [AU, Figs. 1 and 3]. The program lays it out, on a thread of its
 /// own, whenever the document changes; until then the last drawing stands. One that nobody sees waits until
@@ -81,4 +81,4 @@ class SchematicView : public DrawingView {
   bool m_behind = false;  ///< the document has changed since, while nobody saw it
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_schematic

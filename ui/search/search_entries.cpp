@@ -8,7 +8,7 @@
 
 #include "ui/search/word_match.h"
 
-namespace geargraph {
+namespace geargraph::inline search {
 namespace {
 
 QString tr(const char* text) {
@@ -101,4 +101,4 @@ std::vector<SearchEntry> termEntries() {
   return entries;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/teaching/derivation/glossary.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/teaching/derivation/glossary.h"
 
 class QAction;
 class QMenuBar;
 
-namespace geargraph {
+namespace geargraph::inline search {
 
 /// One thing that can be found: a command, an element of the document, or a term.
 struct SearchEntry {
@@ -34,4 +34,4 @@ struct SearchEntry {
 
 [[nodiscard]] std::vector<SearchEntry> termEntries();
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

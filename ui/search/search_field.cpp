@@ -6,7 +6,7 @@
 #include <QMenuBar>
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline search {
 namespace {
 
 constexpr int kWidth = 266;
@@ -164,4 +164,4 @@ void SearchField::focusOutEvent(QFocusEvent* event) {
   if (m_popup->isVisible()) end();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

@@ -10,7 +10,7 @@
 
 class QMenuBar;
 
-namespace geargraph {
+namespace geargraph::inline search {
 
 /// One field for every command, every element of the document and every term: what is typed is looked for by
 /// words, arrow keys choose, Enter carries out, Esc goes back to where the keyboard was.
@@ -60,4 +60,4 @@ class SearchField : public QLineEdit {
   Scope m_scope = Scope::everything;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

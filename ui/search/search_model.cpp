@@ -5,7 +5,7 @@
 
 #include "ui/search/word_match.h"
 
-namespace geargraph {
+namespace geargraph::inline search {
 namespace {
 
 bool isPossible(const SearchEntry& entry) {
@@ -72,4 +72,4 @@ QVariant SearchModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

@@ -4,7 +4,7 @@
 
 #include "ui/search/search_entries.h"
 
-namespace geargraph {
+namespace geargraph::inline search {
 
 /// What a query finds, best first: of equal matches commands before elements before terms.
 class SearchModel : public QAbstractListModel {
@@ -38,4 +38,4 @@ class SearchModel : public QAbstractListModel {
   std::vector<std::size_t> m_found;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

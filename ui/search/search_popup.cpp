@@ -10,7 +10,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline search {
 namespace {
 
 constexpr int kRowHeight = 26;
@@ -155,4 +155,4 @@ void SearchPopup::renewDetail() {
   m_detail->setText(m_list->currentIndex().data(SearchModel::DetailRole).toString());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

@@ -8,7 +8,7 @@ class QLabel;
 class QListView;
 class QStackedWidget;
 
-namespace geargraph {
+namespace geargraph::inline search {
 
 /// What a search finds, as a card over the window: a list with what the current entry is or does below it;
 /// after a term was chosen, its definition.
@@ -44,4 +44,4 @@ class SearchPopup : public QFrame {
   QLabel* m_detail;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline search {
 namespace {
 
 constexpr int kWhole = 100;
@@ -87,4 +87,4 @@ int matchScore(const QString& text, const QStringList& words, bool fuzzy) {
   return sum;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

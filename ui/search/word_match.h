@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-namespace geargraph {
+namespace geargraph::inline search {
 
 /// A text as it is searched: lower case, accents taken off, "Γ" spelled "gamma".
 [[nodiscard]] QString foldedText(const QString& text);
@@ -17,4 +17,4 @@ namespace geargraph {
 /// Cost: O(length of the text) a word.
 [[nodiscard]] int matchScore(const QString& text, const QStringList& words, bool fuzzy);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline search

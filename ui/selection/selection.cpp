@@ -1,6 +1,6 @@
 #include "ui/selection/selection.h"
 
-namespace geargraph {
+namespace geargraph::inline selection {
 
 void Selection::select(std::set<ElementId> elements) {
   if (elements == m_selected) return;
@@ -20,4 +20,4 @@ void Selection::hover(std::set<ElementId> elements) {
   emit hoverChanged();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline selection

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph {
+namespace geargraph::inline selection {
 
 /// What the person points at, shared by all views of a window: the selected elements, the one under the
 /// mouse, and the elements that a derived thing under the mouse stands for (a cycle, a chip of the status
@@ -53,4 +53,4 @@ class Selection : public QObject {
   std::set<ElementId> m_hovered;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline selection

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/difference.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_stage {
 namespace {
 
 /// Do both make the same stage?
@@ -62,4 +62,4 @@ void StageService::arrived(const StagePtr& stage, quint64 number) {
   emit stageReady(stage);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_stage

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <mutex>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/request_worker.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline ui_stage {
 
 /// Makes the stages of the 3D view from snapshots, on a thread of its own; the newest request wins, and a
 /// stale stage never reaches a view. Solids are kept from one edit to the next. A request that changes
@@ -58,4 +58,4 @@ class StageService : public QObject {
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ui_stage

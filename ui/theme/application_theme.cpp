@@ -8,7 +8,7 @@
 
 #include "ui/theme/style_sheet.h"
 
-namespace geargraph {
+namespace geargraph::inline theme {
 namespace {
 
 constexpr int kBodyPixels = 13;
@@ -103,4 +103,4 @@ void applyTheme(QApplication& application, Theme theme, double typeScale) {
   application.setStyleSheet(styleSheetOf(theme));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

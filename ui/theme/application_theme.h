@@ -7,7 +7,7 @@
 
 class QApplication;
 
-namespace geargraph {
+namespace geargraph::inline theme {
 
 /// A colour of core's palette for a widget.
 [[nodiscard]] QColor qColor(Color color);
@@ -33,4 +33,4 @@ void saveTheme(Theme theme);
 /// A length that goes with the type.
 [[nodiscard]] int scaledPixels(int pixels);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

@@ -2,9 +2,9 @@
 
 #include <QLabel>
 
-namespace geargraph {
+namespace geargraph::inline theme {
 
 /// What a panel says in its middle while it has nothing to show.
 [[nodiscard]] QLabel* emptyLabel(QWidget* parent, const QString& text = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

@@ -7,7 +7,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline theme {
 namespace {
 
 QPixmap drawn(const QString& name, const QColor& color, int pixels, qreal ratio) {
@@ -79,4 +79,4 @@ QIcon applicationIcon() {
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

@@ -6,7 +6,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph {
+namespace geargraph::inline theme {
 
 /// An icon of resources/icons, drawn in a colour of the theme. The drawing says `currentColor` where it means
 /// that colour.
@@ -21,4 +21,4 @@ namespace geargraph {
 /// The program's own icon.
 [[nodiscard]] QIcon applicationIcon();
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

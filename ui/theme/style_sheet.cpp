@@ -2,7 +2,7 @@
 
 #include "ui/theme/application_theme.h"
 
-namespace geargraph {
+namespace geargraph::inline theme {
 namespace {
 
 /// @role@ stands for a colour of the palette.
@@ -146,4 +146,4 @@ QString styleSheetOf(Theme theme) {
   return sheet.replace(QLatin1String("@chosen@"), chosen.name());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/palette.h"
 
-namespace geargraph {
+namespace geargraph::inline theme {
 
 /// The style sheet of the program in the colours of a theme. Widgets ask for a look by the dynamic property
 /// "look": "chip" (a rounded button), "control" (a button of a panel), "flat" (one without a frame), "tool"
@@ -17,4 +17,4 @@ inline void setSheet(QWidget& widget, const QString& sheet) {
   if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline theme

@@ -1,6 +1,6 @@
 #include "ui/tools/click_tools.h"
 
-namespace geargraph {
+namespace geargraph::inline tools {
 namespace link_tool {
 namespace {
 
@@ -80,4 +80,4 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
 }
 
 }  // namespace pan_tool
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

@@ -2,7 +2,7 @@
 
 #include "ui/tools/tool.h"
 
-namespace geargraph {
+namespace geargraph::inline tools {
 
 /// Draws links: click on empty ground.
 ///
@@ -51,4 +51,4 @@ using State = std::variant<Idle, Panning>;
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
 
 }  // namespace pan_tool
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

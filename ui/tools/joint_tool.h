@@ -11,7 +11,7 @@
 ///     Picked --press another link--> Idle + AddJoint
 ///     Picked --press anything else--> Idle
 ///     any --Esc--> Idle
-namespace geargraph::joint_tool {
+namespace geargraph::inline tools::joint_tool {
 
 struct Idle {};
 /// The mouse is down; the arrow follows it.
@@ -31,4 +31,4 @@ using State = std::variant<Idle, Dragging, Picked>;
 /// `kind`: turningJoint or gearMesh.
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event, ElementKind kind);
 
-}  // namespace geargraph::joint_tool
+}  // namespace geargraph::inline tools::joint_tool

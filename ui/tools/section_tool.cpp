@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geargraph::section_tool {
+namespace geargraph::inline tools::section_tool {
 namespace {
 
 LinkId linkUnder(const Pointer& pointer) {
@@ -112,4 +112,4 @@ std::optional<Draft> draft(const State& state) {
   return std::nullopt;
 }
 
-}  // namespace geargraph::section_tool
+}  // namespace geargraph::inline tools::section_tool

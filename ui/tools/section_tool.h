@@ -15,7 +15,7 @@
 ///
 /// A mesh that is released on no link is meant with the ground. A click with Turning joint or Gear mesh leads
 /// nowhere.
-namespace geargraph::section_tool {
+namespace geargraph::inline tools::section_tool {
 
 struct AddShaft {
   SheetPoint from;
@@ -91,4 +91,4 @@ struct Draft {
 };
 [[nodiscard]] std::optional<Draft> draft(const State& state);
 
-}  // namespace geargraph::section_tool
+}  // namespace geargraph::inline tools::section_tool

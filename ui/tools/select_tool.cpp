@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geargraph::select_tool {
+namespace geargraph::inline tools::select_tool {
 namespace {
 
 bool isFar(SheetPoint from, const Pointer& to) {
@@ -66,4 +66,4 @@ Outcome<State> on(const State& state, const ToolEvent& event) {
   return std::visit(Transition{}, state, event);
 }
 
-}  // namespace geargraph::select_tool
+}  // namespace geargraph::inline tools::select_tool

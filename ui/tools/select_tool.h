@@ -14,7 +14,7 @@
 ///
 /// A link that is not selected becomes so when it is pressed, so that a drag takes it along; what is selected
 /// already stays so until the release, so that a drag takes all.
-namespace geargraph::select_tool {
+namespace geargraph::inline tools::select_tool {
 
 struct Idle {};
 struct Armed {
@@ -36,4 +36,4 @@ using State = std::variant<Idle, Armed, Moving, Banding>;
 
 [[nodiscard]] Outcome<State> on(const State& state, const ToolEvent& event);
 
-}  // namespace geargraph::select_tool
+}  // namespace geargraph::inline tools::select_tool

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline tools {
 namespace {
 
 /// The line that moved nodes are pulled onto, and how far.
@@ -52,4 +52,4 @@ SheetPoint onGrid(SheetPoint point, double step) {
   return {step * std::round(point.x / step), step * std::round(point.y / step)};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

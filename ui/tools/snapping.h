@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline tools {
 
 /// How far a drag really goes, and along which lines it was pulled.
 struct Snap {
@@ -24,4 +24,4 @@ struct Snap {
 /// The nearest point of a square grid through the origin.
 [[nodiscard]] SheetPoint onGrid(SheetPoint point, double step);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

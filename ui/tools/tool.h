@@ -8,7 +8,7 @@
 #include "core/foundations/base/id.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline tools {
 
 /// The tools of the drawings, in the order of the tool bar.
 enum class ToolKind { select, link, turningJoint, gearMesh, input, pan };
@@ -135,4 +135,4 @@ struct JointPreview {
   friend bool operator==(const JointPreview&, const JointPreview&) = default;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

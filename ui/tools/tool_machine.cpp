@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline tools {
 namespace {
 
 ElementKind jointKind(ToolKind tool) {
@@ -139,4 +139,4 @@ std::optional<SheetPoint> ToolMachine::linkDraft() const {
   return std::get<link_tool::Hovering>(*link).place;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

@@ -4,7 +4,7 @@
 #include "ui/tools/joint_tool.h"
 #include "ui/tools/select_tool.h"
 
-namespace geargraph {
+namespace geargraph::inline tools {
 
 /// One tool in one of its states: feeds events to the tool's transition function and tells what to show.
 class ToolMachine {
@@ -33,4 +33,4 @@ class ToolMachine {
   State m_state;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline tools

@@ -7,7 +7,7 @@
 #include "core/presentation/painting/gl_renderer.h"
 #include "ui/view3d/overlay.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     : QOpenGLWidget(parent), m_viewer(viewer), m_labels(labels), m_pace(viewer, labels, this) {
   QSurfaceFormat wanted = format();
@@ -100,4 +100,4 @@ std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {
   return hit;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -9,7 +9,7 @@
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// The viewer's picture by the graphics card, in its window.
 ///
@@ -49,4 +49,4 @@ class GlCanvas : public QOpenGLWidget {
   QElapsedTimer m_picture;  ///< since its painting began
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -8,7 +8,7 @@
 
 #include "ui/view3d/overlay.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kFewerPixels = 0.7;  // of a side: half of all
@@ -256,4 +256,4 @@ std::optional<Hit> ImageCanvas::pick(const Frame& frame, double x, double y) {
   return m_thread->pick(std::make_shared<const KeptFrame>(m_viewer->stage(), frame), at.x(), at.y());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

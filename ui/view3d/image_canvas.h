@@ -11,7 +11,7 @@
 #include "ui/view3d/picture_pace.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// The viewer's picture where the processor has to paint, or where no window of the graphics card can be had:
 /// painted beside the screen, on a thread of its own, and shown as an image. So the window waits for nothing,
@@ -87,4 +87,4 @@ class ImageCanvas : public QWidget {
   std::unique_ptr<PictureThread> m_thread;  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kTextSize = 12;
@@ -114,4 +114,4 @@ QPointF LabelLayer::meant(const QPointF& place) const {
   return place;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -10,7 +10,7 @@
 
 class QPainter;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// The plates with numbers that face the viewer, of the kinds that are shown, where LabelPlaces puts them;
 /// from one that stands beside its part a line leads there.
@@ -37,4 +37,4 @@ class LabelLayer {
   QHash<QString, QImage> m_images;   ///< by text, colours, font and pixel ratio
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

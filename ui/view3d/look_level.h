@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// How simple the quick looks of a picture are that moves where the processor paints: 0 as fine as they can
 /// be, 1 without edges and simply lit, 2 with half the pixels too. What shows the pixels is the last that is
@@ -39,4 +39,4 @@ class LookLevel {
   bool m_isFirst = true;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

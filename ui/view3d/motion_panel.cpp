@@ -9,7 +9,7 @@
 #include "ui/view3d/motion_plot.h"
 #include "ui/view3d/view3d.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kSpanWithoutPeriod = 60;  // s
@@ -92,4 +92,4 @@ void MotionPanel::renew() {
   m_save->setEnabled(!m_sheets.empty());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

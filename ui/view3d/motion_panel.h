@@ -9,7 +9,7 @@ class QCheckBox;
 class QLabel;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 class MotionPlot;
 class View3D;
@@ -44,4 +44,4 @@ class MotionPanel : public QWidget {
   QToolButton* m_save;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

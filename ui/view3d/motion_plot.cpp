@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kLeft = 50, kTop = 24, kBelow = 34, kLegend = 160, kRight = 8;  // logical pixels
@@ -268,4 +268,4 @@ void MotionPlot::leaveEvent(QEvent*) {
   update();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -5,7 +5,7 @@
 
 #include "core/presentation/stage/motion_curves.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// Ticks that read well: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
 /// @pre low < high, most > 1
@@ -72,4 +72,4 @@ class MotionPlot : public QWidget {
   bool m_dragged = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kLongestBar = 110, kFromRight = 16, kTick = 4;  // logical pixels
@@ -51,4 +51,4 @@ void PictureOverlay::paint(Image& image, const LabelGround& ground) {
   if (m_scaleBar) paintScaleBar(painter, ground, kBarFromBelow, m_dark);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

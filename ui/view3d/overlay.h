@@ -6,7 +6,7 @@
 
 class QPainter;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// What lies over the picture of the solids, the same in every canvas and file: the labels, and the scale
 /// bar, which holds at the depth of the view's middle. The ground is that of the picture, with a map of it
@@ -26,4 +26,4 @@ class PictureOverlay {
   LabelLayer m_labels;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kStillAfter = 180;  // ms
@@ -51,4 +51,4 @@ bool PicturePace::takeMap() {
   return true;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

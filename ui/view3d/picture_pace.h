@@ -7,7 +7,7 @@
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/viewer.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// How much a picture may cost at the moment. Where the processor paints, a quick look does while the picture
 /// moves: antialiasing and shadow come as soon as it rests. And while it moves, labels go with their parts;
@@ -42,4 +42,4 @@ class PicturePace : public QObject {
   QElapsedTimer m_sinceScene;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kMillisecondsPerFrame = 16;
@@ -85,4 +85,4 @@ void Playback::setSpeed(double speed) {
   emit speedChanged(speed);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

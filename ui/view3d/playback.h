@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <limits>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// The time of the motion: it runs at a speed, stands still, or is set by hand. Angles are speeds times this
 /// time, so every frame is a function of it.
@@ -59,4 +59,4 @@ class Playback : public QObject {
   QElapsedTimer m_sinceFrame;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -13,7 +13,7 @@
 
 #include "ui/theme/icons.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kSteps = 2000;
@@ -177,4 +177,4 @@ void PlaybackBar::changeEvent(QEvent* event) {
   showTime();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -10,7 +10,7 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// Play and pause, single steps, a scrub bar over one period (over a minute where there is none, between the
 /// limits of joints where they have any), the time,
@@ -47,4 +47,4 @@ class PlaybackBar : public QWidget {
   QToolButton* m_speed;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

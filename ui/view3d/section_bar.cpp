@@ -9,7 +9,7 @@
 
 #include "ui/view3d/viewer.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr int kSteps = 500;
@@ -116,4 +116,4 @@ void SectionBar::refresh() {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -20,7 +20,7 @@
 #include "ui/view3d/section_bar.h"
 #include "ui/view3d/view_menu.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 /// Where the picture is painted: in a window of the graphics card, or beside the screen.
@@ -524,4 +524,4 @@ void View3D::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

@@ -10,7 +10,7 @@
 
 class QMenu;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// The 3D view: a stage that can be turned, zoomed and played.
 ///
@@ -104,4 +104,4 @@ class View3D : public QWidget {
   std::unique_ptr<Private> d;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

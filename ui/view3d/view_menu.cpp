@@ -3,7 +3,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 QString tr(const char* text) {
@@ -159,4 +159,4 @@ void fillPartMenu(QMenu& menu, View3D& view, const std::optional<Hit>& hit) {
   addWaysBack(menu, view);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

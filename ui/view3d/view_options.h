@@ -5,7 +5,7 @@
 #include "core/presentation/painting/look.h"
 #include "core/presentation/stage/stage_view.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// What the 3D view shows of its stage, and how. A value; nothing of it belongs to the document.
 struct ViewOptions {
@@ -21,4 +21,4 @@ struct ViewOptions {
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

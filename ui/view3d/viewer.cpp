@@ -13,7 +13,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/stage/exploded.h"
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 namespace {
 
 constexpr double kZoomPerNotch = 1.15;
@@ -492,4 +492,4 @@ void Viewer::leave() {
   if (m_gesture == Gesture::none) m_selection->unhover();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

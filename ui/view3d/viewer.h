@@ -18,7 +18,7 @@ class QNativeGestureEvent;
 class QMouseEvent;
 class QWheelEvent;
 
-namespace geargraph {
+namespace geargraph::inline view3d {
 
 /// What a canvas of the 3D view shows and how the hand moves it, without any painting: the stage, the poses
 /// of the moment, the camera, what is lit up, and the gestures.
@@ -163,4 +163,4 @@ class Viewer : public QObject {
   QTimer m_whenHandRests;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline view3d

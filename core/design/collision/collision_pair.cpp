@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/foundations/base/contract.h"
 #include "core/design/collision/collision_shape.h"
+#include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 namespace {
 
 /// Distances are asked for up to this relative error, which is on the safe side of what is stepped.
@@ -81,4 +81,4 @@ std::optional<double> CollisionPair::firstContact(double until, std::int64_t& bu
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

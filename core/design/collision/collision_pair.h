@@ -6,7 +6,7 @@
 
 #include "core/design/collision/relative_motion.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 
 /// How finely the motion of two parts is followed.
 struct CollisionResolution {
@@ -43,4 +43,4 @@ class CollisionPair {
   double m_precision;  ///< s
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/foundations/base/contract.h"
 #include "core/design/collision/collision_shape.h"
-#include "core/machine/solids/bodies.h"
+#include "core/foundations/base/contract.h"
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/solids/part_solids.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 namespace {
 
 using Eigen::Vector2d;
@@ -132,4 +132,4 @@ double reachFrom(const CollisionPart& part, const Vector3d& point) {
   return reach;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

@@ -8,7 +8,7 @@
 #include "core/design/collision/relative_motion.h"
 #include "core/theory/pose/joint_limits.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 
 /// Two links that touch each other while the mechanism moves.
 struct MotionCollision {
@@ -62,4 +62,4 @@ struct MotionCheckOptions {
                                            const MotionRange& range, const std::stop_token& stop = {},
                                            const MotionCheckOptions& options = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

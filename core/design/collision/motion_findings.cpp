@@ -12,7 +12,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/pose/turning_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 namespace {
 
 /// Joints times inputs up to which rates are solved in fractions, which periods need.
@@ -164,4 +164,4 @@ std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* rep
          ": it does not repeat sooner.";
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

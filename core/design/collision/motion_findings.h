@@ -4,10 +4,10 @@
 #include <stop_token>
 #include <string>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/design/collision/motion_collisions.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 
 /// Larger mechanisms are not checked: all their parts would be compared with each other.
 constexpr int kMostCheckedLinks = 300;
@@ -40,4 +40,4 @@ struct MotionReport {
 /// null).
 [[nodiscard]] std::string motionNote(const AnalysisSnapshot& snapshot, const MotionReport* report);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "core/foundations/base/rational.h"
 #include "core/design/collision/collision_parts.h"
+#include "core/foundations/base/rational.h"
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph {
+namespace geargraph::inline collision {
 
 /// How the joints of a mechanism turn: at constant rates from the reference pose.
 struct JointRates {
@@ -64,4 +64,4 @@ struct PairBounds {
 /// A box that a part never leaves, base frame. Cost: O(depth).
 [[nodiscard]] Eigen::AlignedBox3d sweptBox(const JointRates& motion, const CollisionPart& part);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline collision

@@ -2,7 +2,7 @@
 
 #include "core/design/fixes/fixes.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 
 // The makers behind fixesFor(), by what is wrong. Each may give more than kMostFixes; order counts.
 
@@ -33,4 +33,4 @@ template <class StillWrong>
   return fixes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -5,7 +5,7 @@
 #include "core/design/fixes/fix_makers.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 namespace {
 
 std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
@@ -65,4 +65,4 @@ std::vector<Fix> fixesFor(const Diagnostic& diagnostic, const AnalysisSnapshot& 
   return fixes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/expected.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 
 /// A way to mend a finding: what a button says, "Drop joint 15", and the edit behind it.
 struct Fix {
@@ -24,4 +24,4 @@ struct Fix {
 
 constexpr std::size_t kMostFixes = 3;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

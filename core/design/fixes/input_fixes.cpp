@@ -3,7 +3,7 @@
 #include "core/design/fixes/fix_makers.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 namespace {
 
 /// The inputs as they are where they stay, the others at 1 rad/s, in the order of the wanted ones:
@@ -59,4 +59,4 @@ std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot) {
   return fixes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -6,7 +6,7 @@
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 namespace {
 
 constexpr double kWhole = 1e-6;  // teeth: how far from a whole number decimals in a file may lead
@@ -151,4 +151,4 @@ std::vector<Fix> meshFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -6,7 +6,7 @@
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 namespace {
 
 constexpr int kMostTriedLinks = 40;  // a try takes some ten times as long as the analysis of so small a train
@@ -206,4 +206,4 @@ std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -4,7 +4,7 @@
 #include "core/design/fixes/fix_makers.h"
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph {
+namespace geargraph::inline fixes {
 namespace {
 
 /// One link of every part that hangs loose: the first of each in the document's order. Tying it ties the
@@ -99,4 +99,4 @@ std::vector<Fix> treeFixes(const Diagnostic& diagnostic, const AnalysisSnapshot&
   return loopFixes(diagnostic, snapshot);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fixes

@@ -7,7 +7,7 @@
 
 #include "core/design/synthesis/set_sketch.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 /// A third of the cone distance, less where a smaller one of the distances is near; whole units, 2 at least.
@@ -91,4 +91,4 @@ Mechanism bevelWrist(const WristTeeth& teeth) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

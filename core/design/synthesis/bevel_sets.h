@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// Case 1 with pinions between two equal side wheels 2 and 3: their speeds add up to twice the case's; places
 /// left open. Refuses assembly where 2 side / pinions is not whole.
@@ -24,4 +24,4 @@ struct WristTeeth {
 /// bend).
 [[nodiscard]] Mechanism bevelWrist(const WristTeeth& teeth);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -7,7 +7,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 /// Free ids: whole numbers for links, joints and meshes, letters for axes, the set's own names for wheels,
@@ -213,4 +213,4 @@ SheetPoint freePlace(const Mechanism& mechanism) {
   return {place.x + kGap - 190, place.y};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// The set's links, joints, meshes, couplings and states in the document, under ids that are free there; its
 /// ground is the document's. Nodes are shifted by `at`, stated places beside what is there. A document of the
@@ -13,4 +13,4 @@ namespace geargraph {
 /// Where a set's nodes do not lie on those of the document: right of them.
 [[nodiscard]] SheetPoint freePlace(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

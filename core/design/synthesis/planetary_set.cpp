@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/foundations/base/contract.h"
 #include "core/design/synthesis/set_sketch.h"
+#include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 /// The member's weight in Willis' equation: the weighted speeds add up to 0.
@@ -77,4 +77,4 @@ Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

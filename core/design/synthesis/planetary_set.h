@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// Tooth counts of a planetary set with equal planets; the ring follows, so that sun and ring are coaxial.
 struct PlanetaryTeeth {
@@ -49,4 +49,4 @@ struct PlanetaryChoice {
 /// Sun 1, ring 2, carrier 3, planets 4..; places left open. Ring held, sun driven at 1 rad/s.
 [[nodiscard]] Mechanism planetarySet(const PlanetaryTeeth& teeth, int planets);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

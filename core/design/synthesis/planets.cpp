@@ -8,7 +8,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 Diagnostic noPlanet(const Mechanism& mechanism, LinkId link, const std::string& why) {
@@ -147,4 +147,4 @@ Expected<Mechanism> withPlanets(Mechanism mechanism, LinkId planet, int total) {
   return edited;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

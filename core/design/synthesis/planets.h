@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// As many equal planets as wanted, evenly spread: copies of a drawn one with its joint and its meshes. Where
 /// the document states the planet's place, the copies are turned about the axis of what it meshes with.
@@ -11,4 +11,4 @@ namespace geargraph {
 /// it carries nothing), and assembly where so many do not go in.
 [[nodiscard]] Expected<Mechanism> withPlanets(Mechanism mechanism, LinkId planet, int total);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

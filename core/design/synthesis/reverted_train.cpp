@@ -5,7 +5,7 @@
 
 #include "core/design/synthesis/set_sketch.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 double ratioOf(const RevertedTeeth& t) {
@@ -60,4 +60,4 @@ Mechanism revertedTrain(const RevertedTeeth& teeth) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// Two external pairs that lead back to the first axis: first with second, third with fourth, where second
 /// and third are one shaft. Equal sums of teeth make both pairs one module.
@@ -37,4 +37,4 @@ struct RevertedChoice {
 /// Input 1 and output 3 on one axis, countershaft 2; places left open. The input at 1 rad/s.
 [[nodiscard]] Mechanism revertedTrain(const RevertedTeeth& teeth);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

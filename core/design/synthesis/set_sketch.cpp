@@ -1,6 +1,6 @@
 #include "core/design/synthesis/set_sketch.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 LinkId idOf(int link) {
@@ -94,4 +94,4 @@ Mechanism SetSketch::build() && {
   return std::move(m_mechanism);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// Writes a set down, link by link: ids are whole numbers in order of links, joints and meshes; link 0 is the
 /// ground. The members of a set are built with it, and then go into documents (insertion.h).
@@ -36,4 +36,4 @@ class SetSketch {
   std::vector<int> m_parents{-1};  ///< by link
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -5,7 +5,7 @@
 
 #include "core/design/synthesis/set_sketch.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 namespace {
 
 struct Point {
@@ -181,4 +181,4 @@ Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets) {
   return std::move(set).build();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/design/synthesis/planetary_set.h"
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
-#include "core/design/synthesis/planetary_set.h"
 
-namespace geargraph {
+namespace geargraph::inline synthesis {
 
 /// A Ravigneaux set: the short planet meshes with the small sun and the long planet, the long one with the
 /// large sun and the ring. The ring follows: large sun + 2 long planet.
@@ -28,4 +28,4 @@ struct RavigneauxTeeth {
 /// teeth-geometry as above.
 [[nodiscard]] Expected<Mechanism> simpsonSet(const PlanetaryTeeth& teeth, int planets);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline synthesis

@@ -5,7 +5,7 @@
 #include <unistd.h>
 #endif
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 void workInBackground() {
 #ifdef __linux__
@@ -15,4 +15,4 @@ void workInBackground() {
 #endif
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

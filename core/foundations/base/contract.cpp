@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/broken_contract.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 namespace {
 
 std::array<char, 512> broken{};
@@ -26,4 +26,4 @@ const char* brokenContract() {
   return broken.data();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

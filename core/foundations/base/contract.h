@@ -5,9 +5,9 @@
 #define GEARGRAPH_REQUIRE(condition) \
   ((condition) ? void(0) : ::geargraph::contractBroken(#condition, __FILE__, __LINE__))
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// Prints the broken condition with its place and aborts.
 [[noreturn]] void contractBroken(const char* condition, const char* file, int line);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

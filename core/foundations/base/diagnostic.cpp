@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 namespace {
 
 struct CodeEntry {
@@ -147,4 +147,4 @@ bool hasErrors(const Diagnostics& diagnostics) {
                      [](const Diagnostic& d) { return d.severity() == Severity::error; });
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

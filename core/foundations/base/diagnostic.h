@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 enum class Severity { error, warning, info };
 
@@ -119,4 +119,4 @@ inline void append(Diagnostics& all, const Diagnostics& more) {
 
 [[nodiscard]] bool hasErrors(const Diagnostics& diagnostics);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

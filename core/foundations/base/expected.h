@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/diagnostic.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// A value, or the diagnostics that say why there is none. The member names are those of std::expected, which
 /// this toolchain does not have, so that this becomes an alias later.
@@ -46,4 +46,4 @@ class [[nodiscard]] Expected {
   std::variant<Value, Diagnostics> m_state;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

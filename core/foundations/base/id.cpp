@@ -10,7 +10,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 namespace {
 
 /// The process's texts by number. They stand in blocks, each twice as large as the one before, and never
@@ -84,4 +84,4 @@ std::string_view listName(ElementKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

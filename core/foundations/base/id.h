@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// An immutable text that is stored once per process: an atom is its number, so ids cost as much as an
 /// integer to copy, compare and hash. Texts are never freed; a session sees few.
@@ -84,7 +84,7 @@ struct ElementId {
   friend bool operator<(ElementId a, ElementId b) { return a.kind != b.kind ? a.kind < b.kind : a.id < b.id; }
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base
 
 template <>
 struct std::hash<geargraph::Atom> {

@@ -10,7 +10,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/id.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// Positions in a list by id. Ids that the process met together, as those of a file's list, have numbers
 /// close together: then it is a table by number, several times quicker to fill and ask than a map of nodes;
@@ -89,4 +89,4 @@ class PositionIndex {
   std::vector<Place> m_places;   ///< instead, where the numbers lie far apart
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// An exact fraction of whole numbers of any size, always in lowest terms with a positive denominator.
 /// A value around FLINT's fmpq; small ones (below 2^62) allocate nothing.
@@ -91,4 +91,4 @@ class Rational {
   fmpq_t m_value;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

@@ -11,7 +11,7 @@
 
 #include "core/foundations/base/background.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// How soon somebody waits for work: at once, or only when all else is done and requests no longer come one
 /// after the other.
@@ -86,4 +86,4 @@ class RequestWorker {
   std::jthread m_thread;                          ///< last: it starts when all else is there
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory_resource>
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// The buffer of a Scratch, there before the resource that uses it.
 template <std::size_t Bytes>
@@ -26,4 +26,4 @@ class Scratch final : private ScratchBuffer<Bytes>, public std::pmr::monotonic_b
   Scratch() : std::pmr::monotonic_buffer_resource(this->bytes.data(), Bytes) {}
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// A point or vector in the base frame, x y z, in doubles or exact.
 template <class Scalar>
@@ -43,4 +43,4 @@ template <class Scalar>
   return {a[0].toDouble(), a[1].toDouble(), a[2].toDouble()};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

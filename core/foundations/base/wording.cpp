@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 std::string listed(const std::vector<std::string>& names, std::size_t most, const char* last) {
   const std::size_t shown = std::min(names.size(), most);
@@ -38,4 +38,4 @@ std::string escapedXml(std::string_view text) {
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline base {
 
 /// For listed(): however many there are.
 constexpr std::size_t kAllNames = static_cast<std::size_t>(-1);
@@ -16,4 +16,4 @@ constexpr std::size_t kAllNames = static_cast<std::size_t>(-1);
 /// A text between the tags or in an attribute of XML 1.0, which has no control characters: blanks instead.
 [[nodiscard]] std::string escapedXml(std::string_view text);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline base

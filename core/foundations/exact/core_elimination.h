@@ -11,7 +11,7 @@
 #include "core/foundations/exact/peeling.h"
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// Gaussian elimination of the rows that peeling left, sparsest pivots first (Markowitz). Used by
 /// eliminate().
@@ -193,4 +193,4 @@ class CoreElimination {
   std::vector<int> m_empty;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -15,7 +15,7 @@
 #include "core/foundations/exact/peeling.h"
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// A homogeneous sparse system A x = 0, brought into an order in which every unknown follows from those
 /// before. The unknowns are the columns 0 .. unknowns-1; the other columns are given (inputs, right-hand
@@ -186,4 +186,4 @@ template <class Field>
   return negatedRowSum(field, system.matrixOf(check.core), check.row, x, width, place);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

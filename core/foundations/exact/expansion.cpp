@@ -1,6 +1,6 @@
 #include "core/foundations/exact/expansion.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 namespace {
 
 using Line = Elimination<RationalFunction>::Line;
@@ -44,4 +44,4 @@ bool expand(const RationalFunctionField& field, const Elimination<RationalFuncti
   return true;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/foundations/exact/fields.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// Most terms (numerator and denominator) of an expanded entry: more nobody reads, and a chain of planetary
 /// stages of 40 links has 349,526.
@@ -35,4 +35,4 @@ struct ExpansionBudget {
                           const std::vector<char>& vanishing, std::vector<std::optional<RationalFunction>>& x,
                           ExpansionBudget& budget, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -11,7 +11,7 @@
 #include "core/foundations/exact/prime_field.h"
 #include "core/foundations/exact/rational_function.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 // The scalars that the one elimination (elimination.h) is run with. A field offers
 //   Value                          copyable; a default one is 0
@@ -163,4 +163,4 @@ class RationalFunctionField {
   mutable std::stop_source m_enough;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

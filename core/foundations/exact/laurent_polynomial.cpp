@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 namespace {
 
 using Powers = LaurentPolynomial::Powers;
@@ -208,4 +208,4 @@ bool operator==(const LaurentPolynomial& a, const LaurentPolynomial& b) {
          std::equal(a.m_words.data(), a.m_words.data() + a.m_words.size(), b.m_words.data());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// A row of 32-bit words, a few of them in place: most values of an analysis allocate nothing.
 class SmallWords {
@@ -153,4 +153,4 @@ class LaurentPolynomial {
   int m_terms = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline exact {
 namespace {
 
 /// The work of the constructor. Of each row, and of each column that rows leave over, it keeps how many
@@ -139,4 +139,4 @@ Peeling::Peeling(const SparsePattern& pattern, int unknowns)
   Peeler(pattern, unknowns, *this).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

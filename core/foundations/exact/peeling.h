@@ -5,7 +5,7 @@
 
 #include "core/foundations/exact/sparse_rows.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// An unknown and the equation that gives it.
 struct Pivot {
@@ -31,4 +31,4 @@ struct Peeling {
   Peeling(const SparsePattern& pattern, int unknowns);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -15,7 +15,7 @@
 #include "core/foundations/exact/laurent_polynomial.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// The names of the gear ratios, and FLINT's context for polynomials in them. Make one per thread and
 /// analysis.
@@ -158,4 +158,4 @@ class RationalFunction {
   FractionPtr m_fraction;  ///< where it is no Laurent polynomial, which is 0 then
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -9,7 +9,7 @@
 
 #include "core/foundations/exact/elimination.h"
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// The non-zeros of a vector, by ascending place.
 template <class Value>
@@ -85,4 +85,4 @@ template <class Field>
   return x;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

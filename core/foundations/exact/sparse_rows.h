@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline exact {
 
 /// Where the non-zeros of a matrix stand, row by row.
 struct SparsePattern {
@@ -59,4 +59,4 @@ class SparseRows {
   std::pmr::vector<Value> m_values;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline exact

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Takes bytes: a file, a pipe, a text. Failures are remembered by the sink, not returned on each call, so
 /// that writers stay free of them; whoever owns the sink asks at the end.
@@ -61,4 +61,4 @@ class BufferedSink final {
   std::string m_buffer;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -13,7 +13,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// How a table is written. Lines end with a line feed, which spreadsheet programs and scripts both read.
 struct CsvOptions {
@@ -152,4 +152,4 @@ void CsvWriter::sparseRow(std::string_view label, std::span<const Entry> entries
   m_used += static_cast<std::size_t>(out - begin);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -16,7 +16,7 @@
 #include "core/foundations/files/file_identity.h"
 #include "core/foundations/files/overwrite.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -235,4 +235,4 @@ std::optional<FileError> writeFile(const fs::path& path, std::string_view bytes)
   return file.commit();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

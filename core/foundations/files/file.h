@@ -9,7 +9,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Why a file could not be read or written, as a sentence for its user. No diagnostic: nothing is wrong with
 /// a document.
@@ -78,4 +78,4 @@ class DescriptorSink final : public ByteSink {
 /// A whole file in one call.
 [[nodiscard]] std::optional<FileError> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline files {
 namespace {
 
 /// The names of a list in which each ends with a zero byte.
@@ -57,4 +57,4 @@ void takeExtendedAttributes(int descriptor, const std::filesystem::path& from) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Gives an open file the owner and group of another one, as far as the process may.
 /// @return whether both are now those of `wanted`
@@ -15,4 +15,4 @@ namespace geargraph {
 /// permissions of the process do not allow is left out. Call it after the owner and the mode are set.
 void takeExtendedAttributes(int descriptor, const std::filesystem::path& from);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

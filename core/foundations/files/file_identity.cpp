@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 namespace fs = std::filesystem;
 
@@ -41,4 +41,4 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return !first && !second && canonicalPath(a) == canonicalPath(b);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

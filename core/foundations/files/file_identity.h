@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// What the system knows a file by, whatever its names: symbolic links and hard links lead to the same one.
 struct FileIdentity {
@@ -26,4 +26,4 @@ struct FileIdentity {
 /// Cost: some system calls per component.
 [[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/expected.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 enum class JsonKind : std::uint8_t { null, boolean, number, string, array, object };
 
@@ -105,4 +105,4 @@ class JsonValue {
 /// A text as a JSON string with its quotes; control characters, quote and backslash escaped.
 void appendJsonString(std::string& json, std::string_view text);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -3,7 +3,7 @@
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 namespace {
 
 bool isDigit(char c) {
@@ -260,4 +260,4 @@ Expected<JsonDocument> JsonDocument::parse(std::string_view text) {
   return JsonParser(text).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -7,7 +7,7 @@
 
 #include "core/foundations/files/byte_sink.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Writes JSON piece by piece into a sink, readable: containers of Layout::lines put each member on its own
 /// line, indented by two spaces, containers of Layout::row stand in one line.
@@ -64,4 +64,4 @@ class JsonWriter {
   bool m_afterKey = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

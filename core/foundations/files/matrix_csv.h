@@ -5,7 +5,7 @@
 
 #include "core/foundations/files/csv.h"
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Writes a labelled matrix whose rows answer with their non-zeros: an IntegerMatrix of core/graph, or
 /// anything of its shape, so that this layer need not know that one.
@@ -29,4 +29,4 @@ void writeMatrixCsv(ByteSink& sink, const Matrix& matrix, const CsvOptions& opti
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline files {
 namespace {
 
 /// The bytes of an open file, wherever its position is; std::nullopt with errno if they cannot be read.
@@ -82,4 +82,4 @@ Overwritten overwriteInPlace(const std::filesystem::path& target, int source) {
   return error == 0 ? Overwritten{} : Overwritten{error, put(file.get(), *old) == 0};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// What became of a file that was to be overwritten in place.
 struct Overwritten {
@@ -17,4 +17,4 @@ struct Overwritten {
 /// Cost: both files are read once; the old one is held in memory.
 [[nodiscard]] Overwritten overwriteInPlace(const std::filesystem::path& target, int source);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline files {
 
 /// Bytes of the well-formed UTF-8 character that starts at `at`, 1 to 4; 0 where the bytes are none (overlong
 /// forms, surrogates and cut-off characters are none). @pre at < text.size()
@@ -17,4 +17,4 @@ namespace geargraph {
 /// Appends a code point. @pre it is one: at most 0x10FFFF and no surrogate
 void appendUtf8(std::string& text, std::uint32_t codePoint);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline files

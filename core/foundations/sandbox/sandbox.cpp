@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace geargraph {
+namespace geargraph::inline sandbox {
 namespace {
 
 // A sanitizer reserves terabytes of addresses.
@@ -53,4 +53,4 @@ std::optional<std::string> enterSandbox(const SandboxLimits& limits) {
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline sandbox

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline sandbox {
 
 // A process that reads a file of unknown origin gives up its rights before the first byte. Linux only.
 
@@ -42,4 +42,4 @@ struct SandboxLimits {
 /// 0, or the error.
 [[nodiscard]] int filterCalls();
 
-}  // namespace geargraph
+}  // namespace geargraph::inline sandbox

@@ -10,7 +10,7 @@
 #include "core/machine/solids/gear_body.h"
 #include "core/mechanism/placement/disc_hull.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 using Eigen::Vector3d;
@@ -174,4 +174,4 @@ std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train,
   return clashes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

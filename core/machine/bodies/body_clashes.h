@@ -6,7 +6,7 @@
 
 #include "core/machine/bodies/body_plan.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Two links whose bodies are in each other's way.
 struct BodyClash {
@@ -22,4 +22,4 @@ struct BodyClash {
 [[nodiscard]] std::vector<BodyClash> bodyClashes(const BodyPlan& plan, const GearTrain& train,
                                                  const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

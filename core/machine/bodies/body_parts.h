@@ -5,7 +5,7 @@
 
 #include "core/machine/solids/shell_builder.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 constexpr double kShaftRadius = 1.8;  // modules, where bores leave room for it
 
@@ -91,4 +91,4 @@ struct LathePlan {
   std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

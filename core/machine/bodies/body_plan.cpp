@@ -10,7 +10,7 @@
 #include "core/machine/bodies/coaxial_sections.h"
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 using Eigen::Vector3d;
 
@@ -475,4 +475,4 @@ BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, cons
   return plan;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -5,11 +5,12 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/machine/train/axis_layout.h"
 #include "core/machine/bodies/body_parts.h"
+#include "core/machine/train/axis_layout.h"
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Where bodies go: bearings beside the wheels, arms where they pass them, shafts nested.
 struct BodyPlan {
@@ -56,4 +57,4 @@ struct BodyPlan {
 [[nodiscard]] BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement,
                                   const GearTrain& train, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -10,7 +10,7 @@
 #include "core/machine/bodies/gear_obstacles.h"
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// What earlier tries have shown.
 struct PlanTries {
@@ -167,4 +167,4 @@ class BodyPlanner {
   BodyPlan m_plan;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 struct Maker {
@@ -95,4 +95,4 @@ std::shared_ptr<const DeferredSolid> BodyCache::deferred(const BodyRecipe& recip
   return found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

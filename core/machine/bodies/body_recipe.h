@@ -8,13 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include "core/machine/solids/bodies.h"
 #include "core/machine/solids/deferred_solid.h"
+#include "core/machine/solids/part_solids.h"
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
-// The parts that bodies are made of, as the numbers that the functions of bodies.h take.
+// The parts that bodies are made of, as the numbers that the functions of part_solids.h take.
 
 struct TubePart {
   double outer = 0;
@@ -93,4 +93,4 @@ class BodyCache {
   std::size_t m_calls = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 using Eigen::Vector3d;
@@ -63,4 +63,4 @@ std::optional<Post> postOf(const BodyPlan& plan, const ArmPlan& arm) {
   return post;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/machine/solids/bodies.h"
 #include "core/machine/bodies/body_plan.h"
+#include "core/machine/solids/part_solids.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Play between an eye and what turns in it, and the wall about it.
 [[nodiscard]] inline double eyePlay(const AxisLayout& layout) {
@@ -37,4 +37,4 @@ struct Post {
 /// None where the arm holds the bearing itself, or comes near enough.
 [[nodiscard]] std::optional<Post> postOf(const BodyPlan& plan, const ArmPlan& arm);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

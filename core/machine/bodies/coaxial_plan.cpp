@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/machine/bodies/coaxial_sections.h"
-#include "core/machine/solids/gear_body.h"
 #include "core/machine/bodies/meridian_outline.h"
+#include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 std::size_t at(int i) {
@@ -406,4 +406,4 @@ std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

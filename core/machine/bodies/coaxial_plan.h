@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/machine/train/axis_layout.h"
 #include "core/machine/bodies/body_parts.h"
+#include "core/machine/train/axis_layout.h"
+#include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Where a bearing of the document goes in the plan of its axis.
 struct CoaxialBearing {
@@ -41,4 +42,4 @@ struct CoaxialPlan {
                                                      const Placement& placement, const GearTrain& train,
                                                      const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

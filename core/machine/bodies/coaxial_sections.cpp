@@ -6,7 +6,7 @@
 
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 constexpr double kPitch = 3.6;      // modules: a disc with its clearance
@@ -414,4 +414,4 @@ CoaxialSections coaxialSections(int axisClass, std::span<const AxisLayout> axes,
   return SectionMaker(axisClass, axes, placement, train, runOn).make();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "core/machine/train/axis_layout.h"
 #include "core/machine/bodies/meridian_router.h"
+#include "core/machine/train/axis_layout.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// A stretch along the axis. Gaps between wheels are cut into as many as discs have room.
 struct CoaxialColumn {
@@ -53,4 +53,4 @@ constexpr double kPinEye = 2.9;
 /// Largest outer radius of shafts within a wheel.
 [[nodiscard]] double shaftRoom(const GearSpec& spec);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

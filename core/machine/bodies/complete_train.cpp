@@ -1,12 +1,12 @@
 #include "core/machine/bodies/complete_train.h"
 
-#include "core/machine/solids/bodies.h"
-#include "core/machine/train/toothed_train.h"
 #include "core/machine/bodies/train_bodies.h"
+#include "core/machine/solids/part_solids.h"
+#include "core/machine/train/toothed_train.h"
 #include "core/machine/train/train_findings.h"
 #include "core/mechanism/placement/recentred.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 /// Of larger trains the analysis does not say whether wheels and bodies find ways past each other: stacking
@@ -66,4 +66,4 @@ Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placeme
   return diagnosticsOf(mechanism, near ? *near : placement, stop);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -5,7 +5,7 @@
 #include "core/machine/train/train.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Makes gears and bodies of a mechanism.
 ///
@@ -43,4 +43,4 @@ class BodyCache;
 [[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                           const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

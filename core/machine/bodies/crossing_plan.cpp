@@ -3,7 +3,7 @@
 
 #include "core/machine/bodies/body_planner.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 using Eigen::Vector3d;
 
@@ -315,4 +315,4 @@ void BodyPlanner::placeCrossing(int link, int home, Bearing& bearing) {
   addArm(best.arm);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -5,7 +5,7 @@
 
 #include "core/machine/bodies/body_planner.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 using Eigen::Vector3d;
 
@@ -129,4 +129,4 @@ void BodyPlanner::boltDownOrSay(Bearing& bearing) {
   boltDown(bearing, place ? *place : axis(c).freeSlot(bearing.at));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

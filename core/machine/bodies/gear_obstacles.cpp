@@ -6,7 +6,7 @@
 
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 using Eigen::Vector3d;
@@ -84,4 +84,4 @@ int GearObstacles::hits(int link, const Vector3d& a, const Vector3d& b, double m
   return count;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -5,7 +5,7 @@
 
 #include "core/machine/train/train.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// The room that the gears of a train take up while they turn: a disc each, a bevel what its tips sweep. For
 /// bodies that have to pass them.
@@ -49,4 +49,4 @@ class GearObstacles {
   std::vector<Gear> m_gears;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <map>
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 /// A side of a cell on the outline, in the sense of travel with the cell on the left.
@@ -85,4 +85,4 @@ std::vector<std::vector<ProfileVertex>> outlinesOf(const MeridianGrid& grid, con
   return outlines;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -6,7 +6,7 @@
 #include "core/machine/bodies/meridian_router.h"
 #include "core/machine/solids/shell_builder.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Where an edge of a set of cells really lies, given the cell inside and the direction that it faces.
 struct OutlinePlaces {
@@ -20,4 +20,4 @@ struct OutlinePlaces {
                                                                  const std::vector<bool>& inside,
                                                                  const OutlinePlaces& places);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -13,7 +13,7 @@
 
 #include "core/machine/bodies/meridian_search.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 constexpr double kOfOthers = 20;  // shared by the landings of a group: what their cells cost other nets
@@ -411,4 +411,4 @@ Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& n
   return memory.find(grid, nets, tries, stop);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Cells of one column, next to each other.
 struct MeridianRun {
@@ -78,4 +78,4 @@ constexpr std::size_t kMostRoutedCells = 4'000'000;
                                                                       int tries = kMostRouteRounds,
                                                                       const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

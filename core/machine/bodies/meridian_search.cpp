@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 constexpr double kFar = MeridianOwners::kFar;
@@ -249,4 +249,4 @@ void MeridianSearch::relax(const Front& front) {
   if (row + 1 < m_grid.rows) reach(front, front.cell + 1, front.column, m_grid.rowCost[at(row)]);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -9,7 +9,7 @@
 
 #include "core/machine/bodies/meridian_router.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Where the cells of a grid are as bits: a column's rows fill so many words, the next column's the next
 /// ones.
@@ -153,4 +153,4 @@ class MeridianSearch {
   long m_lot = 0;                       ///< the next
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -7,7 +7,7 @@
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/train/wheel_rooms.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 using Eigen::Vector3d;
 
@@ -206,4 +206,4 @@ bool BodyPlanner::sweepsShafts(int link, int home, double level, int axisClass) 
   });
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

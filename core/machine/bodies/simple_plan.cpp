@@ -6,7 +6,7 @@
 #include "core/machine/bodies/body_planner.h"
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Bearings of an axis stand in a row outside of its wheels, on the bearings' side: nearest the one whose
 /// link has its wheels nearest to that end, so that the shafts of the others, which come from farther in, are
@@ -69,4 +69,4 @@ BodyPlan BodyPlanner::planSimply() {
   return std::move(m_plan);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -16,7 +16,7 @@
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/train/train_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 namespace {
 
 using Eigen::Vector3d;
@@ -321,4 +321,4 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

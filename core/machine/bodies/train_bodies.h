@@ -4,8 +4,9 @@
 
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
 
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
 /// What finds no way past others is an `interference` of the train. `cache`: keeps solids from one edit to
@@ -18,4 +19,4 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
 [[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement,
                                           const GearTrain& train, const std::stop_token& stop);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline bodies

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 const std::shared_ptr<const Solid>& DeferredSolid::solid() const {
   std::call_once(m_once, [this] {
@@ -12,4 +12,4 @@ const std::shared_ptr<const Solid>& DeferredSolid::solid() const {
   return m_solid;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -7,7 +7,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// A solid that is made when somebody asks for it first. Thread-safe: who asks while it is being made waits.
 class DeferredSolid {
@@ -28,4 +28,4 @@ class DeferredSolid {
   mutable std::atomic<const Solid*> m_made{nullptr};
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

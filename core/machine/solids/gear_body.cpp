@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline solids {
 namespace {
 
 using std::numbers::pi;
@@ -142,4 +142,4 @@ std::optional<WebWindows> bodyWindows(const GearSpec& spec) {
   return web ? windowsFor(web->hub, web->rim, web->half, spec.module) : std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/machine/teeth/gear_spec.h"
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/solids/web_windows.h"
+#include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// Meridian of the body below the teeth, from the top face round to the bottom face, material on the left
 /// (rings: on the right). It begins and ends on the planes (bevel: cones) of the faces. Plain: bore or rim
@@ -35,4 +35,4 @@ struct AxialSpan {
 /// The same of the body alone, which a shaft has to fill: without what a bevel's teeth reach out.
 [[nodiscard]] AxialSpan hubSpan(const GearSpec& spec);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 namespace {
 
 using Eigen::Vector3d;
@@ -336,4 +336,4 @@ Solid meshed(const GearBlank& blank) {
   return solid;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

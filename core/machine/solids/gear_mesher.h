@@ -7,7 +7,7 @@
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/solids/web_windows.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// A point of half a tooth at both ends of the tooth, in the frame of tooth 0 (its half with y >= 0), as
 /// lengths.
@@ -39,4 +39,4 @@ struct GearBlank {
 /// undercut. Cost: O(vertices).
 [[nodiscard]] Solid meshed(const GearBlank& blank);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -7,10 +7,10 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_mesher.h"
-#include "core/machine/teeth/half_tooth.h"
 #include "core/machine/solids/spec_findings.h"
+#include "core/machine/teeth/half_tooth.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 namespace {
 
 using Eigen::Vector3d;
@@ -138,4 +138,4 @@ void GearCache::dropOldest() {
   }));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -7,10 +7,10 @@
 
 #include "core/foundations/base/expected.h"
 #include "core/machine/solids/deferred_solid.h"
-#include "core/machine/teeth/gear_spec.h"
 #include "core/machine/solids/solid.h"
+#include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// Chordal tolerances in modules: what a part is exported and looked at closely with, what a screen needs of
 /// some wheels, of a train, and of a train in a small window.
@@ -68,4 +68,4 @@ class GearCache {
   std::size_t m_calls = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -7,7 +7,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// A vertex of a profile, which revolves about the z axis to a circle; at radius 0 to a point.
 struct ProfileVertex {
@@ -79,4 +79,4 @@ class ShellBuilder {
 /// Number of vertices that keeps a circle within the tolerance (a length), at least 12.
 [[nodiscard]] int circleCount(double radius, double tolerance);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

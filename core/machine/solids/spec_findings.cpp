@@ -6,7 +6,7 @@
 
 #include "core/machine/solids/gear_body.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 namespace {
 
 using std::numbers::pi;
@@ -82,4 +82,4 @@ Diagnostics specDiagnostics(const GearSpec& spec) {
   return found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

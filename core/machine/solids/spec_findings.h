@@ -3,10 +3,10 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// What no gear can be made from (`teeth-geometry`): too few teeth for the rack, a bore that leaves no body,
 /// ...
 [[nodiscard]] Diagnostics specDiagnostics(const GearSpec& spec);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

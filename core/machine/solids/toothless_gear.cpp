@@ -1,9 +1,9 @@
 #include "core/machine/solids/toothless_gear.h"
 
-#include "core/machine/solids/bodies.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/solids/part_solids.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 Solid toothlessGear(const GearSpec& spec, double tolerance) {
   const double chord = tolerance * spec.module;
@@ -16,4 +16,4 @@ Solid toothlessGear(const GearSpec& spec, double tolerance) {
   return lathed(outline, chord);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

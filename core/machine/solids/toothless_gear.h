@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/machine/teeth/gear_spec.h"
 #include "core/machine/solids/solid.h"
+#include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// More teeth than these are finer than a pixel wherever all of the wheel is in view.
 constexpr int kMostShownTeeth = 5'000;
@@ -14,4 +14,4 @@ constexpr int kMostShownTeeth = 5'000;
 /// @pre specDiagnostics() has no findings
 [[nodiscard]] Solid toothlessGear(const GearSpec& spec, double tolerance);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "core/machine/teeth/gear_spec.h"
 #include "core/machine/solids/shell_builder.h"
+#include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// Openings between the spokes of a wheel's web: polar rectangles with rounded corners and parallel spokes.
 struct WebWindows {
@@ -28,4 +28,4 @@ struct WebWindows {
 void addWindowedWeb(ShellBuilder& builder, const WebWindows& windows, int count, double start,
                     double tolerance);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

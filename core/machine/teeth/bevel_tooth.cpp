@@ -6,7 +6,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 namespace {
 
 using Eigen::Vector3d;
@@ -289,4 +289,4 @@ HalfTooth bevelTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

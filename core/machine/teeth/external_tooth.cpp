@@ -6,7 +6,7 @@
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 namespace {
 
 using std::numbers::pi;
@@ -157,4 +157,4 @@ HalfTooth externalTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

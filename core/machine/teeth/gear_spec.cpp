@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 GearSpec standardGear(GearKind kind, int teeth, double module, double faceWidth) {
   GearSpec spec;
@@ -40,4 +40,4 @@ double nominalRootRadius(const GearSpec& spec) {
   return pitchRadius(spec) - depth;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

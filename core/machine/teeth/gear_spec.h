@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 enum class GearKind { external, internal, bevel };
 
@@ -59,4 +59,4 @@ struct GearSpec {
 constexpr int kFewestGearTeeth = 3;
 constexpr int kFewestRingTeeth = 4;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

@@ -4,7 +4,7 @@
 
 #include "core/machine/teeth/gear_spec.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 /// A point of a tooth's outline. `rad` is the distance from the axis in modules (plane), or the colatitude
 /// from the gear's axis in radians (sphere, bevels); `gam` the angle about the axis from the tooth's centre
@@ -55,4 +55,4 @@ constexpr double kNarrowestLand = 0.2;
 /// gam(c) = gam_p + az(d) - az(c). For tests and thickness. @pre c not inside the base cone
 [[nodiscard]] double sphericalInvoluteHalfAngle(const GearSpec& spec, double colatitude);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

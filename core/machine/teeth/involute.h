@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 /// inv a = tan a - a, the polar angle of the involute at pressure angle a.
 [[nodiscard]] double involute(double angle);
@@ -22,4 +22,4 @@ namespace geargraph {
 /// Pressure angle at which a pair with this centre distance (in modules) works; 0 at and below the limit.
 [[nodiscard]] double workingPressureAngle(int teethSum, double distance, double pressureAngle);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

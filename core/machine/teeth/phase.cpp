@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 namespace {
 
 using Eigen::Vector3d;
@@ -152,4 +152,4 @@ PhaseSolution solvePhases(std::span<const PhaseWheel> wheels, std::span<const Ph
   return PhaseSolver(wheels, meshes).solve();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

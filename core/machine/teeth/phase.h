@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 /// A toothed wheel as its meshes see it, in the frame that carries both axes of the mesh (for the reference
 /// pose: the base frame).
@@ -63,4 +63,4 @@ struct PhaseSolution {
 /// What a residual may be in pitches for a set that can be assembled: coordinates come in decimals.
 constexpr double kPhaseFits = 1e-3;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

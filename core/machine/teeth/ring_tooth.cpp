@@ -6,7 +6,7 @@
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 namespace {
 
 using std::numbers::pi;
@@ -103,4 +103,4 @@ HalfTooth ringTooth(const GearSpec& spec, double tolerance) {
   return tooth;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 /// Flanks are cut finer than the tolerance: in a mesh the errors of both gears add up, as transmission error.
 constexpr double kFlankShare = 0.5;
@@ -70,4 +70,4 @@ template <class PointAt>
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

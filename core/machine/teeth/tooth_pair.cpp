@@ -6,7 +6,7 @@
 
 #include "core/machine/teeth/involute.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 namespace {
 
 double squareOfSine(const GearSpec& spec) {
@@ -103,4 +103,4 @@ double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& 
   return (end - begin) / (std::numbers::pi * std::cos(a.pressureAngle));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

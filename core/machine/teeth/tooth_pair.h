@@ -3,7 +3,7 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/machine/teeth/half_tooth.h"
 
-namespace geargraph {
+namespace geargraph::inline teeth {
 
 /// Fewest teeth that a standard rack can cut without undercut at the gear's shift: 2 (ha - x) / sin^2 a, for
 /// bevels with z / cos d in place of z. Not rounded.
@@ -30,4 +30,4 @@ namespace geargraph {
 [[nodiscard]] double contactRatio(const GearSpec& a, const HalfTooth& toothA, const GearSpec& b,
                                   const HalfTooth& toothB, double distance);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline teeth

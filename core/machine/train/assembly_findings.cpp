@@ -6,7 +6,7 @@
 
 #include "core/machine/train/train_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 /// Meshes by gear.
@@ -220,4 +220,4 @@ Diagnostics assemblyDiagnostics(const Mechanism& mechanism, const GearTrain& tra
   return found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

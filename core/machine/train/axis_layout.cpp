@@ -7,7 +7,7 @@
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 using Eigen::Vector3d;
@@ -176,4 +176,4 @@ std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement&
   return layouts;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

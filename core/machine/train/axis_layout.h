@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 constexpr double kSameLevel = 1e-9;  ///< modules: what rounding leaves between levels that are one
 
@@ -87,4 +88,4 @@ struct AxisLayout {
 [[nodiscard]] std::vector<AxisLayout> axisLayouts(const Mechanism& mechanism, const Placement& placement,
                                                   const GearTrain& train, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -3,7 +3,7 @@
 
 #include "core/machine/train/wheel_rooms.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 constexpr double kStep = 0.85;
@@ -102,4 +102,4 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

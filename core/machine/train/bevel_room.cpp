@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/machine/solids/bodies.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/solids/part_solids.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 /// (radius, coordinate along the first wheel's axis), a closed polygon.
@@ -170,4 +170,4 @@ bool bevelsCollide(const TrainWheel& a, const TrainWheel& b) {
   return cross(first, second) || holds(first, within(second)) || holds(second, within(first));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

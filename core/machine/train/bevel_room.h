@@ -2,7 +2,7 @@
 
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// Do two bevel wheels on one line take up the same room, as their outlines in the half plane through the
 /// line say? Bores count as filled. False for wheels on other lines.
@@ -14,4 +14,4 @@ namespace geargraph {
 /// at most at any number (tests/bench/bench_gears.cpp).
 [[nodiscard]] bool bevelsCross(const TrainWheel& a, const TrainWheel& b);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

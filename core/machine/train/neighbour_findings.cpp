@@ -6,7 +6,7 @@
 
 #include "core/machine/train/train_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 using Eigen::Vector3d;
@@ -119,4 +119,4 @@ Diagnostics neighbourDiagnostics(const Mechanism& mechanism, const Placement& pl
   return NeighbourFinder(mechanism, placement, train).found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 constexpr std::size_t kMostPermuted = 6;
@@ -179,4 +179,4 @@ std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_to
   return order.size() <= kMostPermuted ? bestOfAll(stack, order, stop) : bestByMoves(stack, order, stop);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// Planes of wheels on parallel axes that have to be stacked, as numbers: which of them, where, is a
 /// designer's choice as long as nothing stands in one place.
@@ -46,4 +46,4 @@ struct StackPlanes {
 /// Cost: O(p!) or O(rounds * p^2) times O(wheels^2 on an axis).
 [[nodiscard]] std::vector<double> stackedHeights(const StackPlanes& planes, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

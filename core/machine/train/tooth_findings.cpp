@@ -1,12 +1,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/machine/solids/spec_findings.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/train/train_findings.h"
-#include "core/machine/solids/spec_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 /// How far a ring's tip may be lowered before it is worth a word, in modules.
@@ -175,4 +175,4 @@ Diagnostics toothDiagnostics(const Mechanism& mechanism, const GearTrain& train,
   return ToothFinder(mechanism, train, stop).found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -1,9 +1,10 @@
 #include "core/machine/train/toothed_train.h"
 
+#include "core/machine/solids/part_solids.h"
 #include "core/machine/teeth/phase.h"
 #include "core/machine/train/train_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 /// The wheels' ids in the document, else "15:tail" by the first mesh of each.
@@ -62,7 +63,7 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
 }
 
 Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                       const std::stop_token& stop) {
+                             const std::stop_token& stop) {
   Diagnostics found = toothDiagnostics(mechanism, train, stop);
   if (stop.stop_requested()) return found;
   append(found, neighbourDiagnostics(mechanism, placement, train));
@@ -70,8 +71,8 @@ Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placem
   return found;
 }
 
-Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement, const TrainWheels& wheels,
-                          const GearTrain& train, const std::stop_token& stop) {
+Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                             const TrainWheels& wheels, const GearTrain& train, const std::stop_token& stop) {
   Diagnostics found;
   for (const auto& [a, b] : wheelsInOnePlace(wheels, placement, stop)) {
     const TrainGear& one = train.gears[static_cast<std::size_t>(a)];
@@ -88,4 +89,4 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
   return found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

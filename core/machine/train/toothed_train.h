@@ -5,7 +5,7 @@
 #include "core/machine/train/train.h"
 #include "core/machine/train/train_wheels.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// Wheels in their shape, each where it has room. Of no use when `stop` was requested meanwhile.
 [[nodiscard]] TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
@@ -24,4 +24,4 @@ namespace geargraph {
                                            const TrainWheels& wheels, const GearTrain& train,
                                            const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

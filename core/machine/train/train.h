@@ -11,7 +11,11 @@
 #include "core/machine/teeth/gear_spec.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
+struct BodyPart;
+}  // namespace geargraph::inline bodies
+
+namespace geargraph::inline train {
 
 /// A toothed wheel of the mechanism: what solid, and where it is in the reference pose.
 struct TrainGear {
@@ -36,8 +40,6 @@ struct TrainMesh {
       pitchPoint;       ///< in the gears' plane; gears that the program stacked have left the document's
   double residual = 0;  ///< pitches by which the teeth miss each other, where a loop cannot be assembled
 };
-
-struct BodyPart;
 
 /// Shafts, arms, hubs and bearings of a link: solids in the base frame at the reference pose, which move with
 /// it.
@@ -66,4 +68,4 @@ struct GearTrain {
   bool hasSimpleBodies = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -4,8 +4,9 @@
 
 #include "core/machine/teeth/phase.h"
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// `undercut` and `interference` of the train's gears and pairs, with the numbers that say how to mend them.
 /// Those found so far where `stop` was requested meanwhile.
@@ -34,4 +35,4 @@ namespace geargraph {
   return d;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

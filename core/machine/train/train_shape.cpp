@@ -3,12 +3,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/machine/solids/spec_findings.h"
 #include "core/machine/teeth/involute.h"
 #include "core/machine/teeth/tooth_pair.h"
 #include "core/machine/train/train_wheels.h"
-#include "core/machine/solids/spec_findings.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 constexpr double kDefaultBacklash = 0.04;  // modules, of a pair
@@ -212,4 +212,4 @@ void shapeWheels(const Mechanism& mechanism, TrainWheels& train, const std::stop
   setTips(train);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -10,7 +10,7 @@
 #include "core/machine/train/stack_order.h"
 #include "core/machine/train/wheel_rooms.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 using Eigen::Vector3d;
@@ -296,4 +296,4 @@ std::vector<std::pair<int, int>> wheelsInOnePlace(const TrainWheels& train, cons
   return found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -5,7 +5,7 @@
 
 #include "core/machine/train/wheel_sharing.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 using Eigen::Vector3d;
@@ -184,4 +184,4 @@ TrainWheels wheelsOf(const Mechanism& mechanism, const Placement& placement, con
   return WheelFinder(mechanism, placement).find(stop);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

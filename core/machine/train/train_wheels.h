@@ -10,7 +10,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// A wheel while the train is made.
 struct TrainWheel {
@@ -71,4 +71,4 @@ void shortenFaces(TrainWheels& train, const Placement& placement, const std::sto
   return {v[0], v[1], v[2]};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

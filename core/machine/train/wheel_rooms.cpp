@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 
-#include "core/machine/train/bevel_room.h"
 #include "core/machine/solids/gear_body.h"
+#include "core/machine/train/bevel_room.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 using Eigen::Vector3d;
@@ -219,4 +219,4 @@ bool WheelRooms::collide(int one, int other) const {
                      m_train.wheels[static_cast<std::size_t>(other)]);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

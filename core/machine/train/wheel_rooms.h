@@ -8,7 +8,7 @@
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/placement/disc_hull.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// A wheel's axis as its carrier sees it go round: two wheels on parallel axes whose carriers turn about one
 /// third axis come as close as the difference of their orbits.
@@ -80,4 +80,4 @@ class WheelRooms {
   std::vector<Eigen::Vector3d> m_freeSide;  ///< by axis class
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

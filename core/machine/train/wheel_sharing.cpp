@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline train {
 namespace {
 
 /// In larger planes wheels share what is equal, whether all pass or not.
@@ -115,4 +115,4 @@ void WheelSharing::join(int tail, const TrainWheel& tailWheel, int head, const T
   m_wheels[at(from)].clear();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -8,7 +8,7 @@
 
 #include "core/machine/train/wheel_rooms.h"
 
-namespace geargraph {
+namespace geargraph::inline train {
 
 /// Which wheels of parallel meshes lie in one plane where the document leaves that open: a link's equal
 /// wheels are one only where nothing in their common plane runs into anything else. The suns of linked sets
@@ -52,4 +52,4 @@ class WheelSharing {
   std::vector<std::vector<int>> m_wheels;      ///< by plane
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 namespace {
 
 /// The decimal exponent of the leading digit of a JSON number: 2 for 345.6, -1 for 0.12. Zero gives 0.
@@ -188,4 +188,4 @@ std::string pointerStep(std::size_t position) {
   return "/" + std::to_string(position);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

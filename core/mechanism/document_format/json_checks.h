@@ -9,7 +9,7 @@
 #include "core/foundations/files/json.h"
 #include "core/mechanism/model/limits.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 
 /// The findings about one JSON text, gathered with their places.
 class JsonFindings {
@@ -47,4 +47,4 @@ void checkJson(const JsonDocument& document, JsonFindings& findings);
 [[nodiscard]] std::string pointerStep(std::string_view name);
 [[nodiscard]] std::string pointerStep(std::size_t position);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

@@ -4,7 +4,7 @@
 
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 namespace {
 
 constexpr std::size_t kLongestQuote = 40;
@@ -212,4 +212,4 @@ UnknownMembers JsonObject::unknown() const {
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

@@ -11,7 +11,7 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 
 /// Reads the members of one object of the file. A member of the wrong type makes a finding that says what was
 /// expected and what was found, and reads as its default, so that all problems of a file are found in one go.
@@ -65,4 +65,4 @@ class JsonObject {
   bool m_isObject;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 
 constexpr std::size_t kLargestFile = std::size_t{64} * 1024 * 1024;
 constexpr int kFileVersion = 1;
@@ -26,4 +26,4 @@ constexpr int kFileVersion = 1;
 /// of the format in their order and the unknown ones behind them.
 [[nodiscard]] std::string writeMechanism(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

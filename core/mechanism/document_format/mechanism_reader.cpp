@@ -6,7 +6,7 @@
 #include "core/mechanism/document_format/view_reader.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 namespace {
 
 /// Finds values by their JSON pointer; the elements of top-level lists in constant time.
@@ -315,4 +315,4 @@ Expected<Mechanism> readMechanism(std::string_view bytes) {
   return MechanismReader(*document).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

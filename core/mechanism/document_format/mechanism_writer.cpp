@@ -4,7 +4,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -262,4 +262,4 @@ std::string writeMechanism(const Mechanism& mechanism) {
   return sink.take();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 namespace {
 
 using Nodes = std::map<LinkId, SheetPoint>;
@@ -118,4 +118,4 @@ View readView(JsonFindings& findings, JsonValue value) {
   return ViewReader(findings, value).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/document_format/json_object.h"
 
-namespace geargraph {
+namespace geargraph::inline document_format {
 
 /// The 3D files attached to a link, from its member `shapes`; findings name the link.
 [[nodiscard]] std::vector<LinkShape> readShapes(JsonFindings& findings, JsonValue list,
@@ -14,4 +14,4 @@ namespace geargraph {
 /// What the editor remembers of its drawings, from the member `view` of the document.
 [[nodiscard]] View readView(JsonFindings& findings, JsonValue value);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline document_format

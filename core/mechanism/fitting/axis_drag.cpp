@@ -16,7 +16,7 @@
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 /// Pairs of axes whose wheels are those of one, step by step: their modules are one.
@@ -180,4 +180,4 @@ std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, doubl
   return fitting;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

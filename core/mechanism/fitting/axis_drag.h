@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 // What an axis that is dragged takes along. Either the module follows, or tooth counts are offered that bring
 // the axis near the place with the module as it is.
@@ -40,4 +40,4 @@ struct TeethOffer {
 [[nodiscard]] std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, double distance,
                                                 std::size_t most = 4);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -10,7 +10,7 @@
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 bool isZero(const ExactVector3& v) {
@@ -329,4 +329,4 @@ Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement,
   return edited;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/fitting/teeth_fit.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// Moves the axes whose places the document states, so that pairs of axes get the distances that `scales`
 /// says, then renews the pitch points that it states. Points it leaves open follow by themselves.
@@ -24,4 +24,4 @@ namespace geargraph {
                                           Mechanism edited, const std::map<AxisPair, Rational>& scales,
                                           const std::map<int, ExactVector3>& pinned = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -5,7 +5,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 /// On the other half of the axis of one of its wheels, at the module that the mesh has.
@@ -59,4 +59,4 @@ Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool 
   return unlessBroken(mechanism, placement, std::move(edited));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -10,7 +10,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 int positionOf(const Mechanism& mechanism, MeshId mesh) {
@@ -86,4 +86,4 @@ Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bo
   return marked;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

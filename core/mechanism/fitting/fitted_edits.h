@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 // Edits after which everything still fits: coaxial wheels stay coaxial, the ring follows sun and planets, a
 // bevel keeps its apex, twins of a planet follow it. Places and pitch points that the document leaves open
@@ -31,4 +31,4 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 /// stated where it lies, and so are both axes of a mesh. Refuses unknown-id.
 [[nodiscard]] Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

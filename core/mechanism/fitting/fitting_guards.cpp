@@ -9,7 +9,7 @@
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 /// Meshes whose module is pinned and another one now.
@@ -48,4 +48,4 @@ Expected<Mechanism> unlessBroken(const Mechanism& before, const Placement& place
   return edited;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// Has the document a geometry to keep, and not too much of it to follow at once?
 [[nodiscard]] bool canBeFitted(const Placement& placement);
@@ -13,4 +13,4 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> unlessBroken(const Mechanism& before, const Placement& placement,
                                                Expected<Mechanism> edited);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -11,7 +11,7 @@
 #include "core/mechanism/fitting/written_numbers.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 /// One gear of a mesh.
@@ -99,4 +99,4 @@ Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh) {
   return other ? other : snapped;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

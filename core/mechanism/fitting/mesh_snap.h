@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// Brings the two gears of a new mesh together: where one of them has a module already, from another mesh of
 /// parallel axes, the head's axis goes to the distance that the teeth ask for at that module, on its ray from
@@ -14,4 +14,4 @@ namespace geargraph {
 /// module yet or both have different ones, where another mesh holds the two axes, and for bevels.
 [[nodiscard]] Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

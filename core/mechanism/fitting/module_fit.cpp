@@ -13,7 +13,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/pitch_point.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 const MeshGeometry& geometryOf(const Placement& placement, int mesh) {
@@ -88,4 +88,4 @@ Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational&
   return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

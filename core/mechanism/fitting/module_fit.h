@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// The module of a mesh in the document's unit, 2 r / N: of bevels at their pitch point, the large end.
 /// Nothing where the mesh has no geometry in this placement of the mechanism.
@@ -18,4 +18,4 @@ namespace geargraph {
 /// geometry to keep or something pinned is in the way.
 [[nodiscard]] Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational& module);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

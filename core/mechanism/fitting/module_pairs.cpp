@@ -4,7 +4,7 @@
 
 #include "core/mechanism/fitting/teeth_fit.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& placement,
                                    const std::function<bool(int mesh)>& starts) {
@@ -34,4 +34,4 @@ std::vector<int> meshesOfOneModule(const Mechanism& mechanism, const Placement& 
   return meshes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -3,7 +3,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/mechanism/model/pins.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass) {
   const int axis = placement.classes->classes[static_cast<std::size_t>(axisClass)].axis;
@@ -62,4 +62,4 @@ Diagnostic pinRefusal(const Axis& axis) {
   return refusal;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -2,7 +2,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// The axis that an axis class bears the name of.
 [[nodiscard]] const Axis& axisOfClass(const Mechanism& mechanism, const Placement& placement, int axisClass);
@@ -14,4 +14,4 @@ namespace geargraph {
 /// The axis is pinned where it is.
 [[nodiscard]] Diagnostic pinRefusal(const Axis& axis);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -7,7 +7,7 @@
 #include "core/mechanism/fitting/pin_refusal.h"
 #include "core/mechanism/model/pins.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 constexpr int kFewestFollowing = 4;  ///< fewer teeth nobody cuts
@@ -237,4 +237,4 @@ Expected<TeethFit> fitTeeth(const Mechanism& mechanism, const Placement& placeme
   return TeethFitter(mechanism, placement, wheels, change).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

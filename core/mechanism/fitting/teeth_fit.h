@@ -8,7 +8,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/fitting/wheel_map.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// Two axis classes with meshes of parallel axes between them, the smaller first: one centre distance.
 using AxisPair = std::pair<int, int>;
@@ -50,4 +50,4 @@ struct MeshChange {
 
 [[nodiscard]] AxisPair axisPairOf(const MeshGeometry& geometry);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 namespace {
 
 const MeshGeometry& geometryOf(const Placement& placement, int end) {
@@ -92,4 +92,4 @@ std::vector<int> WheelMap::twins(int wheel) const {
   return twins;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 /// Which ends of meshes are teeth of one wheel: those that name the same wheel, else those on the same link,
 /// axis, tooth count and plane. A change of its teeth changes all of them.
@@ -50,4 +50,4 @@ class WheelMap {
 /// The axis class that the end's gear turns in.
 [[nodiscard]] int classOfEnd(const Placement& placement, int end);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline fitting {
 
 Rational plainDecimal(double value) {
   constexpr int kParts = 1'000'000;
@@ -15,4 +15,4 @@ NumberTriple numbersOf(const ExactVector3& v) {
   return {Number(v[0]), Number(v[1]), Number(v[2])};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline fitting

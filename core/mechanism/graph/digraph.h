@@ -8,7 +8,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 
 /// A directed edge between two nodes, by their ordinals.
 struct DigraphEdge {
@@ -84,4 +84,4 @@ class Digraph {
 
 using DigraphPtr = std::shared_ptr<const Digraph>;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 namespace {
 
 struct KindEntry {
@@ -59,4 +59,4 @@ int matrixEquation(MatrixKind kind) {
   return entryOf(kind).equation;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

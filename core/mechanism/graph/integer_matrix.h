@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 
 enum class MatrixKind { incidence, reducedIncidence, path, spanningTree, cycleBasis, cutset };
 
@@ -74,4 +74,4 @@ class IntegerMatrix {
 
 using IntegerMatrixPtr = std::shared_ptr<const IntegerMatrix>;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 namespace {
 
 Heading nodeHeading(const Digraph& graph, int node) {
@@ -281,4 +281,4 @@ IntegerMatrixPtr matrixOf(MatrixKind kind, const DigraphPtr& graph, const Spanni
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

@@ -4,7 +4,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 
 /// Incidence node-edge matrix Γ⁰ [AU, Eq. (1)].
 ///
@@ -57,4 +57,4 @@ namespace geargraph {
 [[nodiscard]] IntegerMatrixPtr matrixOf(MatrixKind kind, const DigraphPtr& graph,
                                         const SpanningTreePtr& tree);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

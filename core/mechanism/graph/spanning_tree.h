@@ -7,7 +7,7 @@
 
 #include "core/mechanism/graph/digraph.h"
 
-namespace geargraph {
+namespace geargraph::inline graph {
 
 /// The spanning tree that the turning joints make, rooted at the ground [AU, Fig. 2: the solid arrows].
 ///
@@ -100,4 +100,4 @@ struct PathStep {
 /// The walk from one node to another through the tree, in order. Cost: O(its length).
 [[nodiscard]] std::vector<PathStep> treePath(const SpanningTree& tree, int from, int to);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline graph

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/wording.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 template <class Element>
@@ -127,4 +127,4 @@ std::string differenceText(const Difference& difference) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// What two versions of one document have not in common, counted by id.
 struct Difference {
@@ -45,4 +45,4 @@ struct Difference {
 /// For a person: "2 links and 1 turning joint added; 1 gear mesh changed; inputs changed", or "nothing".
 [[nodiscard]] std::string differenceText(const Difference& difference);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -8,7 +8,7 @@
 
 #include "core/mechanism/model/edits.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 constexpr int kTeeth = 20;  ///< of a wheel that nothing is known of
@@ -191,4 +191,4 @@ Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head)
   return withMeshKind(std::move(drawn).value(), mesh, guess.kind);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

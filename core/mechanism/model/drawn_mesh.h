@@ -3,7 +3,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// A gear mesh as somebody draws it between two links, with what the drawing leaves open guessed so that the
 /// train makes sense at once. A guess never changes what the document states: axes that are placed stay.
@@ -20,4 +20,4 @@ namespace geargraph {
 /// Refuses what withGearMesh() refuses. Cost: O(n + t + c).
 [[nodiscard]] Expected<Mechanism> withDrawnMesh(Mechanism mechanism, LinkId tail, LinkId head);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

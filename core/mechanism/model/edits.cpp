@@ -9,7 +9,7 @@
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 Diagnostic unknown(const ElementId& element) {
@@ -323,4 +323,4 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
   return mechanism;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

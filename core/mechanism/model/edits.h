@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 // Edits are pure functions: they take the document by value and return the next one, or say why not. A
 // refused edit (self-joint, unknown id, ...) changes nothing, because the caller still holds the value it
@@ -81,4 +81,4 @@ namespace geargraph {
 /// The link becomes the ground: it goes to the front of the list, and the labels follow.
 [[nodiscard]] Expected<Mechanism> withGround(Mechanism mechanism, LinkId link);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

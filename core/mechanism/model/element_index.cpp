@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 template <class Element>
@@ -70,4 +70,4 @@ std::optional<std::string> ElementIndex::labelOf(const ElementId& element) const
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

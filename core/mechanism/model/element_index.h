@@ -6,7 +6,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// The elements of one mechanism by id, for callers that look up many of them: Mechanism::find and labelOf()
 /// search a list each time, so asking for all elements that way costs the square of the document.
@@ -35,4 +35,4 @@ class ElementIndex {
   PositionIndex<CouplingTag> m_couplings;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

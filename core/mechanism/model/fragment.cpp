@@ -8,7 +8,7 @@
 
 #include "core/mechanism/model/fresh_ids.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 constexpr double kStep = 30;   // px that a copy is moved right and down
@@ -222,4 +222,4 @@ std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& afte
   return added;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// What Copy takes: the selected links and the ends of the selected arrows, all arrows among them, with their
 /// axes, wheels, inputs and couplings. It is a document of its own: its ground is that of `mechanism`,
@@ -26,4 +26,4 @@ namespace geargraph {
 /// The elements of `after` that `before` has not: what a paste selects. Cost: O(n + t + c).
 [[nodiscard]] std::set<ElementId> elementsAdded(const Mechanism& before, const Mechanism& after);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

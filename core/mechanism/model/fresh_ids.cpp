@@ -2,7 +2,7 @@
 
 #include <unordered_set>
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 std::vector<std::string> freshIds(const Mechanism& mechanism, int count) {
   std::unordered_set<Atom> taken;
@@ -34,4 +34,4 @@ std::vector<AxisId> freshAxisIds(const Mechanism& mechanism, int count) {
   return fresh;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

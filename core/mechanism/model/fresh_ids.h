@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// `count` texts: the smallest whole numbers that no link, turning joint or mesh bears as its id, so that the
 /// three kinds never look alike. Cost: O(n + t + c + count).
@@ -16,4 +16,4 @@ namespace geargraph {
 /// lower-case letters.
 [[nodiscard]] std::vector<AxisId> freshAxisIds(const Mechanism& mechanism, int count);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

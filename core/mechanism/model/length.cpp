@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 struct Unit {
@@ -54,4 +54,4 @@ std::optional<Number> lengthFromText(std::string_view text, std::string_view uni
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/number.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// A length as somebody types it, in `unit`: "12", "22/7", or with a unit of its own, which is converted
 /// exactly: "1 in", "2.5cm", "1/2\"". Units: nm, um (µm), mm, cm, dm, m, mil, in ("), ft ('), and the
@@ -13,4 +13,4 @@ namespace geargraph {
 /// that is none of these.
 [[nodiscard]] std::optional<Number> lengthFromText(std::string_view text, std::string_view unit);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 /// Characters of a text in UTF-8.
@@ -162,4 +162,4 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
   return findings;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

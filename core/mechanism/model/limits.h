@@ -6,7 +6,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 constexpr std::size_t kLongestName = 1'000;    ///< characters of a name, a unit or an id
 constexpr std::size_t kLongestList = 100'000;  ///< elements of a list
@@ -21,4 +21,4 @@ constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
 /// reject what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics limitDiagnostics(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

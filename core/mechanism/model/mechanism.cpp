@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 template <class Element, class ElementIdType>
@@ -89,4 +89,4 @@ std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& 
   return std::to_string(*position);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -12,7 +12,7 @@
 #include "core/foundations/base/id.h"
 #include "core/mechanism/model/number.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
 /// are kept and written back, so that a newer or foreign program's data survives an edit here.
@@ -229,4 +229,4 @@ using MechanismPtr = std::shared_ptr<const Mechanism>;
 /// Nothing where the element is not in the mechanism. Cost: O(length of the list).
 [[nodiscard]] std::optional<std::string> labelOf(const Mechanism& mechanism, const ElementId& element);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

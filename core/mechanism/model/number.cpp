@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 constexpr int kMostDecimals = 6;
@@ -91,4 +91,4 @@ std::optional<Number> Number::fromText(std::string_view text) {
   return number;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -9,7 +9,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// A number of the document: its exact value, its nearest double, and the text it was written as, so that
 /// saving a file gives back what its author wrote ("22/7", 0.10, 1e-3).
@@ -68,4 +68,4 @@ using NumberTriple = std::array<Number, 3>;
   return triple[0].isZero() && triple[1].isZero() && triple[2].isZero();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

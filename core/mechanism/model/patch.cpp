@@ -10,7 +10,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/mechanism/model/patch_bytes.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 // --- texts ------------------------------------------------------------------------------------------------
@@ -282,4 +282,4 @@ void MechanismPatch::count() {
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -9,7 +9,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// What is different between two texts: all but what they begin and end with alike.
 struct TextPatch {
@@ -95,4 +95,4 @@ class MechanismPatch {
   std::size_t m_bytes = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

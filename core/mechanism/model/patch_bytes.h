@@ -2,7 +2,7 @@
 
 #include "core/mechanism/model/patch.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// Adds up the memory that values hold outside themselves.
 class ByteCount {
@@ -75,4 +75,4 @@ class ByteCount {
   std::size_t m_total = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

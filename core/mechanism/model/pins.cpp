@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 template <class Element>
@@ -28,4 +28,4 @@ Expected<Mechanism> withPinMark(Mechanism mechanism, const ElementId& element, b
                     0};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

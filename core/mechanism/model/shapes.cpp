@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 Diagnostic rejection(Code code, std::string message, LinkId link) {
@@ -51,4 +51,4 @@ bool staysInFolder(std::string_view path) {
   return true;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

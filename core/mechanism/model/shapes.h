@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// The 3D files that are attached to a link, in place of those it had: a pure function, as in edits.h.
 /// Rejects unknown-id, and schema for a path that leads out of the folder or a scale that is not above 0.
@@ -16,4 +16,4 @@ namespace geargraph {
 /// or of an address, and no ".." that leads out. "parts/../arm.stl" stays.
 [[nodiscard]] bool staysInFolder(std::string_view path);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 Diagnostic refusal(Code code, std::string message, std::vector<ElementId> elements = {}) {
@@ -136,4 +136,4 @@ Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven) {
   return withEnd(std::move(mechanism), state, driven, &ShiftState::driven);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

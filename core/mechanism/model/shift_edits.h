@@ -6,7 +6,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 // Edits of brakes, clutches and states: pure functions, as in edits.h. Couplings go with withoutElements().
 
@@ -35,4 +35,4 @@ namespace geargraph {
 [[nodiscard]] Expected<Mechanism> withDrive(Mechanism mechanism, int state, LinkId drive);
 [[nodiscard]] Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

@@ -9,7 +9,7 @@
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/shapes.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 namespace {
 
 Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements,
@@ -405,4 +405,4 @@ Diagnostics treeDiagnostics(const Mechanism& mechanism) {
   return findings;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

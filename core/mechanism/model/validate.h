@@ -3,7 +3,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline model {
 
 /// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
 /// couplings and what is beyond the limits of the format (limits.h). All findings, not only the first. The
@@ -21,4 +21,4 @@ namespace geargraph {
 /// Cost: O(n + t), and the length of each loop.
 [[nodiscard]] Diagnostics treeDiagnostics(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline model

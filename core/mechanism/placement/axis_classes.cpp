@@ -10,7 +10,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 /// Arbitrary ones that tell drawn lines apart.
@@ -242,4 +242,4 @@ AxisClasses::AxisClasses(const Mechanism& mechanism, const JointTree& tree, std:
   if (isSplit) reportSplits(mechanism, tree, *this, diagnostics);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -7,7 +7,7 @@
 #include "core/mechanism/placement/axis_line.h"
 #include "core/mechanism/placement/joint_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// Joints that stay coaxial in every motion, because they lie on one line and hang together by shared links.
 /// Lines are never compared across the mechanism: axes 1 and 3 of a robot's wrist coincide in the drawn pose
@@ -40,4 +40,4 @@ struct AxisClasses {
   [[nodiscard]] int classOfLink(int link) const { return ofLink[static_cast<std::size_t>(link)]; }
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -5,7 +5,7 @@
 #include "core/foundations/base/triple.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 [[nodiscard]] inline ExactVector3 toFractions(const NumberTriple& triple) {
   return {triple[0].exact(), triple[1].exact(), triple[2].exact()};
@@ -38,4 +38,4 @@ struct AxisLine {
 /// The lines that the document gives, by axis; one that it leaves open stands at the origin and is automatic.
 [[nodiscard]] std::vector<AxisLine> givenLines(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -11,7 +11,7 @@
 #include "core/mechanism/placement/mesh_geometry.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 bool isInternal(const GearMesh& mesh) {
@@ -304,4 +304,4 @@ PlacedAxes placedAxes(const Mechanism& mechanism, std::vector<AxisLine> given, c
   return {std::move(given), {}, kDefaultModule, {}};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -6,7 +6,7 @@
 #include "core/mechanism/placement/axis_line.h"
 #include "core/mechanism/placement/mesh_word.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The module (pitch diameter / teeth) of trains that say no size anywhere.
 constexpr int kDefaultModule = 2;
@@ -37,4 +37,4 @@ struct PlacedAxes {
                                     const JointTree* tree, const AxisClasses& classes,
                                     const std::vector<std::optional<MeshWord>>& words);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

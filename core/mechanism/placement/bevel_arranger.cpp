@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 constexpr int kMostSteps = 60;           // to either side, one by one; then in strides,
@@ -210,4 +210,4 @@ void BevelArranger::stand(int from, int to, double module) {
   add(wheelsBetween(from, to, a.point + along * a.direction, a, b, module));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

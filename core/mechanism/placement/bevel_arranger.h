@@ -11,7 +11,7 @@
 #include "core/mechanism/placement/disc_hull.h"
 #include "core/mechanism/placement/mesh_word.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The module of a derived bevel pair is counted in halves of the placement's.
 constexpr int kUsualBevelSize = 2;
@@ -96,4 +96,4 @@ class BevelArranger {
   double m_margin = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

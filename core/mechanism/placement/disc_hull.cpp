@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 constexpr int kMostSteps = 60;
@@ -153,4 +153,4 @@ DiscHull turned(const DiscHull& hull, const Vector3& point, const Vector3& direc
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The tree that the turning joints make, by positions in the document's lists, rooted at the ground: what
 /// Digraph and SpanningTree say, as arrays. A value; copies share the two.
@@ -31,4 +31,4 @@ struct JointTree {
   std::span<const int> order;   ///< links, every one behind its parent
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 std::string text(double value, int digits = 6) {
@@ -212,4 +212,4 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
   return refuse(wrongTeeth(mechanism, mesh, pair, position, geometry));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -8,7 +8,7 @@
 #include "core/mechanism/placement/pitch_point.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// What the geometry of a gear mesh comes to, in the reference pose. The axes A (tail's gear) and B (head's)
 /// are the lines of the two axis classes; both are fixed in the carrier, so nothing here changes with the
@@ -58,4 +58,4 @@ enum class LinePosition { parallel, meeting, skew };
 /// The teeth-geometry finding for an internal pair with equal teeth.
 [[nodiscard]] Diagnostic equalInternalTeeth(const Mechanism& mechanism, int mesh);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

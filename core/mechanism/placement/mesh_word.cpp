@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 std::string wordText(const Mechanism& mechanism, const AxisClasses& classes, const std::vector<int>& word) {
@@ -106,4 +106,4 @@ std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& 
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -6,7 +6,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/placement/axis_classes.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The path of a mesh through the tree, as a word of axis classes; a proper one is A..A B..B.
 struct MeshWord {
@@ -39,4 +39,4 @@ class ClassPath {
                                                const JointTree& tree, int mesh, ClassPath& path,
                                                Diagnostics& diagnostics);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/triple.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// Two lines and the teeth that turn about them. Directions need not be unit vectors.
 template <class Scalar>
@@ -58,4 +58,4 @@ struct BevelSides {
 [[nodiscard]] std::optional<ExactVector3> bevelPitchPoint(const GearPair<Rational>& pair, BevelSides sides,
                                                           const Rational& module);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -7,7 +7,7 @@
 #include "core/mechanism/placement/bevel_arranger.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 /// Is the tail's axis the inner one, nearer the ground?
@@ -227,4 +227,4 @@ std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism, const Pl
                             inner ? pair.tailPoint : pair.headPoint);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -6,7 +6,7 @@
 #include "core/mechanism/placement/axis_placer.h"
 #include "core/mechanism/placement/mesh_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The reference geometry of a mechanism: where every axis lies, and for every mesh its carrier, its pitch
 /// point and the sign and radii that follow. Whatever the file leaves open is chosen here, so that a digraph
@@ -56,4 +56,4 @@ struct Placement {
 [[nodiscard]] std::optional<ExactVector3> exactPitchPoint(const Mechanism& mechanism,
                                                           const Placement& placement, int mesh);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 /// Do places lose more than a small part of the smallest pitch radius to the rounding of coordinates?
@@ -37,4 +37,4 @@ std::optional<Placement> recentred(const Mechanism& mechanism, const Placement& 
   return near;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -4,7 +4,7 @@
 
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 /// The placement with the origin moved to a point of its own, where it is so far from the document's origin
 /// that doubles there lose digits which its gears need; else nothing. What does not depend on the place of a
@@ -12,4 +12,4 @@ namespace geargraph {
 /// @pre the placement is the mechanism's
 [[nodiscard]] std::optional<Placement> recentred(const Mechanism& mechanism, const Placement& placement);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline placement {
 namespace {
 
 /// Rounding below this part of a limit does not change what a decision against the limit means.
@@ -116,4 +116,4 @@ double LineKeys::of(const AxisLine& line, const Vector3& weights) const {
   return scale * dot(foot, weights) + seen * seen;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

@@ -6,7 +6,7 @@
 #include "core/mechanism/graph/digraph.h"
 #include "core/mechanism/placement/axis_line.h"
 
-namespace geargraph {
+namespace geargraph::inline placement {
 
 // How geometry is compared. Nothing here depends on where a train is or how large it is; no rank, degree of
 // freedom or zero of the analysis depends on it at all: its rows come from tooth counts.
@@ -83,4 +83,4 @@ struct LineKeys {
   double window = 0;  ///< for weights of length 1 at most
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline placement

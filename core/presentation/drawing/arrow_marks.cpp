@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/emphasis.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 /// Where the curve comes so near to its end, by its parameter. @pre it begins farther off
@@ -60,4 +60,4 @@ void drawWalk(Pen& pen, const Curve& curve, int walk, const Tint& tint) {
           Fill{Polyline{{tip, tail + wing, middle - 0.4 * kSize * along, tail - wing}, true}, tint});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/label_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kRim = kNodeRadius + kRingWidth / 2;
@@ -192,4 +192,4 @@ DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

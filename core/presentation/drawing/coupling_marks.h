@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/node_placement.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// Places for the couplings whose links have one. `nodes` are placed; `taken` holds them with their badges,
 /// and arrows, and gets what is placed. Cost: O(couplings).
@@ -21,4 +21,4 @@ namespace geargraph {
 /// Two outlines each: of the line, and of plates and name.
 [[nodiscard]] DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/edge_routing.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kHaloWidth = 9;     ///< of the band along an arrow
@@ -142,4 +142,4 @@ DisplayList linkGhost(SheetPoint center) {
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/drawing/emphasis.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// The marks and outlines of one node or arrow.
 [[nodiscard]] DisplayList nodeDrawing(const NodePlace& node, const Emphasis& emphasis);
@@ -22,4 +22,4 @@ namespace geargraph {
 /// A link where it would come.
 [[nodiscard]] DisplayList linkGhost(SheetPoint center);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -3,14 +3,14 @@
 #include <array>
 #include <unordered_map>
 
+#include "core/mechanism/graph/digraph.h"
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/edge_routing.h"
 #include "core/presentation/drawing/label_placement.h"
 #include "core/presentation/drawing/node_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
-#include "core/mechanism/graph/digraph.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kRim = kNodeRadius + kRingWidth / 2;
@@ -248,4 +248,4 @@ DigraphGeometry digraphGeometry(const Mechanism& mechanism, const NodePositions&
   return geometry;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/presentation/drawing/planar.h"
 #include "core/mechanism/model/mechanism.h"
+#include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 using NodePositions = std::map<LinkId, SheetPoint>;
 
@@ -102,4 +102,4 @@ constexpr double kBadgeHalfWidth = 20;
 constexpr double kBadgeHalfHeight = 9;
 constexpr double kBadgeTextSize = 10;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

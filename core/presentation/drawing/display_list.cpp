@@ -7,7 +7,7 @@
 
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr std::array<std::string_view, 10> kRoleNames{"halo",  "line", "arrowhead", "walk",  "node",
@@ -123,4 +123,4 @@ std::string textOf(const DisplayList& list) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// What a mark of a drawing is there for.
 enum class MarkRole { halo, line, arrowhead, walk, node, label, name, hatching, input, ghost };
@@ -95,4 +95,4 @@ struct DisplayList {
 /// One line a mark and an outline, numbers to a tenth: what golden tests compare.
 [[nodiscard]] std::string textOf(const DisplayList& list);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

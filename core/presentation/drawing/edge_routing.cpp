@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kGapToRim = 2;          ///< between a ring and an arrow's end
@@ -141,4 +141,4 @@ Courses reroutedEdges(const Digraph& graph, const Centers& centers, const Obstac
   return courses;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/presentation/drawing/obstacle_grid.h"
 #include "core/mechanism/graph/digraph.h"
+#include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 using Centers = std::vector<std::optional<SheetPoint>>;  ///< of nodes, by ordinal
 
@@ -39,4 +39,4 @@ using Courses = std::vector<std::optional<Course>>;  ///< of edges, by ordinal; 
 /// The part outside of the rim of the node where it begins.
 [[nodiscard]] Curve trimmedAtStart(const Curve& curve);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

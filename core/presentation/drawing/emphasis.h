@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/id.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// How an element stands out.
 struct Emphasis {
@@ -33,4 +33,4 @@ constexpr int kNodeDepth = 30;
 constexpr int kBadgeDepth = 40;
 constexpr int kGhostDepth = 50;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

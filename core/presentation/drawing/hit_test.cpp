@@ -3,7 +3,7 @@
 #include <limits>
 #include <unordered_set>
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 /// How far a point is from a shape, 0 inside.
@@ -60,4 +60,4 @@ std::vector<ElementId> elementsInside(const std::vector<Outline>& outlines, cons
   return inside;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

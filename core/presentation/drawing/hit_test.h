@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// The topmost element at a point; `reach` widens what can be hit, for a small drawing on a large screen.
 /// Among several of one depth the nearest is meant. Cost: O(outlines).
@@ -16,4 +16,4 @@ namespace geargraph {
 /// list.
 [[nodiscard]] std::vector<ElementId> elementsInside(const std::vector<Outline>& outlines, const Extent& area);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

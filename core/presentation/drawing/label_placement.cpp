@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kLabelGap = 2.5;  ///< that a label keeps from everything
@@ -129,4 +129,4 @@ std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, doubl
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

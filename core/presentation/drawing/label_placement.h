@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// A label's place, and whether it touches something because there was no free one.
 struct LabelPlace {
@@ -30,4 +30,4 @@ struct LabelPlace {
 [[nodiscard]] std::optional<SheetPoint> placeAround(SheetPoint center, double halfWidth, double halfHeight,
                                                     const ObstacleGrid& taken);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <mutex>
 
-#include "core/presentation/drawing/tidy_tree.h"
 #include "core/mechanism/graph/digraph.h"
+#include "core/presentation/drawing/tidy_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kColumn = 170;        ///< between a link and the one it carries
@@ -286,4 +286,4 @@ NodePositions completedPositions(const Mechanism& mechanism) {
   return positions;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

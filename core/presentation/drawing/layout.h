@@ -2,7 +2,7 @@
 
 #include "core/presentation/drawing/digraph_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// Lays the whole digraph out anew: the ground on the left, every link to the right of the one that carries
 /// it. Up to 300 links Graphviz does it, with arrows that cross as little as it finds; larger drawings, and
@@ -18,4 +18,4 @@ namespace geargraph {
 /// layoutOf(), away from all other nodes. A document without any positions is laid out as a whole.
 [[nodiscard]] NodePositions completedPositions(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

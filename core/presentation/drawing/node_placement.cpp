@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/label_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kMargin = 80;
@@ -167,4 +167,4 @@ std::vector<NodePlace> placedNodes(const Mechanism& mechanism, const Digraph& gr
   return nodes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -5,7 +5,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/edge_routing.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 // The nodes of a drawing in which links are discs: what the digraph and the T-T graph have in common.
 
@@ -25,4 +25,4 @@ void placeNames(std::vector<NodePlace>& nodes, const Mechanism& mechanism, Obsta
 
 [[nodiscard]] Extent hatchingExtent(const NodePlace& ground);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

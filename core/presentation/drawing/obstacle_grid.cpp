@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/obstacle_grid.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kSmallestCell = 48;
@@ -128,4 +128,4 @@ int ObstacleGrid::circlesHit(const Curve& curve, double gap, int tail, int head,
   return static_cast<int>(hit.size());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// What stands on a sheet already, sorted into square cells, so that asking whether a place is free costs no
 /// more on a sheet of thousands than on one of ten.
@@ -52,4 +52,4 @@ class ObstacleGrid {
   std::vector<int> m_first;  ///< by cell: the head of its list of entries, or -1
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

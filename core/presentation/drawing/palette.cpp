@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr Color rgb(std::uint32_t hex) {
@@ -107,4 +107,4 @@ std::string nameOf(const Tint& tint) {
   return std::string(kRoles[static_cast<std::size_t>(tint.role)].name);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

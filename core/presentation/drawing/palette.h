@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// High contrast is light on black, for weak eyes and weak projectors.
 enum class Theme { light, dark, highContrast };
@@ -64,4 +64,4 @@ struct Tint {
 /// "accent", "link 3": for golden tests and style classes.
 [[nodiscard]] std::string nameOf(const Tint& tint);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

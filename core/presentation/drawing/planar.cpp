@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 bool Extent::meetsSegment(SheetPoint from, SheetPoint to) const {
   // Liang and Barsky: the share of the segment that lies between each pair of parallel sides.
@@ -35,4 +35,4 @@ double distanceToCurve(SheetPoint p, const Curve& curve) {
   return nearest;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 // Plane geometry of the sheet, x to the right, y down, units px at zoom 1.
 
@@ -149,4 +149,4 @@ void forEachChord(const Curve& curve, Visit visit) {
 
 [[nodiscard]] double distanceToCurve(SheetPoint p, const Curve& curve);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

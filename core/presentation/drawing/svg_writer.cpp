@@ -9,7 +9,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/wording.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 /// To a hundredth of a pixel, without the zeros behind, whatever the locale. @pre finite
@@ -137,4 +137,4 @@ std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_vi
   return svg + "</g>\n</svg>\n";
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -6,7 +6,7 @@
 
 #include "core/presentation/drawing/display_list.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// How a drawing lies on its sheet.
 struct SheetLook {
@@ -27,4 +27,4 @@ struct SheetLook {
 /// one group a mark's element with its list and id as data attributes.
 [[nodiscard]] std::string svgOf(const DisplayList& list, const SheetLook& look, std::string_view title = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// How wide a text is about to be, in px: placing labels must not depend on the fonts of a machine, so that
 /// a drawing is the same on screen, in an SVG and in a golden test. The advances are those of DejaVu Sans,
@@ -13,4 +13,4 @@ namespace geargraph {
 /// The text, cut to at most so many characters with an ellipsis at the end.
 [[nodiscard]] std::string elided(std::string_view utf8, std::size_t characters);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// Where a node of a drawn forest stands: its distance from its root, and its row.
 struct TidyPlace {
@@ -23,4 +23,4 @@ struct TidyPlace {
 [[nodiscard]] std::vector<TidyPlace> tidyForest(std::span<const int> parent, std::span<const int> order,
                                                 std::span<const double> sizes = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

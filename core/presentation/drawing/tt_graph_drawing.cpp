@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kTransferRing = 15.5;  ///< radius of the second ring
@@ -84,4 +84,4 @@ DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emph
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -4,7 +4,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/tt_graph_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// The colour of the second of two walks that are shown at once; the first has the accent.
 constexpr ColorRole kSecondWalk = ColorRole::negativeInk;
@@ -17,4 +17,4 @@ constexpr ColorRole kSecondWalk = ColorRole::negativeInk;
 /// head gear in kSecondWalk.
 [[nodiscard]] DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emphases);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/node_placement.h"
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kBesideBranch = 32;  ///< between a branch and an only chord on its side
@@ -94,4 +94,4 @@ TtGraphGeometry ttGraphGeometry(const Mechanism& mechanism, const TtGraph* graph
   return geometry;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

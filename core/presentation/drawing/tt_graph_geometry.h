@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/presentation/drawing/tt_graph_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 constexpr double kChordWidth = 1.3;  ///< the thin lines of the meshes
 
@@ -40,4 +40,4 @@ struct TtGraphGeometry {
 
 [[nodiscard]] Extent ttLabelExtent(SheetPoint center, const std::string& label);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

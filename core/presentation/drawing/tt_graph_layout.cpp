@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/tidy_tree.h"
 #include "core/presentation/drawing/tt_graph_geometry.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 constexpr double kRank = 130;        ///< between a link and those it carries, at least
@@ -294,4 +294,4 @@ NodePositions ttPositions(NodePositions layout, const NodePositions& chosen) {
   return layout;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

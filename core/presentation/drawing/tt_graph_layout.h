@@ -3,7 +3,7 @@
 #include "core/presentation/drawing/digraph_geometry.h"
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// Lays the T-T graph out as a tree that hangs from the ground [AU, Figs. 5 and 6]: a rank for each distance
 /// from the ground, links of one parent in the order that keeps the gears of a mesh beside each other, and
@@ -21,4 +21,4 @@ constexpr std::size_t kMostLinesChecked = 200;
 /// one stands.
 [[nodiscard]] NodePositions ttPositions(NodePositions layout, const NodePositions& chosen);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

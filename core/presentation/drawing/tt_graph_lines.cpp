@@ -1,6 +1,6 @@
 #include "core/presentation/drawing/tt_graph_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 namespace {
 
 /// The paper's primes; beyond four they are counted.
@@ -41,4 +41,4 @@ std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph&
   return lines;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

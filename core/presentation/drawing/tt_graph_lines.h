@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline drawing {
 
 /// What a line of the T-T graph stands for.
 enum class TtLine {
@@ -31,4 +31,4 @@ struct TtGraphLine {
 [[nodiscard]] std::vector<TtGraphLine> ttGraphLines(const Mechanism& mechanism, const Digraph& digraph,
                                                     const TtGraph* graph);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline drawing

@@ -10,7 +10,7 @@
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json_writer.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -198,4 +198,4 @@ std::optional<MeshFileError> writeAssembly(const Assembly& assembly, const fs::p
   return writeInto(folder, files, options);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

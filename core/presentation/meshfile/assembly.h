@@ -9,7 +9,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// A gear as a check of its teeth wants it: what it should be, what it is, and where. Lengths in the
 /// document's unit; `profileShift`, `addendum`, `dedendum` and `rootRadius` in modules; angles in radians.
@@ -68,4 +68,4 @@ constexpr std::size_t kFewestFrames = 12;
 /// same position every time. Meshes at rest do not count; all at rest: times up to 1. @pre count >= 2
 [[nodiscard]] std::vector<double> frameTimes(std::span<const double> pitches, std::size_t count);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

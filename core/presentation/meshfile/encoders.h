@@ -12,7 +12,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 // One encoder a format. Each gives nothing where it was stopped. All are our own code and share the solids'
 // bytes: assimp 5.2 drops node transforms that differ from the identity by less than 0.01 and joins vertices
@@ -90,4 +90,4 @@ void appendDecimal(std::string& text, Number value) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -18,7 +18,7 @@
 
 #include "core/foundations/files/utf8.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -252,4 +252,4 @@ fs::path foreignMeshReader() {
   return {};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

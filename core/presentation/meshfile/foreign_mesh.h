@@ -9,7 +9,7 @@
 
 #include "core/presentation/meshfile/mesh_writer.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// What a file from elsewhere may cost before it is given up.
 struct ForeignLimits {
@@ -48,4 +48,4 @@ struct ForeignLimits {
 /// Nothing where the bytes are not what packedSolid() writes, within the limit.
 [[nodiscard]] std::optional<Solid> unpackedSolid(std::string_view bytes, std::size_t mostTriangles);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -12,7 +12,7 @@
 
 #include "core/presentation/meshfile/foreign_mesh.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 constexpr float kCrease = 35;  // degrees
@@ -148,4 +148,4 @@ std::optional<Solid> unpackedSolid(std::string_view bytes, std::size_t mostTrian
   return isSound(solid) ? std::optional(std::move(solid)) : std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

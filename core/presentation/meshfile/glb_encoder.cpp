@@ -8,7 +8,7 @@
 #include "core/presentation/meshfile/encoders.h"
 #include "core/presentation/meshfile/weld.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -354,4 +354,4 @@ std::optional<std::string> glbBytes(const MeshScene& scene, const MeshWriteOptio
   return container(gltf.json(), gltf.buffer().bytes());
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

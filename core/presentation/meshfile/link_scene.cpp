@@ -7,7 +7,7 @@
 #include "core/presentation/meshfile/turn_keys.h"
 #include "core/theory/pose/period.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 std::string nameOf(const Link& link, int label) {
@@ -102,4 +102,4 @@ std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
   return scene;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -11,7 +11,7 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// A mechanism with its solids. All of it must live as long as the call that takes it.
 struct LinkSceneSource {
@@ -33,8 +33,8 @@ constexpr std::size_t kMostKeys = 1'000'000;
 
 /// The tree of links as nodes, each with its parts below it, in the reference pose. A link's frame lies on
 /// the line of its joint and is parallel to the base frame, so that motion is rotation only. With a motion,
-/// each joint that turns gets keys for one period of all of them (core/theory/pose/period.h), after which every link
-/// is where it was.
+/// each joint that turns gets keys for one period of all of them (core/theory/pose/period.h), after which
+/// every link is where it was.
 ///
 /// Nodes and materials bear the names of the links, "link 3" where a link has none; parts bear theirs.
 /// Identity: worldPosesAt() of a part is the pose of its link by ForwardKinematics times the part's own.
@@ -43,4 +43,4 @@ constexpr std::size_t kMostKeys = 1'000'000;
 [[nodiscard]] std::variant<MeshScene, MeshFileError> linkScene(const LinkSceneSource& source,
                                                                const std::optional<UniformMotion>& motion);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -1,6 +1,6 @@
 #include "core/presentation/meshfile/mesh_format.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 std::string_view meshFormatName(MeshFormat format) {
   switch (format) {
@@ -35,4 +35,4 @@ bool carriesAnimation(MeshFormat format) {
   return format == MeshFormat::glb;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 template <class LocalPose>
@@ -119,4 +119,4 @@ double metresPerUnit(const std::string& unit) {
   return 1e-3;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -9,7 +9,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// A paint with the name that files give it. Colour in sRGB, 0..1, as screens take it.
 struct MeshMaterial {
@@ -76,4 +76,4 @@ struct MeshScene {
 /// ft.
 [[nodiscard]] double metresPerUnit(const std::string& unit);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -12,7 +12,7 @@
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/encoders.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 using Files = std::vector<EncodedFile>;
@@ -162,4 +162,4 @@ std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

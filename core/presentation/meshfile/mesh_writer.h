@@ -12,7 +12,7 @@
 #include "core/presentation/meshfile/mesh_format.h"
 #include "core/presentation/meshfile/mesh_scene.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// Why a 3D file was not written or read. Nothing is wrong with a document, so it is no Diagnostic.
 struct MeshFileError {
@@ -62,4 +62,4 @@ struct EncodedFile {
                                                      const std::filesystem::path& path,
                                                      const MeshWriteOptions& options = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -10,7 +10,7 @@
 #include "core/presentation/meshfile/weld.h"
 #include "core/presentation/meshfile/zip_archive.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 constexpr std::string_view kContentTypes =
@@ -139,4 +139,4 @@ std::optional<std::string> threeMfBytes(const MeshScene& scene, const MeshWriteO
   return archive.finish();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

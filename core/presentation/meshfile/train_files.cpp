@@ -7,7 +7,7 @@
 #include "core/machine/teeth/half_tooth.h"
 #include "core/theory/pose/turning_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 /// Rate of a gear against its carrier about the line of their axis class.
@@ -162,4 +162,4 @@ Expected<Assembly> assemblyOf(const PlacedTrain& placed, GearCache& cache, doubl
   return assembly;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

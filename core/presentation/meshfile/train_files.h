@@ -5,10 +5,11 @@
 
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 #include "core/presentation/meshfile/assembly.h"
 #include "core/presentation/meshfile/link_scene.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// A mechanism that is a tree and has a place for each axis, ready to be moved. What it refers to must
 /// outlive it.
@@ -45,4 +46,4 @@ struct PlacedTrain {
                                             std::span<const std::vector<Rational>> motions,
                                             std::size_t frames);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

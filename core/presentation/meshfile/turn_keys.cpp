@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Quaterniond& rest,
                                      long long quarters, double seconds) {
@@ -23,4 +23,4 @@ std::vector<RotationKey> uniformTurn(const Eigen::Vector3d& axis, const Eigen::Q
   return keys;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

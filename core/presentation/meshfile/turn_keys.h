@@ -5,7 +5,7 @@
 
 #include "core/presentation/meshfile/mesh_scene.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// Keys of a node that rests at `rest` and turns uniformly about `axis` (unit, in the parent's frame, through
 /// the node's origin) by `quarters` quarter turns in `seconds`: one at each quarter, so that slerp between
@@ -15,4 +15,4 @@ namespace geargraph {
                                                    const Eigen::Quaterniond& rest, long long quarters,
                                                    double seconds);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 namespace {
 
 struct PositionHash {
@@ -121,4 +121,4 @@ WeldedMesh weldedToManifold(const Solid& solid) {
   return parted;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

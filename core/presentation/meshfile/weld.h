@@ -2,7 +2,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// A mesh whose vertices differ in position, and no more.
 struct WeldedMesh {
@@ -25,4 +25,4 @@ struct WeldedMesh {
   return {p[0] + 0.0F, p[1] + 0.0F, p[2] + 0.0F};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

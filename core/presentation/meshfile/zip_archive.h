@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline meshfile {
 
 /// Writes a ZIP archive into memory, piece by piece, compressed by zlib. Every entry bears the format's first
 /// date (1980-01-01), so that equal contents give equal bytes. No entry and no archive may reach 4 GiB.
@@ -43,4 +43,4 @@ class ZipArchive {
   std::unique_ptr<Deflater> m_deflater;  ///< while an entry is open
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline meshfile

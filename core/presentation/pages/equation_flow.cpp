@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace geargraph {
+namespace geargraph::inline pages {
 namespace {
 
 using Lines = std::vector<SetReport::SetLine>;
@@ -126,4 +126,4 @@ std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const Rep
   return lines;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

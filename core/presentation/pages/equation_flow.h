@@ -2,7 +2,7 @@
 
 #include "core/presentation/pages/flow.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 
 [[nodiscard]] std::vector<SetReport::SetLine> sharedLines(std::vector<FormulaLine> lines);
 
@@ -11,4 +11,4 @@ namespace geargraph {
                                                   const ReportEquation& equation, const FlowLook& flow,
                                                   const WordMeasure& measure);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

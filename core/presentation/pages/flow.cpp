@@ -7,7 +7,7 @@
 #include "core/presentation/pages/paragraph.h"
 #include "core/presentation/typeset/tex_reader.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 namespace {
 
 constexpr double kAnyWidth = 1e9;
@@ -210,4 +210,4 @@ std::vector<FlowLine> SetReport::lines(const FlowLook& look, const WordMeasure& 
   return FlowWriter(*this, look, measure).all();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

@@ -12,7 +12,7 @@
 #include "core/presentation/report/report.h"
 #include "core/presentation/typeset/typeset.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 
 /// How words look.
 struct WordLook {
@@ -114,4 +114,4 @@ class SetReport {
   std::unordered_map<std::string, std::shared_ptr<const FormulaBox>> m_inLine;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

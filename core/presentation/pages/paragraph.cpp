@@ -4,7 +4,7 @@
 
 #include "core/presentation/typeset/font_face.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 namespace {
 
 bool isBlank(char c) {
@@ -148,4 +148,4 @@ std::vector<FlowLine> paragraphLines(const SetReport& report, const ReportWords&
   return ParagraphBreaker(report, look, flow, measure, x, width).linesOf(words);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

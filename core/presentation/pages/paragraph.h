@@ -2,7 +2,7 @@
 
 #include "core/presentation/pages/flow.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 
 /// Breaks sentences into lines no wider than `width`, which start at x. A word that is wider than a line is
 /// broken itself.
@@ -14,4 +14,4 @@ namespace geargraph {
 constexpr double kLeading = 1.4;
 constexpr double kAscent = 1.0;  ///< of a line above its baseline
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

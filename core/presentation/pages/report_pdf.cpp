@@ -7,7 +7,7 @@
 #include "core/presentation/pages/paragraph.h"
 #include "core/presentation/picture/pdf_pages.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 namespace {
 
 // A4, in points.
@@ -160,4 +160,4 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   return diagnostic;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/report/report.h"
 
-namespace geargraph {
+namespace geargraph::inline pages {
 
 /// The drawings of a report; empty ones are left out.
 struct ReportLists {
@@ -22,4 +22,4 @@ struct ReportLists {
 /// tenths. Fails with `graphics` where memory does not suffice. Cost: linear in the report.
 [[nodiscard]] Expected<std::string> reportPdf(Report report, const ReportLists& drawings);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pages

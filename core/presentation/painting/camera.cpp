@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
@@ -184,4 +184,4 @@ Eigen::Vector3d Camera::atTargetDepth(double x, double y, const Viewport& viewpo
   return ray.origin + ray.direction * (m_distance / ray.direction.dot(forward()));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

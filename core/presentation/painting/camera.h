@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <span>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Directions that everybody who reads drawings knows: front looks along +y with x to the right, right looks
 /// along -x, top looks down; isometric sees x, y and z equally short from (1, -1, 1).
@@ -89,4 +89,4 @@ class Camera {
   double m_distance = 500;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

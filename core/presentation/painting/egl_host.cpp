@@ -9,7 +9,7 @@
 
 #include "core/presentation/painting/gl_renderer.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 Diagnostic refused(const std::string& why) {
@@ -149,4 +149,4 @@ SeenMap EglHost::seen(const Frame& frame, int columns, int rows) {
   return m_renderer->seen(frame, columns, rows);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -5,7 +5,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/presentation/painting/renderer.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// A renderer without any window or display: OpenGL on a surfaceless EGL context of its own, for pictures on
 /// servers and in tests. Use it on the thread that made it; calls leave the thread's current context as it
@@ -33,4 +33,4 @@ class EglHost {
   std::unique_ptr<Renderer> m_renderer;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

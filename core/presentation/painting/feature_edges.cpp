@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
@@ -111,4 +111,4 @@ std::vector<std::uint32_t> featureEdges(const Solid& solid, double crease) {
   return lines;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

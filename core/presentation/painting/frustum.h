@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// About a solid, in its own frame; of no size about nothing.
 struct Ball {
@@ -41,4 +41,4 @@ class Frustum {
   std::array<Eigen::RowVector4d, 6> m_planes;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -1,6 +1,6 @@
 #include "core/presentation/painting/gl_api.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 std::string GlApi::load(const std::function<void*(const char*)>& getProcAddress) {
 #define GEARGRAPH_GL_LOAD(TYPE, Name)                                                  \
@@ -11,4 +11,4 @@ std::string GlApi::load(const std::function<void*(const char*)>& getProcAddress)
   return {};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

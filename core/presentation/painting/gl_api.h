@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 // clang-format off
 #define GEARGRAPH_GL_FUNCTIONS(F) \
@@ -44,4 +44,4 @@ struct GlApi {
   [[nodiscard]] std::string load(const std::function<void*(const char*)>& getProcAddress);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

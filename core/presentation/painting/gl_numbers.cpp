@@ -1,6 +1,6 @@
 #include "core/presentation/painting/gl_renderer_class.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 void GlRenderer::drawNumbers(const Frame& frame, const Eigen::Matrix4d& cut) {
   const Eigen::Matrix4d through = projection(frame);
@@ -61,4 +61,4 @@ SeenMap GlRenderer::seen(const Frame& frame, int columns, int rows) {
   return {columns, rows, std::move(pixels.numbers), std::move(pixels.depths), toWorld(frame)};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

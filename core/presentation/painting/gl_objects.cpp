@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 const void* offset(std::size_t bytes) {
@@ -184,4 +184,4 @@ void GlOverlay::draw(std::span<const OverlayVertex> triangles) const {
   m_gl.BindVertexArray(0);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -10,7 +10,7 @@
 #include "core/machine/solids/solid.h"
 #include "core/presentation/painting/gl_api.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 // Owners of what lives on the graphics card. Each keeps the table of functions it was made with; the context
 // has to be current when it goes.
@@ -145,4 +145,4 @@ class GlOverlay {
   GLuint m_buffer = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -4,7 +4,7 @@
 
 #include "core/presentation/painting/shaders.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 constexpr int kShadowSide = 128;
@@ -251,4 +251,4 @@ NumberedPixels readNumbers(const GlApi& gl, int width, int height) {
   return pixels;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

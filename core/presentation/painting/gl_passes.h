@@ -11,7 +11,7 @@
 #include "core/presentation/painting/image.h"
 #include "core/presentation/painting/look.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// The disc that the train stands on: centre (x, y) in the plane of this height, mm.
 struct FloorDisc {
@@ -120,4 +120,4 @@ struct NumberedPixels {
 /// Reads the pixels from the bound framebuffer's lower left corner; the lowest row is the first.
 [[nodiscard]] NumberedPixels readNumbers(const GlApi& gl, int width, int height);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

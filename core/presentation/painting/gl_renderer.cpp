@@ -9,7 +9,7 @@
 #include "core/presentation/painting/mark_lines.h"
 #include "core/presentation/painting/triad.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 constexpr float kHoverTint = 0.10F;
@@ -391,4 +391,4 @@ Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProc
   return std::unique_ptr<Renderer>(std::move(renderer));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

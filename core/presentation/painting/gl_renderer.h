@@ -7,7 +7,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/presentation/painting/renderer.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Finds a function of OpenGL by name: eglGetProcAddress, QOpenGLContext::getProcAddress.
 using GetProcAddress = std::function<void*(const char*)>;
@@ -19,4 +19,4 @@ using GetProcAddress = std::function<void*(const char*)>;
 /// Is it the processor that paints under this GL_RENDERER?
 [[nodiscard]] bool isSoftwareRenderer(std::string_view name);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -15,7 +15,7 @@
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/painting/still_parts.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Renderer by OpenGL 3.3 core; makeGlRenderer() makes one.
 class GlRenderer final : public Renderer {
@@ -173,4 +173,4 @@ void GlRenderer::drawAll(const Frame& frame, const Eigen::Matrix4d& clip, Showin
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -4,7 +4,7 @@
 
 #include "core/presentation/painting/feature_edges.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 void GlSolidStore::measure() {
   for (std::size_t i = m_scene.boxes.size(); i < m_scene.solids.size(); ++i)
@@ -44,4 +44,4 @@ const GlSolid& GlSolidStore::get(std::size_t solid, double pixels, GlSolid::Part
   return *place;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -7,7 +7,7 @@
 #include "core/presentation/painting/gl_passes.h"
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// The solids of a scene on the graphics card, each in the details that were asked for.
 class GlSolidStore {
@@ -40,4 +40,4 @@ class GlSolidStore {
   Bounds m_bounds;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -2,7 +2,7 @@
 
 #include <png.h>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 std::vector<std::uint8_t> pngBytes(const Image& image) {
   png_image header{};
@@ -20,4 +20,4 @@ std::vector<std::uint8_t> pngBytes(const Image& image) {
   return bytes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

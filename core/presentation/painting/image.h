@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// A picture: rows from the top, four bytes a pixel (red, green, blue, alpha; not premultiplied).
 struct Image {
@@ -23,4 +23,4 @@ struct Image {
 /// The picture as a PNG file's bytes. Nothing where libpng fails (out of memory) or the picture is empty.
 [[nodiscard]] std::vector<std::uint8_t> pngBytes(const Image& image);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -1,6 +1,6 @@
 #include "core/presentation/painting/look.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 Look Look::light() {
   Look look;
@@ -39,4 +39,4 @@ Look Look::cheaper() const {
   return look;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -4,7 +4,7 @@
 
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// What is painted of the solids: lit faces with their edges, edges alone with hidden ones left out (a
 /// drawing), or all edges in the colours of the parts.
@@ -38,4 +38,4 @@ struct Look {
   friend bool operator==(const Look&, const Look&) = default;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -4,7 +4,7 @@
 
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// A line in space that is no part of a solid: a pitch circle, an axis, an arrow, a traced path. Its width is
 /// in the picture, not in space.
@@ -15,4 +15,4 @@ struct MarkLine {
   bool dashed = false;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

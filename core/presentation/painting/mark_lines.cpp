@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 constexpr double kNearestW = 1e-4;
@@ -79,4 +79,4 @@ std::vector<OverlayVertex> markTriangles(std::span<const MarkLine> lines, const 
   return triangles;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 Float3 narrowed(const Eigen::Vector3d& value) {
@@ -93,4 +93,4 @@ Solid boxSolid(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   return mesh;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

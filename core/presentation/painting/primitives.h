@@ -2,7 +2,7 @@
 
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// A shaft: a cylinder about z from `from` to `to`, with a small chamfer at both ends. Closed. @pre from <
 /// to, radius > 0
@@ -16,4 +16,4 @@ namespace geargraph {
 /// axis.
 [[nodiscard]] Solid revolvedSolid(const std::vector<Eigen::Vector2d>& outline, int sides = 32);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -12,7 +12,7 @@
 #include "core/presentation/painting/scene.h"
 #include "core/presentation/painting/seen_map.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 enum class Highlight : std::uint8_t { none, hovered, selected };
 
@@ -85,4 +85,4 @@ class Renderer {
   Renderer& operator=(const Renderer&) = default;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

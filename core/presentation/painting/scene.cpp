@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 const std::shared_ptr<const Solid>& DetailLevels::within(double most,
                                                          const std::shared_ptr<const Solid>& own) const {
@@ -97,4 +97,4 @@ Bounds boundsOf(const Scene& scene) {
   return bounds;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -11,7 +11,7 @@
 #include "core/machine/solids/deferred_solid.h"
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Red, green, blue in 0..1 as a screen takes them (sRGB).
 struct Rgb {
@@ -100,4 +100,4 @@ struct Bounds {
 /// tighter than the corners of boxes about round wheels. Cost: O(vertices of the solids + instances).
 [[nodiscard]] std::vector<Eigen::Vector3d> outlineOf(const Scene& scene);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -6,7 +6,7 @@
 
 #include "core/presentation/painting/camera.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// What is seen of what, coarsely: a grid of cells over the picture, row after row from the top.
 struct SeenMap {
@@ -28,4 +28,4 @@ struct SeenMap {
   }
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

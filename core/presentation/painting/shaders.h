@@ -1,6 +1,6 @@
 #pragma once
 
-namespace geargraph::shaders {
+namespace geargraph::inline painting::shaders {
 
 // GLSL 3.30 core, without the version line. Lengths in mm, directions in the frame of the eye.
 
@@ -239,4 +239,4 @@ void main() {
   o_colour = vec4(mix(mix(u_colour, vec3(1.0), 0.35), u_colour * 0.45, 0.7 * line), 1.0);
 })";
 
-}  // namespace geargraph::shaders
+}  // namespace geargraph::inline painting::shaders

@@ -1,6 +1,6 @@
 #include "core/presentation/painting/solid_facts.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
   scene.boxes.clear();
@@ -30,4 +30,4 @@ void SolidFacts::forgetOthers() {
   m_boxes.forgetOthers();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -9,7 +9,7 @@
 #include "core/presentation/painting/feature_edges.h"
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Something that follows from a solid, kept as long as the solid is. Not for two threads at once.
 template <class Fact>
@@ -52,4 +52,4 @@ class SolidFacts {
   KeptFact<Eigen::AlignedBox3d> m_boxes;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 bool StillParts::Part::looksLike(const Part& other) const {
   return solid == other.solid && levels == other.levels && pose.matrix() == other.pose.matrix() &&
@@ -46,4 +46,4 @@ void StillParts::sort(const std::vector<bool>& still) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -9,7 +9,7 @@
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// Which parts look the same from one picture to the next, so that they need not be painted again: of a train
 /// whose teeth are dragged most stay as they are. What is kept of them is a layer: the background and the
@@ -58,4 +58,4 @@ class StillParts {
   std::size_t m_addedTriangles = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline painting {
 namespace {
 
 using Point = Eigen::Vector2d;
@@ -62,4 +62,4 @@ std::vector<OverlayVertex> axisTriad(const Camera& camera, const Viewport& viewp
   return triangles;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -6,11 +6,11 @@
 #include "core/presentation/painting/gl_objects.h"
 #include "core/presentation/painting/look.h"
 
-namespace geargraph {
+namespace geargraph::inline painting {
 
 /// The axis triad in the lower left corner: x red, y green, z blue, each with its letter, the nearest on top.
 /// Triangles in device pixels.
 [[nodiscard]] std::vector<OverlayVertex> axisTriad(const Camera& camera, const Viewport& viewport,
                                                    double pixelRatio, const Look& look);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline picture {
 namespace {
 
 constexpr const char* kFace = "DejaVu Sans";
@@ -194,4 +194,4 @@ std::optional<std::string> CairoSurface::finished() {
   return std::move(*m_bytes);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -11,7 +11,7 @@
 using cairo_surface_t = struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier): cairo's name
 using cairo_t = struct _cairo;                  // NOLINT(bugprone-reserved-identifier)
 
-namespace geargraph {
+namespace geargraph::inline picture {
 
 /// Paints the part `sheet` of a drawing from the context's origin on, `scale` to a unit of the sheet. The
 /// context's scale, font and dashes are changed.
@@ -49,4 +49,4 @@ class CairoSurface {
   std::unique_ptr<cairo_t, ContextEnd> m_context;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

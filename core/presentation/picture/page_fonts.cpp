@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline picture {
 namespace {
 
 constexpr double kBlank = 1.0 / 3;  // of the em, as in print
@@ -138,4 +138,4 @@ PlacedCharacter PageFonts::other(std::string_view character, double size, bool b
   return {character, glyph, face};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -9,7 +9,7 @@
 
 #include "core/presentation/typeset/font_face.h"
 
-namespace geargraph {
+namespace geargraph::inline picture {
 
 /// One character of a line of words, and the face that has it.
 struct PlacedCharacter {
@@ -44,4 +44,4 @@ class PageFonts {
   std::array<cairo_font_face_t*, 2> m_others{};  ///< plain, bold
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -7,7 +7,7 @@
 #include "core/presentation/picture/cairo_surface.h"
 #include "core/presentation/picture/page_fonts.h"
 
-namespace geargraph {
+namespace geargraph::inline picture {
 namespace {
 
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
@@ -164,4 +164,4 @@ std::optional<std::string> PdfPages::finished() {
   return std::move(m_bytes);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -11,7 +11,7 @@
 using cairo_surface_t = struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier): cairo's name
 using cairo_t = struct _cairo;                  // NOLINT(bugprone-reserved-identifier)
 
-namespace geargraph {
+namespace geargraph::inline picture {
 
 class PageFonts;
 
@@ -60,4 +60,4 @@ class PdfPages {
   int m_chapter = 0;  ///< of the outline
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -5,7 +5,7 @@
 
 #include "core/presentation/picture/cairo_surface.h"
 
-namespace geargraph {
+namespace geargraph::inline picture {
 namespace {
 
 constexpr std::array<std::string_view, 3> kNames{"svg", "pdf", "png"};
@@ -85,4 +85,4 @@ bool paintOver(std::span<std::uint8_t> rgba, int width, int height, const Displa
   return surface.layOver(rgba);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

@@ -10,7 +10,7 @@
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/drawing/svg_writer.h"
 
-namespace geargraph {
+namespace geargraph::inline picture {
 
 /// The files that a drawing becomes. In SVG and PDF lines stay lines and text stays text.
 enum class PictureForm { svg, pdf, png };
@@ -40,4 +40,4 @@ struct DrawingPicture {
 /// Cost: linear in the marks, for PNG in the pixels too.
 [[nodiscard]] Expected<std::string> pictureOf(const DisplayList& list, const DrawingPicture& picture);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline picture

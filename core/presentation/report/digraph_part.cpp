@@ -1,10 +1,10 @@
 #include <unordered_map>
 
-#include "core/teaching/derivation/matrix_text.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
+#include "core/teaching/derivation/matrix_text.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 std::string counted(int count, const char* one, const char* many) {
@@ -130,4 +130,4 @@ void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot) {
   part.addMatrices();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

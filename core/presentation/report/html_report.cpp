@@ -2,7 +2,7 @@
 #include "core/presentation/report/mathml.h"
 #include "core/presentation/report/report.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 constexpr std::string_view kStyle = R"(
@@ -107,4 +107,4 @@ std::string reportHtml(const Report& report, const ReportDrawings& drawings) {
   return text + "</body>\n</html>\n";
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -2,7 +2,7 @@
 
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 constexpr std::string_view kBegin = R"(\documentclass[a4paper,10pt]{article}
@@ -101,4 +101,4 @@ std::string reportLatex(const Report& report) {
   return text + "\\end{document}\n";
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

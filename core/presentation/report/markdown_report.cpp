@@ -1,6 +1,6 @@
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 /// What Markdown or HTML would read as a mark is kept as it is written.
@@ -66,4 +66,4 @@ std::string reportMarkdown(const Report& report) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

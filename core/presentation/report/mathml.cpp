@@ -3,7 +3,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/presentation/typeset/tex_reader.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 std::string elementOf(const FormulaNode& node);
@@ -81,4 +81,4 @@ std::string mathMl(std::string_view tex) {
   return partsOf(formulaOf(tex));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace geargraph {
+namespace geargraph::inline report {
 
 /// A formula in the TeX that core writes (tex_reader.h says which) as MathML Core, what goes between <math>
 /// and
@@ -12,4 +12,4 @@ namespace geargraph {
 /// Cost: linear in its length.
 [[nodiscard]] std::string mathMl(std::string_view tex);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -1,9 +1,9 @@
 #include "core/foundations/base/wording.h"
-#include "core/theory/matroid/coefficient_matrix.h"
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
+#include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 /// Longest list of equations, one a mesh.
@@ -229,4 +229,4 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop
   if (snapshot->matroid() != nullptr && !stop.stop_requested()) MatroidPart(report, snapshot, stop).add();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -4,7 +4,7 @@
 #include "core/presentation/report/report_parts.h"
 #include "core/presentation/report/report_words.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
@@ -59,4 +59,4 @@ std::optional<ReportForm> reportFormFromName(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -10,7 +10,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 
 /// A stretch of a sentence: words, or a formula in TeX (tex_reader.h says which TeX).
 struct ReportSpan {
@@ -91,4 +91,4 @@ enum class ReportForm { markdown, latex, html };
 /// Markdown with formulas between dollar signs, as GitHub, Jupyter and Pandoc read it; without drawings.
 [[nodiscard]] std::string reportMarkdown(const Report& report);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -2,7 +2,7 @@
 
 #include "core/presentation/report/report.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 
 // The parts of a report, each as far as the snapshot goes; of no use when `stop` was requested meanwhile.
 
@@ -36,4 +36,4 @@ class ReportPart {
   std::stop_token m_stop;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -4,7 +4,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/presentation/report/report_parts.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 
 void ReportPart::paragraph(std::string_view text) {
   put(ReportParagraph{reportWords(text)});
@@ -105,4 +105,4 @@ std::string citedEquations(const std::vector<int>& numbers) {
   return listed(names, kAllNames);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

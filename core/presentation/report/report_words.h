@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "core/teaching/derivation/quantity_table.h"
 #include "core/presentation/report/report.h"
+#include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 
 // How the parts of a report write sentences and formulas.
 
@@ -40,4 +40,4 @@ constexpr int kMostReportRows = 80;
 /// "(35), (28) and (39)"
 [[nodiscard]] std::string citedEquations(const std::vector<int>& numbers);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

@@ -6,7 +6,7 @@
 #include "core/theory/ttgraph/equations.h"
 #include "core/theory/ttgraph/mesh_words.h"
 
-namespace geargraph {
+namespace geargraph::inline report {
 namespace {
 
 class TtGraphPart : private ReportPart {
@@ -191,4 +191,4 @@ void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std:
   if (isDefined && !stop.stop_requested()) TtGraphPart(report, snapshot, stop).add();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline report

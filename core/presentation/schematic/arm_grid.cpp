@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kCrossing = 400;  ///< px of detour that one crossing is worth
@@ -296,4 +296,4 @@ void ArmTolls::charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, i
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// A line on the sheet and the link it belongs to.
 struct LinkLine {
@@ -64,4 +64,4 @@ struct ArmTolls {
   void charge(const ArmGrid& grid, const std::vector<LinkLine>& lines, int link);
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 ArmGrid gridOf(const std::vector<LinkLine>& lines, const std::vector<SheetPoint>& ends) {
@@ -74,4 +74,4 @@ std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<Sh
   return course;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/arm_search.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Finds courses for arms between what is drawn already: level and upright lines only, with few bends, and
 /// across lines of other links only where there is no way round.
@@ -40,4 +40,4 @@ class ArmRouter {
   ArmSearch m_search;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

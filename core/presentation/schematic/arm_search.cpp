@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kBend = 30;
@@ -224,4 +224,4 @@ std::optional<ArmSearch::Way> ArmSearch::cheapest(const std::stop_token& stop) {
   return way;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 
 #include "core/presentation/schematic/arm_grid.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Searches a grid for the cheapest way of an arm from some of its nodes to one of others.
 ///
@@ -79,4 +79,4 @@ class ArmSearch {
   double m_most = kFar;               ///< what costs more leads nowhere
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

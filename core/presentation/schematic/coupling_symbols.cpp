@@ -7,7 +7,7 @@
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kPlateHalf = 8;
@@ -245,4 +245,4 @@ void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& sec
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/section.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Draws the brakes and clutches of a part into its section, where nothing stands yet: two plates that face
 /// each other, the one on the link, the other one on a hatched piece of the frame, or on the other link. A
@@ -11,4 +11,4 @@ namespace geargraph {
 void addCouplings(const DrawnPart& part, const SheetLayout& layout, Section& section,
                   const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 
 #include "core/presentation/schematic/planet_groups.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 using Positions = std::unordered_map<LinkId, std::size_t>;
@@ -159,4 +159,4 @@ DrawnPart drawnPart(const Mechanism& mechanism) {
   return part;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

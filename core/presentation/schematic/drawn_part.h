@@ -4,7 +4,7 @@
 
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// What a section drawing can show of a mechanism: the links that turning joints tie to the ground, and of
 /// several equal planets the first. Its lists are shorter than the document's, so it brings along the
@@ -36,4 +36,4 @@ struct DrawnPart {
 /// @pre the mechanism is well formed
 [[nodiscard]] DrawnPart drawnPart(const Mechanism& mechanism);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

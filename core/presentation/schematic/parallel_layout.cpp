@@ -7,7 +7,7 @@
 #include "core/presentation/schematic/radial_system.h"
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 std::size_t at(int position) {
@@ -305,4 +305,4 @@ void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement&
   cutInHalf(layout, placement, root);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

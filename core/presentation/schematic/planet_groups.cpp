@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 class PlanetFinder {
@@ -137,4 +137,4 @@ std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism, c
   return PlanetFinder(mechanism, placement).find();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Planets of one carrier that hang together by their meshes: one axis, or the two of a Ravigneaux pair.
 struct PlanetGroup {
@@ -22,4 +22,4 @@ struct PlanetGroup {
 [[nodiscard]] std::vector<std::vector<PlanetGroup>> equalPlanets(const Mechanism& mechanism,
                                                                  const Placement& placement);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

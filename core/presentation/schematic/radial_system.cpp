@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kLeastShare = 0.25;  ///< of its radius that a wheel keeps
@@ -99,4 +99,4 @@ void RadialSystem::settle(const std::stop_token& stop) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Parallel axes rolled out into one plane: at which heights they lie, how large wheels are drawn.
 struct RadialSystem {
@@ -37,4 +37,4 @@ struct RadialSystem {
   [[nodiscard]] bool trySolve();
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

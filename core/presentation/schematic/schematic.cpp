@@ -5,7 +5,7 @@
 #include "core/presentation/schematic/coupling_symbols.h"
 #include "core/presentation/schematic/stacker.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kHaloBeyond = 7;  ///< a halo is wider than its line by this
@@ -160,4 +160,4 @@ DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& 
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -6,7 +6,7 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/section_labels.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// The functional schematic of a mechanism [AU, Figs. 1 and 3] in its plain look: the section drawing of
 /// textbooks with the symbols of ISO 3952. Everything in it names its element.
@@ -37,4 +37,4 @@ constexpr std::size_t kMostDrawnLinks = 201;
 /// stand out together.
 [[nodiscard]] DisplayList schematicDrawing(const SchematicGeometry& geometry, const Emphases& emphases);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

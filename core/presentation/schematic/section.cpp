@@ -8,7 +8,7 @@
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/section_symbols.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kHitHalfWidth = 4;
@@ -434,4 +434,4 @@ ObstacleGrid obstaclesOf(const Section& section, double beyond) {
   return taken;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -9,7 +9,7 @@
 #include "core/presentation/schematic/arm_grid.h"
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// The lines of a section drawing, before its labels: marks in their plain look, what can be hit, and where
 /// labels belong.
@@ -47,4 +47,4 @@ constexpr double kAxisWidth = 1;
 /// Everything that is drawn as obstacles, for what comes to stand up to `beyond` outside of it.
 [[nodiscard]] ObstacleGrid obstaclesOf(const Section& section, double beyond);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

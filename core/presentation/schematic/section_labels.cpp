@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "core/foundations/base/wording.h"
+#include "core/mechanism/model/pins.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/drawing/text_metrics.h"
-#include "core/mechanism/model/pins.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kDiscRadius = 9.5;
@@ -276,4 +276,4 @@ SectionLabels sectionLabels(const DrawnPart& part, const Section& section,
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 
 #include "core/presentation/schematic/section.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// The labels of a section: a disc with its number for each link, the numbers of joints and meshes, the names
 /// of axes; and under the drawing what its reader has to know. No label lies on a line or another label; one
@@ -23,4 +23,4 @@ struct SectionLabels {
 /// What the drawing leaves out or shows otherwise than it is, a sentence each.
 [[nodiscard]] std::vector<std::string> sectionNotes(const DrawnPart& part, const SheetLayout& layout);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 std::vector<std::vector<SheetPoint>> hatching(SheetPoint from, SheetPoint to, SheetPoint out) {
   constexpr double kStep = 6;
@@ -35,4 +35,4 @@ TurnArrow turnArrow(SheetPoint center, SheetPoint along, double reach) {
   return arrow;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

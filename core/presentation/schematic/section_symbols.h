@@ -4,7 +4,7 @@
 
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// The frame behind a line: short slanted strokes on its side `out` (a unit vector).
 [[nodiscard]] std::vector<std::vector<SheetPoint>> hatching(SheetPoint from, SheetPoint to, SheetPoint out);
@@ -17,4 +17,4 @@ struct TurnArrow {
 /// `center` on the shaft, `along` its direction, `reach` how far the bow stands off on either side.
 [[nodiscard]] TurnArrow turnArrow(SheetPoint center, SheetPoint along, double reach);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

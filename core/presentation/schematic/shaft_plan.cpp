@@ -6,7 +6,7 @@
 
 #include "core/presentation/schematic/stacker.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kBetweenColumns = 11;
@@ -155,4 +155,4 @@ ShaftPlan Stacker::plan() const {
   return plan;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

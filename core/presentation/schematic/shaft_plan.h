@@ -4,7 +4,7 @@
 
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// A turning joint as a bearing: the parent's bars about the child's shaft.
 struct SheetBearing {
@@ -57,4 +57,4 @@ constexpr double kShaftEnd = 15;
 /// Beyond its pitch line: the rim of a ring.
 constexpr double kRimHeight = 15;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -8,7 +8,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr int kFewTeeth = 8;           ///< a wheel that is fitted in has no fewer
@@ -228,4 +228,4 @@ Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame
   return withAxisMoved(std::move(mechanism), drag.axis, place);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -4,7 +4,7 @@
 #include "core/mechanism/model/mechanism.h"
 #include "core/presentation/schematic/sheet_frame.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// A shaft drawn on the sheet: a new link that turns about an axis.
 struct DrawnShaft {
@@ -54,4 +54,4 @@ constexpr double kModuleStep = 0.05;
 [[nodiscard]] Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame,
                                                   const DraggedAxis& drag);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 /// Between stops in proportion, beyond them at the scale.
@@ -40,4 +40,4 @@ const SheetFrame::Line* SheetFrame::line(AxisId axis) const {
   return found == axes.end() ? nullptr : &*found;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

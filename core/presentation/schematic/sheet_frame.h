@@ -7,7 +7,7 @@
 #include "core/foundations/base/triple.h"
 #include "core/presentation/drawing/planar.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// How a sheet lies in space: what a place on it means for the mechanism that is drawn there. As it stands it
 /// is the sheet of a mechanism without axes: the first one will be horizontal.
@@ -34,4 +34,4 @@ struct SheetFrame {
   [[nodiscard]] const Line* line(AxisId axis) const;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 bool isParallel(const Vector3& a, const Vector3& b) {
@@ -92,4 +92,4 @@ SheetFrame sheetFrame(const DrawnPart& part, const SheetLayout& layout) {
   return frame;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "core/foundations/base/triple.h"
-#include "core/presentation/drawing/planar.h"
 #include "core/machine/train/train_wheels.h"
+#include "core/presentation/drawing/planar.h"
 #include "core/presentation/schematic/drawn_part.h"
 #include "core/presentation/schematic/sheet_frame.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// A line of the mechanism laid into the sheet: an axis class, or an axis that nothing turns about yet.
 struct SheetAxis {
@@ -119,4 +119,4 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
   return placement.classes->classOfLink(link);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -2,7 +2,7 @@
 
 #include "core/presentation/schematic/stacker.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 std::size_t at(int position) {
@@ -107,4 +107,4 @@ void Stacker::listShafts(int axis) const {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

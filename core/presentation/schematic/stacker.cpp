@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kStep = 24;       ///< between places for bearings and walls
@@ -450,4 +450,4 @@ void Stacker::search(const std::stop_token& stop) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -6,7 +6,7 @@
 
 #include "core/presentation/schematic/shaft_plan.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 
 /// Chooses places for bearings and shafts so that as little as possible of different links crosses: a bearing
 /// or a ring's wall stands left or right of wheels, near where the document has it; the frame comes from
@@ -165,4 +165,4 @@ class Stacker {
   std::vector<bool> m_reachesAcross;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

@@ -5,7 +5,7 @@
 #include "core/mechanism/placement/tolerance.h"
 #include "core/presentation/schematic/sheet_layout.h"
 
-namespace geargraph {
+namespace geargraph::inline schematic {
 namespace {
 
 constexpr double kFlat = 1e-4;  ///< rad, relative: axes given in decimals of five digits lie in one plane
@@ -295,4 +295,4 @@ void layUnfolded(SheetLayout& layout, const TrainWheels& train, const Placement&
   for (SheetPair& pair : layout.pairs) pair.apart = !touch(layout, pair);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline schematic

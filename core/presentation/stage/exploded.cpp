@@ -7,7 +7,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr double kSameDirection = 1e-6;
@@ -130,4 +130,4 @@ void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations,
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -4,7 +4,7 @@
 
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// How far every instance moves, along the axis that its link turns about, when the train is pulled apart: mm
 /// in the world of the scene's own poses, by instance. Links on parallel axes line up in the order in which
@@ -19,4 +19,4 @@ namespace geargraph {
 void pullApart(const Scene& scene, std::span<const Eigen::Vector3d> separations, double part,
                std::span<Pose> poses);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

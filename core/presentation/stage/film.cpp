@@ -10,7 +10,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr double kSpanWithoutPeriod = 60;  // s
@@ -177,4 +177,4 @@ std::string AnimatedPng::end() const {
   return chunk("IEND", {});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

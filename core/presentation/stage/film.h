@@ -6,7 +6,7 @@
 #include "core/presentation/painting/image.h"
 #include "core/presentation/stage/stage_view.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// What runs in a film: the viewer once round the train, or the train through its period.
 enum class FilmKind : std::uint8_t { turntable, motion };
@@ -54,4 +54,4 @@ class AnimatedPng {
   Image m_last;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -6,7 +6,7 @@
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// A frame with the stage it is of, which keeps all that it looks at: for a picture that is painted later, on
 /// another thread. Cost: O(instances).
@@ -42,4 +42,4 @@ class KeptFrame {
 
 using KeptFramePtr = std::shared_ptr<const KeptFrame>;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr double kCell = 4;      // logical pixels
@@ -232,4 +232,4 @@ void LabelAnchors::renew(const LabelGround& ground) {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -9,7 +9,7 @@
 #include "core/presentation/painting/seen_map.h"
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// Half of a label's plate, in logical pixels.
 constexpr double kLabelRadius = 11.5;
@@ -67,4 +67,4 @@ class LabelAnchors {
   bool m_areNew = true;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr std::size_t kMostLabels = 60;  // beyond, plates would hide the train
@@ -82,4 +82,4 @@ double niceLength(double millimetresPerPixel, double most) {
   return decade;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

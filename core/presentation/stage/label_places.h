@@ -6,7 +6,7 @@
 
 #include "core/presentation/stage/label_anchors.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// A label in the picture, in logical pixels: right from the left edge, down from the upper one.
 struct LabelPlate {
@@ -50,4 +50,4 @@ class LabelPlaces {
 /// @pre both positive
 [[nodiscard]] double niceLength(double millimetresPerPixel, double most);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

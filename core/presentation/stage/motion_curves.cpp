@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr std::size_t kMostTimes = 2881, kFewestTimes = 61;
@@ -176,4 +176,4 @@ std::string curvesCsv(const CurveSheet& sheet) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -7,7 +7,7 @@
 
 #include "core/presentation/stage/stage_view.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// One quantity over time.
 struct MotionCurve {
@@ -44,4 +44,4 @@ struct CurveChoice {
 /// A sheet as CSV: time in s, then each curve with its unit; a heading line first.
 [[nodiscard]] std::string curvesCsv(const CurveSheet& sheet);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

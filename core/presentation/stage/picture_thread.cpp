@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 Frame stoppable(Frame frame, const std::stop_token& stop) {
@@ -154,4 +154,4 @@ std::optional<Hit> PictureThread::pick(const KeptFramePtr& frame, double x, doub
   return answer.get();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

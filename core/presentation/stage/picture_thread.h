@@ -13,7 +13,7 @@
 #include "core/presentation/painting/egl_host.h"
 #include "core/presentation/stage/kept_frame.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// A picture that is wanted.
 struct PictureOrder {
@@ -104,4 +104,4 @@ class PictureThread {
   std::jthread m_thread;                  ///< last: it is stopped before what it uses goes
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

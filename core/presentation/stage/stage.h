@@ -11,7 +11,7 @@
 
 #include "core/presentation/painting/scene.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 enum class LabelKind : std::uint8_t { link, joint, axis };
 
@@ -118,4 +118,4 @@ struct Stage {
 
 using StagePtr = std::shared_ptr<const Stage>;
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

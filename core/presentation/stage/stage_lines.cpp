@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr double kLongestArrow = 0.34;  // of the scene's radius
@@ -171,4 +171,4 @@ std::vector<MarkLine> stageLines(const Stage& stage, const MarkChoice& choice, c
   return maker.take();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -8,7 +8,7 @@
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// What is shown of the geometry and of the motion beside the solids.
 struct MarkChoice {
@@ -37,4 +37,4 @@ struct Moment {
 [[nodiscard]] std::vector<MarkLine> stageLines(const Stage& stage, const MarkChoice& choice,
                                                const Moment& moment);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

@@ -5,7 +5,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/stage/exploded.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr double kCross = 0.018;  // of the scene's radius: half the size of a traced point's cross
@@ -135,4 +135,4 @@ Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {
   return frame;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

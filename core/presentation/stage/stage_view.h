@@ -10,7 +10,7 @@
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/stage/traced_path.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// A cut across the train: square to x, y or z, so far along it.
 struct SectionChoice {
@@ -100,4 +100,4 @@ class SeenStage {
   std::vector<MarkLine> m_lines;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

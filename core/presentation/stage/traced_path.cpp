@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 namespace {
 
 constexpr std::size_t kFirstSteps = 256;
@@ -73,4 +73,4 @@ std::string pathCsv(const TracedPath& path, const std::string& unit) {
   return text;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

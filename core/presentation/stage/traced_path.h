@@ -5,7 +5,7 @@
 
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline stage {
 
 /// The way that a point of a part takes.
 struct TracedPath {
@@ -32,4 +32,4 @@ struct TracedPoint {
 /// As CSV: time in s, x, y, z in the unit; a heading line first.
 [[nodiscard]] std::string pathCsv(const TracedPath& path, const std::string& unit);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline stage

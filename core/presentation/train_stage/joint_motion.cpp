@@ -6,7 +6,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/pose/period.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 /// Joints times inputs up to which fractions are worth their time: they are needed for the period only.
@@ -54,4 +54,4 @@ std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot, const s
   return motion;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

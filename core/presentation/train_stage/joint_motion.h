@@ -6,7 +6,7 @@
 
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// How all joints turn with the inputs: theta = K theta_E, exact for any number of turns because K is
 /// constant.
@@ -27,4 +27,4 @@ struct JointMotion {
 [[nodiscard]] std::optional<JointMotion> jointMotion(const AnalysisSnapshot& snapshot,
                                                      const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -8,7 +8,7 @@
 
 #include "core/theory/pose/joint_limits.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 /// The limits of the joints, of which some have any.
@@ -68,4 +68,4 @@ void addJointStops(Stage& stage, const Mechanism& mechanism, const JointMotion& 
   stage.beyondLimits = [stops](std::span<const double> angles) { return stops->beyond(angles); };
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

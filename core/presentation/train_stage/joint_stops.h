@@ -4,9 +4,9 @@
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/train_stage/joint_motion.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// Fills `range` and `beyondLimits` of a stage that moves so, where joints of the mechanism have limits.
 void addJointStops(Stage& stage, const Mechanism& mechanism, const JointMotion& motion);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

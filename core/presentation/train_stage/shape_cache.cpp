@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ std::variant<std::shared_ptr<const Solid>, std::string> ShapeCache::find(const f
   return m_known[key] = std::move(found);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -10,7 +10,7 @@
 
 #include "core/presentation/meshfile/foreign_mesh.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// The 3D files that links wear, read once while they stay as they are on the disk. What could not be read is
 /// remembered too. Not for two threads at once.
@@ -47,4 +47,4 @@ struct ShapeSource {
   std::stop_token stop = {};
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -7,7 +7,7 @@
 #include "core/foundations/files/file.h"
 #include "core/presentation/train_stage/stage_picture.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotR
   return failure;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

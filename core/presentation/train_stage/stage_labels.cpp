@@ -6,7 +6,7 @@
 
 #include "core/presentation/drawing/text_metrics.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 constexpr double kTextSize = 12;
@@ -114,4 +114,4 @@ DisplayList StageLabels::over(StagePainter& painter) {
   return list;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -4,7 +4,7 @@
 #include "core/presentation/stage/label_places.h"
 #include "core/presentation/train_stage/stage_picture.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// What lies over the picture of the solids.
 struct OverlayChoice {
@@ -28,4 +28,4 @@ class StageLabels {
   LabelPlaces m_places;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -6,7 +6,7 @@
 
 #include "core/theory/pose/turning_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 constexpr int kCircleSides = 96;
@@ -130,4 +130,4 @@ void addMarks(Stage& stage, const StagedTrain& staged) {
   addAxes(stage, staged);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

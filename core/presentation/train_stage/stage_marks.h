@@ -4,9 +4,10 @@
 #include <span>
 
 #include "core/machine/train/train.h"
+#include "core/mechanism/placement/placement.h"
 #include "core/presentation/stage/stage.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// The train that a stage was made of, and where its parts went.
 struct StagedTrain {
@@ -23,4 +24,4 @@ struct StagedTrain {
 /// Cost: O(instances + joints + meshes). @pre the placement has a tree
 void addMarks(Stage& stage, const StagedTrain& staged);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

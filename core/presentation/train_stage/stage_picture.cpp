@@ -6,7 +6,7 @@
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/stage/exploded.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 constexpr double kMargin = 0.07;      // of each side of the picture
@@ -143,4 +143,4 @@ MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_tok
   return withDistinctNames(std::move(scene));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -15,7 +15,7 @@
 #include "core/presentation/stage/label_anchors.h"
 #include "core/presentation/stage/stage_view.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 
 /// Sides of a picture in pixels.
 constexpr int kLeastPictureSide = 16;
@@ -101,4 +101,4 @@ struct ShotRun {
 /// requested meanwhile.
 [[nodiscard]] MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -5,19 +5,19 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "core/presentation/drawing/palette.h"
 #include "core/machine/bodies/body_plan.h"
 #include "core/machine/bodies/body_recipe.h"
-#include "core/machine/solids/toothless_gear.h"
 #include "core/machine/bodies/complete_train.h"
-#include "core/theory/pose/link_twists.h"
-#include "core/theory/pose/turning_lines.h"
+#include "core/machine/solids/spec_findings.h"
+#include "core/machine/solids/toothless_gear.h"
+#include "core/presentation/drawing/palette.h"
 #include "core/presentation/train_stage/joint_motion.h"
 #include "core/presentation/train_stage/joint_stops.h"
 #include "core/presentation/train_stage/stage_marks.h"
-#include "core/machine/solids/spec_findings.h"
+#include "core/theory/pose/link_twists.h"
+#include "core/theory/pose/turning_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline train_stage {
 namespace {
 
 constexpr int kMostCloseMeshes = 100;
@@ -322,4 +322,4 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const Sh
   return stage;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -3,18 +3,21 @@
 #include <memory>
 #include <stop_token>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/machine/solids/gear_solid.h"
+#include "core/mechanism/placement/placement.h"
 #include "core/presentation/painting/solid_facts.h"
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/train_stage/shape_cache.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline bodies {
+class BodyCache;
+}  // namespace geargraph::inline bodies
+
+namespace geargraph::inline train_stage {
 
 /// Larger trains get no 3D picture: their teeth would fill the memory, and nobody could tell them apart.
 constexpr int kMostStageLinks = 4'000;
-
-class BodyCache;
 
 /// What is kept from one edit to the next beside the solids of wheels. Not for two threads at once.
 class StageMemory {
@@ -57,4 +60,4 @@ class StageMemory {
                                   const ShapeSource* shapes = nullptr, StageMemory* memory = nullptr,
                                   const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline train_stage

@@ -3,7 +3,7 @@
 #include "core/presentation/typeset/formula_setter.h"
 #include "core/presentation/typeset/typeset.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 namespace {
 
 constexpr SetStyle kOwnLine{0};
@@ -154,4 +154,4 @@ double widthOf(const std::vector<FormulaLine>& lines) {
   return width;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 
 enum class FormulaKind {
   row,       ///< parts beside one another; as a part of another row: what braces hold
@@ -51,4 +51,4 @@ struct FormulaNode {
   friend bool operator==(const FormulaNode&, const FormulaNode&) = default;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

@@ -7,7 +7,7 @@
 
 #include "core/presentation/typeset/font_face.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 
 /// What is set beside a formula's own ink: the labels of rows and columns.
 enum class FormulaInk { formula, label };
@@ -56,4 +56,4 @@ struct FormulaBox {
 constexpr double kFormulaAxis = 0.25;
 constexpr double kFormulaRule = 0.04;  ///< thickness of a fraction's bar
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/presentation/typeset/typeset.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 namespace {
 
 // The parameters of TeX's fonts, in em.
@@ -253,4 +253,4 @@ FormulaBox typesetFormula(const FormulaNode& formula, FormulaPlace place) {
   return setRow(formula, {place == FormulaPlace::ownLine ? 0 : 1});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

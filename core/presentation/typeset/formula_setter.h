@@ -5,7 +5,7 @@
 #include "core/presentation/typeset/formula.h"
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 
 // How the typesetter works: a row becomes atoms, whose classes say what room is between them (TeX's rules,
 // see Knuth, The TeXbook, appendix G).
@@ -38,4 +38,4 @@ struct SetAtom {
 [[nodiscard]] FormulaBox setRow(const FormulaNode& row, SetStyle style);
 [[nodiscard]] FormulaBox setTable(const FormulaNode& table, SetStyle style);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

@@ -2,7 +2,7 @@
 
 #include "core/presentation/typeset/formula_setter.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 namespace {
 
 // Of lines of text, in em.
@@ -181,4 +181,4 @@ FormulaBox setTable(const FormulaNode& table, SetStyle style) {
   return TableSetter(table, style).box();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

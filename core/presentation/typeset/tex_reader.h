@@ -6,7 +6,7 @@
 
 #include "core/presentation/typeset/formula.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 
 /// A formula, and what kept its text from being read.
 struct ReadFormula {
@@ -23,4 +23,4 @@ struct ReadFormula {
 /// @pre the formula can be read: it is the program's own
 [[nodiscard]] FormulaNode formulaOf(std::string_view tex);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

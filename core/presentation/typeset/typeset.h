@@ -5,7 +5,7 @@
 #include "core/presentation/typeset/formula.h"
 #include "core/presentation/typeset/formula_box.h"
 
-namespace geargraph {
+namespace geargraph::inline typeset {
 
 /// Within a sentence fractions are small, on a line of its own they are not.
 enum class FormulaPlace { inLine, ownLine };
@@ -30,4 +30,4 @@ struct FormulaLine {
 /// The widest line.
 [[nodiscard]] double widthOf(const std::vector<FormulaLine>& lines);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline typeset

@@ -3,7 +3,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/mechanism/graph/matrices.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 namespace {
 
 std::string label(int number) {
@@ -190,4 +190,4 @@ std::string printedEntry(int value) {
   return value < 0 ? "−" + label(-value) : label(value);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

@@ -7,7 +7,7 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 /// Why a cell of a matrix holds what it holds, in words.
 struct CellExplanation {
@@ -34,4 +34,4 @@ struct CellExplanation {
 /// "−1", "0", "1": with the minus sign of print.
 [[nodiscard]] std::string printedEntry(int value);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

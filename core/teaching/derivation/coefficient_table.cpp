@@ -4,7 +4,7 @@
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 namespace {
 
 class CoefficientTable final : public QuantityTable {
@@ -119,4 +119,4 @@ QuantityTablePtr coefficientTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const CoefficientTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

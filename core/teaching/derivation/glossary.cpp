@@ -3,7 +3,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 const std::vector<Definition>& glossary() {
   static const std::vector<Definition> definitions = {
@@ -178,4 +178,4 @@ Term termOf(QuantityKind kind) {
   GEARGRAPH_REQUIRE(false);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

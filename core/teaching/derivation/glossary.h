@@ -5,7 +5,7 @@
 
 #include "core/mechanism/graph/integer_matrix.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 enum class QuantityKind;
 
@@ -67,4 +67,4 @@ struct Definition {
 [[nodiscard]] Term termOf(MatrixKind kind);
 [[nodiscard]] Term termOf(QuantityKind kind);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

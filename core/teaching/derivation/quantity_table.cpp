@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/teaching/derivation/quantity_tables.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 const std::vector<QuantityKind>& allQuantityKinds() {
   static const std::vector<QuantityKind> kinds = {QuantityKind::screws, QuantityKind::coefficients,
@@ -109,4 +109,4 @@ QuantityEntry irrationalEntry(int column, double value) {
   return {column, "≈ " + text, "\\approx " + text, value, false};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

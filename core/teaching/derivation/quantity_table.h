@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/teaching/derivation/cell_explanation.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 /// What the matroid method computes beside the matrices of whole numbers.
 enum class QuantityKind {
@@ -94,4 +94,4 @@ using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
 /// About six digits, as a screen shows them.
 [[nodiscard]] std::string shortDecimal(double value);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

@@ -2,7 +2,7 @@
 
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 
 // The three tables of quantity_table.h. @pre formsOf() names the form
 
@@ -22,4 +22,4 @@ namespace geargraph {
 /// Where an exact value was wanted and a root stands in the way.
 [[nodiscard]] QuantityEntry irrationalEntry(int column, double value);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

@@ -3,7 +3,7 @@
 
 #include "core/teaching/derivation/quantity_table.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 namespace {
 
 enum class Spelling { plain, latex };
@@ -107,4 +107,4 @@ std::string quantityNumpy(const QuantityTable& table) {
   return text + "])\n";
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

@@ -4,7 +4,7 @@
 #include "core/teaching/derivation/quantity_tables.h"
 #include "core/theory/matroid/screw.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the largest component: what doubles lose, shown as 0
@@ -131,4 +131,4 @@ QuantityTablePtr screwTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const ScrewTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

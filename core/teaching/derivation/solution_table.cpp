@@ -1,6 +1,6 @@
 #include "core/teaching/derivation/quantity_tables.h"
 
-namespace geargraph {
+namespace geargraph::inline derivation {
 namespace {
 
 class SolutionTable final : public QuantityTable {
@@ -86,4 +86,4 @@ QuantityTablePtr solutionTable(SnapshotPtr snapshot, EntryForm form) {
   return std::make_shared<const SolutionTable>(std::move(snapshot), form);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline derivation

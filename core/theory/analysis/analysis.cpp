@@ -6,7 +6,7 @@
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/validate.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 namespace {
 
 /// The placement and the T-T graph both meet axes that split or merge and meshes without a carrier; such a
@@ -93,4 +93,4 @@ SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision, const std::s
   return live ? analyzeFully(live, options, stop) : nullptr;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

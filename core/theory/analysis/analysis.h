@@ -5,12 +5,12 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/theory/analysis/kinematics.h"
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/graph/matrices.h"
+#include "core/theory/analysis/kinematics.h"
 #include "core/theory/states/state_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 
 /// Everything that is computed from one mechanism: an immutable value that all views read. A stage that fails
 /// leaves its part empty and does not fail the snapshot, so a half-drawn mechanism still shows its incidence
@@ -69,4 +69,4 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 [[nodiscard]] SnapshotPtr analyze(MechanismPtr mechanism, std::uint64_t revision = 0,
                                   const std::stop_token& stop = {}, const SolveOptions& options = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 namespace {
 
 Diagnostic skipped(std::string message) {
@@ -107,4 +107,4 @@ SolvedKinematicsPtr solvedKinematics(const Mechanism& mechanism, const LiveKinem
   return solved;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

@@ -5,16 +5,16 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/mechanism/placement/placement.h"
 #include "core/theory/analysis/agreement.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/matroid_analysis.h"
 #include "core/theory/matroid/symbolic_solution.h"
-#include "core/mechanism/placement/placement.h"
 #include "core/theory/ttgraph/substitution_steps.h"
 #include "core/theory/ttgraph/tt_graph.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 
 /// What both methods say at once, while somebody draws.
 struct LiveKinematics {
@@ -61,4 +61,4 @@ using SolvedKinematicsPtr = std::shared_ptr<const SolvedKinematics>;
                                                    const SolveOptions& options = {},
                                                    const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

@@ -1,6 +1,6 @@
 #include "core/theory/analysis/worker.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 
 AnalysisWorker::AnalysisWorker(Deliver deliver)
     : m_deliver(std::move(deliver)),
@@ -27,4 +27,4 @@ void AnalysisWorker::complete(const Step& live) {
   deliver({analyzeFully(live.snapshot, {}, live.overtaken), live.overtaken});
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

@@ -3,10 +3,10 @@
 #include <functional>
 #include <mutex>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/foundations/base/request_worker.h"
+#include "core/theory/analysis/analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline analysis {
 
 /// Analyses mechanisms on threads of its own; the newest request wins. A request that is overtaken is
 /// stopped, and its snapshot is never delivered. Each request is answered twice: the live part as soon as it
@@ -46,4 +46,4 @@ class AnalysisWorker {
   RequestWorker<Request> m_first;  ///< behind the second, which it sets to work
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline analysis

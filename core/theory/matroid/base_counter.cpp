@@ -7,7 +7,7 @@
 
 #include "core/theory/matroid/base_sweep.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -274,4 +274,4 @@ std::optional<Rational> countBases(const PrimeField& field, const std::vector<in
   return Counter(field, stop).count(matroid);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

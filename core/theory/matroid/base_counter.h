@@ -8,7 +8,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// How many bases the linear matroid of [I; A] has, I the unit rows of `rank` elements, A these sparse rows.
 /// Exact. `unitOrder`, `rowOrder`: places of the elements in one common order, in which neighbours are close.
@@ -24,4 +24,4 @@ namespace geargraph {
     const std::vector<std::vector<std::pair<int, PrimeField::Residue>>>& rows,
     const std::vector<int>& rowOrder, const std::stop_token& stop);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

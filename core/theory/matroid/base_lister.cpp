@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -119,4 +119,4 @@ std::optional<std::vector<std::vector<int>>> listBases(
   return lister.take();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

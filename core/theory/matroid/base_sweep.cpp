@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 using Residue = PrimeField::Residue;
@@ -178,4 +178,4 @@ Rational BaseSweep::closedForm(const State& state, int element) const {
   return (sum * sum - squares) / Rational(2);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

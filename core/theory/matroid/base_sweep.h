@@ -9,7 +9,7 @@
 #include "core/foundations/base/rational.h"
 #include "core/foundations/exact/prime_field.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// Elements as sparse vectors of length `rank`, in an order in which neighbours are close, each with a
 /// weight.
@@ -72,4 +72,4 @@ class BaseSweep {
   Rational m_total;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

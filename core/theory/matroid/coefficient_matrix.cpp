@@ -4,7 +4,7 @@
 
 #include "core/theory/matroid/screw.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 std::vector<CoefficientMatrix::Entry> CoefficientMatrix::row(int mesh) const {
   std::vector<Entry> entries;
@@ -48,4 +48,4 @@ Rational CoefficientMatrix::ratio(int mesh) const {
   return {m_model.meshRow(mesh).tailTeeth, m_model.meshRow(mesh).headTeeth};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// The coefficient matrix P of the moment equations [AU, Eqs. (17)-(20), (24)]: P(c, e) = T(c, e) P_c,e,
 /// where P_c,e is the component along e_c, the normal of the plane of the mesh's two axes, of the moment of
@@ -47,4 +47,4 @@ class CoefficientMatrix {
   const Placement& m_placement;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

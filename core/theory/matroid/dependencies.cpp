@@ -4,7 +4,7 @@
 
 #include "core/foundations/exact/sparse_expansion.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 /// The mesh rows transposed: an equation per phi, an unknown multiplier per mesh.
@@ -98,4 +98,4 @@ std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& mode
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -6,7 +6,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// A mesh whose row follows from the rows of others, and which: together they close a loop that carries load
 /// but constrains nothing.
@@ -22,4 +22,4 @@ struct Redundancy {
                                                                     const FusedField& field,
                                                                     const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -1,6 +1,6 @@
 #include "core/theory/matroid/exact_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<const int> inputs,
                                         std::span<const Rational> speeds, const std::stop_token& stop) {
@@ -36,4 +36,4 @@ std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<c
   return solution;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -6,7 +6,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/symbolic_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
@@ -213,4 +213,4 @@ Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, 
   return findings;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

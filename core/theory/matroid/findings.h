@@ -5,7 +5,7 @@
 
 #include "core/theory/matroid/matroid_analysis.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// The findings about what the numbers mean: redundant-mesh, locked, dead-joint, idle-joint, no-meshes and
 /// invalid-inputs. `wanted`: the document's inputs.
@@ -19,4 +19,4 @@ namespace geargraph {
                                          const Placement& placement, const MatroidAnalysis& analysis,
                                          int joint, const std::stop_token& stop);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

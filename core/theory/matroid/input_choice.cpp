@@ -4,7 +4,7 @@
 
 #include "core/foundations/exact/sparse_expansion.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 /// Rows of K = the rates over the free phi, taken while they are independent.
@@ -91,4 +91,4 @@ std::optional<InputChoice> chooseInputs(const KinematicModel& model, const Fused
   return choice;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

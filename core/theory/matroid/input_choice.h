@@ -7,7 +7,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// A valid set of inputs near what somebody wanted: E joints whose rates determine all others, a basis of the
 /// dual matroid of P.
@@ -25,4 +25,4 @@ struct InputChoice {
                                                       const Structure& structure, std::span<const int> wanted,
                                                       const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -6,7 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/theory/matroid/input_choice.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 std::size_t placeOf(const std::vector<int>& joints, int joint) {
@@ -88,4 +88,4 @@ std::vector<int> chainTo(const SpanningTree& tree, int link) {
   return chain;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -7,7 +7,7 @@
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// The outputs whose rates depend on the input, by label: K(y, x) is not 0. They are also those that may be
 /// driven in its place, the others staying. Zeros of the live solution are exact.
@@ -33,4 +33,4 @@ namespace geargraph {
 /// The joints from the ground to a link, the first at the ground.
 [[nodiscard]] std::vector<int> chainTo(const SpanningTree& tree, int link);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

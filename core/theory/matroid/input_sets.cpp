@@ -7,7 +7,7 @@
 #include "core/theory/matroid/base_lister.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 constexpr std::size_t kMostEntries = 20'000'000;
@@ -96,4 +96,4 @@ std::vector<std::vector<int>> InputSets::neighbours(std::size_t limit) const {
   return sets;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -9,7 +9,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// All valid sets of inputs: the bases of the dual matroid of P, read from K, the rates of all joints over
 /// those of one valid set. K is kept modulo a 61-bit prime.
@@ -48,4 +48,4 @@ class InputSets {
   std::vector<std::vector<std::pair<int, PrimeField::Residue>>> m_rates;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

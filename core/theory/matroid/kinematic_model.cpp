@@ -1,6 +1,6 @@
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreePtr tree,
                                                  const Placement& placement) {
@@ -36,4 +36,4 @@ std::optional<KinematicModel> KinematicModel::of(DigraphPtr graph, SpanningTreeP
   return model;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -9,7 +9,7 @@
 #include "core/mechanism/graph/matrices.h"
 #include "core/mechanism/placement/placement.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// The mechanism as whole numbers, in axis-group coordinates: phi_v is the speed of link v about its class's
 /// line, relative to the class's top. Every mesh is then a row of three links at most, whatever its cycle's
@@ -104,4 +104,4 @@ class KinematicModel {
   std::vector<JointRate> m_rates;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/scratch.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 using System = Elimination<Fused>;
@@ -194,4 +194,4 @@ std::vector<Vector3> meshVelocities(const KinematicModel& model, const std::vect
   return velocities;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

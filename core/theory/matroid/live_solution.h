@@ -8,7 +8,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// Some mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
 /// of it solves the mechanism, and tells whether the inputs are valid.
@@ -68,4 +68,4 @@ struct LiveSolution {
 [[nodiscard]] std::vector<Vector3> meshVelocities(const KinematicModel& model,
                                                   const std::vector<Vector3>& links);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 /// The mesh rows transposed, an unknown multiplier per mesh, and a given column per dead joint: multipliers y
@@ -82,4 +82,4 @@ std::optional<std::vector<LockedLoop>> lockedLoops(const KinematicModel& model, 
   return loops;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -6,7 +6,7 @@
 
 #include "core/theory/matroid/structure.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// Meshes whose rows together say that a joint stands still: the loop that locks it.
 struct LockedLoop {
@@ -21,4 +21,4 @@ struct LockedLoop {
                                                                  const std::vector<char>& dead,
                                                                  const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

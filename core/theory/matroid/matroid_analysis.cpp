@@ -8,7 +8,7 @@
 #include "core/foundations/base/scratch.h"
 #include "core/theory/matroid/findings.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 /// The finding where speeds or ratios are beyond what a double can hold: the numbers would be infinite.
@@ -171,4 +171,4 @@ std::optional<MatroidAnalysis> analyzeMatroid(const Mechanism& mechanism, const 
   return Analyzer(mechanism, model, placement, stop).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -9,7 +9,7 @@
 #include "core/theory/matroid/live_solution.h"
 #include "core/theory/matroid/locked_loops.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// What the matroid method says about a mechanism, live: everything but the exact and symbolic solutions
 /// (exact_solution.h, symbolic_solution.h) and the list of input sets (input_sets.h).
@@ -45,4 +45,4 @@ struct MatroidAnalysis {
                                                             const Placement& placement,
                                                             const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

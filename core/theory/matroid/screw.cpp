@@ -1,6 +1,6 @@
 #include "core/theory/matroid/screw.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 Triple<Vector3> offsetRotation(double phi) {
   const double c = std::cos(phi);
@@ -14,4 +14,4 @@ Vector3 offsetDirection(double phi) {
   return {dot(rows[0], z), dot(rows[1], z), dot(rows[2], z)};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -2,7 +2,7 @@
 
 #include "core/foundations/base/triple.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// The screw (dual vector) of a turning joint about a pitch point [AU, Eq. (6)].
 template <class Scalar>
@@ -31,6 +31,7 @@ template <class Scalar>
 
 template <class Scalar>
 [[nodiscard]] Twist<Scalar> operator*(const Screw<Scalar>& screw, const Scalar& rate) {
+  using base::operator*;  // this one hides it
   return {rate * screw.direction, rate * screw.moment};
 }
 
@@ -41,4 +42,4 @@ template <class Scalar>
 /// phi).
 [[nodiscard]] Vector3 offsetDirection(double phi);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

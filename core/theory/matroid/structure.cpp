@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/scratch.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 /// A hash of a mesh that sums of others do not reach by chance.
@@ -91,4 +91,4 @@ std::vector<std::vector<int>> rigidBlocks(const KinematicModel& model, const std
   return blocks;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

@@ -7,7 +7,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// What the coefficient matrix P says without any choice of inputs [AU, Eq. (21)].
 ///
@@ -48,4 +48,4 @@ template <class Field>
   return rows;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

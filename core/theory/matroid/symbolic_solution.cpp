@@ -7,7 +7,7 @@
 #include "core/foundations/base/scratch.h"
 #include "core/theory/matroid/live_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 namespace {
 
 constexpr std::size_t kScratch = 32 * 1024;
@@ -235,4 +235,4 @@ std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const 
   return solution;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

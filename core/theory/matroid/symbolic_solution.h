@@ -8,7 +8,7 @@
 #include "core/foundations/exact/expansion.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 
-namespace geargraph {
+namespace geargraph::inline matroid {
 
 /// One line of the solution as it is found: theta_joint = sum of coefficient * theta of joints known by then
 /// (inputs, or of lines before).
@@ -47,4 +47,4 @@ struct SymbolicSolution {
     std::span<const int> meshes, std::span<const int> inputs, const std::stop_token& stop = {},
     ExpansionBudget budget = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline matroid

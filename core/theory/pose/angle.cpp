@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace geargraph {
+namespace geargraph::inline pose {
 namespace {
 
 class Whole {
@@ -67,4 +67,4 @@ double reducedAngle(const Rational& turns, const Rational& radians) {
   return (angle - nearestWhole(angle / turn) * turn).toDouble();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -6,7 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 namespace {
 
 /// Exp(u, p, theta): x -> p + Rot(u, theta) (x - p).
@@ -45,4 +45,4 @@ std::vector<Eigen::Isometry3d> ForwardKinematics::poses(std::span<const double> 
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/graph/spanning_tree.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 
 /// The line that a turning joint turns about, in the reference pose, base frame. `direction` has length 1.
 struct TurningLine {
@@ -45,4 +45,4 @@ class ForwardKinematics {
   std::vector<Step> m_steps;  ///< every node behind its parent
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -2,7 +2,7 @@
 
 #include "core/theory/pose/modular_pose.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 namespace {
 
 /// The joints between the ground and a link, from the ground on, with +1 where the link's side is the head.
@@ -49,4 +49,4 @@ std::optional<JacobianRank> genericJacobianRank(const ExactMotion& motion, int l
   return rankIn(motion, link, point, false);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

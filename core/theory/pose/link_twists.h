@@ -7,7 +7,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 
 /// How a link moves at a moment, base frame: its angular velocity, and the velocity of its point that is at
 /// the origin. Units rad/s, mm/s.
@@ -26,4 +26,4 @@ struct LinkTwist {
                                                 std::span<const Eigen::Isometry3d> poses,
                                                 std::span<const double> jointRates);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/prime_field.h"
 #include "core/theory/pose/jacobian.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 
 /// Lines, rotations and displacements modulo a prime p with p = 3 (mod 4), in which the directions have
 /// length 1. A rank over these residues is the rank over the algebraic numbers that they stand for, but for a
@@ -90,4 +90,4 @@ class ModularJacobian {
   std::vector<std::array<PrimeField::Residue, 6>> m_columns;  ///< by input
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/rational.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 
 /// Turns after which everything that turns at these rates is where it was for the first time: the smallest T
 /// > 0 that makes every rate times T a whole number. With rates in rad/s the period is 2 pi T seconds.
@@ -14,4 +14,4 @@ namespace geargraph {
 /// Cost: one gcd a rate.
 [[nodiscard]] std::optional<Rational> commonPeriod(std::span<const Rational> rates);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

@@ -5,11 +5,11 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/theory/pose/forward_kinematics.h"
 
-namespace geargraph {
+namespace geargraph::inline pose {
 
 /// The lines of all turning joints, by joint, as the placement has their axes. Each joint keeps the sense of
 /// its own axis. Cost: O(t).
 /// @pre the placement has a tree
 [[nodiscard]] std::vector<TurningLine> turningLines(const Placement& placement);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline pose

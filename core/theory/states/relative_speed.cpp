@@ -5,7 +5,7 @@
 #include "core/mechanism/placement/mesh_word.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 
 int directionSign(const Placement& placement, int oneClass, int otherClass) {
   const Vector3& one = placement.lineOfClass(oneClass).direction;
@@ -65,4 +65,4 @@ RelativeSpeed RelativeSpeed::between(const Placement& placement, int from, int t
   return speed;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

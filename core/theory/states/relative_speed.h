@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/foundations/exact/sparse_rows.h"
-#include "core/theory/matroid/kinematic_model.h"
 #include "core/mechanism/placement/placement.h"
+#include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 
 /// The angular velocity of one link relative to another, as sums over the phi of the kinematic model
 /// (kinematic_model.h), one sum a direction: w = sum over the parts of (sum of factor * phi[link]) * u.
@@ -72,4 +72,4 @@ void addPart(SparseRows<typename Field::Value>& rows, const RelativeSpeed::Part&
   for (const RelativeSpeed::Term& term : part.terms) rows.add(term.link - 1, field.fromInteger(term.factor));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

@@ -4,7 +4,7 @@
 
 #include "core/foundations/base/wording.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 namespace {
 
 constexpr std::size_t kMostNames = 12;
@@ -86,4 +86,4 @@ Diagnostic ratioBeyondRange(const ShiftState& state) {
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

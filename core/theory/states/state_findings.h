@@ -5,7 +5,7 @@
 #include "core/foundations/base/diagnostic.h"
 #include "core/mechanism/model/mechanism.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 
 /// state-locked: `locking` are the engaged couplings without any one of which the drive would turn; empty
 /// where no single one is to blame, or where the train itself is locked.
@@ -23,4 +23,4 @@ namespace geargraph {
 /// The ratio of the state is beyond the largest double.
 [[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

@@ -9,7 +9,7 @@
 #include "core/theory/states/state_findings.h"
 #include "core/theory/states/state_system.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 namespace {
 
 /// Solves the states of one mechanism, one after the other.
@@ -233,4 +233,4 @@ Diagnostics stateDiagnostics(std::span<const StateSolution> states) {
   return all;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

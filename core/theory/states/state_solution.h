@@ -9,7 +9,7 @@
 #include "core/foundations/exact/rational_function.h"
 #include "core/theory/matroid/kinematic_model.h"
 
-namespace geargraph {
+namespace geargraph::inline states {
 
 /// What a mechanism does with some couplings engaged: the rows of the meshes and of the couplings together,
 /// solved in fractions. An engaged brake holds its link against the ground, w = 0; an engaged clutch makes
@@ -53,4 +53,4 @@ struct StateSolution {
 /// The findings of all states, in their order.
 [[nodiscard]] Diagnostics stateDiagnostics(std::span<const StateSolution> states);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline states

@@ -15,7 +15,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/theory/ttgraph/wording.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 // 1. Every axis of the document gets a number that equal lines share.
@@ -241,4 +241,4 @@ AxisLevels axisLevels(const Mechanism& mechanism, const Digraph& graph, const Re
   return Classifier(mechanism, graph, lines).run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 TtEquations::TtEquations(const TtGraph& graph, const SubstitutionPlan& plan, RatioNaming naming,
                          FormulaStyle style)
@@ -133,4 +133,4 @@ std::vector<std::string> TtEquations::stages(const SubstitutionStep& step) const
   return stages;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/substitution_steps.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 enum class FormulaStyle { text, latex };
 
@@ -49,4 +49,4 @@ class TtEquations {
   std::vector<RatioNames> m_names;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -11,7 +11,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// The equations of TtSystem where circuits are too long to write down: along a level, the velocities of its
 /// branches add up like voltages, so each link gets one number, its velocity along its own level against the
@@ -126,4 +126,4 @@ class LevelSystem {
   Elimination<Value> m_system;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 /// From the line's foot to the point.
@@ -58,4 +58,4 @@ std::optional<int> meshSign(const MeshPose& pose) {
   return std::nullopt;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

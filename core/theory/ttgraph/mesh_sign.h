@@ -4,7 +4,7 @@
 
 #include "core/theory/ttgraph/reference_lines.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// What the drawn pose says about one mesh: the axes of its two gears in their carrier, pointing as their
 /// levels do, and where the pitch surfaces touch. Each may be missing. Refers to what it names.
@@ -28,4 +28,4 @@ struct MeshPose {
 /// None where the drawn pose does not tell: a bevel pair without its pitch point, skew axes.
 [[nodiscard]] std::optional<int> meshSign(const MeshPose& pose);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

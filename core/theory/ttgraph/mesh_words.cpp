@@ -2,7 +2,7 @@
 
 #include "core/theory/ttgraph/equations.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 bool isDigit(char c) {
@@ -76,4 +76,4 @@ std::optional<MeshWords> meshWords(const TtGraph& graph, int mesh) {
   return words;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

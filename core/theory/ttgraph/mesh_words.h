@@ -6,7 +6,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// One mesh of the T-T graph as the paper writes it down, in print: subscripts, primes, minus signs.
 struct MeshWords {
@@ -28,4 +28,4 @@ struct MeshWords {
 /// "ω₅₁′′ = −n₂₅ ω₂₁′′".
 [[nodiscard]] std::string inPrint(std::string_view formula);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 constexpr int kCountablePrimes = 4;  // the paper's robot has four; more are written as a number
@@ -74,4 +74,4 @@ EquationNumbers::EquationNumbers(const TtGraph& graph, int unknowns) : m_unknown
   m_firstStep = next;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// The velocity of one link relative to another, as the paper writes it: ω₅₁, and ω₅₁'' where it is a
 /// chord's.
@@ -61,4 +61,4 @@ class EquationNumbers {
   int m_unknowns = 0;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

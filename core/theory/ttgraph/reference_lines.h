@@ -3,7 +3,7 @@
 #include "core/mechanism/placement/placement.h"
 #include "core/mechanism/placement/tolerance.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// Where the T-T graph method looks when it needs the drawn pose: to tell which joints are coaxial and which
 /// way two meshing gears turn. Of a placement it takes where things are, and no more: it finds levels,
@@ -40,4 +40,4 @@ class ReferenceLines {
   const Placement* m_placement = nullptr;
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -5,7 +5,7 @@
 
 #include "core/foundations/base/contract.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 class Planner {
@@ -112,4 +112,4 @@ SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inp
   return graph.longestCircuitTerms() > mostTerms ? planner.byLevels() : planner.run();
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

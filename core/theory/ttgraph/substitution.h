@@ -5,7 +5,7 @@
 
 #include "core/theory/ttgraph/tt_graph.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// The order in which the terminal equations give the unknown joint rates, as in Eqs. (39)-(42) of [AU]: take
 /// a mesh with one unknown left in its terminal and circuit equations, solve, substitute, repeat. No
@@ -42,4 +42,4 @@ constexpr long long kMostCircuitTerms = 200'000;
 [[nodiscard]] SubstitutionPlan substitutionPlan(const TtGraph& graph, std::span<const int> inputs,
                                                 long long mostTerms = kMostCircuitTerms);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

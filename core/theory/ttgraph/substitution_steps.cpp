@@ -4,7 +4,7 @@
 
 #include "core/theory/ttgraph/symbolic_system.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 using System = TtSystem<RationalFunctionField>;
@@ -117,4 +117,4 @@ std::optional<std::vector<SubstitutionStep>> substitutionSteps(
   return Chain(*symbolic->field, graph, plan, solution).run(*symbolic);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -7,7 +7,7 @@
 #include "core/theory/ttgraph/notation.h"
 #include "core/theory/ttgraph/tt_solution.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// A joint's part in the equation of another.
 struct SolvedTerm {
@@ -36,4 +36,4 @@ struct SubstitutionStep {
     const RatioRingPtr& ring, const TtGraph& graph, const SubstitutionPlan& plan,
     const RateMatrix<std::optional<RationalFunction>>& solution, const std::stop_token& stop = {});
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

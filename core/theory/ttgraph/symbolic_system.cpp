@@ -3,7 +3,7 @@
 #include <random>
 #include <utility>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 /// The factors of Eq. (26) in the ratio of the mesh, the variable of its number: i w_ik - s w_jk = 0.
@@ -103,4 +103,4 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
   return SymbolicSystem{std::move(field), std::move(*vanishing), std::move(*system), withoutCoupled};
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -8,7 +8,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/ttgraph/tt_system.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// The equations over rational functions, without what is redundant or vanishes. Used by ttSymbolicSolution()
 /// and substitutionSteps(). Refers to the graph and the plan it was made from.
@@ -30,4 +30,4 @@ struct SymbolicSystem {
                                                            const SubstitutionPlan& plan,
                                                            const std::stop_token& stop);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

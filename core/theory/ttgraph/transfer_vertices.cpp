@@ -4,7 +4,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/theory/ttgraph/wording.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 std::string wordText(const AxisLevels& levels, const std::vector<WalkStretch>& walk,
@@ -140,4 +140,4 @@ TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree
   return result;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -9,7 +9,7 @@
 #include "core/mechanism/graph/spanning_tree.h"
 #include "core/theory/ttgraph/axis_levels.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// A stretch of a mesh's walk through the tree branches, all on one level.
 struct WalkStretch {
@@ -66,4 +66,4 @@ struct TransferVertices {
 [[nodiscard]] TransferVertices transferVertices(const Digraph& graph, const SpanningTree& tree,
                                                 const AxisLevels& levels);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -5,7 +5,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/theory/ttgraph/mesh_sign.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 std::optional<int> signFromPlaces(const MeshPose& pose,
@@ -106,4 +106,4 @@ void TtGraph::writeCircuits() const {
   }
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

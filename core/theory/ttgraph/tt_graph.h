@@ -11,7 +11,7 @@
 #include "core/theory/ttgraph/axis_levels.h"
 #include "core/theory/ttgraph/transfer_vertices.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// The terminal graph of one mesh: two chords, gear i - carrier k and gear j - carrier k, marked by the same
 /// number of primes [AU, Fig. 4(b), Fig. 6], and its terminal equation [AU, Eqs. (26)-(30)]
@@ -93,4 +93,4 @@ class TtGraph {
   std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -5,7 +5,7 @@
 #include "core/theory/ttgraph/symbolic_system.h"
 #include "core/theory/ttgraph/tt_system.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 namespace {
 
 /// Solves the equations in this arithmetic, by circuits or where they are too long by levels, and gives the
@@ -134,4 +134,4 @@ RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming) {
   return std::make_shared<const RatioRing>(std::move(names), std::move(teeth));
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

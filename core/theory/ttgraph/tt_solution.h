@@ -9,7 +9,7 @@
 #include "core/foundations/exact/fields.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// Joint rates as a matrix over the input rates [AU, Eqs. (43), (45)]: outputs x inputs.
 ///
@@ -70,4 +70,4 @@ enum class RatioNaming { matroid, ttGraph };  ///< i15, or n41 [AU, Eq. (44)]
 /// The ring of the graph's ratios under these names, with their values.
 [[nodiscard]] RatioRingPtr ttRatioRing(const TtGraph& graph, RatioNaming naming);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -10,7 +10,7 @@
 #include "core/foundations/exact/elimination.h"
 #include "core/theory/ttgraph/substitution.h"
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// What a system does without.
 struct LeftOut {
@@ -181,4 +181,4 @@ struct TeethWeights {
   }
 };
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 std::string countInWords(int count) {
   constexpr std::array<const char*, 13> kWords = {"no",    "one",   "two",  "three", "four",   "five",  "six",
@@ -11,4 +11,4 @@ std::string countInWords(int count) {
                                                                : std::to_string(count);
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

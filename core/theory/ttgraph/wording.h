@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace geargraph {
+namespace geargraph::inline ttgraph {
 
 /// As many names as a sentence about axes and transfer vertices bears.
 constexpr std::size_t kMostNames = 8;
@@ -10,4 +10,4 @@ constexpr std::size_t kMostNames = 8;
 /// "three" up to twelve, digits beyond.
 [[nodiscard]] std::string countInWords(int count);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline ttgraph

@@ -1,11 +1,11 @@
 #include <QTest>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/theory/matroid/exact_solution.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/validate.h"
+#include "core/theory/analysis/analysis.h"
+#include "core/theory/matroid/exact_solution.h"
 #include "core/theory/ttgraph/tt_solution.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/tt_case.h"

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <set>
 
-#include "core/theory/analysis/analysis.h"
 #include "core/machine/train/train.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/textbook_trains.h"
 #include "tests/core/support/train_sketch.h"

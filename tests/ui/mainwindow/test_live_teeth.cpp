@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "core/machine/solids/gear_solid.h"
 #include "core/machine/bodies/complete_train.h"
+#include "core/machine/solids/gear_solid.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"

@@ -8,7 +8,7 @@
 #include "core/design/collision/collision_pair.h"
 #include "core/design/collision/motion_collisions.h"
 #include "core/design/collision/motion_findings.h"
-#include "core/machine/solids/bodies.h"
+#include "core/machine/solids/part_solids.h"
 #include "core/theory/pose/turning_lines.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"

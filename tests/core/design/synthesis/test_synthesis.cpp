@@ -1,15 +1,15 @@
 #include <QtTest>
 
-#include "core/machine/teeth/phase.h"
-#include "core/machine/bodies/complete_train.h"
-#include "core/theory/matroid/exact_solution.h"
-#include "core/mechanism/model/validate.h"
-#include "core/theory/states/state_solution.h"
 #include "core/design/synthesis/bevel_sets.h"
 #include "core/design/synthesis/insertion.h"
 #include "core/design/synthesis/planets.h"
 #include "core/design/synthesis/reverted_train.h"
 #include "core/design/synthesis/shifting_sets.h"
+#include "core/machine/bodies/complete_train.h"
+#include "core/machine/teeth/phase.h"
+#include "core/mechanism/model/validate.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/states/state_solution.h"
 #include "tests/core/support/matroid_fixture.h"
 #include "tests/core/support/trains.h"
 

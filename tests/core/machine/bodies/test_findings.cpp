@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/machine/bodies/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/phase.h"
 #include "core/machine/teeth/tooth_pair.h"
-#include "core/machine/bodies/complete_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
@@ -275,8 +275,8 @@ class TestFindings : public QObject {
     QCOMPARE(count(findings(test::planetary(20, 19, 3)), Code::assembly), 0);
   }
 
-  /// A rectangle of wheels (core/gears/README.md, section 4): 15 teeth close the loop, 16 miss by a quarter
-  /// of a pitch.
+  /// A rectangle of wheels (core/machine/teeth/README.md, section 4): 15 teeth close the loop, 16 miss by a
+  /// quarter of a pitch.
   void aRectangleOfWheelsMissesByTheClosedForm() {
     const auto residual = [](int last) {
       const std::vector<int> teeth{25, 35, 45, last};

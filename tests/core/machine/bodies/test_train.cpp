@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "core/machine/bodies/body_recipe.h"
+#include "core/machine/bodies/complete_train.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/teeth/phase.h"
-#include "core/machine/bodies/complete_train.h"
 #include "tests/core/machine/solids/topology.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"

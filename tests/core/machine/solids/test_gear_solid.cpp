@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "core/machine/solids/gear_solid.h"
-#include "core/machine/teeth/half_tooth.h"
 #include "core/machine/solids/toothless_gear.h"
+#include "core/machine/teeth/half_tooth.h"
 #include "tests/core/machine/solids/topology.h"
 
 using namespace geargraph;

@@ -2,9 +2,9 @@
 #include <QtTest>
 #include <cmath>
 
+#include "core/machine/solids/spec_findings.h"
 #include "core/machine/teeth/half_tooth.h"
 #include "core/machine/teeth/involute.h"
-#include "core/machine/solids/spec_findings.h"
 
 using namespace geargraph;
 

@@ -106,7 +106,7 @@ class TestPhase : public QObject {
   }
 
   /// An even loop of external wheels in directions a_k (turns) closes where the sum of
-  /// (-1)^k [N_k a_k + N_k+1 (a_k + 1/2) - 1/2] is whole (core/gears/README.md, section 4).
+  /// (-1)^k [N_k a_k + N_k+1 (a_k + 1/2) - 1/2] is whole (core/machine/teeth/README.md, section 4).
   void loopsOfFourWheelsMissByTheClosedForm() {
     const auto check = [](int last) {
       // Centres of a quadrilateral, built so that all four pairs touch.

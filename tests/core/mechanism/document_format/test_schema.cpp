@@ -7,11 +7,11 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "core/design/synthesis/planetary_set.h"
+#include "core/design/synthesis/shifting_sets.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shapes.h"
-#include "core/design/synthesis/planetary_set.h"
-#include "core/design/synthesis/shifting_sets.h"
 #include "tests/core/mechanism/document_format/broken_documents.h"
 #include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"

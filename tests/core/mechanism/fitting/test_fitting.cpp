@@ -1,14 +1,14 @@
 #include <QtTest>
 #include <random>
 
+#include "core/design/synthesis/bevel_sets.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/wheel_map.h"
-#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
-#include "core/design/synthesis/bevel_sets.h"
 #include "tests/core/mechanism/fitting/fitted_trains.h"
 
 using namespace geargraph;

@@ -1,8 +1,8 @@
 #include <QtTest>
 
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/mesh_snap.h"
-#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/edits.h"
 #include "tests/core/mechanism/fitting/fitted_trains.h"
 

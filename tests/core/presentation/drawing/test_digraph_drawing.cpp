@@ -4,14 +4,14 @@
 #include <limits>
 #include <random>
 
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/drawing/coupling_marks.h"
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/drawing/hit_test.h"
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/drawing/text_metrics.h"
-#include "core/mechanism/model/edits.h"
-#include "core/mechanism/model/shift_edits.h"
 #include "tests/core/presentation/drawing/drawing_checks.h"
 #include "tests/core/support/aborts.h"
 #include "tests/core/support/example_files.h"
@@ -138,8 +138,8 @@ class TestDigraphDrawing : public QObject {
     emphases[LinkId("3")].selected = true;
     emphases[LinkId("6")].hovered = true;
     const std::string drawn = textOf(digraphDrawing(drivenRobot(), robotPositions(), emphases));
-    test::compareWithGolden(QString::fromStdString(test::sourcePath("tests/core/presentation/drawing/robot_digraph.txt")),
-                            drawn);
+    test::compareWithGolden(
+        QString::fromStdString(test::sourcePath("tests/core/presentation/drawing/robot_digraph.txt")), drawn);
   }
 
   void nothingTouchesAnythingInTheRobot() {

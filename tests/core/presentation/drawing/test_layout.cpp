@@ -5,9 +5,9 @@
 #include <set>
 #include <thread>
 
+#include "core/mechanism/graph/spanning_tree.h"
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/tidy_tree.h"
-#include "core/mechanism/graph/spanning_tree.h"
 #include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;

@@ -1,10 +1,10 @@
 #include <QtTest>
 
-#include "core/theory/analysis/analysis.h"
+#include "core/mechanism/model/edits.h"
 #include "core/presentation/drawing/hit_test.h"
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "core/presentation/drawing/tt_graph_layout.h"
-#include "core/mechanism/model/edits.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/core/presentation/drawing/drawing_checks.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/mechanisms.h"
@@ -77,7 +77,8 @@ class TestTtGraphDrawing : public QObject {
   void examplesAreDrawnAsInTheGoldenTexts() {
     QFETCH(QString, name);
     const std::string drawn = textOf(Drawn(test::example(name.toStdString())).list());
-    const QString folder = QString::fromStdString(test::sourcePath("tests/core/presentation/drawing/ttgraph/"));
+    const QString folder =
+        QString::fromStdString(test::sourcePath("tests/core/presentation/drawing/ttgraph/"));
     test::compareWithGolden(folder + name + ".txt", drawn);
   }
 

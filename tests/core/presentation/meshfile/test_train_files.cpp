@@ -3,10 +3,10 @@
 
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/document_format/mechanism_file.h"
-#include "core/theory/matroid/exact_solution.h"
-#include "core/theory/matroid/matroid_analysis.h"
 #include "core/presentation/meshfile/train_files.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/matroid/matroid_analysis.h"
 #include "tests/core/presentation/meshfile/assembly_check.h"
 #include "tests/core/presentation/meshfile/cogs.h"
 #include "tests/core/support/example_files.h"

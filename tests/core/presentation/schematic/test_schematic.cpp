@@ -1,9 +1,9 @@
 #include <QtTest>
 #include <set>
 
+#include "core/mechanism/model/pins.h"
 #include "core/presentation/drawing/hit_test.h"
 #include "core/presentation/drawing/text_metrics.h"
-#include "core/mechanism/model/pins.h"
 #include "core/presentation/schematic/schematic.h"
 #include "tests/core/presentation/drawing/drawing_checks.h"
 #include "tests/core/support/example_files.h"
@@ -146,7 +146,8 @@ class TestSchematic : public QObject {
   }
   void examplesAreDrawnAsInTheGoldenText() {
     QFETCH(QString, name);
-    const QString folder = QString::fromStdString(test::sourcePath("tests/core/presentation/schematic/expected/"));
+    const QString folder =
+        QString::fromStdString(test::sourcePath("tests/core/presentation/schematic/expected/"));
     test::compareWithGolden(folder + name + QStringLiteral(".txt"),
                             textOf(schematicDrawing(schematicGeometry(example(name)), {})));
   }

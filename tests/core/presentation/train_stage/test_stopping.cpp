@@ -10,11 +10,11 @@
 #include <thread>
 
 #include "core/machine/bodies/complete_train.h"
-#include "core/theory/matroid/input_sets.h"
 #include "core/presentation/meshfile/mesh_writer.h"
+#include "core/presentation/schematic/schematic.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_stage.h"
-#include "core/presentation/schematic/schematic.h"
+#include "core/theory/matroid/input_sets.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/extreme_documents.h"

@@ -2,11 +2,11 @@
 #include <QTest>
 #include <numbers>
 
-#include "core/theory/analysis/analysis.h"
-#include "core/presentation/drawing/palette.h"
-#include "core/machine/solids/gear_solid.h"
 #include "core/machine/bodies/complete_train.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/presentation/drawing/palette.h"
 #include "core/presentation/painting/egl_host.h"
+#include "core/theory/analysis/analysis.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
@@ -102,7 +102,8 @@ class TestStoredPictures : public QObject {
     QFETCH(bool, dark);
     const QString name = QString::fromLatin1(QTest::currentDataTag());
     const QString path =
-        QString::fromStdString(test::sourcePath("tests/core/presentation/train_stage/pictures/")) + name + ".png";
+        QString::fromStdString(test::sourcePath("tests/core/presentation/train_stage/pictures/")) + name +
+        ".png";
     const Scene scene = wheelsOf(name).scene;
     const QImage now = painted(scene, frameOf(scene, dark));
     if (qEnvironmentVariableIsSet("GEARGRAPH_UPDATE_GOLDEN")) QVERIFY(now.save(path));

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <set>
 
-#include "core/presentation/drawing/palette.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/edits.h"
+#include "core/presentation/drawing/palette.h"
 #include "core/presentation/painting/egl_host.h"
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/train_stage/stage_picture.h"

@@ -2,10 +2,10 @@
 #include <memory>
 #include <set>
 
+#include "core/mechanism/graph/matrices.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/teaching/derivation/glossary.h"
 #include "core/teaching/derivation/matrix_text.h"
-#include "core/mechanism/graph/matrices.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph {

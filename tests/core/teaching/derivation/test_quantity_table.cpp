@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "core/teaching/derivation/quantity_table.h"
 #include "core/mechanism/model/edits.h"
+#include "core/teaching/derivation/quantity_table.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {

@@ -1,8 +1,8 @@
 #include <QtTest>
 #include <map>
 
-#include "core/theory/matroid/exact_solution.h"
 #include "core/mechanism/model/edits.h"
+#include "core/theory/matroid/exact_solution.h"
 #include "core/theory/states/relative_speed.h"
 #include "core/theory/states/state_solution.h"
 #include "tests/core/support/gearboxes.h"

@@ -1,4 +1,4 @@
-#include "core/machine/solids/bodies.h"
+#include "core/machine/solids/part_solids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/machine/teeth/sampling.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 namespace {
 
 using Eigen::Vector2d;
@@ -344,4 +344,4 @@ Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to, 
   return pieces;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids

@@ -6,7 +6,7 @@
 #include "core/machine/solids/shell_builder.h"
 #include "core/machine/solids/solid.h"
 
-namespace geargraph {
+namespace geargraph::inline solids {
 
 /// The frame at `origin` with z along `axis` (unit) and x as near `towards` as it can be, for parts that have
 /// an axis.
@@ -42,4 +42,4 @@ struct Eye {
 [[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
                            double tolerance);
 
-}  // namespace geargraph
+}  // namespace geargraph::inline solids
