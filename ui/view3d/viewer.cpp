@@ -38,6 +38,7 @@ void Viewer::setStage(StagePtr stage) {
   const StagePtr before = std::exchange(m_stage, std::move(stage));
   m_seen = {};
   m_separations.clear();
+  m_outlines.reset();
   m_bounds.reset();
   if (m_stage != nullptr) {
     for (const Instance& instance : m_stage->scene.instances) m_seen.poses.push_back(instance.pose);
@@ -258,11 +259,15 @@ void Viewer::fit() {
 
 void Viewer::fitNow() {
   if (m_stage == nullptr || m_stage->scene.instances.empty() || m_viewport.width < 2) return;
-  Scene now{m_stage->scene.solids, m_stage->scene.instances};
-  for (std::size_t i = 0; i < m_seen.poses.size(); ++i) now.instances[i].pose = m_seen.poses[i];
+  if (!m_outlines) m_outlines = solidOutlines(m_stage->scene);
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < m_seen.poses.size(); ++i) {
+    for (const Eigen::Vector3d& point : (*m_outlines)[m_stage->scene.instances[i].solid])
+      points.push_back(m_seen.poses[i] * point);
+  }
   m_fitted = true;
   const bool wasChosen = m_isCameraChosen;
-  setCamera(m_view.camera.fitted(outlineOf(now), m_viewport, 0.13));
+  setCamera(m_view.camera.fitted(points, m_viewport, 0.13));
   m_isCameraChosen = wasChosen;
 }
 

@@ -1,6 +1,7 @@
 #include "core/presentation/painting/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -38,29 +39,44 @@ std::vector<Eigen::Vector3d> cornersOf(const Scene& scene) {
 
 namespace {
 
-/// The vertices of a solid that reach farthest in directions all round, of about `samples` of them.
-std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples) {
-  constexpr int kRound = 16;
-  std::vector<Eigen::Vector3f> directions;
-  for (const double rise : {-1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0}) {
-    for (int k = 0; k < kRound; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kRound, level = std::sqrt(1 - rise * rise);
-      directions.emplace_back(
-          Eigen::Vector3d(level * std::cos(angle), level * std::sin(angle), rise).cast<float>());
-      if (level == 0) break;
+constexpr int kRound = 16;
+constexpr std::array kRises{-1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0};
+constexpr int kDirections = 2 + kRound * (static_cast<int>(kRises.size()) - 2);
+using PerDirection = Eigen::Array<float, kDirections, 1>;
+
+/// Directions all round, by component: the reach of a vertex in all of them is a few vector instructions.
+struct Directions {
+  PerDirection x, y, z;
+
+  Directions() {
+    int count = 0;
+    for (const double rise : kRises) {
+      const double level = std::sqrt(1 - rise * rise);
+      for (int k = 0; k < (level == 0 ? 1 : kRound); ++k, ++count) {
+        const double angle = 2 * std::numbers::pi * k / kRound;
+        x[count] = static_cast<float>(level * std::cos(angle));
+        y[count] = static_cast<float>(level * std::sin(angle));
+        z[count] = static_cast<float>(rise);
+      }
     }
   }
-  std::vector<float> reach(directions.size(), -std::numeric_limits<float>::infinity());
-  std::vector<std::size_t> farthest(directions.size(), 0);
+};
+
+/// The vertices of a solid that reach farthest in directions all round, of about `samples` of them.
+std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples) {
+  static const Directions directions;
+  PerDirection reach = PerDirection::Constant(-std::numeric_limits<float>::infinity());
+  std::vector<std::size_t> farthest(kDirections, 0);
   // A solid has thousands of vertices, of which neighbours reach equally far: some will do.
   const std::size_t step = 1 + solid.positions.size() / samples;
   for (std::size_t i = 0; i < solid.positions.size(); i += step) {
     const Float3& p = solid.positions[i];
-    for (std::size_t d = 0; d < directions.size(); ++d) {
-      const float value = directions[d].x() * p[0] + directions[d].y() * p[1] + directions[d].z() * p[2];
-      if (value <= reach[d]) continue;
-      reach[d] = value;
-      farthest[d] = i;
+    const PerDirection value = directions.x * p[0] + directions.y * p[1] + directions.z * p[2];
+    if ((value - reach).maxCoeff() <= 0) continue;
+    for (int d = 0; d < kDirections; ++d) {
+      if (value[d] <= reach[d]) continue;
+      reach[d] = value[d];
+      farthest[static_cast<std::size_t>(d)] = i;
     }
   }
   std::sort(farthest.begin(), farthest.end());
@@ -75,18 +91,23 @@ std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples)
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> outlineOf(const Scene& scene) {
+SolidOutlines solidOutlines(const Scene& scene, const std::stop_token& stop) {
   // Among hundreds of solids each is a small part of the picture, and the window waits for the answer.
   constexpr std::size_t kMostSamples = std::size_t{1} << 18U;
   const std::size_t samples = std::clamp(kMostSamples / std::max(scene.solids.size(), std::size_t{1}),
                                          std::size_t{64}, std::size_t{4096});
-  std::vector<std::optional<std::vector<Eigen::Vector3d>>> farthest(scene.solids.size());
+  SolidOutlines outlines(scene.solids.size());
+  for (std::size_t i = 0; i < outlines.size() && !stop.stop_requested(); ++i) {
+    if (!scene.solids[i]->positions.empty()) outlines[i] = farthestOf(*scene.solids[i], samples);
+  }
+  return outlines;
+}
+
+std::vector<Eigen::Vector3d> outlineOf(const Scene& scene) {
+  const SolidOutlines outlines = solidOutlines(scene);
   std::vector<Eigen::Vector3d> points;
   for (const Instance& instance : scene.instances) {
-    auto& own = farthest[instance.solid];
-    const Solid& solid = *scene.solids[instance.solid];
-    if (!own) own = solid.positions.empty() ? std::vector<Eigen::Vector3d>() : farthestOf(solid, samples);
-    for (const Eigen::Vector3d& point : *own) points.push_back(instance.pose * point);
+    for (const Eigen::Vector3d& point : outlines[instance.solid]) points.push_back(instance.pose * point);
   }
   return points;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -96,8 +97,15 @@ struct Bounds {
 /// The eight corners of every instance's box, for Camera::fitted.
 [[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Scene& scene);
 
-/// Points of the solids themselves that reach farthest in many directions: what a picture has to hold, much
-/// tighter than the corners of boxes about round wheels. Cost: O(vertices of the solids + instances).
+/// By solid: those of its vertices that reach farthest in many directions, in its own frame.
+using SolidOutlines = std::vector<std::vector<Eigen::Vector3d>>;
+
+/// The outlines of all solids of the scene. Incomplete when `stop` was requested. Cost: O(vertices of the
+/// solids), of which it takes at most 2^18 or 64 a solid.
+[[nodiscard]] SolidOutlines solidOutlines(const Scene& scene, const std::stop_token& stop = {});
+
+/// The outlines of all instances in the scene's own poses: what a picture has to hold, much tighter than the
+/// corners of boxes about round wheels. Cost: that of solidOutlines(), and O(instances).
 [[nodiscard]] std::vector<Eigen::Vector3d> outlineOf(const Scene& scene);
 
 }  // namespace geargraph::inline painting

@@ -39,9 +39,9 @@ Eigen::Vector3d canonical(Eigen::Vector3d direction) {
   return direction;
 }
 
-std::vector<Row> rowsOf(const Stage& stage) {
+std::vector<Row> rowsOf(const Stage& stage, const std::stop_token& stop) {
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < stage.handles.size(); ++i) {
+  for (std::size_t i = 0; i < stage.handles.size() && !stop.stop_requested(); ++i) {
     if (stage.handles[i].gains.empty()) continue;
     const Eigen::Vector3d direction = canonical(stage.handles[i].direction);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& known) {
@@ -76,9 +76,10 @@ Car carOf(const Scene& scene, const std::vector<std::size_t>& instances, const E
 }
 
 /// Cars in the order of the row, equal ones in one plane coupled to one.
-std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain) {
+std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain, const std::stop_token& stop) {
   std::vector<Car> cars;
   for (const auto& [link, instances] : row.links) {
+    if (stop.stop_requested()) break;
     Car car = carOf(scene, instances, row.direction, grain);
     const auto twin = std::find_if(cars.begin(), cars.end(), [&](const Car& known) {
       return known.solid == car.solid && known.middle == car.middle;
@@ -99,11 +100,11 @@ std::vector<Car> trainOfCars(const Scene& scene, const Row& row, double grain) {
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> separations(const Stage& stage) {
+std::vector<Eigen::Vector3d> separations(const Stage& stage, const std::stop_token& stop) {
   std::vector<Eigen::Vector3d> result(stage.scene.instances.size(), Eigen::Vector3d::Zero());
   const double size = boundsOf(stage.scene).radius();
-  for (const Row& row : rowsOf(stage)) {
-    const std::vector<Car> cars = trainOfCars(stage.scene, row, kGrain * size);
+  for (const Row& row : rowsOf(stage, stop)) {
+    const std::vector<Car> cars = trainOfCars(stage.scene, row, kGrain * size, stop);
     double end = -1e300, sum = 0;
     std::vector<double> moves;
     for (const Car& car : cars) {

@@ -96,10 +96,10 @@ std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const
   return lines;
 }
 
-SeenStage::SeenStage(StagePtr stage)
-    : m_stage(std::move(stage)), m_separations(separations(*m_stage)), m_bounds(boundsOf(m_stage->scene)) {}
+SeenStage::SeenStage(StagePtr stage) : m_stage(std::move(stage)), m_bounds(boundsOf(m_stage->scene)) {}
 
-void SeenStage::show(const StageView& view) {
+void SeenStage::show(const StageView& view, const std::stop_token& stop) {
+  if (view.pulledApart > 0 && m_separations.empty()) m_separations = separations(*m_stage, stop);
   if (m_seen.poses.empty() || m_view.pulledApart != view.pulledApart)
     m_floor = floorOf(m_stage->scene, m_separations, view.pulledApart);
   m_view = view;
@@ -110,14 +110,15 @@ void SeenStage::show(const StageView& view) {
     m_showing.push_back(view.hidden.contains(instance.element) ? Showing::hidden : Showing::solid);
 }
 
-std::vector<Eigen::Vector3d> SeenStage::corners() const {
-  Scene seen{m_stage->scene.solids, {}};
+std::vector<Eigen::Vector3d> SeenStage::corners(const std::stop_token& stop) {
+  if (!m_outlines) m_outlines = solidOutlines(m_stage->scene, stop);
+  std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < m_seen.poses.size(); ++i) {
     if (m_showing[i] == Showing::hidden) continue;
-    seen.instances.push_back(m_stage->scene.instances[i]);
-    seen.instances.back().pose = m_seen.poses[i];
+    for (const Eigen::Vector3d& point : (*m_outlines)[m_stage->scene.instances[i].solid])
+      points.push_back(m_seen.poses[i] * point);
   }
-  return outlineOf(seen);
+  return points;
 }
 
 Frame SeenStage::frame(const Viewport& viewport, double pixelRatio) const {

@@ -55,7 +55,7 @@ struct SeenPoses {
 };
 
 /// The poses of the view's moment, seen from the ridden link, pulled apart by a part of `separations`
-/// (separations(stage); they are asked for because they cost more than all the rest).
+/// (separations(stage); needed only where the view pulls apart).
 [[nodiscard]] SeenPoses seenPoses(const Stage& stage, const StageView& view,
                                   std::span<const Eigen::Vector3d> separations);
 
@@ -83,15 +83,18 @@ class SeenStage {
   [[nodiscard]] std::optional<CutPlane> cut() const {
     return cutPlane(m_bounds, m_seen.poses, m_view.section);
   }
-  /// Corners of what is seen, for Camera::fitted.
-  [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
-  void show(const StageView& view);
+  /// Outlines of what is seen, for Camera::fitted. Of no use when `stop` was requested. Cost: that of
+  /// solidOutlines() once, then O(instances). @pre show() was called
+  [[nodiscard]] std::vector<Eigen::Vector3d> corners(const std::stop_token& stop = {});
+  /// Of no use when `stop` was requested meanwhile.
+  void show(const StageView& view, const std::stop_token& stop = {});
   /// Valid until the next show(). @pre show() was called
   [[nodiscard]] Frame frame(const Viewport& viewport, double pixelRatio) const;
 
  private:
   StagePtr m_stage;
-  std::vector<Eigen::Vector3d> m_separations;
+  std::vector<Eigen::Vector3d> m_separations;  ///< empty until a view pulls apart
+  std::optional<SolidOutlines> m_outlines;
   Bounds m_bounds;
   std::optional<double> m_floor;
   StageView m_view;
