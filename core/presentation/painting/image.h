@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace geargraph::inline painting {
@@ -20,7 +21,8 @@ struct Image {
   }
 };
 
-/// The picture as a PNG file's bytes. Nothing where libpng fails (out of memory) or the picture is empty.
-[[nodiscard]] std::vector<std::uint8_t> pngBytes(const Image& image);
+/// The picture as a PNG file's bytes. Empty where libpng fails (out of memory), the picture is empty or
+/// `stop` was requested meanwhile.
+[[nodiscard]] std::vector<std::uint8_t> pngBytes(const Image& image, const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline painting

@@ -139,13 +139,13 @@ std::string AnimatedPng::control(const Rectangle& where) {
   return chunk("fcTL", content);
 }
 
-std::string AnimatedPng::add(const Image& image) {
+std::string AnimatedPng::add(const Image& image, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(m_added < m_pictures);
   const bool isFirst = m_added == 0;
   GEARGRAPH_REQUIRE(isFirst || (image.width == m_last.width && image.height == m_last.height));
   const Rectangle where = isFirst ? Rectangle{0, 0, image.width, image.height} : changed(image);
   const std::vector<std::uint8_t> bytes =
-      pngBytes(isFirst ? image : cutOut(image, where.x, where.y, where.width, where.height));
+      pngBytes(isFirst ? image : cutOut(image, where.x, where.y, where.width, where.height), stop);
   if (bytes.empty()) return {};
   const std::string_view png(reinterpret_cast<const char*>(bytes.data()), bytes.size());  // NOLINT
   std::string written;

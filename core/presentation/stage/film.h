@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 
 #include "core/presentation/painting/image.h"
@@ -35,8 +36,8 @@ class AnimatedPng {
  public:
   /// @pre as many pictures will be added, all of one size; they repeat for ever
   AnimatedPng(int pictures, double framesPerSecond);
-  /// The bytes to be written next; empty where libpng fails (out of memory).
-  [[nodiscard]] std::string add(const Image& image);
+  /// The bytes to be written next; empty where libpng fails (out of memory) or `stop` was requested.
+  [[nodiscard]] std::string add(const Image& image, const std::stop_token& stop = {});
   /// The last bytes. @pre all pictures were added
   [[nodiscard]] std::string end() const;
 

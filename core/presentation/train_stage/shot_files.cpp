@@ -21,34 +21,53 @@ ShotFailure fileFailure(std::string message) {
   return {ShotFailure::Kind::file, std::move(message)};
 }
 
-/// Paints one picture after the other and gives each to `take`, which says what went wrong.
+ShotFailure noMemory() {
+  return {ShotFailure::Kind::graphics, "The memory does not suffice for the pictures."};
+}
+
+ShotFailure stopped() {
+  return {ShotFailure::Kind::stopped, "The export was stopped."};
+}
+
+/// Paints one picture after the other and gives each to `take`, which returns what went wrong.
 template <class Take>
 Failure forEachPicture(StagePainter& painter, const ShotRun& run, Take take) {
   for (int picture = 0; picture < painter.pictures(); ++picture) {
-    Image image = painter.paint(picture, run.stop);
-    if (run.stop.stop_requested()) return ShotFailure{ShotFailure::Kind::stopped, "The export was stopped."};
+    Image image = painter.paint(picture);
+    if (run.stop.stop_requested()) return stopped();
     if (image.rgba.empty()) return ShotFailure{ShotFailure::Kind::graphics, "The driver painted nothing."};
     if (run.finish) run.finish(image, painter);
+    if (run.stop.stop_requested()) return stopped();
     if (image.rgba.empty())
       return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the labels."};
-    if (Failure failure = take(image, picture)) return failure;
+    Failure failure = take(image, picture);
+    if (run.stop.stop_requested()) return stopped();
+    if (failure) return failure;
     if (run.progress) run.progress(picture + 1, painter.pictures());
   }
   return std::nullopt;
 }
 
+/// Gives the picture's PNG to `write`.
+template <class Write>
+Failure writePng(const Image& image, const std::stop_token& stop, Write write) {
+  const std::vector<std::uint8_t> png = pngBytes(image, stop);
+  return png.empty() ? Failure(noMemory()) : write(textOf(png));
+}
+
 Failure paintInto(StagePainter& painter, const ShotRun& run, ByteSink& sink) {
   if (painter.pictures() == 1) {
     return forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
-      sink.write(textOf(pngBytes(image)));
-      return std::nullopt;
+      return writePng(image, run.stop, [&](std::string_view png) {
+        sink.write(png);
+        return Failure();
+      });
     });
   }
   AnimatedPng film(painter.pictures(), painter.shot().film->framesPerSecond);
   Failure failure = forEachPicture(painter, run, [&](const Image& image, int) -> Failure {
-    const std::string bytes = film.add(image);
-    if (bytes.empty())
-      return ShotFailure{ShotFailure::Kind::graphics, "The memory does not suffice for the pictures."};
+    const std::string bytes = film.add(image, run.stop);
+    if (bytes.empty()) return noMemory();
     sink.write(bytes);
     return sink.failed() ? std::optional(fileFailure("The file could not be written.")) : std::nullopt;
   });
@@ -104,8 +123,9 @@ Failure graphicsFailure(const Diagnostics& why) {
 }  // namespace
 
 Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun& run) {
-  auto painter = StagePainter::create(shot);
+  auto painter = StagePainter::create(shot, run.stop);
   if (!painter) return graphicsFailure(painter.error());
+  if (*painter == nullptr) return stopped();
   if (path == "-") {
     DescriptorSink out(STDOUT_FILENO);
     Failure failure = paintInto(**painter, run, out);
@@ -123,8 +143,9 @@ Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun&
 }
 
 Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotRun& run) {
-  auto painter = StagePainter::create(shot);
+  auto painter = StagePainter::create(shot, run.stop);
   if (!painter) return graphicsFailure(painter.error());
+  if (*painter == nullptr) return stopped();
   std::error_code error;
   const fs::path target = fs::weakly_canonical(folder, error);
   if (fs::exists(target, error) && !fs::is_directory(target, error))
@@ -135,8 +156,10 @@ Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotR
                         ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".part"));
   if (!scratch.isMade()) return fileFailure("No folder could be made beside \"" + folder.string() + "\".");
   Failure failure = forEachPicture(**painter, run, [&](const Image& image, int picture) -> Failure {
-    const auto why = writeFile(scratch.path() / pictureName(picture), textOf(pngBytes(image)));
-    return why ? std::optional(fileFailure(why->message)) : std::nullopt;
+    return writePng(image, run.stop, [&](std::string_view png) {
+      const auto why = writeFile(scratch.path() / pictureName(picture), png);
+      return why ? Failure(fileFailure(why->message)) : std::nullopt;
+    });
   });
   if (!failure) failure = moveIn(scratch.path(), target, (*painter)->pictures());
   return failure;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/machine/solids/gear_solid.h"
 #include "core/presentation/stage/exploded.h"
@@ -22,11 +23,13 @@ double distanceFor(const Camera& camera, const Viewport& size, const Eigen::Vect
   return std::max(x / (inside * across), y / (inside * upward)) - from.dot(camera.forward());
 }
 
-std::string nameOf(const Stage& stage, const ElementId& link) {
+/// By link; the ground has none.
+std::map<ElementId, std::string> namesOf(const Stage& stage) {
+  std::map<ElementId, std::string> names;
   for (const StageLabel& label : stage.labels) {
-    if (label.kind == LabelKind::link && label.element == link) return "link " + label.text;
+    if (label.kind == LabelKind::link) names.emplace(label.element, "link " + label.text);
   }
-  return "ground";
+  return names;
 }
 
 }  // namespace
@@ -39,18 +42,17 @@ Look pictureLook(Theme theme, bool transparent) {
   return look;
 }
 
-StagePainter::StagePainter(StageShot shot, std::unique_ptr<EglHost> host)
-    : m_shot(std::move(shot)), m_host(std::move(host)), m_seen(m_shot.stage), m_now(m_shot.view) {
+StagePainter::StagePainter(StageShot shot, std::stop_token stop, std::unique_ptr<EglHost> host)
+    : m_shot(std::move(shot)),
+      m_stop(std::move(stop)),
+      m_host(std::move(host)),
+      m_seen(m_shot.stage),
+      m_now(m_shot.view) {
   m_host->setScene(m_shot.stage->scene);
-  if (m_shot.fits && m_shot.film) {
-    fitFilm();
-  } else if (m_shot.fits) {
-    m_seen.show(m_shot.view);
-    m_shot.view.camera = m_shot.view.camera.fitted(m_seen.corners(), m_shot.size, kMargin);
-  }
 }
 
-Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot) {
+Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot, const std::stop_token& stop) {
+  if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
   auto host = EglHost::create();
   if (!host) return host.error();
   if (std::max(shot.size.width, shot.size.height) > (*host)->maximumSide()) {
@@ -60,7 +62,17 @@ Expected<std::unique_ptr<StagePainter>> StagePainter::create(StageShot shot) {
                        " pixels a side; choose a smaller size.";
     return tooLarge;
   }
-  return std::unique_ptr<StagePainter>(new StagePainter(std::move(shot), std::move(host).value()));
+  if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
+  std::unique_ptr<StagePainter> painter(new StagePainter(std::move(shot), stop, std::move(host).value()));
+  if (painter->m_shot.fits) painter->fit();
+  if (stop.stop_requested()) return std::unique_ptr<StagePainter>();
+  return painter;
+}
+
+void StagePainter::fit() {
+  if (m_shot.film) return fitFilm();
+  m_seen.show(m_shot.view, m_stop);
+  m_shot.view.camera = m_shot.view.camera.fitted(m_seen.corners(m_stop), m_shot.size, kMargin);
 }
 
 // One place to look at and one distance for the whole film: a camera that breathes makes one seasick.
@@ -70,15 +82,16 @@ void StagePainter::fitFilm() {
   std::vector<std::vector<Eigen::Vector3d>> points;
   Eigen::AlignedBox3d box;
   for (int picture = 0; picture < coarse.frames; ++picture) {
-    m_seen.show(filmView(*m_shot.stage, m_shot.view, coarse, picture));
-    points.push_back(m_seen.corners());
+    m_seen.show(filmView(*m_shot.stage, m_shot.view, coarse, picture), m_stop);
+    points.push_back(m_seen.corners(m_stop));
+    if (m_stop.stop_requested()) return;
     for (const Eigen::Vector3d& point : points.back()) box.extend(point);
   }
   if (box.isEmpty()) return;
   Camera& camera = m_shot.view.camera;
   camera = camera.placedAt(box.center(), camera.distance());
   double distance = 0;
-  for (int picture = 0; picture < coarse.frames; ++picture) {
+  for (int picture = 0; picture < coarse.frames && !m_stop.stop_requested(); ++picture) {
     const Camera from = filmView(*m_shot.stage, m_shot.view, coarse, picture).camera;
     for (const Eigen::Vector3d& point : points[static_cast<std::size_t>(picture)])
       distance = std::max(distance, distanceFor(from, m_shot.size, point));
@@ -94,17 +107,21 @@ double StagePainter::pixelRatio() const {
   return m_shot.pixelRatio > 0 ? m_shot.pixelRatio : std::max(1.0, m_shot.size.height / kHeightOfOne);
 }
 
-Image StagePainter::paint(int picture, const std::stop_token& stop) {
-  m_now = viewOf(picture);
-  m_seen.show(m_now);
+Frame StagePainter::frame() const {
   Frame frame = m_seen.frame(m_shot.size, pixelRatio());
-  frame.stop = stop;
-  return m_host->picture(frame);
+  frame.stop = m_stop;
+  return frame;
+}
+
+Image StagePainter::paint(int picture) {
+  m_now = viewOf(picture);
+  m_seen.show(m_now, m_stop);
+  return m_host->picture(frame());
 }
 
 SeenMap StagePainter::seenForLabels() {
   const Viewport cells = labelCells(m_shot.size, pixelRatio());
-  return m_host->seen(m_seen.frame(m_shot.size, pixelRatio()), cells.width, cells.height);
+  return m_host->seen(frame(), cells.width, cells.height);
 }
 
 LabelGround StagePainter::labelGround(const SeenMap& seen) const {
@@ -122,19 +139,22 @@ MeshScene sceneOf(const Stage& stage, const StageView& view, const std::stop_tok
   MeshScene scene;
   scene.name = "view";
   scene.unit = stage.unit;
-  const SeenPoses seen = seenPoses(stage, view, separations(stage));
-  std::vector<ElementId> links;
+  const std::vector<Eigen::Vector3d> apart =
+      view.pulledApart > 0 ? separations(stage, stop) : std::vector<Eigen::Vector3d>();
+  const SeenPoses seen = seenPoses(stage, view, apart);
+  const std::map<ElementId, std::string> names = namesOf(stage);
+  std::map<ElementId, std::size_t> materials;
   for (std::size_t i = 0; i < seen.poses.size() && !stop.stop_requested(); ++i) {
     const Instance& instance = stage.scene.instances[i];
     if (view.hidden.contains(instance.element)) continue;
-    const auto known = std::find(links.begin(), links.end(), instance.element);
+    const auto [material, isNew] = materials.try_emplace(instance.element, scene.materials.size());
+    const auto name = names.find(instance.element);
     MeshNode node;
-    node.name = nameOf(stage, instance.element);
+    node.name = name == names.end() ? "ground" : name->second;
     node.pose = seen.poses[i];
     node.solid = stage.scene.solidWithin(kScreenTolerance, instance.solid);
-    node.material = static_cast<std::size_t>(known - links.begin());
-    if (known == links.end()) {
-      links.push_back(instance.element);
+    node.material = material->second;
+    if (isNew) {
       scene.materials.push_back(
           {node.name, {instance.colour.red, instance.colour.green, instance.colour.blue}});
     }

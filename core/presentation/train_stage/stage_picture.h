@@ -38,16 +38,18 @@ struct StageShot {
 /// Paints the pictures of a shot with no display. Use it on the thread that made it.
 class StagePainter {
  public:
-  /// Fails with `graphics` where nothing can paint, or the driver paints no picture so large.
-  /// Cost: a context and shaders.
-  [[nodiscard]] static Expected<std::unique_ptr<StagePainter>> create(StageShot shot);
+  /// Fails with `graphics` where nothing can paint, or the driver paints no picture so large. Null when
+  /// `stop` was requested meanwhile; later it ends the picture under way, which is empty then. Cost: a
+  /// context and shaders; where the shot fits, the outline of each solid and up to 24 poses of a film.
+  [[nodiscard]] static Expected<std::unique_ptr<StagePainter>> create(StageShot shot,
+                                                                      const std::stop_token& stop = {});
 
   /// 1 where there is no film.
   [[nodiscard]] int pictures() const { return m_shot.film ? m_shot.film->frames : 1; }
-  /// Empty where the driver has no room, or `stop` was requested meanwhile.
-  [[nodiscard]] Image paint(int picture, const std::stop_token& stop = {});
+  /// Empty where the driver has no room, or it was stopped.
+  [[nodiscard]] Image paint(int picture);
   /// What the last picture shows where, and what labels are placed by with it; the ground refers to the
-  /// painter and the map. @pre paint() was called
+  /// painter and the map. The map is of no use once stopped. @pre paint() was called
   [[nodiscard]] SeenMap seenForLabels();
   [[nodiscard]] LabelGround labelGround(const SeenMap& seen) const;
   /// What the last picture showed.
@@ -57,11 +59,14 @@ class StagePainter {
   [[nodiscard]] const StageShot& shot() const { return m_shot; }
 
  private:
-  StagePainter(StageShot shot, std::unique_ptr<EglHost> host);
+  StagePainter(StageShot shot, std::stop_token stop, std::unique_ptr<EglHost> host);
+  void fit();
   void fitFilm();
   [[nodiscard]] StageView viewOf(int picture) const;
+  [[nodiscard]] Frame frame() const;
 
   StageShot m_shot;
+  std::stop_token m_stop;
   std::unique_ptr<EglHost> m_host;
   SeenStage m_seen;
   StageView m_now;
@@ -79,7 +84,7 @@ struct ShotFailure {
 
 struct ShotRun {
   std::function<void(int done, int all)> progress;    ///< after each picture, on the caller's thread
-  std::stop_token stop;                               ///< ends the picture under way, too
+  std::stop_token stop;                               ///< ends what is under way, too
   std::function<void(Image&, StagePainter&)> finish;  ///< paints over each picture, labels for one;
                                                       ///< clears it where it cannot
   bool mayOverwrite = false;                          ///< files in a folder that is there already

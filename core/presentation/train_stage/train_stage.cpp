@@ -212,7 +212,11 @@ std::shared_ptr<Stage> StageBuilder::build() {
   }
   if (m_stop.stop_requested()) return nullptr;
   addLabels();
-  if (m_memory != nullptr) m_memory->addFactsTo(m_stage->scene, m_stop);
+  if (m_memory != nullptr) {
+    m_memory->addFactsTo(m_stage->scene, m_stop);
+  } else {
+    SolidFacts().addBoxesTo(m_stage->scene, m_stop);
+  }
   if (m_stop.stop_requested()) return nullptr;
   m_stage->unit = m_mechanism.unit;
   addMarks(*m_stage, {m_mechanism, m_placement, train, m_instanceOfGear, m_links});

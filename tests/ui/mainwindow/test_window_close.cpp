@@ -61,13 +61,26 @@ class WindowCloseTest : public QObject {
     }
   }
 
-  /// Nothing is written, not in part either.
-  void closingEndsTheExportOfSolids() {
+  void closingEndsAnExport_data() {
+    QTest::addColumn<PictureWish>("wish");
+    QTest::addColumn<int>("links");
     PictureWish wish;
     wish.view = QStringLiteral("3d");
     wish.solid = SolidForm::glb;
-    const Mechanism mechanism = test::deepTrain(2, 180);
-    for (const int after : {0, 60}) {
+    QTest::addRow("solids") << wish << 180;
+    wish.solid = SolidForm::png;
+    QTest::addRow("picture") << wish << 1000;
+    wish.film = Film{FilmKind::motion, 72, 24, 0};
+    QTest::addRow("film") << wish << 1000;
+    wish.solid = SolidForm::pictures;
+    QTest::addRow("pictures of a film") << wish << 1000;
+  }
+  /// Nothing is written, not in part either.
+  void closingEndsAnExport() {
+    QFETCH(PictureWish, wish);
+    QFETCH(int, links);
+    const Mechanism mechanism = test::deepTrain(links == 180 ? 2 : 1, links);
+    for (const int after : {0, 60, 400}) {
       auto window = std::make_unique<MainWindow>();
       window->show();
       QVERIFY(QTest::qWaitForWindowExposed(window.get()));

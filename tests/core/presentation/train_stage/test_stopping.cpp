@@ -1,5 +1,6 @@
 #include <pthread.h>
 
+#include <QTemporaryDir>
 #include <QtTest>
 #include <any>
 #include <atomic>
@@ -82,6 +83,29 @@ class StoppingTest : public QObject {
     });
   }
 
+  /// A picture and a film as the window exports them: of a stage that it has made ready, into a folder.
+  void picturesOf(const char* name, const Mechanism& mechanism) {
+    GearCache gears;
+    const auto memory = std::make_shared<StageMemory>();
+    StageShot shot;
+    shot.stage = trainStage(*analyzeLive(shared(mechanism)), gears, nullptr, memory.get());
+    shot.view.pulledApart = 0.5;
+    const auto add = [&](const char* form) {
+      QTest::addRow("%s, %s", form, name) << Work([this, shot](const std::stop_token& stop) {
+        ShotRun run;
+        run.stop = stop;
+        return std::any(writePicture(shot, m_folder.filePath("picture.png").toStdString(), run));
+      });
+    };
+    add("picture");
+    shot.film = Film{FilmKind::motion, 72, 24, 0};
+    add("film");
+    shot.film.reset();
+    shot.size = {2560, 1600};
+    shot.fits = false;
+    add("large picture");
+  }
+
   void worksOn(const char* name, const Mechanism& mechanism) {
     const MechanismPtr document = shared(mechanism);
     const SnapshotPtr live = analyzeLive(document);
@@ -109,6 +133,8 @@ class StoppingTest : public QObject {
     });
   }
 
+  QTemporaryDir m_folder;
+
  private slots:
   void workEndsWithinATenthOfASecond_data() {
     QTest::addColumn<Work>("work");
@@ -119,6 +145,8 @@ class StoppingTest : public QObject {
     worksOn("gearbox, far offsets", test::farOffsets("eight-speed-gearbox"));
     exportsOf("180 links", test::deepTrain(2, 180));
     exportsOf("gearbox", test::example("eight-speed-gearbox"));
+    picturesOf("1,000 links", test::deepTrain(1, 1000));
+    picturesOf("gearbox", test::example("eight-speed-gearbox"));
   }
   void workEndsWithinATenthOfASecond() {
     QFETCH(Work, work);
