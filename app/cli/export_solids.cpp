@@ -72,8 +72,7 @@ bool isTooLarge(const LoadedTrain& loaded, double tolerance) {
 
 /// The solids of a train at the tolerance, or where --tolerance is not given at the finest coarser one that
 /// keeps them below the limit of triangles.
-TrainParts fittingParts(const LoadedTrain& loaded, const Arguments& arguments, GearCache& cache,
-                        double tolerance) {
+TrainParts fittingParts(const LoadedTrain& loaded, const Arguments& arguments, double tolerance) {
   std::vector<double> tolerances{tolerance};
   if (!arguments.has("--tolerance"))
     tolerances.insert(tolerances.end(), {kScreenTolerance, kFarTolerance, kFarthestTolerance, kCoarsest});
@@ -81,6 +80,8 @@ TrainParts fittingParts(const LoadedTrain& loaded, const Arguments& arguments, G
   for (const double each : tolerances) {
     const bool isLast = each == tolerances.back();
     if (!isLast && expectedTriangles(loaded.train, each) > static_cast<double>(kMostTriangles)) continue;
+    made = {};  // before the next are made: they take most of the memory
+    GearCache cache;
     made = trainParts(loaded.mechanism(), loaded.train, cache, each, arguments.stop);
     std::size_t triangles = 0;
     for (const LinkPart& part : made.parts) triangles += part.solid->triangles.size();
@@ -122,8 +123,7 @@ std::variant<MeshScene, int> gearScene(const LoadedTrain& loaded, const std::str
 std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Arguments& arguments,
                                         MeshFormat format, double tolerance, double seconds, int& status) {
   const PlacedTrain placed = loaded.placed();
-  GearCache cache;
-  TrainParts made = fittingParts(loaded, arguments, cache, tolerance);
+  TrainParts made = fittingParts(loaded, arguments, tolerance);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the solids");
   if (!made.diagnostics.empty()) {
     std::cerr << diagnosticLines(arguments.files.front(), made.diagnostics);

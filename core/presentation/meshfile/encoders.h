@@ -10,15 +10,16 @@
 #include <type_traits>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/files/byte_sink.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 
 namespace geargraph::inline meshfile {
 
-// One encoder a format. Each gives nothing where it was stopped. All are our own code and share the solids'
-// bytes: assimp 5.2 drops node transforms that differ from the identity by less than 0.01 and joins vertices
-// nearer than 1e-5 (GLB, where lengths are metres), cannot read back the colours of its own PLY, writes 3MF
-// without colours, unit and names, and gives the facets of STL a mean of shading normals. It reads all five
-// back in the tests.
+// One encoder a format. Each gives nothing where it was stopped; that of GLB writes to a sink. All are our
+// own code and share the solids' bytes: assimp 5.2 drops node transforms that differ from the identity by
+// less than 0.01 and joins vertices nearer than 1e-5 (GLB, where lengths are metres), cannot read back the
+// colours of its own PLY, writes 3MF without colours, unit and names, and gives the facets of STL a mean of
+// shading normals. It reads all five back in the tests.
 
 /// Binary STL of the scene at rest; the normal of each facet is that of its plane.
 [[nodiscard]] std::optional<std::string> stlBytes(const MeshScene& scene, const MeshWriteOptions& options);
@@ -36,8 +37,9 @@ struct ObjTexts {
 
 /// Binary glTF 2.0: the tree of nodes below one with the scene's name, lengths in metres, one animation.
 /// Solids are stored once however many nodes show them. Nodes get distinct names, because readers tie motion
-/// to names.
-[[nodiscard]] std::optional<std::string> glbBytes(const MeshScene& scene, const MeshWriteOptions& options);
+/// to names. False where it was stopped. Memory: nothing of the solids' size; they are read twice, for their
+/// bounds and for their bytes.
+[[nodiscard]] bool writeGlb(const MeshScene& scene, const MeshWriteOptions& options, ByteSink& sink);
 
 /// A 3MF package [3MF Core Specification 1.3]: an object for each node with a solid, welded as 3MF demands,
 /// named and coloured, placed at rest by its build item.

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <functional>
 #include <map>
 #include <utility>
 
+#include "core/foundations/files/byte_sink.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/presentation/meshfile/encoders.h"
 #include "core/presentation/meshfile/weld.h"
@@ -36,35 +37,48 @@ struct Accessor {
   std::vector<float> most;
 };
 
-/// The binary chunk, and what lies where in it.
+/// The binary chunk: where everything is in it, and how each piece is written when its turn comes. Nothing of
+/// it is held in memory.
 class Buffer {
  public:
-  template <class Element>
-  std::size_t add(const std::vector<Element>& elements, Accessor accessor) {
-    if (accessor.component == kFloat) requireFinite(elements.data(), elements.size() * sizeof(Element));
-    accessor.offset = m_bytes.size();
-    accessor.bytes = elements.size() * sizeof(Element);
-    accessor.count = elements.size() * (sizeof(Element) / sizeof(float)) / widthOf(accessor.type);
-    m_bytes.append(reinterpret_cast<const char*>(elements.data()), accessor.bytes);
+  using Write = std::function<void(BufferedSink&)>;
+
+  /// Elements of numbers of four bytes each, which `write` writes.
+  std::size_t add(std::size_t elements, Accessor accessor, Write write) {
+    accessor.offset = m_bytes;
+    accessor.bytes = elements * widthOf(accessor.type) * sizeof(float);
+    accessor.count = elements;
+    m_bytes += accessor.bytes;
     m_accessors.push_back(std::move(accessor));
+    m_writes.push_back(std::move(write));
     return m_accessors.size() - 1;
   }
   [[nodiscard]] const std::vector<Accessor>& accessors() const { return m_accessors; }
-  [[nodiscard]] const std::string& bytes() const { return m_bytes; }
+  [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+
+  /// False where it was stopped.
+  [[nodiscard]] bool writeTo(ByteSink& sink, const MeshWriteOptions& options) const {
+    BufferedSink out(sink);
+    for (std::size_t i = 0; i < m_writes.size() && !sink.failed(); ++i) {
+      if (!mayGoOn(options, i, m_writes.size())) return false;
+      m_writes[i](out);
+    }
+    return !options.stop.stop_requested();
+  }
 
  private:
-  static void requireFinite(const void* floats, std::size_t bytes) {
-    for (std::size_t at = 0; at < bytes; at += sizeof(float)) {
-      float number = 0;
-      std::memcpy(&number, static_cast<const char*>(floats) + at, sizeof number);
-      GEARGRAPH_REQUIRE(std::isfinite(number));
-    }
-  }
   static std::size_t widthOf(std::string_view type) { return type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4; }
 
-  std::string m_bytes;
+  std::size_t m_bytes = 0;
   std::vector<Accessor> m_accessors;
+  std::vector<Write> m_writes;
 };
+
+template <class Value>
+void writeRaw(BufferedSink& out, const Value& value) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  out.write({reinterpret_cast<const char*>(&value), sizeof value});
+}
 
 /// Accessors of a solid.
 struct StoredSolid {
@@ -73,25 +87,37 @@ struct StoredSolid {
   std::size_t indices = 0;
 };
 
+Float3 scaled(const Float3& point, double scale) {
+  Float3 result{};
+  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<float>(point[k] * scale) + 0.0F;
+  return result;
+}
+
 StoredSolid store(Buffer& buffer, const Solid& solid, double scale) {
-  std::vector<Float3> positions;
-  positions.reserve(solid.positions.size());
   Float3 least = {INFINITY, INFINITY, INFINITY};
   Float3 most = {-INFINITY, -INFINITY, -INFINITY};
-  for (const Float3& p : solid.positions) {
-    Float3& scaled = positions.emplace_back();
+  for (const Float3& point : solid.positions) {
+    const Float3 p = scaled(finite(point), scale);
     for (std::size_t k = 0; k < 3; ++k) {
-      scaled[k] = static_cast<float>(p[k] * scale) + 0.0F;
-      least[k] = std::min(least[k], scaled[k]);
-      most[k] = std::max(most[k], scaled[k]);
+      least[k] = std::min(least[k], p[k]);
+      most[k] = std::max(most[k], p[k]);
     }
   }
   Accessor place{
       0, 0, 0, kFloat, kVertices, "VEC3", {least.begin(), least.end()}, {most.begin(), most.end()}};
   StoredSolid stored;
-  stored.positions = buffer.add(positions, place);
-  stored.normals = buffer.add(solid.normals, {0, 0, 0, kFloat, kVertices, "VEC3", {}, {}});
-  stored.indices = buffer.add(solid.triangles, {0, 0, 0, kUnsignedInt, kIndices, "SCALAR", {}, {}});
+  stored.positions = buffer.add(solid.positions.size(), std::move(place), [&solid, scale](BufferedSink& out) {
+    for (const Float3& point : solid.positions) writeRaw(out, scaled(point, scale));
+  });
+  stored.normals = buffer.add(solid.normals.size(), {0, 0, 0, kFloat, kVertices, "VEC3", {}, {}},
+                              [&solid](BufferedSink& out) {
+                                for (const Float3& normal : solid.normals) writeRaw(out, finite(normal));
+                              });
+  stored.indices = buffer.add(3 * solid.triangles.size(), {0, 0, 0, kUnsignedInt, kIndices, "SCALAR", {}, {}},
+                              [&solid](BufferedSink& out) {
+                                out.write({reinterpret_cast<const char*>(solid.triangles.data()),
+                                           solid.triangles.size() * sizeof(Triangle)});
+                              });
   return stored;
 }
 
@@ -109,16 +135,18 @@ std::array<float, 4> quaternionOf(const Eigen::Quaterniond& rotation) {
 }
 
 StoredMotion storeMotion(Buffer& buffer, const std::vector<RotationKey>& keys, std::size_t node) {
-  std::vector<float> times;
-  std::vector<std::array<float, 4>> rotations;
-  for (const RotationKey& key : keys) {
-    times.push_back(static_cast<float>(key.seconds));
-    rotations.push_back(quaternionOf(key.rotation));
-  }
-  const std::vector<float> least{times.front()};
-  const std::vector<float> most{times.back()};
-  const std::size_t input = buffer.add(times, {0, 0, 0, kFloat, kNoTarget, "SCALAR", least, most});
-  return {node, input, buffer.add(rotations, {0, 0, 0, kFloat, kNoTarget, "VEC4", {}, {}})};
+  const std::vector<float> least{static_cast<float>(keys.front().seconds)};
+  const std::vector<float> most{static_cast<float>(keys.back().seconds)};
+  const std::size_t times = buffer.add(keys.size(), {0, 0, 0, kFloat, kNoTarget, "SCALAR", least, most},
+                                       [&keys](BufferedSink& out) {
+                                         for (const RotationKey& key : keys)
+                                           writeRaw(out, static_cast<float>(key.seconds));
+                                       });
+  const std::size_t rotations =
+      buffer.add(keys.size(), {0, 0, 0, kFloat, kNoTarget, "VEC4", {}, {}}, [&keys](BufferedSink& out) {
+        for (const RotationKey& key : keys) writeRaw(out, quaternionOf(key.rotation));
+      });
+  return {node, times, rotations};
 }
 
 float linear(float channel) {
@@ -308,7 +336,7 @@ class Gltf {
     }
     out.endArray();
     out.key("buffers");
-    out.json("[{\"byteLength\": " + std::to_string(m_buffer.bytes().size()) + "}]");
+    out.json("[{\"byteLength\": " + std::to_string(m_buffer.bytes()) + "}]");
   }
 
   const MeshScene& m_scene;
@@ -322,36 +350,35 @@ class Gltf {
   std::vector<StoredMotion> m_motions;
 };
 
-std::string container(std::string json, const std::string& binary) {
-  while (json.size() % 4 != 0) json += ' ';
-  constexpr std::size_t kHeader = 12;
-  constexpr std::size_t kChunkHeader = 8;
-  const std::size_t length =
-      kHeader + kChunkHeader + json.size() + (binary.empty() ? 0 : kChunkHeader + binary.size());
-  std::string bytes;
-  bytes.reserve(length);
-  appendRaw(bytes, kMagic);
-  appendRaw(bytes, std::uint32_t{2});
-  appendRaw(bytes, static_cast<std::uint32_t>(length));
-  appendRaw(bytes, static_cast<std::uint32_t>(json.size()));
-  appendRaw(bytes, kJsonChunk);
-  bytes += json;
-  if (binary.empty()) return bytes;
-  appendRaw(bytes, static_cast<std::uint32_t>(binary.size()));  // whole numbers of four bytes, all of it
-  appendRaw(bytes, kBinaryChunk);
-  return bytes += binary;
-}
-
 }  // namespace
 
-std::optional<std::string> glbBytes(const MeshScene& scene, const MeshWriteOptions& options) {
+bool writeGlb(const MeshScene& scene, const MeshWriteOptions& options, ByteSink& sink) {
   const MeshScene rooted = withDistinctNames(withRoot(scene));
   Gltf gltf(rooted, metresPerUnit(scene.unit));
   for (std::size_t i = 0; i < rooted.nodes.size(); ++i) {
-    if (!mayGoOn(options, i, rooted.nodes.size())) return std::nullopt;
+    if (options.stop.stop_requested()) return false;
     gltf.addNode(i);
   }
-  return container(gltf.json(), gltf.buffer().bytes());
+  std::string json = gltf.json();
+  while (json.size() % 4 != 0) json += ' ';
+  const std::size_t binary = gltf.buffer().bytes();  // whole numbers of four bytes, all of it
+  constexpr std::size_t kHeader = 12;
+  constexpr std::size_t kChunkHeader = 8;
+  const std::size_t length = kHeader + kChunkHeader + json.size() + (binary == 0 ? 0 : kChunkHeader + binary);
+  std::string head;
+  appendRaw(head, kMagic);
+  appendRaw(head, std::uint32_t{2});
+  appendRaw(head, static_cast<std::uint32_t>(length));
+  appendRaw(head, static_cast<std::uint32_t>(json.size()));
+  appendRaw(head, kJsonChunk);
+  sink.write(head);
+  sink.write(json);
+  if (binary == 0) return !options.stop.stop_requested();
+  head.clear();
+  appendRaw(head, static_cast<std::uint32_t>(binary));
+  appendRaw(head, kBinaryChunk);
+  sink.write(head);
+  return gltf.buffer().writeTo(sink, options);
 }
 
 }  // namespace geargraph::inline meshfile

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -95,10 +96,12 @@ MeshScene withRoot(const MeshScene& scene) {
 
 MeshScene withDistinctNames(MeshScene scene) {
   std::set<std::string> taken;
+  std::map<std::string, int> next;  // of equal names: where the search for a free number goes on
   for (MeshNode& node : scene.nodes) {
     const std::string wanted = node.name.empty() ? "node" : node.name;
     std::string name = wanted;
-    for (int i = 2; !taken.insert(name).second; ++i) name = wanted + " (" + std::to_string(i) + ")";
+    for (int& i = next.try_emplace(wanted, 2).first->second; !taken.insert(name).second; ++i)
+      name = wanted + " (" + std::to_string(i) + ")";
     node.name = std::move(name);
   }
   return scene;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -17,6 +18,7 @@ namespace {
 
 using Files = std::vector<EncodedFile>;
 using Result = std::variant<Files, MeshFileError>;
+using Write = std::function<std::optional<MeshFileError>(ByteSink&)>;
 
 constexpr std::size_t kChunk = std::size_t{1} << 20U;
 constexpr double kEncoded = 0.8;  // of the progress; writing is the rest
@@ -35,6 +37,12 @@ Result plain(std::optional<std::string> bytes, const std::string& stem, MeshForm
   return Files{{stem + "." + std::string(meshFormatName(format)), std::move(*bytes)}};
 }
 
+std::optional<std::string> glbBytes(const MeshScene& scene, const MeshWriteOptions& options) {
+  TextSink sink;
+  if (!writeGlb(scene, options, sink)) return std::nullopt;
+  return sink.take();
+}
+
 Result objFiles(const MeshScene& scene, const std::string& stem, const MeshWriteOptions& options) {
   auto texts = objTexts(scene, stem + ".mtl", options);
   if (!texts) return stopped();
@@ -51,10 +59,19 @@ std::optional<MeshFileError> writeBytes(ByteSink& sink, const std::string& bytes
   return std::nullopt;
 }
 
-std::optional<MeshFileError> toStandardOutput(const std::string& bytes, const MeshWriteOptions& options) {
+/// What `write` writes.
+std::optional<MeshFileError> toStandardOutput(const Write& write) {
   DescriptorSink sink(STDOUT_FILENO);
-  if (auto error = writeBytes(sink, bytes, options)) return error;
+  if (auto error = write(sink)) return error;
   if (sink.failed()) return MeshFileError{MeshFileError::Kind::file, "Standard output could not be written."};
+  return std::nullopt;
+}
+
+/// What `write` writes, whole or not at all.
+std::optional<MeshFileError> toFile(const std::filesystem::path& path, const Write& write) {
+  AtomicFile file(path);
+  if (auto error = write(file)) return error;
+  if (const auto error = file.commit()) return MeshFileError{MeshFileError::Kind::file, error->message};
   return std::nullopt;
 }
 
@@ -92,11 +109,12 @@ double reachOf(const Solid& solid) {
   return std::all_of(solid.normals.begin(), solid.normals.end(), isFinite) ? reach : INFINITY;
 }
 
-/// Are all numbers finite, and all vertices within what a float holds wherever their nodes put them?
-bool isWithinFloats(const MeshScene& scene) {
+/// Are all numbers finite, and all vertices within what a float holds wherever their nodes put them? Of no
+/// use when `stop` was requested.
+bool isWithinFloats(const MeshScene& scene, const std::stop_token& stop) {
   const std::vector<Eigen::Isometry3d> world = worldPoses(scene);
   std::map<const Solid*, double> reaches;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+  for (std::size_t i = 0; i < scene.nodes.size() && !stop.stop_requested(); ++i) {
     const MeshNode& node = scene.nodes[i];
     double reach = 0;
     if (node.solid) {
@@ -113,10 +131,8 @@ bool isWithinFloats(const MeshScene& scene) {
   return true;
 }
 
-}  // namespace
-
-Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string& stem,
-                   const MeshWriteOptions& options) {
+/// Why the scene is not written at all.
+std::optional<MeshFileError> whyNot(const MeshScene& scene, const MeshWriteOptions& options) {
   const std::size_t triangles = triangleCount(scene);
   if (triangles > options.mostTriangles) {
     return MeshFileError{MeshFileError::Kind::limit, "The scene has " + std::to_string(triangles) +
@@ -125,11 +141,33 @@ Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string&
                                                          "; choose a coarser tolerance."};
   }
   if (options.stop.stop_requested()) return stopped();
-  if (!isWithinFloats(scene)) {
+  const bool isWithin = isWithinFloats(scene, options.stop);
+  if (options.stop.stop_requested()) return stopped();
+  if (!isWithin) {
     return MeshFileError{MeshFileError::Kind::limit,
                          "The scene has coordinates beyond 3.4e38, the largest that 3D files hold; bring the "
                          "parts nearer to each other, or scale them down."};
   }
+  return std::nullopt;
+}
+
+/// A GLB, which is never held in memory.
+std::optional<MeshFileError> writeStreamed(const MeshScene& scene, const std::filesystem::path& path,
+                                           const MeshWriteOptions& options) {
+  if (auto why = whyNot(scene, options)) return why;
+  const auto write = [&](ByteSink& sink) {
+    return writeGlb(scene, options, sink) ? std::nullopt : std::optional(stopped());
+  };
+  auto error = path == "-" ? toStandardOutput(write) : toFile(path, write);
+  if (!error && options.progress) options.progress(1);
+  return error;
+}
+
+}  // namespace
+
+Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string& stem,
+                   const MeshWriteOptions& options) {
+  if (auto why = whyNot(scene, options)) return *std::move(why);
   switch (format) {
     case MeshFormat::stl:
       return plain(stlBytes(scene, options), stem, format);
@@ -147,6 +185,7 @@ Result encodedMesh(const MeshScene& scene, MeshFormat format, const std::string&
 
 std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format,
                                        const std::filesystem::path& path, const MeshWriteOptions& options) {
+  if (format == MeshFormat::glb) return writeStreamed(scene, path, options);
   MeshWriteOptions encoding = options;
   encoding.progress = partOf(options.progress, 0, kEncoded);
   const std::string stem = path == "-" ? "mechanism" : path.stem().string();
@@ -156,7 +195,8 @@ std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format
 
   MeshWriteOptions writing = options;
   writing.progress = partOf(options.progress, kEncoded, 1);
-  if (path == "-") return toStandardOutput(files[0].bytes, writing);
+  if (path == "-")
+    return toStandardOutput([&](ByteSink& sink) { return writeBytes(sink, files[0].bytes, writing); });
   if (auto error = toFiles(path, files, writing)) return error;
   if (options.progress) options.progress(1);
   return std::nullopt;

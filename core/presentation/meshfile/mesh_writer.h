@@ -57,7 +57,7 @@ struct EncodedFile {
     const MeshScene& scene, MeshFormat format, const std::string& stem, const MeshWriteOptions& options = {});
 
 /// Writes a scene beside and then to `path`, whole or not at all; "-" is standard output (OBJ: without
-/// materials). Gives nothing where all went well.
+/// materials). Gives nothing where all went well. Memory: the files' size; of GLB, nothing of it.
 [[nodiscard]] std::optional<MeshFileError> writeMesh(const MeshScene& scene, MeshFormat format,
                                                      const std::filesystem::path& path,
                                                      const MeshWriteOptions& options = {});

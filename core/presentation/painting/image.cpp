@@ -77,4 +77,4 @@ std::vector<std::uint8_t> pngBytes(const Image& image, const std::stop_token& st
   return bytes;
 }
 
-}  // namespace geargraph
+}  // namespace geargraph::inline painting
