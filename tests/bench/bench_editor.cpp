@@ -22,6 +22,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/theory/analysis/analysis.h"
 #include "tests/bench/families.h"
+#include "tests/core/support/deep_train.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/main_window.h"
@@ -344,11 +345,15 @@ void addALink(benchmark::State& state) {
   }
 }
 
+Mechanism deepTrain(int links) {
+  return test::deepTrain(1, links);
+}
+
 /// From the file to a window that has all its views: the whole time, and the longest that it does not answer.
-void openALargeDocument(benchmark::State& state) {
+void openALargeDocument(benchmark::State& state, Mechanism (*trainOf)(int)) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("large.geargraph");
-  const Mechanism train = bench::drivenTree(static_cast<int>(state.range(0)));
+  const Mechanism train = trainOf(static_cast<int>(state.range(0)));
   GEARGRAPH_REQUIRE(!writeFile(path.toStdString(), writeMechanism(train)));
   auto* const application = static_cast<WatchedApplication*>(QCoreApplication::instance());
   double longest = 0;
@@ -423,11 +428,17 @@ void changeTheme(MainWindow& window, int step) {
 }
 
 BENCHMARK(addALink)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(openALargeDocument)
+BENCHMARK_CAPTURE(openALargeDocument, tree, bench::drivenTree)
     ->Arg(1'000)
     ->Arg(3'000)
     ->Arg(10'000)
     ->Arg(30'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1);
+BENCHMARK_CAPTURE(openALargeDocument, deep, deepTrain)
+    ->Arg(1'000)
+    ->Arg(3'000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1);
