@@ -6,43 +6,25 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
-#include "core/mechanism/model/edits.h"
-#include "tests/ui/mainwindow/hand.h"
+#include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/digraph_view.h"
-#include "ui/mainwindow/document_files.h"
-#include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/thumbnails.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/mainwindow/window_set.h"
-#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 
 /// Windows, files, and what happens when either goes away.
-class WindowFilesTest : public QObject {
+class WindowFilesTest : public QObject, protected test::FileWindows {
   Q_OBJECT
 
   static constexpr int kManyLinks = 4'000;
-  std::unique_ptr<QTemporaryDir> folder;
-  std::unique_ptr<WindowSet> set;
 
-  [[nodiscard]] QString app() const { return folder->filePath(QStringLiteral("app")); }
-  [[nodiscard]] MainWindow& first() const { return *set->windows().front(); }
-  /// A document with so many links besides the ground, written to a file.
-  QString written(const QString& name, int links) {
-    const QString path = folder->filePath(name);
-    if (writeDocument(withLinks(emptyMechanism(), links), path)) qFatal("%s", qPrintable(path));
-    return path;
-  }
   /// A file that takes longer than some frames to read.
   [[nodiscard]] QString writtenLarge() const {
     Mechanism mechanism = emptyMechanism();
@@ -56,25 +38,6 @@ class WindowFilesTest : public QObject {
     if (writeDocument(mechanism, path)) qFatal("%s", qPrintable(path));
     return path;
   }
-  static Mechanism withLinks(Mechanism mechanism, int links) {
-    for (int i = 0; i < links; ++i) mechanism = withLink(mechanism, {100.0 * (i + 1), 90}).value();
-    return mechanism;
-  }
-  static void addLink(MainWindow& window) {
-    window.document().apply({QStringLiteral("Add link"),
-                             [](const Mechanism& mechanism) {
-                               return withLink(mechanism, SheetPoint{90, 300});
-                             },
-                             0});
-  }
-  static void answer(MainWindow& window, const QString& text) {
-    QVERIFY(window.notices().current() != nullptr);
-    for (auto* button : window.notices().findChildren<QPushButton*>()) {
-      if (button->isHidden() || button->text() != text) continue;
-      return QTest::mouseClick(button, Qt::LeftButton);
-    }
-    QFAIL(qPrintable(QStringLiteral("No button says %1").arg(text)));
-  }
   void startAgain(const QStringList& documents = {}) {
     set.reset();  // without closing anything, as in a crash
     set = std::make_unique<WindowSet>(app());
@@ -82,16 +45,8 @@ class WindowFilesTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    QStandardPaths::setTestModeEnabled(true);
-    applyTheme(*qApp, Theme::light);
-  }
-  void init() {
-    folder = std::make_unique<QTemporaryDir>();
-    QSettings().clear();
-    set = std::make_unique<WindowSet>(app());
-  }
+  void initTestCase() { setUpWindows(); }
+  void init() { makeFolder(); }
   void cleanup() { set.reset(); }
 
   void itStartsWithTheStartPage() {

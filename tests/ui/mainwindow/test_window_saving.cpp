@@ -4,65 +4,25 @@
 #include <QApplication>
 #include <QFile>
 #include <QMessageBox>
-#include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <filesystem>
 
 #include "core/foundations/files/file_identity.h"
-#include "core/mechanism/model/edits.h"
-#include "tests/ui/mainwindow/hand.h"
-#include "ui/mainwindow/document_files.h"
-#include "ui/mainwindow/notice_bar.h"
+#include "tests/ui/mainwindow/file_windows.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/mainwindow/window_set.h"
-#include "ui/theme/application_theme.h"
 
 namespace geargraph {
 
 namespace fs = std::filesystem;
 
 /// Ctrl+S saves or tells why not: whatever else is told, and whatever happened to the file.
-class WindowSavingTest : public QObject {
+class WindowSavingTest : public QObject, protected test::FileWindows {
   Q_OBJECT
 
-  std::unique_ptr<QTemporaryDir> folder;
-  std::unique_ptr<WindowSet> set;
-
-  [[nodiscard]] QString pathOf(const char* name) const { return folder->filePath(QLatin1String(name)); }
-  [[nodiscard]] std::string nativeOf(const char* name) const { return pathOf(name).toStdString(); }
-  [[nodiscard]] MainWindow& first() const { return *set->windows().front(); }
-  [[nodiscard]] MainWindow& last() const { return *set->windows().back(); }
-  QString written(const char* name, int links) {
-    if (const auto why = writeDocument(withLinks(links), pathOf(name))) qFatal("%s", qPrintable(*why));
-    return pathOf(name);
-  }
-  static Mechanism withLinks(int links) {
-    Mechanism mechanism = emptyMechanism();
-    for (int i = 0; i < links; ++i) mechanism = withLink(mechanism, {100.0 * (i + 1), 90}).value();
-    return mechanism;
-  }
-  static void addLink(MainWindow& window) {
-    window.document().apply({QStringLiteral("Add link"),
-                             [](const Mechanism& mechanism) {
-                               return withLink(mechanism, SheetPoint{90, 300});
-                             },
-                             0});
-  }
-  static QPushButton* buttonOf(MainWindow& window, const QString& text) {
-    for (auto* button : window.notices().findChildren<QPushButton*>()) {
-      if (!button->isHidden() && button->text() == text) return button;
-    }
-    return nullptr;
-  }
-  static void answer(MainWindow& window, const QString& text) {
-    QPushButton* button = buttonOf(window, text);
-    QVERIFY2(button != nullptr, qPrintable(text));
-    QTest::mouseClick(button, Qt::LeftButton);
+  [[nodiscard]] std::string nativeOf(const char* name) const {
+    return pathOf(QLatin1String(name)).toStdString();
   }
   static QString noticeOf(MainWindow& window) {
     const Notice* notice = window.notices().current();
@@ -91,16 +51,8 @@ class WindowSavingTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    test::isolateSettings();
-    QStandardPaths::setTestModeEnabled(true);
-    applyTheme(*qApp, Theme::light);
-  }
-  void init() {
-    folder = std::make_unique<QTemporaryDir>();
-    QSettings().clear();
-    set = std::make_unique<WindowSet>(pathOf("app"));
-  }
+  void initTestCase() { setUpWindows(); }
+  void init() { makeFolder(); }
   void cleanup() { set.reset(); }
 
   // --- the question comes to the front ---------------------------------------------------------------------
