@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/mechanism/model/element_pointer.h"
+
 namespace geargraph::inline model {
 namespace {
 
@@ -17,10 +19,6 @@ std::size_t characters(const std::string& text) {
 
 bool isTooLong(const std::string& text) {
   return text.size() > kLongestName && characters(text) > kLongestName;  // bytes are at least as many
-}
-
-std::string pointerTo(ElementKind list, std::size_t position) {
-  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
 }
 
 std::string pointerTo(ElementKind list, std::size_t position, const char* member) {

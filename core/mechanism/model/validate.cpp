@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/wording.h"
+#include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/shapes.h"
 
@@ -15,10 +16,6 @@ namespace {
 Diagnostic finding(Code code, std::string message, std::vector<ElementId> elements,
                    std::string pointer = {}) {
   return {code, std::move(message), std::move(elements), std::move(pointer), 0, 0};
-}
-
-std::string pointerTo(ElementKind list, std::size_t position) {
-  return "/" + std::string(listName(list)) + "/" + std::to_string(position);
 }
 
 /// Collects what wellFormedDiagnostics() finds, list by list.
