@@ -1,19 +1,16 @@
 #include "ui/view3d/view3d.h"
 
-#include <QGuiApplication>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/presentation/painting/gl_renderer.h"
+#include "ui/view3d/canvas_surface.h"
 #include "ui/view3d/gl_canvas.h"
 #include "ui/view3d/image_canvas.h"
 #include "ui/view3d/playback_bar.h"
@@ -21,56 +18,6 @@
 #include "ui/view3d/view_menu.h"
 
 namespace geargraph::inline view3d {
-namespace {
-
-/// Where the picture is painted: in a window of the graphics card, or beside the screen.
-struct Surface {
-  bool isWindow = true;
-  QString why;       ///< of an image: empty where a window would be possible as well
-  QString driver{};  ///< of the window's OpenGL; empty if there is none or it was not asked
-};
-
-/// Under some platforms of Qt a QOpenGLWidget never gets its context, and nobody tells it.
-Surface bestSurface() {
-  const QString platform = QGuiApplication::platformName();
-  if (platform == "offscreen" || platform == "minimal" || platform == "vnc" || platform == "linuxfb") {
-    return {false, QObject::tr("Qt's platform \"%1\" has no windows with OpenGL.").arg(platform)};
-  }
-  QOpenGLContext context;
-  QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
-  wanted.setVersion(3, 3);
-  wanted.setProfile(QSurfaceFormat::CoreProfile);
-  context.setFormat(wanted);
-  if (!context.create() || context.format().version() < qMakePair(3, 3))
-    return {false, QObject::tr("This display offers no OpenGL 3.3.")};
-  QOffscreenSurface surface;
-  surface.setFormat(context.format());
-  surface.create();
-  if (!context.makeCurrent(&surface)) return {};
-  const auto text = [&context](unsigned what) {
-    const auto* bytes = reinterpret_cast<const char*>(context.functions()->glGetString(what));  // NOLINT
-    return QString::fromUtf8(bytes);
-  };
-  const QString name = text(GL_RENDERER);
-  const QString driver = QStringLiteral("%1, %2, OpenGL %3").arg(name, text(GL_VENDOR), text(GL_VERSION));
-  context.doneCurrent();
-  return {!isSoftwareRenderer(name.toStdString()), {}, driver};
-}
-
-/// Decided once: the GEARGRAPH_3D of the environment says `window` or `image` where somebody knows better.
-const Surface& surfaceOfChoice() {
-  static const Surface chosen = [] {
-    const QByteArray wish = qgetenv("GEARGRAPH_3D");
-    if (wish == "image") return Surface{false, {}};
-    Surface best = bestSurface();
-    if (wish == "window" && best.why.isEmpty()) best.isWindow = true;
-    return best;
-  }();
-  return chosen;
-}
-
-}  // namespace
-
 class View3D::Private {
  public:
   Private(View3D* view, Selection* chosen)
@@ -286,7 +233,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->painter->move(12, 10);
   d->painter->hide();
   d->makeButtons();
-  const Surface& surface = surfaceOfChoice();
+  const CanvasSurface& surface = canvasSurface();
   surface.isWindow ? d->useGl() : d->useImage(surface.why);
   connect(&d->playback, &Playback::timeChanged, &d->viewer, [this](double seconds) {
     emit d->viewer.moving();
@@ -449,7 +396,7 @@ QString View3D::rendererName() const {
 }
 
 QString View3D::driver() {
-  const Surface& surface = surfaceOfChoice();
+  const CanvasSurface& surface = canvasSurface();
   if (!surface.driver.isEmpty()) return surface.driver;
   return surface.why.isEmpty() ? tr("not asked (GEARGRAPH_3D is set)") : surface.why;
 }
