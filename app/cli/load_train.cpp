@@ -51,9 +51,9 @@ std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the gear train");
   std::cerr << diagnosticLines(file, loaded.train.diagnostics);
   if (loaded.train.hasSimpleBodies) {
-    std::cerr << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over "
-              << kMostRoutedGears
-              << "): shafts and arms are straight, and pass through what is in their way.\n";
+    std::cerr
+        << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over " << kMostRoutedGears
+        << "): wheels are plain discs, shafts and arms are straight and pass through what is in their way.\n";
   }
   loaded.motions = motionsOf(snapshot, arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");

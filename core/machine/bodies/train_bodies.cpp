@@ -306,6 +306,8 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
     GearSpec& spec = train.gears[gear].spec;
     spec.hub = std::max(diameter, 1.2 * spec.bore);
   }
+  // Webs with windows are half of what a wheel is made of, and cannot be told apart in so large a train.
+  for (TrainGear& gear : train.gears) gear.spec.body = plan.isSimple ? GearBody::plain : gear.spec.body;
   std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
   BodyCache once;
   BodyCache& solids = cache != nullptr ? *cache : once;

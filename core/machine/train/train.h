@@ -64,7 +64,8 @@ struct GearTrain {
   std::vector<TrainMesh> meshes;
   std::vector<LinkBody> bodies;
   Diagnostics diagnostics;  ///< assembly, undercut, interference
-  /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other.
+  /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other, its
+  /// wheels are discs without webs.
   bool hasSimpleBodies = false;
 };
 

@@ -193,8 +193,8 @@ std::shared_ptr<Stage> StageBuilder::build() {
     m_stage->notes.push_back(
         {m_mechanism.links.front().id,
          "A train of " + std::to_string(train.gears.size()) +
-             " gears: its shafts and arms are straight, and pass through what is in their "
-             "way (up to " +
+             " gears: its wheels are plain discs, its shafts and arms are straight and pass "
+             "through what is in their way (up to " +
              std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
   }
   m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());

@@ -119,6 +119,7 @@ class TestLargeTrains : public QObject {
     QVERIFY(train.gears.size() > kMostRoutedGears);
     QVERIFY(train.hasSimpleBodies);
     QCOMPARE(train.meshes.size(), mechanism.gearMeshes.size());
+    for (const TrainGear& gear : train.gears) QVERIFY(gear.spec.body == GearBody::plain);
     std::set<int> links;
     for (const LinkBody& body : train.bodies) {
       links.insert(body.link);
