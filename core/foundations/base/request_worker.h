@@ -58,6 +58,13 @@ class RequestWorker {
     m_wake.notify_one();
   }
 
+  /// Drops the request that waits and asks the work under way to stop.
+  void cancel() {
+    const std::lock_guard lock(m_mutex);
+    m_underWay.request_stop();
+    m_next.reset();
+  }
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -68,6 +75,7 @@ class RequestWorker {
       while (!quit.stop_requested() && Clock::now() < m_asked + m_rest)
         m_wake.wait_until(lock, quit, m_asked + m_rest, [] { return false; });
       if (quit.stop_requested()) return;
+      if (!m_next) continue;  // cancelled during the rest
       Request request = *std::exchange(m_next, std::nullopt);
       m_underWay = std::stop_source();
       const std::stop_token stop = m_underWay.get_token();
