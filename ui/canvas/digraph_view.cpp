@@ -15,8 +15,17 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
     : GraphView(document, selection, new DigraphScene, parent),
       m_scene(static_cast<DigraphScene*>(scene())),
       m_placer(new NodePlacer(this)),
-      m_worker([this](const Request& request, const std::stop_token&) { seek(request); }) {
+      m_drawings(new Drawings(
+          [](const Request& request, const Drawings::Responder& respond) {
+            respond({request.places, std::make_shared<const DigraphGeometry>(digraphGeometry(
+                                         *request.mechanism, request.places, *request.former))});
+          },
+          this, {.overtaken = Overtaken::delivered})) {
   setAccessibleName(tr("Digraph"));
+  m_drawings->onAnswer(this, [this](const Drawing& drawing) {
+    m_scene->show(drawing.places, drawing.geometry);
+    tellWhenSettled();
+  });
   connect(m_placer, &NodePlacer::placesFound, this, [this] {
     m_fitWhenDrawn = true;
     rebuild();
@@ -35,35 +44,19 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
 void DigraphView::rebuild() {
   const MechanismPtr& now = document().mechanism();
   NodePositions places = m_placer->placesOf(now);
-  ++m_wanted;
   if (now->links.size() > kLarge) {
-    m_worker.request({now, std::move(places), m_scene->geometry(), m_wanted});
+    m_drawings->request({now, std::move(places), m_scene->geometry()});
     m_drawn.reset();
     return;
   }
+  m_drawings->cancel();
   const bool isThere = m_drawn && isSameDigraph(*m_drawn, *now) && places == m_scene->positions();
   if (!isThere) m_scene->show(*now, std::move(places));
   m_drawn = now;
-  m_shown = m_wanted;
-}
-
-void DigraphView::seek(const Request& request) {
-  auto geometry = std::make_shared<const DigraphGeometry>(
-      digraphGeometry(*request.mechanism, request.places, *request.former));
-  QMetaObject::invokeMethod(
-      this, [this, request, geometry = std::move(geometry)] { arrived(request, geometry); },
-      Qt::QueuedConnection);
-}
-
-void DigraphView::arrived(const Request& request, const DigraphGeometryPtr& geometry) {
-  if (request.number <= m_shown) return;  // of another document, or overtaken
-  m_shown = request.number;
-  m_scene->show(request.places, geometry);
-  tellWhenSettled();
 }
 
 bool DigraphView::isSettled() const {
-  return !m_placer->isSeeking() && m_shown == m_wanted && m_scene->isDrawn();
+  return !m_placer->isSeeking() && m_drawings->isUpToDate() && m_scene->isDrawn();
 }
 
 void DigraphView::tellWhenSettled() {
@@ -77,7 +70,7 @@ void DigraphView::tellWhenSettled() {
 void DigraphView::forgetDocument() {
   GraphView::forgetDocument();
   m_placer->forget();
-  m_shown = m_wanted;
+  m_drawings->cancel();
   m_fitWhenDrawn = true;
 }
 

@@ -3,6 +3,7 @@
 #include "ui/canvas/digraph_scene.h"
 #include "ui/canvas/graph_view.h"
 #include "ui/canvas/node_placer.h"
+#include "ui/service/service.h"
 
 namespace geargraph::inline canvas {
 
@@ -40,20 +41,20 @@ class DigraphView final : public GraphView {
     MechanismPtr mechanism;
     NodePositions places;
     DigraphGeometryPtr former;
-    quint64 number = 0;
   };
+  struct Drawing {
+    NodePositions places;
+    DigraphGeometryPtr geometry;
+  };
+  using Drawings = Service<Request, Drawing>;
 
-  void seek(const Request& request);
-  void arrived(const Request& request, const DigraphGeometryPtr& geometry);
   void tellWhenSettled();
 
   DigraphScene* m_scene;
   NodePlacer* m_placer;
-  quint64 m_wanted = 0;  ///< the newest drawing asked for
-  quint64 m_shown = 0;   ///< the newest one that is on the scene
-  MechanismPtr m_drawn;  ///< whose digraph is on the scene; null while the worker places arrows
+  Drawings* m_drawings;  ///< of large documents
+  MechanismPtr m_drawn;  ///< whose digraph is on the scene; null while a large one is being drawn
   bool m_fitWhenDrawn = false;
-  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline canvas

@@ -8,7 +8,15 @@ constexpr std::size_t kSmall = 120;  ///< links that are laid out within a few m
 }  // namespace
 
 NodePlacer::NodePlacer(QObject* parent)
-    : QObject(parent), m_worker([this](const Request& request, const std::stop_token&) { seek(request); }) {}
+    : QObject(parent),
+      m_searches(new Searches(
+          [](const Request& request, const Searches::Responder& respond) {
+            respond({request.search, request.search(*request.mechanism)});
+          },
+          this)) {
+  m_searches->onAnswer(this, [this](const Found& found) { onFound(found); });
+  connect(m_searches, &Searches::failed, this, [this] { m_sought.reset(); });
+}
 
 NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
   if (mechanism->view.nodes.size() >= mechanism->links.size()) return mechanism->view.nodes;
@@ -21,7 +29,7 @@ NodePositions NodePlacer::placesOf(const MechanismPtr& mechanism) {
   }
   NodePositions known = placed.view.nodes;
   if (m_sought != mechanism) {
-    start(std::make_shared<const Mechanism>(std::move(placed)), &completedPositions, &NodePlacer::remember);
+    m_searches->request({std::make_shared<const Mechanism>(std::move(placed)), &completedPositions});
     m_sought = mechanism;
   }
   return known;
@@ -40,31 +48,24 @@ void NodePlacer::layOut(const MechanismPtr& mechanism) {
     emit laidOut(layoutOf(*mechanism));
     return;
   }
-  start(mechanism, &layoutOf, &NodePlacer::laidOut);
+  m_sought.reset();
+  m_searches->request({mechanism, &layoutOf});
 }
 
 void NodePlacer::forget() {
   m_found.clear();
   m_sought.reset();
-  ++m_request;
+  m_searches->cancel();
 }
 
-void NodePlacer::remember(const NodePositions& positions) {
+void NodePlacer::onFound(const Found& found) {
+  if (found.search == &layoutOf) {
+    emit laidOut(found.places);
+    return;
+  }
   m_sought.reset();
-  m_found.insert(positions.begin(), positions.end());
+  m_found.insert(found.places.begin(), found.places.end());
   emit placesFound();
-}
-
-void NodePlacer::start(const MechanismPtr& mechanism, Search search, Deliver deliver) {
-  m_sought.reset();
-  m_worker.request({mechanism, search, deliver, ++m_request});
-}
-
-void NodePlacer::seek(const Request& request) {
-  const auto arrive = [this, request, found = request.search(*request.mechanism)] {
-    if (request.number == m_request) (this->*request.deliver)(found);  // else nobody wants it any more
-  };
-  QMetaObject::invokeMethod(this, arrive, Qt::QueuedConnection);
 }
 
 }  // namespace geargraph::inline canvas

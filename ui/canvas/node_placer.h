@@ -3,8 +3,8 @@
 #include <QObject>
 #include <memory>
 
-#include "core/foundations/base/request_worker.h"
 #include "core/presentation/drawing/layout.h"
+#include "ui/service/service.h"
 
 namespace geargraph::inline canvas {
 
@@ -34,22 +34,22 @@ class NodePlacer final : public QObject {
   void laidOut(const geargraph::NodePositions& positions);
 
  private:
+  /// The places of the links that have none, or new ones for all.
   using Search = NodePositions (*)(const Mechanism&);
-  using Deliver = void (NodePlacer::*)(const NodePositions&);
   struct Request {
     MechanismPtr mechanism;
     Search search = nullptr;
-    Deliver deliver = nullptr;
-    quint64 number = 0;
   };
-  void start(const MechanismPtr& mechanism, Search search, Deliver deliver);
-  void seek(const Request& request);
-  void remember(const NodePositions& positions);
+  struct Found {
+    Search search = nullptr;
+    NodePositions places;
+  };
+  using Searches = Service<Request, Found>;
+  void onFound(const Found& found);
 
-  NodePositions m_found;            ///< for links that the document has no place for
-  MechanismPtr m_sought;            ///< what the thread works on
-  quint64 m_request = 0;            ///< the newest; what older ones find is dropped
-  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
+  NodePositions m_found;  ///< for links that the document has no place for
+  MechanismPtr m_sought;  ///< whose missing places are being sought
+  Searches* m_searches;
 };
 
 }  // namespace geargraph::inline canvas

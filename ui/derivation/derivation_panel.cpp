@@ -22,7 +22,10 @@ DerivationPanel::DerivationPanel(Selection* selection, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(makeBar());
   layout->addWidget(m_pages, 1);
-  connect(m_service, &DerivationService::ready, this, &DerivationPanel::showReport);
+  m_service->onAnswer(this, [this](const SetReportPtr& report) { showReport(report); });
+  connect(m_service, &DerivationService::failed, this, [this](const QString& why) {
+    showText(tr("The derivation could not be worked out: %1").arg(why));
+  });
   connect(m_view, &DerivationView::headingChanged, m_sections, &QComboBox::setCurrentIndex);
   connect(m_sections, &QComboBox::activated, m_view, &DerivationView::showHeading);
   connect(m_export, &QToolButton::clicked, this, &DerivationPanel::exportWanted);

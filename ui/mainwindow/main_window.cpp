@@ -70,8 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_document(new Document(this)),
       m_selection(new Selection(this)),
-      m_service(
-          new AnalysisService(this, [this](const SnapshotPtr& snapshot) { m_stages->request(snapshot); })),
+      m_service(new AnalysisService(
+          this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
       m_stages(new StageService(this)),  // behind what calls it: children go in the order in which they came
       m_motionCheck(new MotionCheckService(this)),
       m_actions(std::make_unique<WindowActions>(this)) {
@@ -177,7 +177,13 @@ void MainWindow::wireViews() {
     m_status->showRefusal(shownText(why.front().message));
     m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
   });
-  connect(m_service, &AnalysisService::snapshotReady, this, &MainWindow::onSnapshot);
+  m_service->onAnswer(this, [this](const SnapshotPtr& snapshot) { onSnapshot(snapshot); });
+  for (ServiceSignals* service : findChildren<ServiceSignals*>()) {  // those of the views, too
+    connect(service, &ServiceSignals::failed, this, [this](const QString& why) {
+      m_status->showRefusal(tr("The window could not be brought up to date: %1.").arg(why));
+      tellWhenSettled();
+    });
+  }
   connect(m_selection, &Selection::selectionChanged, this, &MainWindow::onSelectionChanged);
   connect(&m_matrices->view(), &MatrixView::menuWanted, this, &MainWindow::popUpMenuFor);
   connect(m_results, &ResultsPanel::menuWanted, this, &MainWindow::popUpMenuFor);
@@ -188,7 +194,7 @@ void MainWindow::wireViews() {
     }
     setTheme(themeOf(QApplication::palette()));
   });
-  connect(m_motionCheck, &MotionCheckService::reportReady, this, [this](const MotionReportPtr& report) {
+  m_motionCheck->onAnswer(this, [this](const MotionReportPtr& report) {
     m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics(),
                                   shownText(motionNote(*m_service->snapshot(), report.get())));
     tellWhenSettled();
@@ -231,7 +237,7 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
   m_stages->setPaintedByWindow(!m_view3d->isImage());
-  connect(m_stages, &StageService::stageReady, this, &MainWindow::onStage);
+  m_stages->onAnswer(this, [this](const StagePtr& stage) { onStage(stage); });
   connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();
 }
@@ -281,7 +287,7 @@ void MainWindow::tellWhenSettled() {
 
 void MainWindow::requestAnalysis() {
   m_stages->setFolder(folderOf(*m_document));
-  m_service->request(m_document->mechanism(), m_document->mechanicsRevision());
+  m_service->request({m_document->mechanism(), m_document->mechanicsRevision()});
 }
 
 void MainWindow::onDocumentChanged() {
@@ -300,7 +306,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_gearbox->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
-  if (snapshot->isComplete) m_motionCheck->request(snapshot);
+  if (snapshot->isComplete) m_motionCheck->requestCheck(snapshot);
   m_status->setSnapshot(snapshot);
   m_derivation->setSnapshot(snapshot, whyNoDerivation());
   m_view3d->setEmptyText(whyNoGears(*snapshot));

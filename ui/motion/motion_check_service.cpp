@@ -1,7 +1,6 @@
 #include "ui/motion/motion_check_service.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/mechanism/model/difference.h"
 
@@ -15,39 +14,23 @@ bool isPlaced(const Mechanism& mechanism) {
                      [](const Axis& axis) { return axis.point && axis.direction; });
 }
 
+bool isSameMotion(const SnapshotPtr& before, const SnapshotPtr& now) {
+  return isSameTrain(*before->mechanism, *now->mechanism);
+}
+
+void check(const SnapshotPtr& snapshot, const MotionCheckService::Responder& respond) {
+  if (!isPlaced(*snapshot->mechanism)) return respond(nullptr);
+  auto found = checkMotion(*snapshot, respond.stop());
+  respond(found ? std::make_shared<const MotionReport>(std::move(*found)) : nullptr);
+}
+
 }  // namespace
 
 MotionCheckService::MotionCheckService(QObject* parent)
-    : QObject(parent),
-      m_worker([this](const Request& request, const std::stop_token& stop) { check(request, stop); },
-               Urgency::background) {}
+    : Service(&check, parent, {.urgency = Urgency::background, .same = &isSameMotion}) {}
 
-void MotionCheckService::request(const SnapshotPtr& snapshot) {
-  const bool same = m_mechanism && isSameTrain(*m_mechanism, *snapshot->mechanism);
-  m_mechanism = snapshot->mechanism;
-  if (same) return;
-  ++m_wanted;
-  if (isPlaced(*snapshot->mechanism)) {
-    m_worker.request({snapshot, m_wanted});
-  } else {
-    m_arrived = m_wanted;
-  }
-  if (std::exchange(m_report, nullptr)) emit reportReady(nullptr);
-}
-
-void MotionCheckService::check(const Request& request, const std::stop_token& stop) {
-  MotionReportPtr report;
-  if (auto found = checkMotion(*request.snapshot, stop))
-    report = std::make_shared<const MotionReport>(std::move(*found));
-  QMetaObject::invokeMethod(
-      this, [this, report, number = request.number] { arrived(report, number); }, Qt::QueuedConnection);
-}
-
-void MotionCheckService::arrived(const MotionReportPtr& report, quint64 number) {
-  if (number != m_wanted) return;
-  m_arrived = number;
-  m_report = report;
-  emit reportReady(report);
+void MotionCheckService::requestCheck(const SnapshotPtr& snapshot) {
+  if (request(snapshot) && report()) setAnswer(nullptr);
 }
 
 }  // namespace geargraph::inline ui_motion

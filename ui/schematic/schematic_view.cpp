@@ -20,7 +20,7 @@ SchematicView::SchematicView(Document* document, Selection* selection, QWidget* 
     : DrawingView(document, selection, new DrawingScene, parent),
       m_service(new SchematicService(this)),
       m_sheet(static_cast<DrawingScene*>(scene())) {
-  connect(m_service, &SchematicService::drawn, this, &SchematicView::showDrawing);
+  m_service->onAnswer(this, [this](const SchematicPtr& schematic) { showDrawing(schematic); });
   showState();
   rebuild();
 }

@@ -1,30 +1,31 @@
 #include "core/theory/analysis/worker.h"
 
 namespace geargraph::inline analysis {
+namespace {
 
-AnalysisWorker::AnalysisWorker(Deliver deliver)
-    : m_deliver(std::move(deliver)),
-      m_second([this](const Step& step, const std::stop_token&) { complete(step); }, Urgency::background),
-      m_first([this](Request request, const std::stop_token& stop) { answer(std::move(request), stop); }) {}
+/// A snapshot to be completed, and who waits for it.
+struct LivePart {
+  SnapshotPtr snapshot;
+  AnalysisWorker::Responder respond;
+};
 
-void AnalysisWorker::request(MechanismPtr mechanism, std::uint64_t revision) {
-  m_first.request({std::move(mechanism), revision});
+void complete(const LivePart& live) {
+  live.respond.guard([&] {
+    if (SnapshotPtr whole = analyzeFully(live.snapshot, {}, live.respond.stop())) live.respond(whole);
+  });
 }
 
-bool AnalysisWorker::deliver(const Step& step) {
-  const std::lock_guard lock(m_delivering);
-  if (!step.snapshot || step.overtaken.stop_requested()) return false;
-  m_deliver(step.snapshot);
-  return true;
-}
+}  // namespace
 
-void AnalysisWorker::answer(Request request, const std::stop_token& overtaken) {
-  const Step live{analyzeLive(std::move(request.mechanism), request.revision, overtaken), overtaken};
-  if (deliver(live)) m_second.request(live);
-}
-
-void AnalysisWorker::complete(const Step& live) {
-  deliver({analyzeFully(live.snapshot, {}, live.overtaken), live.overtaken});
+AnalysisWorker::Work analysisWork() {
+  const auto completion = std::make_shared<RequestWorker<LivePart>>(
+      [](const LivePart& live, const std::stop_token&) { complete(live); }, Urgency::background);
+  return [completion](const AnalysisRequest& request, const AnalysisWorker::Responder& respond) {
+    const SnapshotPtr live = analyzeLive(request.mechanism, request.revision, respond.stop());
+    if (!live || respond.stop().stop_requested()) return;
+    respond.partly(live);
+    completion->request({live, respond});
+  };
 }
 
 }  // namespace geargraph::inline analysis

@@ -17,14 +17,14 @@ class AnalysisServiceTest : public QObject {
     Document document;
     AnalysisService service;
     std::vector<quint64> arrived;
-    connect(&service, &AnalysisService::snapshotReady, &service, [&](const SnapshotPtr& snapshot) {
+    service.onAnswer(&service, [&](const SnapshotPtr& snapshot) {
       QCOMPARE(QThread::currentThread(), qApp->thread());
       arrived.push_back(snapshot->revision);
     });
     for (int i = 0; i < 39; ++i) {
       document.apply({QStringLiteral("Add link"),
                       [](const Mechanism& mechanism) { return withLink(mechanism, SheetPoint{}); }, 0});
-      service.request(document.mechanism(), document.revision());
+      service.request({document.mechanism(), document.revision()});
     }
     QVERIFY(!service.isUpToDate());
     QTRY_VERIFY(service.isComplete());
@@ -38,13 +38,12 @@ class AnalysisServiceTest : public QObject {
     const auto mechanism = std::make_shared<const Mechanism>(emptyMechanism());
     AnalysisService service;
     int live = 0;
-    connect(&service, &AnalysisService::snapshotReady, &service,
-            [&](const SnapshotPtr& snapshot) { live += snapshot->isComplete ? 0 : 1; });
-    service.request(mechanism, 0);
+    service.onAnswer(&service, [&](const SnapshotPtr& snapshot) { live += snapshot->isComplete ? 0 : 1; });
+    service.request({mechanism, 0});
     QTRY_VERIFY(service.isComplete());
-    service.request(mechanism, 0);
+    service.request({mechanism, 0});
     QVERIFY(service.isComplete());
-    service.request(mechanism, 1);
+    service.request({mechanism, 1});
     QVERIFY(!service.isUpToDate());
     QTRY_VERIFY(service.isComplete());
     QCOMPARE(live, 2);
@@ -59,12 +58,12 @@ class AnalysisServiceTest : public QObject {
       if (QThread::currentThread() != qApp->thread()) ahead.push_back(snapshot);
     });
     int arrived = 0;
-    connect(&service, &AnalysisService::snapshotReady, &service, [&](const SnapshotPtr& snapshot) {
+    service.onAnswer(&service, [&](const SnapshotPtr& snapshot) {
       const std::lock_guard lock(mutex);
       QVERIFY(std::find(ahead.begin(), ahead.end(), snapshot) != ahead.end());
       ++arrived;
     });
-    service.request(std::make_shared<const Mechanism>(emptyMechanism()), 1);
+    service.request({std::make_shared<const Mechanism>(emptyMechanism()), 1});
     QTRY_VERIFY(service.isComplete());
     QCOMPARE(arrived, 2);
     QCOMPARE(ahead.size(), std::size_t{2});
@@ -73,7 +72,7 @@ class AnalysisServiceTest : public QObject {
   void destroyedWhileItWorksIsHarmless() {
     for (int round = 0; round < 50; ++round) {
       AnalysisService service;
-      service.request(std::make_shared<const Mechanism>(emptyMechanism()), 1);
+      service.request({std::make_shared<const Mechanism>(emptyMechanism()), 1});
     }
     QCoreApplication::processEvents();
   }

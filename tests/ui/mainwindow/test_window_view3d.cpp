@@ -55,7 +55,7 @@ class WindowView3DTest : public QObject {
     window->document().replace(emptyMechanism(), {});
     QTRY_VERIFY(window->isSettled());
     QStringList words;
-    connect(&window->analysis(), &AnalysisService::snapshotReady, window.get(), [&] {
+    connect(&window->analysis(), &AnalysisService::answered, window.get(), [&] {
       for (auto* label : window->view3d().findChildren<QLabel*>()) {
         if (label->isVisible() && label->text().contains("gears")) words += label->text();
       }

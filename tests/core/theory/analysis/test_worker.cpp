@@ -58,11 +58,11 @@ MechanismPtr mechanismOf(std::uint64_t seed, int n) {
 
 void newestRequestIsAnswered() {
   Mailbox mailbox;
-  AnalysisWorker worker([&](SnapshotPtr snapshot) { mailbox.put(std::move(snapshot)); });
+  AnalysisWorker worker(analysisWork(), [&](const Reply<SnapshotPtr>& reply) { mailbox.put(*reply.answer); });
   const MechanismPtr large = mechanismOf(1, 2000);
   const MechanismPtr small = mechanismOf(2, 10);
-  for (std::uint64_t revision = 1; revision < 200; ++revision) worker.request(large, revision);
-  worker.request(small, 200);
+  for (std::uint64_t revision = 1; revision < 200; ++revision) worker.request({large, revision});
+  worker.request({small, 200});
   const SnapshotPtr last = mailbox.waitFor(200);
   check(last->mechanism == small, "the newest mechanism is the one that was analysed");
   check(last->graph->n() == 10, "its digraph has its links");
@@ -74,9 +74,9 @@ void newestRequestIsAnswered() {
 /// However quick the live part is, the second step of the newest request follows.
 void everyLastRequestIsCompleted() {
   Mailbox mailbox;
-  AnalysisWorker worker([&](SnapshotPtr snapshot) { mailbox.put(std::move(snapshot)); });
+  AnalysisWorker worker(analysisWork(), [&](const Reply<SnapshotPtr>& reply) { mailbox.put(*reply.answer); });
   for (std::uint64_t revision = 1; revision < 300; ++revision) {
-    worker.request(mechanismOf(revision, 2), revision);
+    worker.request({mechanismOf(revision, 2), revision});
     mailbox.waitForSecondStep(revision);
   }
   check(mailbox.revisions().size() == 2 * 299, "every request is answered twice");
@@ -88,12 +88,12 @@ void destructionInTheMiddleOfWorkIsQuiet() {
     std::atomic<bool> alive = true;
     std::atomic<int> late = 0;
     {
-      AnalysisWorker worker([&](const SnapshotPtr&) {
+      AnalysisWorker worker(analysisWork(), [&](const Reply<SnapshotPtr>&) {
         if (!alive) ++late;
       });
       for (int i = 0; i < 100; ++i) {
-        worker.request(mechanismOf(random() % 5, static_cast<int>(random() % 60) + 1),
-                       static_cast<std::uint64_t>(i));
+        worker.request(
+            {mechanismOf(random() % 5, static_cast<int>(random() % 60) + 1), static_cast<std::uint64_t>(i)});
         if (round % 2 == 0 && i == 50) break;  // half of them are destroyed mid-work
       }
     }
