@@ -12,14 +12,16 @@
 
 namespace geargraph::cli {
 
-/// An option that a command knows. Options with a value take it as `--name value` or `--name=value`.
+/// An option that a command knows. Options with a value take it as `--name value` or `--name=value`; one that
+/// is given several times has several values.
 struct Option {
   std::string_view name;   ///< "--matrix", "-o"
   std::string_view value;  ///< what stands for the value in the help, e.g. "NAME"; empty where there is none
   std::string_view help;
+  std::string_view group = {};  ///< the heading that the help lists it under; empty: "Options"
 };
 
-/// The words behind a command, sorted out.
+/// The words after a command, sorted.
 struct Arguments {
   std::vector<std::string> files;
   std::map<std::string, std::vector<std::string>, std::less<>> options;
@@ -45,7 +47,7 @@ struct UsageError {
   std::string message;
 };
 
-/// Sorts words into options and files; "-" is a file, and so is everything behind "--".
+/// Sorts words into options and files, by CLI11; "-" is a file, and so is everything after "--".
 [[nodiscard]] std::variant<Arguments, UsageError> parseArguments(std::span<const std::string> words,
                                                                  std::span<const Option> known);
 

@@ -1,4 +1,5 @@
-// `export FILE --to FORM ...`: each form has a file of its own (export_forms.h).
+// `export FILE --to FORM ...`: each form has a file of its own (export_forms.h), and rejects the options of
+// others.
 
 #include <array>
 #include <functional>
@@ -9,88 +10,185 @@
 namespace geargraph::cli {
 namespace {
 
-/// What writes this form; none where there is no such form.
-std::function<int()> exporterOf(const Arguments& arguments, const std::string& form) {
-  const bool solid = arguments.value("--view") == "3d";
-  if (const auto format = meshFormatFromName(form)) {
-    if (solid && format == MeshFormat::glb) return [&arguments] { return exportPicture(arguments, true); };
-    return [&arguments, format] { return exportSolids(arguments, *format); };
+// What is written. An option names those that it means something for.
+constexpr unsigned kMatrices = 1U << 0U;
+constexpr unsigned kDerivation = 1U << 1U;
+constexpr unsigned kDrawing = 1U << 2U;
+constexpr unsigned kPicture = 1U << 3U;
+constexpr unsigned kAnimation = 1U << 4U;
+constexpr unsigned kSeenSolids = 1U << 5U;
+constexpr unsigned kSolids = 1U << 6U;
+constexpr unsigned kAssembly = 1U << 7U;
+constexpr unsigned kEverything = (1U << 8U) - 1;
+
+constexpr std::string_view kOfMatrices = "Matrices (--to csv)";
+constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md or pdf)";
+constexpr std::string_view kOfViews = "Drawings and 3D pictures (--to svg, pdf or png --view NAME)";
+constexpr std::string_view kOf3D = "3D pictures (--to png --view 3d)";
+constexpr std::string_view kOfAnimations = "Animations (--to png --view 3d)";
+constexpr std::string_view kOfSolids = "Solids (--to stl, obj, ply, glb or 3mf)";
+
+/// What --help, and the rejection of an option, call what is written.
+constexpr std::array<std::string_view, 8> kNames = {"--to csv",
+                                                    "derivations (--to html, latex, md, pdf)",
+                                                    "drawings (--view digraph, ttgraph, schematic)",
+                                                    "3D pictures (--to png --view 3d)",
+                                                    "animations (--turntable, --motion)",
+                                                    "--to glb --view 3d",
+                                                    "--to stl, obj, ply, glb, 3mf",
+                                                    "--to assembly"};
+
+struct ExportOption {
+  Option option;
+  unsigned uses = 0;
+};
+
+constexpr std::array kExportOptions = {
+    ExportOption{
+        {"--to", "FORM",
+         "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
+         "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
+        kEverything},
+    ExportOption{{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"}, kEverything},
+    ExportOption{
+        {"--all", "", "every matrix, or every picture of an animation, into the folder that -o names"},
+        kMatrices | kAnimation},
+    ExportOption{{"--force", "", "with a folder: overwrite files that are there"},
+                 kMatrices | kAnimation | kAssembly},
+    ExportOption{
+        {"--matrix", "NAME",
+         "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution",
+         kOfMatrices},
+        kMatrices},
+    ExportOption{{"--no-labels", "", "without the header row and the first column", kOfMatrices}, kMatrices},
+    ExportOption{{"--separator", "NAME", "comma (the default), semicolon or tab", kOfMatrices}, kMatrices},
+    ExportOption{{"--decimal", "NAME", "point (the default) or comma", kOfMatrices}, kMatrices},
+    ExportOption{{"--bom", "", "begin with a byte order mark, for spreadsheet programs", kOfMatrices},
+                 kMatrices},
+    ExportOption{
+        {"--inputs", "8,9,11", "drive these joints (by label) instead of the document's", kOfDerivations},
+        kDerivation},
+    ExportOption{{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated", kOfDerivations},
+                 kDerivation},
+    ExportOption{{"--view", "NAME",
+                  "digraph, ttgraph or schematic; with png and glb also 3d, the train as seen", kOfViews},
+                 kDrawing | kPicture | kAnimation | kSeenSolids},
+    ExportOption{{"--size", "WxH", "pixels (as large as the drawing is; 3d: 1600x1000)", kOfViews},
+                 kDrawing | kPicture | kAnimation},
+    ExportOption{{"--dark", "", "on a dark ground", kOfViews}, kDrawing | kPicture | kAnimation},
+    ExportOption{{"--transparent", "", "on no ground", kOfViews}, kDrawing | kPicture | kAnimation},
+    ExportOption{{"--from", "NAME", "front, back, left, right, top, bottom or iso", kOf3D},
+                 kPicture | kAnimation},
+    ExportOption{{"--camera", "AZ,EL", "from this azimuth and elevation, degrees (-26,20)", kOf3D},
+                 kPicture | kAnimation},
+    ExportOption{{"--time", "SECONDS", "how far the inputs have turned (0); also with glb", kOf3D},
+                 kPicture | kAnimation | kSeenSolids},
+    ExportOption{{"--section", "AXIS:PART", "cut open square to x, y or z, so far along (y:0.5)", kOf3D},
+                 kPicture | kAnimation},
+    ExportOption{{"--explode", "PART", "exploded view along the axes, 0 to 1; also with glb", kOf3D},
+                 kPicture | kAnimation | kSeenSolids},
+    ExportOption{{"--faces", "NAME", "shaded, lines (hidden ones left out) or edges (all of them)", kOf3D},
+                 kPicture | kAnimation},
+    ExportOption{
+        {"--show", "NAMES",
+         "labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities",
+         kOf3D},
+        kPicture | kAnimation},
+    ExportOption{{"--hide", "LABELS", "links that are left out: 2,5; also with glb", kOf3D},
+                 kPicture | kAnimation | kSeenSolids},
+    ExportOption{{"--ride", "LABEL", "the link that the reference frame is fixed to; also with glb", kOf3D},
+                 kPicture | kAnimation | kSeenSolids},
+    ExportOption{{"--turntable", "", "once round the train, as an animated PNG (or --all)", kOfAnimations},
+                 kAnimation},
+    ExportOption{{"--motion", "", "one period of the motion (a minute without one)", kOfAnimations},
+                 kAnimation},
+    ExportOption{{"--fps", "N", "pictures a second (24)", kOfAnimations}, kAnimation},
+    ExportOption{{"--frames", "N", "pictures (72); with assembly: poses of every gear (24)", kOfAnimations},
+                 kAnimation | kAssembly},
+    ExportOption{{"--gear", "MESH:SIDE", "one gear in its own frame: 15:tail or 15:head", kOfSolids},
+                 kSolids},
+    ExportOption{{"--link", "LABEL", "the solids of one link", kOfSolids}, kSolids},
+    ExportOption{{"--animate", "SECONDS",
+                  "with glb: how long one period plays (without: as long as it takes)", kOfSolids},
+                 kSolids},
+    ExportOption{
+        {"--tolerance", "MODULES",
+         "farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles "
+         "allow); also with assembly",
+         kOfSolids},
+        kSolids | kAssembly},
+};
+
+constexpr auto kOptions = [] {
+  std::array<Option, kExportOptions.size()> options;
+  for (std::size_t i = 0; i < options.size(); ++i) options[i] = kExportOptions[i].option;
+  return options;
+}();
+
+/// One thing that can be written: how, its options, and the words that ask for it.
+struct Exporter {
+  unsigned use = 0;
+  std::string words;
+  std::function<int()> run;
+};
+
+/// None where there is no such form.
+std::optional<Exporter> exporterOf(const Arguments& arguments, const std::string& form) {
+  const std::string view = arguments.value("--view").value_or("");
+  const std::string to = "--to " + form;
+  const auto picture = pictureFormFromName(form);
+  if (view == "3d" && (form == "glb" || picture == PictureForm::png)) {
+    const bool isAnimation = arguments.has("--turntable") || arguments.has("--motion");
+    const unsigned use = form == "glb" ? kSeenSolids : isAnimation ? kAnimation : kPicture;
+    return Exporter{use, to + " --view 3d",
+                    [&arguments, form] { return exportPicture(arguments, form == "glb"); }};
   }
-  if (const auto picture = pictureFormFromName(form)) {
-    if (solid && picture == PictureForm::png) return [&arguments] { return exportPicture(arguments, false); };
-    if (picture == PictureForm::pdf && !arguments.has("--view"))
-      return [&arguments] { return exportReportPages(arguments); };
-    return [&arguments, picture] { return exportDrawing(arguments, *picture); };
+  if (const auto format = meshFormatFromName(form))
+    return Exporter{kSolids, to, [&arguments, format] { return exportSolids(arguments, *format); }};
+  if (picture == PictureForm::pdf && view.empty())
+    return Exporter{kDerivation, to, [&arguments] { return exportReportPages(arguments); }};
+  if (picture) {
+    return Exporter{kDrawing, to + (view.empty() ? "" : " --view " + view),
+                    [&arguments, picture] { return exportDrawing(arguments, *picture); }};
   }
-  if (const auto report = reportFormFromName(form)) {
-    return [&arguments, report] { return exportReport(arguments, *report); };
+  if (const auto report = reportFormFromName(form))
+    return Exporter{kDerivation, to, [&arguments, report] { return exportReport(arguments, *report); }};
+  if (form == "assembly") return Exporter{kAssembly, to, [&arguments] { return exportAssembly(arguments); }};
+  if (form == "csv") return Exporter{kMatrices, to, [&arguments] { return exportCsv(arguments); }};
+  return std::nullopt;
+}
+
+/// The first option that means nothing for what is written, as a sentence.
+std::optional<UsageError> uselessOption(const Arguments& arguments, const Exporter& exporter) {
+  for (const auto& [option, uses] : kExportOptions) {
+    if ((uses & exporter.use) != 0 || !arguments.has(option.name)) continue;
+    std::string others;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if ((uses >> i & 1U) != 0) others += (others.empty() ? "" : "; ") + std::string(kNames[i]);
+    }
+    return UsageError{std::string(option.name) + " has no meaning with " + exporter.words +
+                      "; it is an option of " + others + "."};
   }
-  if (form == "assembly") return [&arguments] { return exportAssembly(arguments); };
-  if (form == "csv") return [&arguments] { return exportCsv(arguments); };
-  return nullptr;
+  return std::nullopt;
 }
 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, "One file is needed.");
-  const std::string form = arguments.value("--to").value_or("");
-  const auto exporter = exporterOf(arguments, form);
+  const auto exporter = exporterOf(arguments, arguments.value("--to").value_or(""));
   if (!exporter) {
     return wrongUsage(
         kExport, "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
   }
+  if (const auto error = uselessOption(arguments, *exporter)) return wrongUsage(kExport, error->message);
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
-  return exporter();
+  return exporter->run();
 }
-
-constexpr std::array kOptions = {
-    Option{
-        "--to", "FORM",
-        "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
-        "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
-    Option{"--matrix", "NAME",
-           "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution"},
-    Option{"--all", "", "every matrix, or every picture of a film, into the folder that -o names"},
-    Option{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"},
-    Option{"--force", "", "with a folder: overwrite files that are there"},
-    Option{"--inputs", "8,9,11", "of derivations: drive these joints (by label) instead of the document's"},
-    Option{"--speed", "8=1/2", "of derivations: the speed of an input in rad/s; may be said again"},
-    Option{"--no-labels", "", "without the header row and the first column"},
-    Option{"--separator", "NAME", "comma (the default), semicolon or tab"},
-    Option{"--decimal", "NAME", "point (the default) or comma"},
-    Option{"--bom", "", "begin with a byte order mark, for spreadsheet programs"},
-    Option{"--gear", "MESH:SIDE", "one gear in its own frame: 15:tail or 15:head"},
-    Option{"--link", "LABEL", "the solids of one link"},
-    Option{"--animate", "SECONDS", "with glb: how long one period plays (without: as long as it takes)"},
-    Option{"--tolerance", "MODULES",
-           "of solids: farthest chord from the exact form (0.002; of large trains as fine as 10 million "
-           "triangles allow)"},
-    Option{"--view", "NAME",
-           "of pictures: digraph, ttgraph or schematic; with png and glb also 3d, the train as seen"},
-    Option{"--size", "WxH", "of pictures: pixels (as large as the drawing is; 3d: 1600x1000)"},
-    Option{"--dark", "", "of pictures: on a dark ground"},
-    Option{"--transparent", "", "of pictures: on no ground"},
-    Option{"--from", "NAME", "of 3d: front, back, left, right, top, bottom or iso"},
-    Option{"--camera", "AZ,EL", "of 3d: from this azimuth and elevation, degrees (-26,20)"},
-    Option{"--time", "SECONDS", "of 3d: how far the inputs have turned (0)"},
-    Option{"--section", "AXIS:PART", "of 3d: cut open square to x, y or z, so far along (y:0.5)"},
-    Option{"--explode", "PART", "of 3d: pulled apart along the axes, 0 to 1"},
-    Option{"--faces", "NAME", "of 3d: shaded, lines (hidden ones left out) or edges (all of them)"},
-    Option{"--show", "NAMES",
-           "of 3d: "
-           "labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities"},
-    Option{"--hide", "LABELS", "of 3d: links that are left out: 2,5"},
-    Option{"--ride", "LABEL", "of 3d: the link that is seen standing still"},
-    Option{"--turntable", "", "of 3d: a film once round the train, as an animated PNG (or --all)"},
-    Option{"--motion", "", "of 3d: a film of one period of the motion (a minute without one)"},
-    Option{"--fps", "N", "of a film: pictures a second (24)"},
-    Option{"--frames", "N", "of a film: pictures (72); with assembly: poses of every gear (24)"},
-};
 
 }  // namespace
 
 const Command kExport = {
     "export", "FILE --to FORM [...] -o OUT",
-    "Writes matrices as CSV, the worked derivation, pictures and films, and gears as 3D files.", kOptions,
-    run};
+    "Writes matrices as CSV, the worked derivation, pictures and animations, and gears as 3D files.",
+    kOptions, run};
 
 }  // namespace geargraph::cli

@@ -18,10 +18,6 @@ std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& argumen
   picture.form = form;
   picture.look.theme = arguments.has("--dark") ? Theme::dark : Theme::light;
   picture.look.transparent = arguments.has("--transparent");
-  for (const std::string_view option : {"--from", "--time", "--camera", "--section", "--explode", "--faces",
-                                        "--show", "--hide", "--ride", "--turntable", "--motion"}) {
-    if (arguments.has(option)) return UsageError{std::string(option) + " needs --view 3d."};
-  }
   if (const auto text = arguments.value("--size")) {
     const auto size = pictureSize(*text, kMostDrawingPixels);
     if (!size) return UsageError{wrongSize(*text, kMostDrawingPixels)};

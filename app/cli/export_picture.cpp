@@ -87,9 +87,6 @@ int writePicture(std::string_view bytes, const std::string& path) {
 
 int exportPicture(const Arguments& arguments, bool asSolids) {
   if (const auto error = wrongShot(arguments)) return wrongUsage(kExport, error->message);
-  if (asSolids && (arguments.has("--turntable") || arguments.has("--motion")))
-    return wrongUsage(kExport,
-                      "--to glb --view 3d stands still; without --view the file carries the motion.");
   const std::string path = *arguments.value("-o");
   if (arguments.has("--all") && path == "-")
     return wrongUsage(kExport, "--all writes a folder; \"-\" is none.");

@@ -36,15 +36,27 @@ std::vector<Option> optionsOf(const Command& command) {
   return options;
 }
 
+std::string optionLine(const Option& option) {
+  constexpr std::size_t kIndent = 28;
+  std::string line = "  " + std::string(option.name);
+  if (!option.value.empty()) line += ' ' + std::string(option.value);
+  line.resize(std::max(line.size() + 1, kIndent), ' ');
+  return line + std::string(option.help) + '\n';
+}
+
 std::string commandHelp(const Command& command) {
   std::string text = "Usage: geargraph-cli " + std::string(command.name) + ' ' + std::string(command.usage) +
-                     "\n\n" + std::string(command.summary) + "\n\nOptions:\n";
-  constexpr std::size_t kIndent = 28;
-  for (const Option& option : optionsOf(command)) {
-    std::string line = "  " + std::string(option.name);
-    if (!option.value.empty()) line += ' ' + std::string(option.value);
-    line.resize(std::max(line.size() + 1, kIndent), ' ');
-    text += line + std::string(option.help) + '\n';
+                     "\n\n" + std::string(command.summary) + "\n";
+  const std::vector<Option> options = optionsOf(command);
+  std::vector<std::string_view> groups{""};
+  for (const Option& option : options) {
+    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) groups.push_back(option.group);
+  }
+  for (const std::string_view group : groups) {
+    text += '\n' + std::string(group.empty() ? "Options" : group) + ":\n";
+    for (const Option& option : options) {
+      if (option.group == group) text += optionLine(option);
+    }
   }
   return text + '\n' + std::string(kExitStatus);
 }

@@ -154,10 +154,6 @@ class ShotReader {
   void readFilm() {
     const bool turns = m_arguments.has("--turntable"), moves = m_arguments.has("--motion");
     if (turns && moves) return wrong("Give --turntable or --motion, not both.");
-    for (const char* option : {"--frames", "--fps", "--all"}) {
-      if (!turns && !moves && m_arguments.has(option))
-        return wrong(std::string(option) + " needs --turntable or --motion.");
-    }
     if (!turns && !moves) return;
     Film film;
     film.kind = turns ? FilmKind::turntable : FilmKind::motion;

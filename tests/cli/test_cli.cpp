@@ -277,6 +277,49 @@ class TestCli : public QObject {
     QCOMPARE(table(contents("out/path.csv")).size(), std::size_t{8});
   }
 
+  /// What such a call would write is not what was asked for.
+  void optionsWithoutMeaning_areRejected_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("option");
+    for (const char* words : {"csv --matrix p --fps 12",
+                              "csv --matrix p --dark",
+                              "csv --all --view digraph",
+                              "html --matrix p",
+                              "pdf --all",
+                              "pdf --tolerance 0.1",
+                              "md --view schematic",
+                              "svg --view digraph --inputs 8,9,11",
+                              "pdf --view ttgraph --ride 1",
+                              "png --view digraph --turntable",
+                              "png --view 3d --bom",
+                              "png --view 3d --fps 12",
+                              "png --view 3d --motion --gear 15:tail",
+                              "glb --view 3d --motion",
+                              "glb --view 3d --section y:0.5",
+                              "glb --view 3d --animate 4",
+                              "glb --hide 1",
+                              "stl --view 3d",
+                              "stl --frames 12",
+                              "obj --force",
+                              "assembly --gear 15:tail",
+                              "assembly --all"}) {
+      const QString text = QLatin1String(words);
+      const qsizetype last = text.lastIndexOf(QLatin1String(" --")) + 1;
+      QTest::addRow("%s", words) << text << text.mid(last).section(QLatin1Char(' '), 0, 0);
+    }
+  }
+  void optionsWithoutMeaning_areRejected() {
+    QFETCH(QString, words);
+    QFETCH(QString, option);
+    const QString out = path("out");
+    const Run rejected = run(QStringList{"export", kRobot, "-o", out, "--to"} + words.split(' '));
+    QCOMPARE(rejected.status, 2);
+    QVERIFY(rejected.output.empty());
+    QVERIFY2(rejected.errors.find(option.toStdString() + " has no meaning with --to ") != std::string::npos,
+             rejected.errors.c_str());
+    QVERIFY(!QFile::exists(out));
+  }
+
   void standardInputAndOutput() {
     const std::string robot = contentsOf(kRobot);
     const Run piped =
