@@ -1,9 +1,10 @@
 #include "ui/panels/number_field.h"
 
-#include <QKeyEvent>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
 #include <QStyle>
+#include <QStyleOptionSpinBox>
 #include <QWheelEvent>
 
 #include "core/mechanism/model/length.h"
@@ -11,9 +12,12 @@
 
 namespace geargraph::inline panels {
 
-NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
-  setTextMargins(0, 0, 12, 0);
-  connect(this, &QLineEdit::textEdited, this, &NumberField::onText);
+NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);  // not by the wheel, which scrolls the panel
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAttribute(Qt::WA_Hover);
+  connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::onText);
+  lineEdit()->installEventFilter(this);
 }
 
 void NumberField::setWhole(int least, int most) {
@@ -24,6 +28,10 @@ void NumberField::setWhole(int least, int most) {
 void NumberField::setLengthUnit(const std::string& unit) {
   m_unit = unit;
   if (!property("wrong").toBool()) setToolTip(hint());
+}
+
+void NumberField::setEmptyText(const QString& text) {
+  lineEdit()->setPlaceholderText(text);
 }
 
 QString NumberField::hint() const {
@@ -46,8 +54,22 @@ void NumberField::setNumber(const std::optional<Number>& number) {
   const bool beingTyped = hasFocus() && typed && number && typed->exact() == number->exact();
   if (beingTyped) return;
   if (hasFocus() && property("wrong").toBool()) return;
-  setText(number ? QString::fromStdString(number->text()) : QString());
+  showNumber();
   setWrong({});
+}
+
+void NumberField::showNumber() {
+  lineEdit()->setText(m_number ? QString::fromStdString(m_number->text()) : QString());
+}
+
+QVariant NumberField::value() const {
+  return m_number ? QVariant(m_number->value()) : QVariant();
+}
+
+void NumberField::setValue(const QVariant& value) {
+  if (isReadOnly()) return;
+  lineEdit()->setText(QString::number(value.toDouble(), 'g', QLocale::FloatingPointShortest));
+  onText(text());
 }
 
 void NumberField::onText(const QString& typed) {
@@ -85,7 +107,7 @@ void NumberField::setWrong(const QString& why) {
   emit wrongChanged(why);
 }
 
-void NumberField::spin(int steps) {
+void NumberField::stepBy(int steps) {
   if (!isEnabled() || isReadOnly()) return;
   Rational value = m_number ? m_number->exact() : Rational(0);
   value += m_step * Rational(steps);
@@ -94,65 +116,79 @@ void NumberField::spin(int steps) {
   if (m_number && value == m_number->exact()) return;
   m_number = Number(value);
   setWrong({});
-  setText(QString::fromStdString(m_number->text()));
+  showNumber();
   emit edited(m_number);
 }
 
-QRect NumberField::spinRect() const {
-  return {width() - 16, 2, 14, height() - 4};
+QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
+  if (isReadOnly()) return StepNone;
+  StepEnabled enabled = StepNone;
+  if (!m_number || !m_most || m_number->exact() < Rational(*m_most)) enabled |= StepUpEnabled;
+  if (!m_number || !m_least || m_number->exact() > Rational(*m_least)) enabled |= StepDownEnabled;
+  return enabled;
+}
+
+/// A line of text is as wide as a QLineEdit's; QAbstractSpinBox would make room for the text of its minimum,
+/// which it does not know.
+QSize NumberField::sizeAround(const QSize& text) const {
+  QStyleOptionSpinBox option;
+  initStyleOption(&option);
+  return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
+}
+
+QSize NumberField::sizeHint() const {
+  return sizeAround(lineEdit()->sizeHint());
+}
+
+QSize NumberField::minimumSizeHint() const {
+  return sizeAround(lineEdit()->minimumSizeHint());
 }
 
 void NumberField::paintEvent(QPaintEvent* event) {
-  QLineEdit::paintEvent(event);
+  QAbstractSpinBox::paintEvent(event);
+  QStyleOptionSpinBox option;
+  initStyleOption(&option);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const bool ready = isEnabled() && (hasFocus() || underMouse());
   painter.setBrush(qColor(ready ? ColorRole::secondary : ColorRole::hairline, themeOf(palette())));
-  const QPointF middle = QRectF(spinRect()).center();
+  const QRectF up = style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, this);
+  const QRectF down = style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxDown, this);
+  const QPointF middle = up.united(down).center();
   painter.drawPolygon(
       QPolygonF({middle + QPointF(-3, -2), middle + QPointF(3, -2), middle + QPointF(0, -6)}));
   painter.drawPolygon(QPolygonF({middle + QPointF(-3, 2), middle + QPointF(3, 2), middle + QPointF(0, 6)}));
 }
 
-void NumberField::keyPressEvent(QKeyEvent* event) {
-  const int scale = event->modifiers().testFlag(Qt::ControlModifier) ? 10 : 1;
-  if (event->key() == Qt::Key_Up) return spin(scale);
-  if (event->key() == Qt::Key_Down) return spin(-scale);
-  QLineEdit::keyPressEvent(event);
-}
-
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();  // the panel scrolls
-  spin(event->angleDelta().y() > 0 ? 1 : -1);
-  event->accept();
+  QAbstractSpinBox::wheelEvent(event);
 }
 
 void NumberField::mousePressEvent(QMouseEvent* event) {
-  m_selectOnRelease = !hasFocus() || m_selectOnRelease;
-  if (spinRect().contains(event->pos())) {
-    m_selectOnRelease = false;
-    setFocus(Qt::MouseFocusReason);
-    return spin(event->pos().y() < height() / 2 ? 1 : -1);
-  }
-  QLineEdit::mousePressEvent(event);
+  m_selectOnRelease = false;  // on an arrow
+  QAbstractSpinBox::mousePressEvent(event);
 }
 
-void NumberField::mouseReleaseEvent(QMouseEvent* event) {
-  QLineEdit::mouseReleaseEvent(event);
-  if (m_selectOnRelease && !hasSelectedText()) selectAll();
-  m_selectOnRelease = false;
+/// A click into the text that brings the focus selects all of it.
+bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonRelease) {
+    if (m_selectOnRelease && !lineEdit()->hasSelectedText()) selectAll();
+    m_selectOnRelease = false;
+  }
+  return QAbstractSpinBox::eventFilter(watched, event);
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {
-  QLineEdit::focusInEvent(event);
+  QAbstractSpinBox::focusInEvent(event);
   m_selectOnRelease = event->reason() == Qt::MouseFocusReason;
   emit editingStarted();
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
-  QLineEdit::focusOutEvent(event);
-  setText(m_number ? QString::fromStdString(m_number->text()) : QString());
+  QAbstractSpinBox::focusOutEvent(event);
+  showNumber();
   setWrong({});
 }
 

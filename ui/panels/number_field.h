@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QLineEdit>
+#include <QAbstractSpinBox>
+#include <QVariant>
 #include <optional>
 #include <string>
 
@@ -8,10 +9,16 @@
 
 namespace geargraph::inline panels {
 
-/// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end. What
-/// is no number turns red and changes nothing. Where the locale writes a decimal comma it may be typed.
-class NumberField : public QLineEdit {
+/// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end: an
+/// exact spin box. Text that is no such number turns red and changes nothing. A decimal comma may be typed
+/// where the locale writes one.
+class NumberField : public QAbstractSpinBox {
   Q_OBJECT
+  // What QAccessibleAbstractSpinBox reads and sets.
+  Q_PROPERTY(QVariant value READ value WRITE setValue)
+  Q_PROPERTY(QVariant minimum READ minimum)
+  Q_PROPERTY(QVariant maximum READ maximum)
+  Q_PROPERTY(QVariant singleStep READ singleStep)
 
  public:
   explicit NumberField(QWidget* parent = nullptr);
@@ -21,17 +28,28 @@ class NumberField : public QLineEdit {
   /// A length in this unit of the document's: others may be typed and are converted (lengthFromText()).
   void setLengthUnit(const std::string& unit);
   void setStep(const Rational& step) { m_step = step; }
-  /// What stands in the field while it has no number: "auto", "several".
-  void setEmptyText(const QString& text) { setPlaceholderText(text); }
-  /// May the field be emptied? Then edited() says nothing.
+  /// What the field shows while it has no number: "auto", "several".
+  void setEmptyText(const QString& text);
+  /// May the field be emptied? Then edited() has no number.
   void setOptional(bool optional) { m_optional = optional; }
 
-  /// Shows the document's number; leaves the text alone while somebody types that number.
+  /// Shows the document's number; leaves the text alone while the user types that number.
   void setNumber(const std::optional<Number>& number);
   [[nodiscard]] std::optional<Number> number() const { return m_number; }
   /// The number of edited() was not accepted: what was typed turns red, and gives way to the number of the
   /// next setNumber() when the field is left.
   void reject(const QString& why);
+
+  /// By `steps` times the step, within the bounds; from 0 where there is no number.
+  void stepBy(int steps) override;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+  [[nodiscard]] QVariant value() const;
+  void setValue(const QVariant& value);  ///< as if it were typed
+  [[nodiscard]] QVariant minimum() const { return m_least ? QVariant(*m_least) : QVariant(); }
+  [[nodiscard]] QVariant maximum() const { return m_most ? QVariant(*m_most) : QVariant(); }
+  [[nodiscard]] QVariant singleStep() const { return m_step.toDouble(); }
 
  signals:
   void edited(const std::optional<geargraph::Number>& number);
@@ -39,21 +57,21 @@ class NumberField : public QLineEdit {
   void editingStarted();                  ///< what follows until the next one is one gesture
 
  protected:
+  [[nodiscard]] StepEnabled stepEnabled() const override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
   [[nodiscard]] QString hint() const;  ///< while nothing is wrong
   [[nodiscard]] std::optional<Number> read(const QString& text) const;
+  [[nodiscard]] QSize sizeAround(const QSize& text) const;
   void onText(const QString& text);
-  void spin(int steps);
+  void showNumber();
   void setWrong(const QString& why);
-  [[nodiscard]] QRect spinRect() const;
 
   std::optional<Number> m_number;
   Rational m_step = 1;

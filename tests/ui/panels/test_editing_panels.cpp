@@ -1,3 +1,5 @@
+#include <QAccessible>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -6,6 +8,7 @@
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
@@ -40,7 +43,9 @@ class EditingPanelsTest : public QObject {
     QVERIFY(QTest::qWaitForWindowActive(widget->window()));
     widget->setFocus();
   }
-  static void type(QLineEdit* into, const QString& text) {
+  static QLineEdit* lineOf(NumberField* field) { return field->findChild<QLineEdit*>(); }
+  template <class Field>
+  static void type(Field* into, const QString& text) {
     focus(into);
     into->selectAll();
     QTest::keyClicks(into, text);
@@ -87,6 +92,52 @@ class EditingPanelsTest : public QObject {
     QTest::keyClick(teeth, Qt::Key_Down, Qt::ControlModifier);
     QCOMPARE(mesh("15").headTeeth, 28);
     QCOMPARE(document->undoStack().count(), 1);
+  }
+
+  void pagesWheelAndArrowsSpin() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("headTeeth");
+    const int before = mesh("15").headTeeth;
+    const auto wheel = [teeth](int turns) {
+      const QPointF at = teeth->rect().center();
+      QWheelEvent event(at, teeth->mapToGlobal(at), {}, QPoint(0, 120 * turns), Qt::NoButton, Qt::NoModifier,
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(teeth, &event);
+      return event.isAccepted();
+    };
+    focus(properties.get());
+    QVERIFY(!wheel(1));  // the panel scrolls
+    QCOMPARE(mesh("15").headTeeth, before);
+    focus(teeth);
+    QTest::keyClick(teeth, Qt::Key_PageUp);
+    QCOMPARE(mesh("15").headTeeth, before + 10);
+    QVERIFY(wheel(-2));
+    QCOMPARE(mesh("15").headTeeth, before + 8);
+    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, 5));
+    QCOMPARE(mesh("15").headTeeth, before + 9);
+    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, teeth->height() - 5));
+    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, teeth->height() - 5));
+    QCOMPARE(mesh("15").headTeeth, before + 7);
+    QCOMPARE(document->undoStack().count(), 1);
+  }
+
+  /// Screen readers find a spin button with its bounds, and can set it.
+  void aNumberIsAccessible() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("tailTeeth");
+    QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(teeth);
+    QVERIFY(seen != nullptr);
+    QCOMPARE(seen->role(), QAccessible::SpinBox);
+    QAccessibleValueInterface* number = seen->valueInterface();
+    QVERIFY(number != nullptr);
+    QCOMPARE(number->currentValue().toInt(), 18);
+    QCOMPARE(number->minimumValue().toInt(), kFewestTeeth);
+    QCOMPARE(number->minimumStepSize().toDouble(), 1.0);
+    number->setCurrentValue(24);
+    QCOMPARE(mesh("15").tailTeeth, 24);
+    number->setCurrentValue(2.5);
+    QCOMPARE(mesh("15").tailTeeth, 24);
+    QVERIFY(teeth->QObject::property("wrong").toBool());
   }
 
   void whatIsNoNumberChangesNothing() {
@@ -223,8 +274,9 @@ class EditingPanelsTest : public QObject {
     selection.select({ElementId(MeshId("15"))});
     focus(properties.get());
     NumberField* teeth = property("tailTeeth");
-    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(8, teeth->height() / 2));
-    QCOMPARE(teeth->selectedText(), QStringLiteral("18"));
+    QLineEdit* line = lineOf(teeth);
+    QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(4, line->height() / 2));
+    QCOMPARE(line->selectedText(), QStringLiteral("18"));
     QTest::keyClicks(teeth, QStringLiteral("25"));
     QCOMPARE(mesh("15").tailTeeth, 25);
   }
@@ -255,8 +307,8 @@ class EditingPanelsTest : public QObject {
     selection.select({ElementId(JointId("8")), ElementId(JointId("13"))});
     QCOMPARE(property("axisDirection.x")->text(), QStringLiteral("0"));
     QCOMPARE(property("axisDirection.y")->text(), QString());
-    QCOMPARE(property("axisDirection.y")->placeholderText(), QStringLiteral("several"));
-    QCOMPARE(property("axisPoint.y")->placeholderText(), QStringLiteral("auto"));
+    QCOMPARE(lineOf(property("axisDirection.y"))->placeholderText(), QStringLiteral("several"));
+    QCOMPARE(lineOf(property("axisPoint.y"))->placeholderText(), QStringLiteral("auto"));
     type(property("axisDirection.z"), QStringLiteral("1/3"));
     const auto now = [this](const char* axis) {
       return *document->mechanism()->find(AxisId(axis))->direction;
