@@ -6,10 +6,16 @@
 #include <QPushButton>
 #include <QSysInfo>
 
-#include "ui/mainwindow/main_window.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("MainWindow", text);
+}
+
+}  // namespace
 
 QString programDetails() {
   // Not translated: who reads it need not have the user's language.
@@ -23,23 +29,23 @@ QString programDetails() {
 
 void showAboutDialog(QWidget* parent) {
   const QString details = programDetails();
-  auto* box = new QMessageBox(
-      QMessageBox::NoIcon, MainWindow::tr("About GearGraph"),
-      MainWindow::tr("<b>GearGraph %1</b><p>Draw, analyse and see geared mechanisms by the matroid "
-                     "and the T–T graph methods "
-                     "(Amirinezhad and Uyguroğlu, 2014).</p><p>MIT licence.</p>")
-          .arg(QApplication::applicationVersion()),
-      QMessageBox::Ok, parent);
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, tr("About GearGraph"),
+                      tr("<b>GearGraph %1</b><p>Draw, analyse and see geared mechanisms by the matroid "
+                         "and the T–T graph methods "
+                         "(Amirinezhad and Uyguroğlu, 2014).</p><p>MIT licence.</p>")
+                          .arg(QApplication::applicationVersion()),
+                      QMessageBox::Ok, parent);
   box->setObjectName(QStringLiteral("about"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
   box->setIconPixmap(parent->windowIcon().pixmap(64, 64));
   box->setInformativeText(details.trimmed());
-  QPushButton* copy = box->addButton(MainWindow::tr("Copy details"), QMessageBox::ActionRole);
+  QPushButton* copy = box->addButton(tr("Copy details"), QMessageBox::ActionRole);
   copy->disconnect();  // copying does not close the box
   QObject::connect(copy, &QPushButton::clicked, copy, [copy, details] {
     QApplication::clipboard()->setText(details);
-    copy->setText(MainWindow::tr("Copied"));
+    copy->setText(tr("Copied"));
   });
   box->show();
 }

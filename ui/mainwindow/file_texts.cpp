@@ -1,12 +1,13 @@
 #include "ui/mainwindow/file_texts.h"
 
-#include "ui/mainwindow/main_window.h"
+#include <QCoreApplication>
+
 #include "ui/models/term_tips.h"
 
 namespace geargraph::inline mainwindow {
 
 QString documentFilter() {
-  return MainWindow::tr("GearGraph documents (*.geargraph);;All files (*)");
+  return QCoreApplication::translate("MainWindow", "GearGraph documents (*.geargraph);;All files (*)");
 }
 
 QString textOf(const Difference& difference) {

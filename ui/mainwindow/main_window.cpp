@@ -25,7 +25,6 @@
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
-#include "ui/motion/motion_check_service.h"
 #include "ui/panels/gearbox_panel.h"
 #include "ui/panels/inputs_panel.h"
 #include "ui/panels/matrices_panel.h"
@@ -41,12 +40,6 @@ namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kTitleBar = 40;  // px: at most that of a window manager
-
-/// Where the document's own files are; empty while it has no file.
-std::filesystem::path folderOf(const Document& document) {
-  if (document.filePath().isEmpty()) return {};
-  return QFile::encodeName(QFileInfo(document.filePath()).absolutePath()).toStdString();
-}
 
 QString whyNoGears(const AnalysisSnapshot& snapshot) {
   if (snapshot.mechanism->n() == 0)
@@ -68,15 +61,10 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      m_document(new Document(this)),
-      m_selection(new Selection(this)),
-      m_service(new AnalysisService(
-          this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
-      m_stages(new StageService(this)),  // behind what calls it: children go in the order in which they came
-      m_motionCheck(new MotionCheckService(this)),
+      m_workbench(new Workbench(this)),
+      m_document(&m_workbench->document()),
+      m_selection(&m_workbench->selection()),
       m_actions(std::make_unique<WindowActions>(this)) {
-  connect(m_document, &Document::changed, this,
-          &MainWindow::requestAnalysis);  // before all others hear of it
   setObjectName(QStringLiteral("mainWindow"));
   setAttribute(Qt::WA_DeleteOnClose, false);
   setWindowIcon(applicationIcon());
@@ -92,7 +80,8 @@ MainWindow::MainWindow(QWidget* parent)
   m_recent = new RecentFiles(this);
   m_notices = new NoticeBar(this);
   m_pictures = new PictureJobs(m_notices, this);
-  m_files = std::make_unique<WindowFiles>(this, m_notices, m_recent);
+  m_files = std::make_unique<WindowFiles>(*m_workbench, this, m_notices, m_recent,
+                                          [this] { return documentToSave(); });
   m_titles = new DockTitles(this);
   m_presentation = new Presentation(this);
   makeDrawings();
@@ -111,7 +100,7 @@ MainWindow::MainWindow(QWidget* parent)
   wireMotion();
   setTheme(themeOf(QApplication::palette()));
   resize(1366, 768);
-  requestAnalysis();
+  m_workbench->request();
   onDocumentChanged();
   renewTitle();
 }
@@ -177,7 +166,7 @@ void MainWindow::wireViews() {
     m_status->showRefusal(shownText(why.front().message));
     m_selection->hover({why.front().elements.begin(), why.front().elements.end()});
   });
-  m_service->onAnswer(this, [this](const SnapshotPtr& snapshot) { onSnapshot(snapshot); });
+  m_workbench->analysis().onAnswer(this, [this](const SnapshotPtr& snapshot) { onSnapshot(snapshot); });
   for (ServiceSignals* service : findChildren<ServiceSignals*>()) {  // those of the views, too
     connect(service, &ServiceSignals::failed, this, [this](const QString& why) {
       m_status->showRefusal(tr("The window could not be brought up to date: %1.").arg(why));
@@ -194,9 +183,9 @@ void MainWindow::wireViews() {
     }
     setTheme(themeOf(QApplication::palette()));
   });
-  m_motionCheck->onAnswer(this, [this](const MotionReportPtr& report) {
+  m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr& report) {
     m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics(),
-                                  shownText(motionNote(*m_service->snapshot(), report.get())));
+                                  shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
     tellWhenSettled();
   });
   connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
@@ -236,8 +225,8 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
 
 void MainWindow::wireView3D() {
   connect(m_digraph, &DigraphView::settled, this, &MainWindow::tellWhenSettled);
-  m_stages->setPaintedByWindow(!m_view3d->isImage());
-  m_stages->onAnswer(this, [this](const StagePtr& stage) { onStage(stage); });
+  m_workbench->stages().setPaintedByWindow(!m_view3d->isImage());
+  m_workbench->stages().onAnswer(this, [this](const StagePtr& stage) { onStage(stage); });
   connect(m_document, &Document::replaced, this, &MainWindow::startView3DAnew);
   wireView3DCommands();
 }
@@ -277,17 +266,11 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 }
 
 bool MainWindow::isSettled() const {
-  return m_service->isComplete() && m_stages->isUpToDate() && m_motionCheck->isUpToDate() &&
-         m_schematic->isSettled() && m_digraph->isSettled();
+  return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {
   if (isSettled()) emit settled();
-}
-
-void MainWindow::requestAnalysis() {
-  m_stages->setFolder(folderOf(*m_document));
-  m_service->request({m_document->mechanism(), m_document->mechanicsRevision()});
 }
 
 void MainWindow::onDocumentChanged() {
@@ -306,7 +289,6 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_gearbox->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
-  if (snapshot->isComplete) m_motionCheck->requestCheck(snapshot);
   m_status->setSnapshot(snapshot);
   m_derivation->setSnapshot(snapshot, whyNoDerivation());
   m_view3d->setEmptyText(whyNoGears(*snapshot));

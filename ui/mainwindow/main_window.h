@@ -6,11 +6,8 @@
 
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/teaching/derivation/quantity_table.h"
-#include "ui/analysis/analysis_service.h"
-#include "ui/document/document.h"
 #include "ui/mainwindow/window_actions.h"
-#include "ui/selection/selection.h"
-#include "ui/stage/stage_service.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph::inline canvas {
 class DigraphView;
@@ -32,9 +29,6 @@ class SearchField;
 namespace geargraph::inline ui_derivation {
 class DerivationPanel;
 }  // namespace geargraph::inline ui_derivation
-namespace geargraph::inline ui_motion {
-class MotionCheckService;
-}  // namespace geargraph::inline ui_motion
 namespace geargraph::inline ui_schematic {
 class SchematicView;
 }  // namespace geargraph::inline ui_schematic
@@ -55,9 +49,7 @@ class StatusLine;
 class StartPage;
 class WindowFiles;
 
-/// One document and all its views. The window owns the three things that views share (document, selection,
-/// newest analysis) and wires them: an edit goes to the document, the document to the analysis, the analysis
-/// to the views.
+/// One document and all its views: builds them, lays them out, and passes to each what the workbench answers.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -65,9 +57,10 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
+  [[nodiscard]] Workbench& workbench() { return *m_workbench; }
   [[nodiscard]] Document& document() { return *m_document; }
   [[nodiscard]] Selection& selection() { return *m_selection; }
-  [[nodiscard]] AnalysisService& analysis() { return *m_service; }
+  [[nodiscard]] AnalysisService& analysis() { return m_workbench->analysis(); }
   [[nodiscard]] DigraphView& digraph() { return *m_digraph; }
   [[nodiscard]] TtGraphView& ttGraph() { return *m_ttGraph; }
   /// The drawing whose tab is in front: commands and tools are its.
@@ -155,7 +148,6 @@ class MainWindow : public QMainWindow {
   void chooseAndSaveTrace();
   void startView3DAnew();
 
-  void requestAnalysis();
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
   void tellWhenSettled();
@@ -189,11 +181,9 @@ class MainWindow : public QMainWindow {
   void onPictureWritten(const QString& path);
   void showAbout();
 
-  Document* m_document;
-  Selection* m_selection;
-  AnalysisService* m_service;
-  StageService* m_stages;
-  MotionCheckService* m_motionCheck;
+  Workbench* m_workbench;
+  Document* m_document;    ///< the workbench's
+  Selection* m_selection;  ///< the workbench's
   std::unique_ptr<WindowActions> m_actions;
   std::unique_ptr<WindowFiles> m_files;
 

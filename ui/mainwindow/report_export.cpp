@@ -55,8 +55,8 @@ void MainWindow::showDerivation() {
 }
 
 void MainWindow::exportDerivation(const QString& path) {
-  const SnapshotPtr snapshot = m_service->snapshot();
-  if (!m_service->isComplete()) {
+  const SnapshotPtr snapshot = m_workbench->analysis().snapshot();
+  if (!m_workbench->analysis().isComplete()) {
     m_status->showRefusal(tr("The solution is still being worked out. Try again in a moment."));
     return;
   }

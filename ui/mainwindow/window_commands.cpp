@@ -26,6 +26,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
+#include "ui/panels/problems_panel.h"
 #include "ui/search/search_field.h"
 #include "ui/theme/application_theme.h"
 
@@ -153,6 +154,15 @@ void MainWindow::wireFiles() {
   const WindowActions& a = *m_actions;
   WindowFiles* files = m_files.get();
   connect(files, &WindowFiles::titleChanged, this, &MainWindow::renewTitle);
+  connect(files, &WindowFiles::joined, this, &MainWindow::renewActions);
+  connect(files, &WindowFiles::refused, m_status, &StatusLine::showRefusal);
+  connect(files, &WindowFiles::noted, m_status, &StatusLine::showNote);
+  connect(files, &WindowFiles::read, m_problems, &ProblemsPanel::clearFileProblems);
+  connect(files, &WindowFiles::broken, this, [this](const QString& name, const Diagnostics& why) {
+    m_problems->setFileProblems(name, why);
+    dock("dock.problems")->show();
+    dock("dock.problems")->raise();
+  });
   connect(m_recent, &RecentFiles::chosen, files, &WindowFiles::openForPerson);
   connect(a.newDocument, &QAction::triggered, files, &WindowFiles::newForPerson);
   connect(a.newWindow, &QAction::triggered, files, &WindowFiles::newWindow);

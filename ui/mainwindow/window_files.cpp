@@ -1,6 +1,6 @@
 #include "ui/mainwindow/window_files.h"
 
-#include <QDockWidget>
+#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -9,14 +9,12 @@
 
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/file_texts.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/recent_files.h"
-#include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/thumbnails.h"
-#include "ui/mainwindow/window_set.h"
+#include "ui/mainwindow/window_actions.h"
 #include "ui/models/term_tips.h"
-#include "ui/panels/problems_panel.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -36,8 +34,14 @@ struct WindowFiles::Offered {
   SideDocument document;
 };
 
-WindowFiles::WindowFiles(MainWindow* window, NoticeBar* notices, RecentFiles* recent)
-    : m_window(window), m_document(&window->document()), m_notices(notices), m_recent(recent) {
+WindowFiles::WindowFiles(Workbench& workbench, QWidget* window, NoticeBar* notices, RecentFiles* recent,
+                         std::function<Mechanism()> saved)
+    : m_window(window),
+      m_document(&workbench.document()),
+      m_selection(&workbench.selection()),
+      m_saved(std::move(saved)),
+      m_notices(notices),
+      m_recent(recent) {
   connect(&m_watch, &FileWatch::changed, this, &WindowFiles::onForeignChange);
   connect(&m_watch, &FileWatch::removed, this, &WindowFiles::onRemoved);
 }
@@ -57,20 +61,15 @@ bool WindowFiles::open(const QString& path) {
 
 void WindowFiles::sayBroken(const QString& path, const Diagnostics& why) {
   const QString name = QFileInfo(path).fileName();
-  m_window->problems().setFileProblems(name, why);
-  if (auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("dock.problems"))) {
-    dock->show();
-    dock->raise();
-  }
-  m_window->statusLine().showRefusal(
-      tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
+  emit broken(name, why);
+  emit refused(tr("%1 could not be opened: %2").arg(name, shownText(why.front().message)));
   offerInterrupted(path);
 }
 
 void WindowFiles::show(Mechanism mechanism, const QString& path) {
   const bool isExample = path.startsWith(QLatin1String(":/"));
-  m_window->problems().clearFileProblems();
-  m_window->selection().clear();
+  emit read();
+  m_selection->clear();
   m_example = isExample ? path : QString();
   m_document->replace(std::move(mechanism), isExample ? QString() : path);
   took(isExample ? QString() : path);
@@ -80,7 +79,7 @@ void WindowFiles::show(Mechanism mechanism, const QString& path) {
 }
 
 void WindowFiles::startAnew() {
-  m_window->selection().clear();
+  m_selection->clear();
   m_example.clear();
   m_document->replace(emptyMechanism(), {});
   took({});
@@ -118,16 +117,16 @@ void WindowFiles::newForPerson() {
   if (isUnused() || m_windows == nullptr) {
     if (mayDiscard()) startAnew();
   } else {
-    m_windows->openNew();
+    m_windows->addWindow();
   }
 }
 
 void WindowFiles::newWindow() {
-  if (m_windows != nullptr) m_windows->openNew();
+  if (m_windows != nullptr) m_windows->addWindow();
 }
 
 void WindowFiles::openForPerson(const QString& path) {
-  if (m_windows != nullptr) return m_windows->open(path, m_window);
+  if (m_windows != nullptr) return m_windows->openFrom(path, *this);
   if (mayDiscard() && !open(path)) m_recent->forget(path);
 }
 
@@ -139,7 +138,7 @@ void WindowFiles::chooseAndOpen() {
 
 void WindowFiles::discard() {
   if (m_autosave) m_autosave->discard();
-  if (m_windows != nullptr) m_windows->documents().release(m_window);
+  if (m_windows != nullptr) m_windows->documents().release(this);
 }
 
 void WindowFiles::quit() {
@@ -165,6 +164,14 @@ void WindowFiles::renewActions(const WindowActions& actions) const {
       hasFile ? tr("Nothing has been changed since it was saved.") : tr("The document has no file yet."));
 }
 
+void WindowFiles::bringForward() {
+  m_window->setWindowState(m_window->windowState() & ~Qt::WindowMinimized);
+  m_window->show();
+  m_window->raise();
+  m_window->activateWindow();
+  QApplication::alert(m_window);  // where the desktop does not let a program take the focus
+}
+
 QStringList WindowFiles::filesIn(const QMimeData& dragged) {
   QStringList files;
   for (const QUrl& url : dragged.urls()) {
@@ -175,13 +182,12 @@ QStringList WindowFiles::filesIn(const QMimeData& dragged) {
 
 // --- side files -------------------------------------------------------------------------------------------
 
-void WindowFiles::join(WindowSet* windows, const QString& recoveryFolder) {
+void WindowFiles::join(Windows* windows, const QString& recoveryFolder) {
   m_windows = windows;
   m_recoveryFolder = recoveryFolder;
   m_autosave = std::make_unique<Autosave>(m_document, recoveryFolder);
-  connect(m_autosave.get(), &Autosave::failed, this,
-          [this](const QString& why) { m_window->statusLine().showRefusal(why); });
-  renewActions(m_window->actions());
+  connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::refused);
+  emit joined();
 }
 
 void WindowFiles::offerLeftBehind() {
@@ -225,18 +231,18 @@ void WindowFiles::restore(const std::shared_ptr<Offered>& offered) {
   const QString path = offered->document.note.filePath;
   const bool here = isUnused() || isOwnFile(path);
   if (!here && m_windows != nullptr) {
-    if (const auto open = m_windows->windowsWith(path); !open.empty()) {
-      WindowSet::bringForward(*open.front());
-      return open.front()->files().restore(offered);
+    if (const auto open = m_windows->filesWith(path, nullptr); !open.empty()) {
+      open.front()->bringForward();
+      return open.front()->restore(offered);
     }
-    return m_windows->openNew().files().restore(offered);
+    return m_windows->addWindow().restore(offered);
   }
   if (!mayDiscard()) return;
   if (path.isEmpty()) {
     startAnew();
   } else if (!isOwnFile(path) || m_document->isModified()) {
     Expected<Mechanism> saved = readDocument(path);
-    m_window->selection().clear();
+    m_selection->clear();
     m_example.clear();
     m_document->replace(saved ? std::move(saved).value() : emptyMechanism(), path);
     took(path);

@@ -3,23 +3,32 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/mechanism/model/mechanism.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/recovery/autosave.h"
+#include "ui/recovery/open_documents.h"
 #include "ui/recovery/side_file.h"
 
 class QMimeData;
+class QWidget;
+
+namespace geargraph::inline selection {
+class Selection;
+}  // namespace geargraph::inline selection
+namespace geargraph::inline workbench {
+class Workbench;
+}  // namespace geargraph::inline workbench
 
 namespace geargraph::inline mainwindow {
 
 struct WindowActions;
-class MainWindow;
 class NoticeBar;
 class RecentFiles;
-class WindowSet;
 
 /// What a window does with files: opens, saves and reverts its document, minds other programs that write the
 /// same file, keeps unsaved changes in a side file, and offers those that an earlier run left behind.
@@ -27,7 +36,34 @@ class WindowFiles : public QObject {
   Q_OBJECT
 
  public:
-  WindowFiles(MainWindow* window, NoticeBar* notices, RecentFiles* recent);
+  /// What it asks of the program's windows together.
+  class Windows {
+   public:
+    Windows() = default;
+    Windows(const Windows&) = delete;
+    Windows& operator=(const Windows&) = delete;
+    virtual ~Windows() = default;
+
+    /// The files of a new window with an empty document.
+    virtual WindowFiles& addWindow() = 0;
+    /// Opens a file or example: in its own window if it is open already, in that of `from` if that holds
+    /// nothing yet, else in a new one.
+    virtual void openFrom(const QString& path, WindowFiles& from) = 0;
+    /// Those of the windows with this file, whatever the spelling of its path, but for one.
+    [[nodiscard]] virtual std::vector<WindowFiles*> filesWith(const QString& path,
+                                                              const WindowFiles* besides) const = 0;
+    /// What all running programs have open.
+    [[nodiscard]] virtual OpenDocuments& documents() = 0;
+    [[nodiscard]] virtual bool restoresSession() const = 0;
+    virtual void setRestoresSession(bool restores) = 0;
+    /// Closes all windows, unless the user minds.
+    virtual void quit() = 0;
+  };
+
+  /// `window`: the parent of its dialogs, which it closes and brings to the front. `saved`: the document as
+  /// it is to be written.
+  WindowFiles(Workbench& workbench, QWidget* window, NoticeBar* notices, RecentFiles* recent,
+              std::function<Mechanism()> saved);
 
   /// Opens a file or an example in this window. A broken one is listed in the problems with its places, and
   /// the document that was open stays.
@@ -62,7 +98,9 @@ class WindowFiles : public QObject {
   void quit();
 
   /// From now on the window is one of several, and unsaved changes are kept in side files.
-  void join(WindowSet* windows, const QString& recoveryFolder);
+  void join(Windows* windows, const QString& recoveryFolder);
+  /// The window to the front, and active as far as the desktop lets a program do that.
+  void bringForward();
   /// Offers a document that an earlier run has left in a side file.
   void offer(std::unique_ptr<SideFile> side);
   /// Nothing was drawn or opened here, or only an example looked at.
@@ -78,6 +116,15 @@ class WindowFiles : public QObject {
  signals:
   void titleChanged();
   void sourceChanged();
+  /// renewActions() has something to do.
+  void joined();
+  /// Why something was not done, and what was: for the status bar.
+  void refused(const QString& why);
+  void noted(const QString& note);
+  /// A file could not be opened, by its findings.
+  void broken(const QString& name, const geargraph::Diagnostics& why);
+  /// Another one was: those findings are of no interest any more.
+  void read();
 
  private:
   struct Offered;
@@ -102,11 +149,13 @@ class WindowFiles : public QObject {
   bool mayReplace(const QString& path);
   void took(const QString& path);
 
-  MainWindow* m_window;
+  QWidget* m_window;
   Document* m_document;
+  Selection* m_selection;
+  std::function<Mechanism()> m_saved;
   NoticeBar* m_notices;
   RecentFiles* m_recent;
-  WindowSet* m_windows = nullptr;
+  Windows* m_windows = nullptr;
   QString m_recoveryFolder;
   QString m_example;      ///< the example that is open, which is no file yet
   MechanismPtr m_onDisk;  ///< what the file held when it was read or written here

@@ -7,13 +7,9 @@
 
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/file_texts.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
-#include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/mainwindow/window_set.h"
 #include "ui/models/term_tips.h"
-#include "ui/panels/problems_panel.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -29,8 +25,7 @@ bool WindowFiles::save(const QString& path) {
     const Expected<Mechanism> now = readDocument(path);
     if (!now || *now != *m_onDisk) {
       postForeignChange(now, true);
-      m_window->statusLine().showRefusal(
-          tr("%1 was not saved: another program has changed it.").arg(title()));
+      emit refused(tr("%1 was not saved: another program has changed it.").arg(title()));
       return false;
     }
     m_watch.accept();
@@ -40,7 +35,7 @@ bool WindowFiles::save(const QString& path) {
 
 bool WindowFiles::saveAnyway(const QString& path) {
   if (refusesOpenElsewhere(path)) return false;
-  const auto saved = std::make_shared<const Mechanism>(m_window->documentToSave());
+  const auto saved = std::make_shared<const Mechanism>(m_saved());
   if (const auto why = writeDocument(*saved, path)) {
     postNotSaved(path, *why);
     return false;
@@ -48,12 +43,12 @@ bool WindowFiles::saveAnyway(const QString& path) {
   m_document->markSaved(path);
   took(path);
   m_onDisk = saved;
-  m_window->statusLine().showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  emit noted(tr("Saved %1").arg(QFileInfo(path).fileName()));
   return true;
 }
 
 void WindowFiles::postNotSaved(const QString& path, const QString& why) {
-  m_window->statusLine().showRefusal(why);
+  emit refused(why);
   m_notices->post({kNotSavedKey,
                    Severity::error,
                    tr("%1 was not saved. %2").arg(title(), why),
@@ -124,7 +119,7 @@ void WindowFiles::reload() {
   std::optional<Expected<Mechanism>> read = readDocument(path, m_window);
   if (!read) return;
   if (!*read) return sayBroken(path, read->error());
-  m_window->problems().clearFileProblems();
+  emit read();
   m_document->apply(
       takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**read))));
   m_document->markSaved(path);

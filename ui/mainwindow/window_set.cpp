@@ -15,7 +15,6 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/status_line.h"
-#include "ui/mainwindow/window_files.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -40,8 +39,8 @@ WindowSet::WindowSet(const QString& folder, QObject* parent)
   m_lookSoon->setInterval(kLaidOut);
   connect(m_lookSoon, &QTimer::timeout, this, &WindowSet::look);
   m_documents.setShower([this](const QString& path) {
-    const auto open = windowsWith(path);
-    if (!open.empty()) bringForward(*open.front());
+    const auto open = filesWith(path, nullptr);
+    if (!open.empty()) open.front()->bringForward();
     return !open.empty();
   });
 }
@@ -59,25 +58,17 @@ std::vector<MainWindow*> WindowSet::windows() const {
   return all;
 }
 
-std::vector<MainWindow*> WindowSet::windowsWith(const QString& path, const MainWindow* besides) const {
-  std::vector<MainWindow*> found;
+std::vector<WindowFiles*> WindowSet::filesWith(const QString& path, const WindowFiles* besides) const {
+  std::vector<WindowFiles*> found;
   if (path.isEmpty() || path.startsWith(QLatin1String(":/"))) return found;
   for (const auto& window : m_windows) {
     const QString open = window->document().filePath();
-    if (window.get() != besides &&
+    if (&window->files() != besides &&
         isSameFile(QFile::encodeName(open).toStdString(), QFile::encodeName(path).toStdString())) {
-      found.push_back(window.get());
+      found.push_back(&window->files());
     }
   }
   return found;
-}
-
-void WindowSet::bringForward(MainWindow& window) {
-  window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
-  window.show();
-  window.raise();
-  window.activateWindow();
-  QApplication::alert(&window);  // where the desktop does not let a program take the focus
 }
 
 MainWindow& WindowSet::add() {
@@ -100,21 +91,27 @@ MainWindow& WindowSet::openNew() {
   return window;
 }
 
-void WindowSet::open(const QString& path, MainWindow* from) {
+WindowFiles& WindowSet::addWindow() {
+  return openNew().files();
+}
+
+void WindowSet::openFrom(const QString& path, WindowFiles& from) {
   const bool isExample = path.startsWith(QLatin1String(":/"));
   const QString wanted = isExample ? path : QFileInfo(path).absoluteFilePath();
-  if (const auto open = windowsWith(wanted); !open.empty()) {
-    bringForward(*open.front());
-    return open.front()->statusLine().showNote(
-        tr("%1 is open in this window already.").arg(open.front()->files().title()));
+  if (const auto open = filesWith(wanted, nullptr); !open.empty()) {
+    open.front()->bringForward();
+    return emit open.front()->noted(tr("%1 is open in this window already.").arg(open.front()->title()));
   }
-  std::optional<Expected<Mechanism>> opened = readDocument(wanted, from);
+  MainWindow* const asking = std::find_if(m_windows.begin(), m_windows.end(), [&](const auto& window) {
+                               return &window->files() == &from;
+                             })->get();
+  std::optional<Expected<Mechanism>> opened = readDocument(wanted, asking);
   if (!opened) return;
   if (!*opened) {
     RecentFiles::forget(wanted);
-    return from->files().sayBroken(wanted, opened->error());
+    return from.sayBroken(wanted, opened->error());
   }
-  MainWindow& window = from->files().isUnused() ? *from : add();
+  MainWindow& window = from.isUnused() ? *asking : add();
   window.files().show(std::move(*opened).value(), wanted);
   window.show();
 }
@@ -124,7 +121,7 @@ void WindowSet::open(const QString& path, MainWindow* from) {
 void WindowSet::start(const QStringList& documents) {
   if (!documents.isEmpty()) {
     for (const QString& path : documents) {
-      if (!windowsWith(path).empty()) continue;  // named twice
+      if (!filesWith(path, nullptr).empty()) continue;  // named twice
       MainWindow& window = add();
       window.files().open(path.startsWith(QLatin1String(":/")) ? path : QFileInfo(path).absoluteFilePath());
       window.show();
@@ -154,7 +151,7 @@ bool WindowSet::reopenSession() {
   settings.endArray();
   QStringList missing;
   for (const Entry& entry : entries) {
-    if (!windowsWith(entry.source).empty()) continue;
+    if (!filesWith(entry.source, nullptr).empty()) continue;
     Expected<Mechanism> opened = readDocument(entry.source);
     if (!opened) {
       missing << QFileInfo(entry.source).fileName();

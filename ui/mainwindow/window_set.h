@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "ui/recovery/open_documents.h"
+#include "ui/mainwindow/window_files.h"
 
 class QTimer;
 
@@ -17,7 +17,7 @@ class MainWindow;
 
 /// The windows of the program: makes them, sends files to them, and remembers which files were open, so that
 /// the next start shows them again.
-class WindowSet : public QObject {
+class WindowSet : public QObject, public WindowFiles::Windows {
   Q_OBJECT
 
  public:
@@ -34,22 +34,17 @@ class WindowSet : public QObject {
   void start(const QStringList& documents);
   /// A window with an empty document.
   MainWindow& openNew();
-  /// Opens a file or example: in its own window if it is open already, in `from` if that holds nothing yet,
-  /// else in a new one.
-  void open(const QString& path, MainWindow* from);
-  /// Closes all windows, unless a person minds, and remembers them.
-  void quit();
+  WindowFiles& addWindow() override;
+  void openFrom(const QString& path, WindowFiles& from) override;
+  [[nodiscard]] std::vector<WindowFiles*> filesWith(const QString& path,
+                                                    const WindowFiles* besides) const override;
+  [[nodiscard]] OpenDocuments& documents() override { return m_documents; }
+  [[nodiscard]] bool restoresSession() const override;
+  void setRestoresSession(bool restores) override;
+  /// Closes all windows, unless the user minds, and remembers them.
+  void quit() override;
 
-  [[nodiscard]] bool restoresSession() const;
-  void setRestoresSession(bool restores);
   [[nodiscard]] std::vector<MainWindow*> windows() const;
-  /// The windows with this file, whatever the spelling of its path, besides one.
-  [[nodiscard]] std::vector<MainWindow*> windowsWith(const QString& path,
-                                                     const MainWindow* besides = nullptr) const;
-  /// To the front, and active as far as the desktop lets a program do that.
-  static void bringForward(MainWindow& window);
-  /// What all running programs have open.
-  [[nodiscard]] OpenDocuments& documents() { return m_documents; }
 
  private:
   MainWindow& add();

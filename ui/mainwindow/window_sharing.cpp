@@ -5,11 +5,8 @@
 
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/file_identity.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/notice_bar.h"
-#include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
-#include "ui/mainwindow/window_set.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -25,14 +22,14 @@ std::filesystem::path nativePath(const QString& path) {
 
 /// Which other window has a file open and writes it: one of this program, or one of another.
 struct WindowFiles::Elsewhere {
-  MainWindow* window = nullptr;
-  DocumentHolder holder;  ///< if there is no window
+  WindowFiles* files = nullptr;
+  DocumentHolder holder;  ///< if there is no such window
 };
 
 std::optional<WindowFiles::Elsewhere> WindowFiles::openElsewhere(const QString& path) const {
   if (m_windows == nullptr) return std::nullopt;
-  for (MainWindow* window : m_windows->windowsWith(path, m_window)) {
-    if (!window->files().isReadOnly()) return Elsewhere{window, {}};
+  for (WindowFiles* files : m_windows->filesWith(path, this)) {
+    if (!files->isReadOnly()) return Elsewhere{files, {}};
   }
   if (auto holder = m_windows->documents().holderOf(path)) return Elsewhere{nullptr, std::move(*holder)};
   return std::nullopt;
@@ -49,8 +46,8 @@ void WindowFiles::claim(const QString& path) {
   if (m_windows == nullptr) return;
   const auto elsewhere = openElsewhere(path);
   const QString absolute = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
-  const bool isFree = !elsewhere || elsewhere->window == nullptr;
-  const auto holder = m_windows->documents().claim(m_window, isFree ? absolute : QString());
+  const bool isFree = !elsewhere || elsewhere->files == nullptr;
+  const auto holder = m_windows->documents().claim(this, isFree ? absolute : QString());
   m_isReadOnly = elsewhere.has_value() || holder.has_value();
   if (m_isReadOnly) {
     postReadOnly(tr("%1 is open in another window of GearGraph. Here it is read-only.").arg(title()));
@@ -73,7 +70,7 @@ bool WindowFiles::refusesOpenElsewhere(const QString& path) {
   if (!openElsewhere(path)) return false;
   const QString name = QFileInfo(path).fileName();
   const QString why = tr("%1 was not saved: %2 is open in another window of GearGraph.").arg(title(), name);
-  m_window->statusLine().showRefusal(why);
+  emit refused(why);
   m_notices->post({kOpenElsewhereKey,
                    Severity::warning,
                    why,
@@ -90,11 +87,11 @@ void WindowFiles::showElsewhere(const QString& path) {
     if (!isOwnFile(path)) return;
     claim(m_document->filePath());
     emit titleChanged();
-    return m_window->statusLine().showNote(
+    return emit noted(
         tr("%1 is not open in another window any more. This one writes to it now.").arg(title()));
   }
-  if (elsewhere->window != nullptr) {
-    WindowSet::bringForward(*elsewhere->window);
+  if (elsewhere->files != nullptr) {
+    elsewhere->files->bringForward();
     return leaveToOther(path);
   }
   m_windows->documents().show(elsewhere->holder, this, [this, path](bool isShown) {

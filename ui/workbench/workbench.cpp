@@ -1,0 +1,40 @@
+#include "ui/workbench/workbench.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace geargraph::inline workbench {
+namespace {
+
+/// Where the document's own files are; empty while it has no file.
+std::filesystem::path folderOf(const Document& document) {
+  if (document.filePath().isEmpty()) return {};
+  return QFile::encodeName(QFileInfo(document.filePath()).absolutePath()).toStdString();
+}
+
+}  // namespace
+
+Workbench::Workbench(QObject* parent)
+    : QObject(parent),
+      m_document(new Document(this)),
+      m_selection(new Selection(this)),
+      m_analysis(new AnalysisService(
+          this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
+      m_stages(new StageService(this)),
+      m_motionCheck(new MotionCheckService(this)) {
+  connect(m_document, &Document::changed, this, &Workbench::request);  // before the views hear of it
+  m_analysis->onAnswer(this, [this](const SnapshotPtr& snapshot) {
+    if (snapshot->isComplete) m_motionCheck->requestCheck(snapshot);
+  });
+}
+
+void Workbench::request() {
+  m_stages->setFolder(folderOf(*m_document));
+  m_analysis->request({m_document->mechanism(), m_document->mechanicsRevision()});
+}
+
+bool Workbench::isUpToDate() const {
+  return m_analysis->isComplete() && m_stages->isUpToDate() && m_motionCheck->isUpToDate();
+}
+
+}  // namespace geargraph::inline workbench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/analysis/analysis_service.h"
+#include "ui/document/document.h"
+#include "ui/motion/motion_check_service.h"
+#include "ui/selection/selection.h"
+#include "ui/stage/stage_service.h"
+
+namespace geargraph::inline workbench {
+
+/// What the views of a window share: the document, what is selected in it, and the services that follow it.
+/// An edit goes to the document, the document to the analysis, each snapshot to the stage and, once it is
+/// complete, to the motion check; their answers go to the views.
+class Workbench final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Workbench(QObject* parent = nullptr);
+
+  [[nodiscard]] Document& document() { return *m_document; }
+  [[nodiscard]] Selection& selection() { return *m_selection; }
+  [[nodiscard]] AnalysisService& analysis() { return *m_analysis; }
+  [[nodiscard]] StageService& stages() { return *m_stages; }
+  [[nodiscard]] MotionCheckService& motionCheck() { return *m_motionCheck; }
+
+  /// Requests what belongs to the document as it is now; every change of the document does so by itself.
+  void request();
+  /// Has all of it been answered?
+  [[nodiscard]] bool isUpToDate() const;
+
+ private:
+  Document* m_document;
+  Selection* m_selection;
+  AnalysisService* m_analysis;
+  StageService* m_stages;  ///< after the analysis, which calls it: children are deleted in this order
+  MotionCheckService* m_motionCheck;
+};
+
+}  // namespace geargraph::inline workbench
