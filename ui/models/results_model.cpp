@@ -1,15 +1,10 @@
 #include "ui/models/results_model.h"
 
 #include <algorithm>
+#include "ui/models/printed_number.h"
 
 namespace geargraph::inline models {
 namespace {
-
-constexpr int kLongestFraction = 9;  // characters; longer ones are told in digits
-
-QString withPrintedMinus(QString text) {
-  return text.replace(QLatin1Char('-'), QStringLiteral("−"));
-}
 
 /// Do both have the same inputs and outputs, under the same labels?
 bool sameHeadings(const AnalysisSnapshot& a, const AnalysisSnapshot& b) {
@@ -25,16 +20,6 @@ bool sameHeadings(const AnalysisSnapshot& a, const AnalysisSnapshot& b) {
 }
 
 }  // namespace
-
-QString printedNumber(double value) {
-  return withPrintedMinus(QString::number(value, 'g', 6));
-}
-
-QString printedFraction(const Rational& value) {
-  const std::string text = value.toString();
-  if (static_cast<int>(text.size()) > kLongestFraction) return printedNumber(value.toDouble());
-  return withPrintedMinus(QString::fromStdString(text));
-}
 
 // The rows and columns of a drag stay: then nothing that shows them is laid out anew.
 void ResultsModel::setSnapshot(const SnapshotPtr& snapshot) {

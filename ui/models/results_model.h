@@ -66,8 +66,4 @@ class ResultsModel : public QAbstractTableModel {
   bool m_symbolic = true;
 };
 
-/// A fraction with the minus sign of print, or about six digits of it where it is long.
-[[nodiscard]] QString printedFraction(const Rational& value);
-[[nodiscard]] QString printedNumber(double value);
-
 }  // namespace geargraph::inline models

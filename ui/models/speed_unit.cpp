@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "ui/models/results_model.h"
+#include "ui/models/printed_number.h"
 
 namespace geargraph::inline models {
 

@@ -443,4 +443,19 @@ MixedForm::MixedForm(Document* document, std::vector<ElementId> elements)
   addNote(tr("They are of several kinds. Select elements of one kind to change them together."));
 }
 
+PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {
+  std::vector<ElementId> elements;
+  for (const ElementId& element : selected) {
+    if (document->elements().contains(element)) elements.push_back(element);
+  }
+  if (elements.empty()) return new DocumentForm(document);
+  const ElementKind kind = elements.front().kind;
+  const bool oneKind = std::all_of(elements.begin(), elements.end(),
+                                   [kind](const ElementId& element) { return element.kind == kind; });
+  if (oneKind && kind == ElementKind::link) return new LinkForm(document, std::move(elements));
+  if (oneKind && kind == ElementKind::turningJoint) return new JointForm(document, std::move(elements));
+  if (oneKind && kind == ElementKind::gearMesh) return new MeshForm(document, std::move(elements));
+  return new MixedForm(document, std::move(elements));
+}
+
 }  // namespace geargraph::inline panels

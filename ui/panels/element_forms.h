@@ -2,6 +2,8 @@
 
 #include <QLineEdit>
 
+#include <set>
+
 #include "ui/panels/property_forms.h"
 
 namespace geargraph::inline panels {
@@ -94,5 +96,9 @@ class MixedForm : public PropertyForm {
   MixedForm(Document* document, std::vector<ElementId> elements);
   void refresh() override {}
 };
+
+/// The form for what is selected: links, turning joints or meshes; the document where nothing is; a note
+/// where it is of several kinds. The caller owns it.
+[[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
 }  // namespace geargraph::inline panels

@@ -3,7 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "ui/panels/matrix_view.h"
+#include "ui/models/matrix_model.h"
 #include "ui/panels/rate_label.h"
 #include "ui/theme/application_theme.h"
 
@@ -14,8 +14,9 @@ void paintBracket(QPainter& painter, int x, int top, int bottom, int hook) {
       QPolygon({QPoint(x + hook, top), QPoint(x, top), QPoint(x, bottom), QPoint(x + hook, bottom)}));
 }
 
-MatrixHeader::MatrixHeader(Qt::Orientation orientation, MatrixView* view)
-    : QHeaderView(orientation, view), m_view(view) {
+MatrixHeader::MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isLit,
+                           QWidget* parent)
+    : QHeaderView(orientation, parent), m_isLit(std::move(isLit)) {
   setMouseTracking(true);
   setSectionResizeMode(QHeaderView::Fixed);
   setHighlightSections(false);
@@ -30,13 +31,13 @@ QSize MatrixHeader::sizeHint() const {
   const bool rate = rows > 0 && model()->headerData(rows - 1, Qt::Vertical, MatrixModel::RateRole).toBool();
   const int width = rate ? static_cast<int>(paintRate(nullptr, font(), {}, widest))
                          : QFontMetrics(font()).horizontalAdvance(widest);
-  return {width + 34 + MatrixView::kBracket, 0};
+  return {width + 34 + kMatrixBracket, 0};
 }
 
 void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
   const Theme theme = themeOf(palette());
   const bool across = orientation() == Qt::Horizontal;
-  const bool lit = across ? m_view->isColumnLit(section) : m_view->isRowLit(section);
+  const bool lit = m_isLit(section);
   const bool ghost = model()->headerData(section, orientation(), MatrixModel::GhostRole).toBool();
 
   painter->save();
@@ -47,7 +48,7 @@ void MatrixHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
   painter->setPen(qColor(lit ? ColorRole::accent : ColorRole::secondary, theme));
   const QString text = model()->headerData(section, orientation()).toString();
   const bool last = across && section == count() - 1;
-  const int margin = across ? (last ? MatrixView::kBracket : 0) : MatrixView::kBracket + 8;
+  const int margin = across ? (last ? kMatrixBracket : 0) : kMatrixBracket + 8;
   const QRect room = rect.adjusted(0, 0, -margin, 0);
   if (model()->headerData(section, orientation(), MatrixModel::RateRole).toBool()) {
     const double advance = paintRate(nullptr, labelFont, {}, text);
@@ -67,7 +68,7 @@ void MatrixHeader::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   painter.setPen(QPen(qColor(ColorRole::ink, themeOf(palette())), 2));
   const int last = count() - 1;
-  paintBracket(painter, viewport()->width() - MatrixView::kBracket + 5, sectionViewportPosition(0) + 1,
+  paintBracket(painter, viewport()->width() - kMatrixBracket + 5, sectionViewportPosition(0) + 1,
                sectionViewportPosition(last) + sectionSize(last) - 1, 7);
 }
 

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <QHeaderView>
+#include <functional>
 
 namespace geargraph::inline panels {
 
-class MatrixView;
+constexpr int kMatrixBracket = 12;  ///< room for a bracket, beside the first and the last column
 
 /// The labels above or beside a matrix; those beside it also draw its left bracket.
 class MatrixHeader : public QHeaderView {
   Q_OBJECT
 
  public:
-  MatrixHeader(Qt::Orientation orientation, MatrixView* view);
+  /// `isLit`: is this row or column emphasised?
+  MatrixHeader(Qt::Orientation orientation, std::function<bool(int section)> isLit, QWidget* parent);
 
  signals:
   void sectionHovered(int section);  ///< -1: none any more
@@ -24,7 +26,7 @@ class MatrixHeader : public QHeaderView {
   [[nodiscard]] QSize sizeHint() const override;
 
  private:
-  MatrixView* m_view;
+  std::function<bool(int)> m_isLit;
   int m_hovered = -1;
 };
 

@@ -44,7 +44,7 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const bool last = index.column() == index.model()->columnCount() - 1;
-    const QRectF cell = QRectF(option.rect).adjusted(0, 0, last ? -MatrixView::kBracket : 0, 0);
+    const QRectF cell = QRectF(option.rect).adjusted(0, 0, last ? -kMatrixBracket : 0, 0);
     if (m_view->isRowLit(index.row()) || m_view->isColumnTinted(index.column())) {
       QColor band = qColor(ColorRole::halo, theme);
       band.setAlphaF(0.35F);
@@ -123,8 +123,10 @@ MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent
 }
 
 void MatrixView::setUpHeaders() {
-  auto* across = new MatrixHeader(Qt::Horizontal, this);
-  auto* down = new MatrixHeader(Qt::Vertical, this);
+  auto* across = new MatrixHeader(
+      Qt::Horizontal, [this](int column) { return isColumnLit(column); }, this);
+  auto* down = new MatrixHeader(
+      Qt::Vertical, [this](int row) { return isRowLit(row); }, this);
   setHorizontalHeader(across);
   setVerticalHeader(down);
   across->setDefaultSectionSize(kColumnWidth);
@@ -163,7 +165,7 @@ void MatrixView::fitSections() {
   if (rows == 0 || columns == 0) return;
   const int widest = scaledPixels(kColumnWidth);
   const int highest = scaledPixels(kRowHeight);
-  const int wide = width() - verticalHeader()->sizeHint().width() - kBracket - 2;
+  const int wide = width() - verticalHeader()->sizeHint().width() - kMatrixBracket - 2;
   const int high = height() - horizontalHeader()->sizeHint().height() - 2;
   const int cellWidth =
       wide / columns >= scaledPixels(kNarrowest) ? std::min(wide / columns, widest) : widest;
@@ -173,7 +175,7 @@ void MatrixView::fitSections() {
   const std::vector<int> widths = widthsOfQuantity();
   for (int column = 0; column < columns; ++column) {
     const int entry = widths.empty() ? cellWidth : widths[std::min(widths.size() - 1, std::size_t(column))];
-    const int size = entry + (column == columns - 1 ? kBracket : 0);
+    const int size = entry + (column == columns - 1 ? kMatrixBracket : 0);
     if (horizontalHeader()->sectionSize(column) != size) horizontalHeader()->resizeSection(column, size);
   }
   updateGeometries();

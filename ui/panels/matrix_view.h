@@ -21,7 +21,6 @@ class MatrixView : public QTableView {
   static constexpr int kWidest = 360;  ///< of a formula; what is longer is cut, and told in full beside
   static constexpr int kRowHeight = 32;
   static constexpr int kLowest = 20;
-  static constexpr int kBracket = 12;  ///< room for a bracket, beside the first and the last column
   static constexpr int kRestMilliseconds = 500;
 
   MatrixView(MatrixModel* model, Selection* selection, QWidget* parent = nullptr);

@@ -1,6 +1,6 @@
 #include "ui/panels/properties_panel.h"
 
-#include "ui/panels/property_forms.h"
+#include "ui/panels/element_forms.h"
 
 namespace geargraph::inline panels {
 

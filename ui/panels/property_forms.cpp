@@ -9,7 +9,6 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/pins.h"
 #include "ui/models/term_tips.h"
-#include "ui/panels/element_forms.h"
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {
@@ -182,21 +181,6 @@ std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& tri
   NumberTriple changed = triple.value_or(otherwise);
   changed[static_cast<std::size_t>(index)] = *number;
   return changed;
-}
-
-PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected) {
-  std::vector<ElementId> elements;
-  for (const ElementId& element : selected) {
-    if (document->elements().contains(element)) elements.push_back(element);
-  }
-  if (elements.empty()) return new DocumentForm(document);
-  const ElementKind kind = elements.front().kind;
-  const bool oneKind = std::all_of(elements.begin(), elements.end(),
-                                   [kind](const ElementId& element) { return element.kind == kind; });
-  if (oneKind && kind == ElementKind::link) return new LinkForm(document, std::move(elements));
-  if (oneKind && kind == ElementKind::turningJoint) return new JointForm(document, std::move(elements));
-  if (oneKind && kind == ElementKind::gearMesh) return new MeshForm(document, std::move(elements));
-  return new MixedForm(document, std::move(elements));
 }
 
 }  // namespace geargraph::inline panels

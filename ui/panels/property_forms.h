@@ -2,7 +2,6 @@
 
 #include <QWidget>
 #include <array>
-#include <set>
 #include <vector>
 
 #include "core/teaching/derivation/glossary.h"
@@ -97,9 +96,5 @@ class TripleField : public QWidget {
 [[nodiscard]] std::optional<NumberTriple> withComponent(const std::optional<NumberTriple>& triple, int index,
                                                         const std::optional<Number>& number,
                                                         const NumberTriple& otherwise);
-
-/// The form for what is selected: links, turning joints or meshes; the document where nothing is; a note
-/// where it is of several kinds. The caller owns it.
-[[nodiscard]] PropertyForm* makePropertyForm(Document* document, const std::set<ElementId>& selected);
 
 }  // namespace geargraph::inline panels

@@ -8,7 +8,7 @@
 
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/reverted_train.h"
-#include "ui/models/results_model.h"
+#include "ui/models/printed_number.h"
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {

@@ -1,23 +1,10 @@
 #pragma once
 
-#include <QColor>
-#include <QPalette>
-
-#include "core/presentation/drawing/palette.h"
+#include "ui/theme/theme_colors.h"
 
 class QApplication;
 
 namespace geargraph::inline theme {
-
-/// A colour of core's palette for a widget.
-[[nodiscard]] QColor qColor(Color color);
-[[nodiscard]] QColor qColor(ColorRole role, Theme theme);
-
-/// The theme that a widget's palette was made for, so that no view has to be told.
-[[nodiscard]] Theme themeOf(const QPalette& palette);
-
-/// The palette of the theme's colours, for all of the application.
-[[nodiscard]] QPalette paletteOf(Theme theme);
 
 /// Style, palette, style sheet and font of the whole program, type `typeScale` times as large. May be called
 /// again to switch themes: widgets get a PaletteChange event and repaint.
@@ -26,11 +13,5 @@ void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
 /// The theme that was chosen last, of the settings; light at first.
 [[nodiscard]] Theme savedTheme();
 void saveTheme(Theme theme);
-
-/// Body type and the smaller one, in pixels of a screen with 96 dots per inch, at the scale applied last.
-[[nodiscard]] int bodyPixels();
-[[nodiscard]] int smallPixels();
-/// A length that goes with the type.
-[[nodiscard]] int scaledPixels(int pixels);
 
 }  // namespace geargraph::inline theme

@@ -1,6 +1,6 @@
 #include "ui/theme/style_sheet.h"
 
-#include "ui/theme/application_theme.h"
+#include "ui/theme/theme_colors.h"
 
 namespace geargraph::inline theme {
 namespace {

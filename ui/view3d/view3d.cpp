@@ -15,7 +15,6 @@
 #include "ui/view3d/image_canvas.h"
 #include "ui/view3d/playback_bar.h"
 #include "ui/view3d/section_bar.h"
-#include "ui/view3d/view_menu.h"
 
 namespace geargraph::inline view3d {
 class View3D::Private {
@@ -166,7 +165,7 @@ void View3D::Private::makeMoreButton() {
   menu->setToolTipsVisible(true);
   connect(menu, &QMenu::aboutToShow, q, [this, menu] {
     menu->clear();
-    fillViewMenu(*menu, *q);
+    q->fillViewMenu(*menu);
   });
   more->setMenu(menu);
   more->setPopupMode(QToolButton::InstantPopup);
@@ -195,7 +194,7 @@ void View3D::Private::openPartMenu(const std::optional<Hit>& hit, const QPointF&
   auto* menu = new QMenu(q);
   menu->setObjectName("view3dPartMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  fillPartMenu(*menu, *q, hit);
+  q->fillPartMenu(*menu, hit);
   emit q->menuOpening(menu, hit ? std::optional(hit->element) : std::nullopt);
   menu->popup(canvas()->mapToGlobal(at.toPoint()));
 }

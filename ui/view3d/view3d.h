@@ -98,6 +98,11 @@ class View3D : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// What the view can show: faces, section, exploded view, translucency, labels, marks of geometry and
+  /// motion, and what is hidden or the reference frame is fixed to.
+  void fillViewMenu(QMenu& menu);
+  /// For the part under the mouse, or for the background.
+  void fillPartMenu(QMenu& menu, const std::optional<Hit>& hit);
   void placeNote();
 
   class Private;

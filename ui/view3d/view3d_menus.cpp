@@ -1,4 +1,6 @@
-#include "ui/view3d/view_menu.h"
+// What the menus of the 3D view hold, each entry checked as it is when the menu opens.
+
+#include "ui/view3d/view3d.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -105,7 +107,8 @@ void hideOthers(View3D& view, const ElementId& link) {
 
 }  // namespace
 
-void fillViewMenu(QMenu& menu, View3D& view) {
+void View3D::fillViewMenu(QMenu& menu) {
+  View3D& view = *this;
   const ViewOptions& now = view.options();
   const std::pair<StandardView, QString> more[] = {{StandardView::back, tr("From behind")},
                                                    {StandardView::left, tr("From the left")},
@@ -129,7 +132,8 @@ void fillViewMenu(QMenu& menu, View3D& view) {
   addWaysBack(menu, view);
 }
 
-void fillPartMenu(QMenu& menu, View3D& view, const std::optional<Hit>& hit) {
+void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
+  View3D& view = *this;
   if (hit) {
     const ElementId link = hit->element;
     const bool moves = view.stage()->place != nullptr;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "core/foundations/base/rational.h"
+
+namespace geargraph::inline models {
+
+/// A fraction with the minus sign of print, or about six digits of it if it is long.
+[[nodiscard]] QString printedFraction(const Rational& value);
+[[nodiscard]] QString printedNumber(double value);
+
+}  // namespace geargraph::inline models
