@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QScreen>
@@ -15,13 +14,14 @@
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/dock_titles.h"
-#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
@@ -86,6 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_presentation = new Presentation(this);
   makeDrawings();
   makeDocks();
+  makeCommands();
   makeMenus();
   makeToolBar();
   addToolBarBreak();
@@ -158,6 +159,17 @@ void MainWindow::onDrawingChosen() {
   m_status->setHint(drawing().hint());
 }
 
+void MainWindow::makeCommands() {
+  m_commands = new EditCommands(*m_workbench, this);
+  connect(m_commands, &EditCommands::refused, m_status, &StatusLine::showRefusal);
+  connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
+  m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},
+                                m_pictures, this);
+  connect(m_exports, &WindowExports::refused, m_status, &StatusLine::showRefusal);
+  connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
+  connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);
+}
+
 void MainWindow::wireViews() {
   connect(m_document, &Document::changed, this, &MainWindow::onDocumentChanged);
   connect(m_document, &Document::modifiedChanged, this, &MainWindow::renewTitle);
@@ -197,11 +209,12 @@ void MainWindow::wireViews() {
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
-  connect(m_matrices, &MatricesPanel::exportWanted, this, &MainWindow::chooseAndExport);
+  connect(m_matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
   for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
     connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
   }
-  connect(m_matrices, &MatricesPanel::quantityExportWanted, this, &MainWindow::chooseAndExportQuantity);
+  connect(m_matrices, &MatricesPanel::quantityExportWanted, m_exports,
+          &WindowExports::chooseAndExportQuantity);
   connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
 }
 
@@ -290,7 +303,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
-  m_derivation->setSnapshot(snapshot, whyNoDerivation());
+  m_derivation->setSnapshot(snapshot, m_exports->whyNoDerivation());
   m_view3d->setEmptyText(whyNoGears(*snapshot));
   renewExport();
   raiseProblems(*snapshot);
@@ -302,7 +315,7 @@ void MainWindow::renewExport() {
                               m_matrices->model().quantityKind()
                                   ? tr("This matrix needs a mechanism without errors.")
                                   : tr("This matrix needs the turning joints to be a spanning tree."));
-  const QString why = whyNoDerivation();
+  const QString why = m_exports->whyNoDerivation();
   WindowActions::setAvailable(m_actions->exportDerivation, why.isEmpty(), why);
   WindowActions::setAvailable(m_actions->showDerivation, why.isEmpty(), why);
 }
@@ -313,15 +326,6 @@ bool MainWindow::openDocument(const QString& path) {
 
 bool MainWindow::saveDocument(const QString& path) {
   return m_files->save(path);
-}
-
-bool MainWindow::exportCsv(const IntegerMatrix& matrix, const QString& path) {
-  if (const auto why = exportMatrixCsv(matrix, path)) {
-    m_status->showRefusal(*why);
-    return false;
-  }
-  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
-  return true;
 }
 
 void MainWindow::renewTitle() {

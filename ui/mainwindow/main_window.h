@@ -4,8 +4,6 @@
 #include <QTabWidget>
 #include <memory>
 
-#include "core/mechanism/graph/integer_matrix.h"
-#include "core/teaching/derivation/quantity_table.h"
 #include "ui/mainwindow/window_actions.h"
 #include "ui/workbench/workbench.h"
 
@@ -39,14 +37,15 @@ class View3D;
 
 namespace geargraph::inline mainwindow {
 
-struct PictureWish;
 class DockTitles;
+class EditCommands;
 class NoticeBar;
 class PictureJobs;
 class Presentation;
 class RecentFiles;
 class StatusLine;
 class StartPage;
+class WindowExports;
 class WindowFiles;
 
 /// One document and all its views: builds them, lays them out, and passes to each what the workbench answers.
@@ -87,17 +86,7 @@ class MainWindow : public QMainWindow {
   bool saveDocument(const QString& path);
   /// The document with what the views want kept: the camera of the 3D view, where somebody has chosen one.
   [[nodiscard]] Mechanism documentToSave() const;
-  bool exportCsv(const IntegerMatrix& matrix, const QString& path);
-  /// Writes a picture of a view, whole or not at all; pictureExported() follows, at once for a drawing, later
-  /// for the 3D view. The status bar says what went wrong.
-  void exportPicture(const PictureWish& wish, const QString& path);
-  /// Writes the derivation in the form that the path's suffix names (html, pdf, tex, md); pictureExported()
-  /// follows, or the status bar says why not.
-  void exportDerivation(const QString& path);
-  /// The newest path that the 3D view has traced, as CSV. @pre there is one
-  bool saveTrace(const QString& path);
-  /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
-  bool saveSpeeds(const QString& path);
+  [[nodiscard]] WindowExports& exports() { return *m_exports; }
   [[nodiscard]] MotionPanel& motion() { return *m_motion; }
 
   /// The places and sizes of windows and docks as they were when the last window closed.
@@ -115,7 +104,6 @@ class MainWindow : public QMainWindow {
   void settled();
   /// The window has been closed, and its document given up or saved.
   void closed();
-  void pictureExported(const QString& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -128,6 +116,7 @@ class MainWindow : public QMainWindow {
   void addDrawing(DrawingView* drawing, const char* name, const QString& title, const QString& tip);
   void onDrawingChosen();
   void makeDocks();
+  void makeCommands();
   QWidget* makeInputsAndResults();
   QDockWidget* addDock(const char* name, const QString& title, QWidget* widget);
   [[nodiscard]] QDockWidget* dock(const char* name) const;
@@ -145,7 +134,6 @@ class MainWindow : public QMainWindow {
   void wireView3D();
   void wireMotion();
   void wireView3DCommands();
-  void chooseAndSaveTrace();
   void startView3DAnew();
 
   void onDocumentChanged();
@@ -154,14 +142,7 @@ class MainWindow : public QMainWindow {
   void renewActions();
   void renewExport();
   void renewTitle();
-  void makeGround();
-  void makePlanets(int total);
   void showInsertSet();
-  bool copySelected();  ///< false, and said, where nothing selected can be copied
-  void cutSelected();
-  void paste();
-  void duplicateSelected();
-  void insert(const Mechanism& fragment, const QString& text);
   void showElement(const ElementId& element);
   void chooseTheme(Theme theme);
   void onStage(const StagePtr& stage);
@@ -169,16 +150,8 @@ class MainWindow : public QMainWindow {
   void popUpMenuFor(const ElementId& element, QPoint at);
   void showShortcuts();
 
-  void chooseAndExport(const IntegerMatrixPtr& matrix);
-  void chooseAndExportQuantity(const QuantityTablePtr& table);
-  [[nodiscard]] QString whyNoDerivation() const;
-  void chooseAndExportDerivation();
   void showDerivation();
   void askForPicture();
-  void chooseAndExportPicture(const PictureWish& wish);
-  void exportView3D(const PictureWish& wish, const QString& path);
-  void writePicture(const Expected<std::string>& bytes, const QString& path);
-  void onPictureWritten(const QString& path);
   void showAbout();
 
   Workbench* m_workbench;
@@ -215,6 +188,8 @@ class MainWindow : public QMainWindow {
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
   bool m_isOpened = false;    ///< since the last complete snapshot
   PictureJobs* m_pictures = nullptr;
+  EditCommands* m_commands = nullptr;
+  WindowExports* m_exports = nullptr;
 };
 
 }  // namespace geargraph::inline mainwindow

@@ -1,6 +1,5 @@
 // File > Export picture: drawings as SVG, PDF or PNG; the 3D view as PNG, as a film, or as solids.
 
-#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -8,14 +7,14 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/picture_jobs.h"
-#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/schematic/schematic_view.h"
 #include "ui/view3d/overlay.h"
 #include "ui/view3d/view3d.h"
+#include "ui/workbench/workbench.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -60,85 +59,70 @@ QString suffixOf(const PictureWish& wish) {
 
 }  // namespace
 
-void MainWindow::askForPicture() {
-  std::vector<std::pair<QString, QString>> views;
-  for (int i = 0; i < m_drawings->count(); ++i) {
-    views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
-  }
-  views.emplace_back(QStringLiteral("3d"), tr("3D"));
-  const QWidget* focus = QApplication::focusWidget();
-  const bool solid = focus == m_view3d || m_view3d->isAncestorOf(focus);
-  auto* dialog = new PictureDialog(views, solid ? QStringLiteral("3d") : drawing().objectName(),
-                                   drawing().theme() == Theme::dark, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &PictureDialog::wanted, this, &MainWindow::chooseAndExportPicture);
-  dialog->show();
-}
-
-void MainWindow::chooseAndExportPicture(const PictureWish& wish) {
+void WindowExports::chooseAndExportPicture(const PictureWish& wish) {
   const QString suffix = suffixOf(wish);
-  const QString name = QFileInfo(m_files->title()).completeBaseName();
+  const QString name = QFileInfo(m_files.title()).completeBaseName();
   const QString proposed = QStringLiteral("%1-%2").arg(name, wish.view);
   if (suffix.isEmpty()) {
-    const QString folder = QFileDialog::getSaveFileName(this, tr("Export pictures into the new folder"),
+    const QString folder = QFileDialog::getSaveFileName(m_window, tr("Export pictures into the new folder"),
                                                         proposed, tr("Folders (*)"));
     if (!folder.isEmpty()) exportPicture(wish, folder);
     return;
   }
   QString path = QFileDialog::getSaveFileName(
-      this, tr("Export picture"), proposed + QLatin1Char('.') + suffix,
+      m_window, tr("Export picture"), proposed + QLatin1Char('.') + suffix,
       QStringLiteral("%1 (*.%2);;%3 (*)").arg(suffix.toUpper(), suffix, tr("All files")));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + suffix;
   exportPicture(wish, path);
 }
 
-void MainWindow::exportPicture(const PictureWish& wish, const QString& path) {
+void WindowExports::exportPicture(const PictureWish& wish, const QString& path) {
   if (wish.view == QLatin1String("3d")) return exportView3D(wish, path);
-  for (DrawingView* each : m_allDrawings) {
+  for (DrawingView* each : m_views.drawings) {
     if (each->objectName() != wish.view) continue;
     DrawingPicture picture = wish.picture;
-    picture.title = m_document->mechanism()->name;
+    picture.title = m_workbench.document().mechanism()->name;
     const DisplayList list = each->picture();
-    const QString why = m_schematic->whyNoPicture();
-    if (each == m_schematic && !why.isEmpty()) return m_status->showRefusal(why);
+    const QString why = m_views.schematic->whyNoPicture();
+    if (each == m_views.schematic && !why.isEmpty()) return emit refused(why);
     writePicture(pictureOf(list, picture), path);
   }
 }
 
 // What the view shows at this moment, whatever happens to it while the pictures are painted.
-void MainWindow::exportView3D(const PictureWish& wish, const QString& path) {
-  const StagePtr stage = m_view3d->stage();
+void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
+  const StagePtr stage = m_views.view3d->stage();
   if (!stage || stage->scene.instances.empty()) {
-    m_status->showRefusal(tr("The 3D view is empty: there is nothing to export."));
+    emit refused(tr("The 3D view is empty: there is nothing to export."));
     return;
   }
-  if (wish.solid == SolidForm::glb) return m_pictures->add(solidsJob(stage, m_view3d->view(), path));
+  if (wish.solid == SolidForm::glb) return m_jobs->add(solidsJob(stage, m_views.view3d->view(), path));
   const SheetLook& look = wish.picture.look;
   StageShot shot;
   shot.stage = stage;
-  shot.view = m_view3d->view();
+  shot.view = m_views.view3d->view();
   shot.view.look = pictureLook(look.theme, look.transparent);
-  shot.view.look.faces = m_view3d->options().faces;
+  shot.view.look.faces = m_views.view3d->options().faces;
   if (look.size) shot.size = {look.size->width, look.size->height};
   shot.fits = wish.isFitted;
   shot.film = wish.film;
-  m_pictures->add(shotJob(shot, m_view3d->options(), look.theme == Theme::dark, wish.solid, path));
+  m_jobs->add(shotJob(shot, m_views.view3d->options(), look.theme == Theme::dark, wish.solid, path));
 }
 
-void MainWindow::writePicture(const Expected<std::string>& bytes, const QString& path) {
+void WindowExports::writePicture(const Expected<std::string>& bytes, const QString& path) {
   if (!bytes) {
-    m_status->showRefusal(QString::fromStdString(bytes.error().front().message));
+    emit refused(QString::fromStdString(bytes.error().front().message));
   } else if (const auto error = writeFile(QFile::encodeName(path).toStdString(), *bytes)) {
-    m_status->showRefusal(QString::fromStdString(error->message));
+    emit refused(QString::fromStdString(error->message));
   } else {
-    onPictureWritten(path);
+    onWritten(path);
   }
 }
 
-void MainWindow::onPictureWritten(const QString& path) {
-  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
-  emit pictureExported(path);
+void WindowExports::onWritten(const QString& path) {
+  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  emit written(path);
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -9,19 +9,19 @@
 #include <QMimeData>
 #include <QSettings>
 
-#include "core/design/synthesis/insertion.h"
-#include "core/design/synthesis/planets.h"
 #include "core/mechanism/model/edits.h"
-#include "core/teaching/derivation/matrix_text.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/shortcut_sheet.h"
 #include "ui/mainwindow/start_page.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/insert_set_dialog.h"
@@ -29,16 +29,9 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/search/search_field.h"
 #include "ui/theme/application_theme.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
-namespace {
-
-QString withSuffix(QString path, const QString& suffix) {
-  if (QFileInfo(path).suffix().isEmpty()) path += suffix;
-  return path;
-}
-
-}  // namespace
 
 void MainWindow::makeMenus() {
   const WindowActions& a = *m_actions;
@@ -104,15 +97,15 @@ void MainWindow::wireActions() {
   QUndoStack& stack = m_document->undoStack();
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
-  connect(a.exportDerivation, &QAction::triggered, this, &MainWindow::chooseAndExportDerivation);
+  connect(a.exportDerivation, &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
   connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);
-  connect(a.cut, &QAction::triggered, this, &MainWindow::cutSelected);
-  connect(a.copy, &QAction::triggered, this, &MainWindow::copySelected);
-  connect(a.paste, &QAction::triggered, this, &MainWindow::paste);
-  connect(a.duplicate, &QAction::triggered, this, &MainWindow::duplicateSelected);
+  connect(a.cut, &QAction::triggered, m_commands, &EditCommands::cut);
+  connect(a.copy, &QAction::triggered, m_commands, &EditCommands::copy);
+  connect(a.paste, &QAction::triggered, m_commands, &EditCommands::paste);
+  connect(a.duplicate, &QAction::triggered, m_commands, &EditCommands::duplicate);
   connect(a.remove, &QAction::triggered, this, [this] { drawing().deleteSelected(); });
   connect(a.rename, &QAction::triggered, this, [this] { drawing().renameSelected(); });
   connect(a.selectAll, &QAction::triggered, this, [this] { drawing().selectAll(); });
@@ -123,11 +116,11 @@ void MainWindow::wireActions() {
   connect(a.flip, &QAction::triggered, this, [this] { drawing().flipSelected(); });
   connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });
   connect(a.tidy, &QAction::triggered, this, [this] { drawing().tidy(); });
-  connect(a.makeGround, &QAction::triggered, this, &MainWindow::makeGround);
+  connect(a.makeGround, &QAction::triggered, m_commands, &EditCommands::makeGround);
   connect(a.insertSet, &QAction::triggered, this, &MainWindow::showInsertSet);
   for (std::size_t i = 0; i < a.planets.size(); ++i) {
-    connect(a.planets[i], &QAction::triggered, this,
-            [this, total = static_cast<int>(i) + 2] { makePlanets(total); });
+    connect(a.planets[i], &QAction::triggered, m_commands,
+            [this, total = static_cast<int>(i) + 2] { m_commands->makePlanets(total); });
   }
   connect(a.fit, &QAction::triggered, this, [this] { drawing().fit(); });
   connect(a.zoomIn, &QAction::triggered, this, [this] { drawing().zoomIn(); });
@@ -253,37 +246,11 @@ void MainWindow::showShortcuts() {
   (new ShortcutSheet(*menuBar(), this))->show();
 }
 
-void MainWindow::makeGround() {
-  for (const ElementId& element : m_selection->selected()) {
-    if (element.kind != ElementKind::link) continue;
-    m_document->apply(
-        {tr("Make ground"),
-         [link = LinkId(element.id)](const Mechanism& before) { return withGround(before, link); }, 0});
-    return;
-  }
-}
-
-void MainWindow::makePlanets(int total) {
-  for (const ElementId& element : m_selection->selected()) {
-    if (element.kind != ElementKind::link) continue;
-    m_document->apply({tr("Make %1 planets").arg(total),
-                       [planet = LinkId(element.id), total](const Mechanism& before) {
-                         return withPlanets(before, planet, total);
-                       },
-                       0});
-    return;
-  }
-}
-
 void MainWindow::showInsertSet() {
   if (m_insertSet == nullptr) {
     m_insertSet = new InsertSetDialog(this);
     connect(m_insertSet, &InsertSetDialog::insertWanted, this, [this](const Mechanism& set) {
-      m_document->apply({tr("Insert %1").arg(QString::fromStdString(set.name).toLower()),
-                         [set](const Mechanism& before) -> Expected<Mechanism> {
-                           return withInserted(before, set, freePlace(before));
-                         },
-                         0});
+      m_commands->insertSet(set);
       drawing().fit();
     });
   }
@@ -292,22 +259,24 @@ void MainWindow::showInsertSet() {
   m_insertSet->activateWindow();
 }
 
-void MainWindow::chooseAndExport(const IntegerMatrixPtr& matrix) {
-  if (!matrix) return;
-  const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
-                                                    tr("CSV files (*.csv);;All files (*)"));
-  if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
+void MainWindow::askForPicture() {
+  std::vector<std::pair<QString, QString>> views;
+  for (int i = 0; i < m_drawings->count(); ++i) {
+    views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
+  }
+  views.emplace_back(QStringLiteral("3d"), tr("3D"));
+  const QWidget* focus = QApplication::focusWidget();
+  const bool solid = focus == m_view3d || m_view3d->isAncestorOf(focus);
+  auto* dialog = new PictureDialog(views, solid ? QStringLiteral("3d") : drawing().objectName(),
+                                   drawing().theme() == Theme::dark, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PictureDialog::wanted, m_exports, &WindowExports::chooseAndExportPicture);
+  dialog->show();
 }
 
-void MainWindow::chooseAndExportQuantity(const QuantityTablePtr& table) {
-  const QString proposed = shownText(quantityAsciiName(table->kind())) + QStringLiteral(".csv");
-  QString path = QFileDialog::getSaveFileName(this, tr("Export matrix"), proposed,
-                                              tr("CSV files (*.csv);;All files (*)"));
-  if (path.isEmpty()) return;
-  path = withSuffix(path, QStringLiteral(".csv"));
-  if (const auto why = writeText(quantityCsv(*table), path)) return m_status->showRefusal(*why);
-  m_status->showNote(tr("Exported %1").arg(QFileInfo(path).fileName()));
+void MainWindow::showDerivation() {
+  dock("dock.derivation")->show();
+  dock("dock.derivation")->raise();
 }
 
 void MainWindow::showAbout() {

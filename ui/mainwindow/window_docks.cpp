@@ -74,7 +74,6 @@ void MainWindow::makeDocks() {
   m_derivation = new DerivationPanel(m_selection, this);
   QDockWidget* derivation = addDock("dock.derivation", tr("Derivation"), m_derivation);
   connect(derivation, &QDockWidget::visibilityChanged, m_derivation, &DerivationPanel::setAwake);
-  connect(m_derivation, &DerivationPanel::exportWanted, this, &MainWindow::chooseAndExportDerivation);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
   placeDocks();

@@ -1,19 +1,16 @@
-// What the window does for its 3D view: the commands of its menus, the files it writes.
+// What the window does for its 3D view: the commands of its menus, its camera in the document.
 
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/foundations/files/file.h"
 #include "ui/mainwindow/main_window.h"
-#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/shapes_dialog.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -31,15 +28,9 @@ Camera cameraOf(const ViewCamera& camera) {
 }  // namespace
 
 void MainWindow::wireView3DCommands() {
-  connect(m_pictures, &PictureJobs::finished, this, &MainWindow::onPictureWritten);
-  connect(m_pictures, &PictureJobs::failed, m_status, &StatusLine::showRefusal);
   connect(m_view3d, &View3D::noteMade, m_status, &StatusLine::showNote);
-  connect(m_view3d, &View3D::traceFileWanted, this, &MainWindow::chooseAndSaveTrace);
-  connect(m_motion, &MotionPanel::fileWanted, this, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the speeds"), tr("speeds.csv"),
-                                                      tr("CSV files (*.csv);;All files (*)"));
-    if (!path.isEmpty()) saveSpeeds(path);
-  });
+  connect(m_view3d, &View3D::traceFileWanted, m_exports, &WindowExports::chooseAndSaveTrace);
+  connect(m_motion, &MotionPanel::fileWanted, m_exports, &WindowExports::chooseAndSaveSpeeds);
   // The part that the menu is about is selected, so the commands of the menu bar mean it.
   connect(m_view3d, &View3D::menuOpening, this, [this](QMenu* menu, const std::optional<ElementId>& element) {
     if (!element) return;
@@ -77,41 +68,6 @@ Mechanism MainWindow::documentToSave() const {
   kept.elevation = rounded(camera.pitch() / kDegree);
   kept.distance = std::max(rounded(camera.distance()), 1e-4);
   return saved;
-}
-
-void MainWindow::chooseAndSaveTrace() {
-  if (m_view3d->traces().empty()) return;
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the traced path"), tr("path.csv"),
-                                                    tr("CSV files (*.csv);;All files (*)"));
-  if (!path.isEmpty()) saveTrace(path);
-}
-
-bool MainWindow::saveTrace(const QString& path) {
-  const std::string csv = pathCsv(m_view3d->traces().back().path, m_view3d->stage()->unit);
-  if (const auto error = writeFile(path.toStdString(), csv)) {
-    m_status->showRefusal(QString::fromStdString(error->message));
-    return false;
-  }
-  m_status->showNote(tr("Saved %1").arg(QFileInfo(path).fileName()));
-  return true;
-}
-
-bool MainWindow::saveSpeeds(const QString& path) {
-  const QFileInfo file(path);
-  int number = 0;
-  for (const CurveSheet& sheet : m_motion->sheets()) {
-    const QString next =
-        ++number == 1
-            ? path
-            : file.path() +
-                  QStringLiteral("/%1-%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix());
-    if (const auto error = writeFile(QFile::encodeName(next).toStdString(), curvesCsv(sheet))) {
-      m_status->showRefusal(QString::fromStdString(error->message));
-      return false;
-    }
-  }
-  m_status->showNote(tr("Saved %1").arg(file.fileName()));
-  return number > 0;
 }
 
 }  // namespace geargraph::inline mainwindow

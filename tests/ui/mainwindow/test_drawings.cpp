@@ -15,6 +15,7 @@
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -29,16 +30,16 @@ class DrawingsTest : public QObject {
 
   QByteArray exported(const PictureWish& wish, const QString& name) {
     const QString path = folder.filePath(name);
-    QSignalSpy done(window.get(), &MainWindow::pictureExported);
-    window->exportPicture(wish, path);
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportPicture(wish, path);
     if (done.empty()) done.wait(60'000);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
   QByteArray derivation(const QString& name) {
     const QString path = folder.filePath(name);
-    QSignalSpy done(window.get(), &MainWindow::pictureExported);
-    window->exportDerivation(path);
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportDerivation(path);
     if (done.empty()) done.wait(60'000);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -150,10 +151,10 @@ class DrawingsTest : public QObject {
     PictureWish pictures = film, solids = film;
     pictures.solid = SolidForm::pictures;
     solids.solid = SolidForm::glb;
-    QSignalSpy done(window.get(), &MainWindow::pictureExported);
-    window->exportPicture(film, folder.filePath("film.png"));
-    window->exportPicture(pictures, folder.filePath("pictures"));
-    window->exportPicture(solids, folder.filePath("view.glb"));
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportPicture(film, folder.filePath("film.png"));
+    window->exports().exportPicture(pictures, folder.filePath("pictures"));
+    window->exports().exportPicture(solids, folder.filePath("view.glb"));
     QVERIFY(window->notices().current() != nullptr);
     QVERIFY(done.empty());  // nothing was waited for
     QTRY_COMPARE_WITH_TIMEOUT(done.size(), qsizetype{3}, 60'000);
@@ -167,7 +168,7 @@ class DrawingsTest : public QObject {
     film.picture.look.size = SheetLook::Size{64, 48};
     film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
     QSignalSpy failed(&window->pictures(), &PictureJobs::failed);
-    window->exportPicture(film, folder.filePath("long.png"));
+    window->exports().exportPicture(film, folder.filePath("long.png"));
     auto answers = window->notices().current()->answers;
     QCOMPARE(answers.front().text, QString("Stop"));
     answers.front().run();
@@ -196,8 +197,8 @@ class DrawingsTest : public QObject {
   }
 
   void whatCannotBeWrittenIsSaid() {
-    QSignalSpy done(window.get(), &MainWindow::pictureExported);
-    window->exportPicture(wish("digraph", PictureForm::svg), "/nowhere/at/all.svg");
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportPicture(wish("digraph", PictureForm::svg), "/nowhere/at/all.svg");
     QVERIFY(done.empty());
   }
 

@@ -13,6 +13,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/theme/application_theme.h"
@@ -218,7 +219,8 @@ class MainWindowTest : public QObject {
     QVERIFY(!window->saveDocument(nowhere));
     QVERIFY(window->isWindowModified());
     QVERIFY(!window->statusLine().text().isEmpty());
-    QVERIFY(!window->exportCsv(*window->analysis().snapshot()->matrix(MatrixKind::incidence), nowhere));
+    QVERIFY(
+        !window->exports().exportCsv(*window->analysis().snapshot()->matrix(MatrixKind::incidence), nowhere));
   }
 };
 

@@ -5,6 +5,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/panels/matrices_panel.h"
 
 namespace geargraph {
@@ -100,7 +101,7 @@ class RobotByHandTest : public QObject {
   void exportedTableReadsBack() {
     const QStringList rows = test::shownRows(*window, MatrixKind::cycleBasis);
     const QString path = folder.filePath(QStringLiteral("C.csv"));
-    QVERIFY(window->exportCsv(*window->matrices().model().matrix(), path));
+    QVERIFY(window->exports().exportCsv(*window->matrices().model().matrix(), path));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split(QLatin1Char('\n'));

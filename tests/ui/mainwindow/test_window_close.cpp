@@ -10,6 +10,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
 
@@ -88,8 +89,8 @@ class WindowCloseTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(window->isSettled() && window->view3d().stage(), 120'000);
       const QTemporaryDir folder;
       bool isDone = false;
-      connect(window.get(), &MainWindow::pictureExported, window.get(), [&] { isDone = true; });
-      window->exportPicture(wish, folder.filePath("export"));
+      connect(&window->exports(), &WindowExports::written, window.get(), [&] { isDone = true; });
+      window->exports().exportPicture(wish, folder.filePath("export"));
       QVERIFY(window->pictures().isBusy());
       QTest::qWait(after);
       if (isDone) return;  // faster than the test

@@ -12,6 +12,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/shapes_dialog.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
@@ -88,7 +89,7 @@ class WindowView3DTest : public QObject {
     dock->raise();
     QTRY_VERIFY(!window->motion().sheets().empty());
     const QString path = folder->filePath("speeds.csv");
-    QVERIFY(window->saveSpeeds(path));
+    QVERIFY(window->exports().saveSpeeds(path));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().startsWith("time s,\"joint 8 rad/s\""));

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph::inline document {
+class Document;
+}  // namespace geargraph::inline document
+namespace geargraph::inline selection {
+class Selection;
+}  // namespace geargraph::inline selection
+namespace geargraph::inline workbench {
+class Workbench;
+}  // namespace geargraph::inline workbench
+
+namespace geargraph::inline mainwindow {
+
+/// Commands that edit what is selected, whatever view shows it. The clipboard holds a document in JSON, which
+/// reaches other windows, other programs and text editors.
+class EditCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  EditCommands(Workbench& workbench, QObject* parent);
+
+  bool copy();  ///< false if nothing selected can be copied
+  void cut();
+  void paste();
+  void duplicate();
+  /// Of the first selected link: it becomes the ground; it gets equally spaced twins, `total` planets in all.
+  void makeGround();
+  void makePlanets(int total);
+  void insertSet(const Mechanism& set);
+
+ signals:
+  void refused(const QString& why);
+  void noted(const QString& note);
+
+ private:
+  void insert(const Mechanism& fragment, const QString& text);
+
+  Document* m_document;
+  Selection* m_selection;
+};
+
+}  // namespace geargraph::inline mainwindow

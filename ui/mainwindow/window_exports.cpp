@@ -1,0 +1,104 @@
+#include "ui/mainwindow/window_exports.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "core/foundations/files/file.h"
+#include "core/teaching/derivation/matrix_text.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/picture_jobs.h"
+#include "ui/models/term_tips.h"
+#include "ui/view3d/motion_panel.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph::inline mainwindow {
+namespace {
+
+QString withSuffix(QString path, const QString& suffix) {
+  if (QFileInfo(path).suffix().isEmpty()) path += suffix;
+  return path;
+}
+
+}  // namespace
+
+WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Views views, PictureJobs* jobs,
+                             QWidget* window)
+    : QObject(window),
+      m_workbench(workbench),
+      m_files(files),
+      m_views(std::move(views)),
+      m_jobs(jobs),
+      m_window(window) {
+  connect(m_jobs, &PictureJobs::finished, this, &WindowExports::onWritten);
+  connect(m_jobs, &PictureJobs::failed, this, &WindowExports::refused);
+}
+
+bool WindowExports::exportCsv(const IntegerMatrix& matrix, const QString& path) {
+  if (const auto why = exportMatrixCsv(matrix, path)) {
+    emit refused(*why);
+    return false;
+  }
+  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+void WindowExports::chooseAndExport(const IntegerMatrixPtr& matrix) {
+  if (!matrix) return;
+  const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
+  const QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
+                                                    tr("CSV files (*.csv);;All files (*)"));
+  if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
+}
+
+void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
+  const QString proposed = shownText(quantityAsciiName(table->kind())) + QStringLiteral(".csv");
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
+                                              tr("CSV files (*.csv);;All files (*)"));
+  if (path.isEmpty()) return;
+  path = withSuffix(path, QStringLiteral(".csv"));
+  if (const auto why = writeText(quantityCsv(*table), path)) return emit refused(*why);
+  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+}
+
+void WindowExports::chooseAndSaveTrace() {
+  if (m_views.view3d->traces().empty()) return;
+  const QString path = QFileDialog::getSaveFileName(m_window, tr("Save the traced path"), tr("path.csv"),
+                                                    tr("CSV files (*.csv);;All files (*)"));
+  if (!path.isEmpty()) saveTrace(path);
+}
+
+bool WindowExports::saveTrace(const QString& path) {
+  const std::string csv = pathCsv(m_views.view3d->traces().back().path, m_views.view3d->stage()->unit);
+  if (const auto error = writeFile(path.toStdString(), csv)) {
+    emit refused(QString::fromStdString(error->message));
+    return false;
+  }
+  emit noted(tr("Saved %1").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+void WindowExports::chooseAndSaveSpeeds() {
+  const QString path = QFileDialog::getSaveFileName(m_window, tr("Save the speeds"), tr("speeds.csv"),
+                                                    tr("CSV files (*.csv);;All files (*)"));
+  if (!path.isEmpty()) saveSpeeds(path);
+}
+
+bool WindowExports::saveSpeeds(const QString& path) {
+  const QFileInfo file(path);
+  int number = 0;
+  for (const CurveSheet& sheet : m_views.motion->sheets()) {
+    const QString next =
+        ++number == 1
+            ? path
+            : file.path() +
+                  QStringLiteral("/%1-%2.%3").arg(file.completeBaseName()).arg(number).arg(file.suffix());
+    if (const auto error = writeFile(QFile::encodeName(next).toStdString(), curvesCsv(sheet))) {
+      emit refused(QString::fromStdString(error->message));
+      return false;
+    }
+  }
+  emit noted(tr("Saved %1").arg(file.fileName()));
+  return number > 0;
+}
+
+}  // namespace geargraph::inline mainwindow

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/graph/integer_matrix.h"
+#include "core/teaching/derivation/quantity_table.h"
+
+class QWidget;
+
+namespace geargraph::inline canvas {
+class DrawingView;
+}  // namespace geargraph::inline canvas
+namespace geargraph::inline ui_schematic {
+class SchematicView;
+}  // namespace geargraph::inline ui_schematic
+namespace geargraph::inline view3d {
+class MotionPanel;
+class View3D;
+}  // namespace geargraph::inline view3d
+namespace geargraph::inline workbench {
+class Workbench;
+}  // namespace geargraph::inline workbench
+
+namespace geargraph::inline mainwindow {
+
+struct PictureWish;
+class PictureJobs;
+class WindowFiles;
+
+/// What a window writes besides its document: matrices and tables as CSV, drawings, 3D pictures and
+/// animations, the derivation, traced paths and speeds. A file is written whole or not at all; refused() and
+/// noted() tell.
+class WindowExports : public QObject {
+  Q_OBJECT
+
+ public:
+  /// They are exported as they are shown.
+  struct Views {
+    std::vector<DrawingView*> drawings;
+    SchematicView* schematic = nullptr;
+    View3D* view3d = nullptr;
+    MotionPanel* motion = nullptr;
+  };
+
+  /// `window`: the parent of its dialogs, and of this.
+  WindowExports(Workbench& workbench, const WindowFiles& files, Views views, PictureJobs* jobs,
+                QWidget* window);
+
+  bool exportCsv(const IntegerMatrix& matrix, const QString& path);
+  /// A picture of a view; written() follows, at once for a drawing, later for the 3D view.
+  void exportPicture(const PictureWish& wish, const QString& path);
+  /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
+  void exportDerivation(const QString& path);
+  /// The newest path that the 3D view has traced, as CSV. @pre there is one
+  bool saveTrace(const QString& path);
+  /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
+  bool saveSpeeds(const QString& path);
+
+  // The same with a dialog for the path.
+  void chooseAndExport(const IntegerMatrixPtr& matrix);
+  void chooseAndExportQuantity(const QuantityTablePtr& table);
+  void chooseAndExportPicture(const PictureWish& wish);
+  void chooseAndExportDerivation();
+  void chooseAndSaveTrace();
+  void chooseAndSaveSpeeds();
+
+  /// What keeps the document from being derived, as a sentence; empty for nothing.
+  [[nodiscard]] QString whyNoDerivation() const;
+
+ signals:
+  void refused(const QString& why);
+  void noted(const QString& note);
+  /// A picture or a derivation.
+  void written(const QString& path);
+
+ private:
+  void exportView3D(const PictureWish& wish, const QString& path);
+  void writePicture(const Expected<std::string>& bytes, const QString& path);
+  void onWritten(const QString& path);
+
+  Workbench& m_workbench;
+  const WindowFiles& m_files;
+  Views m_views;
+  PictureJobs* m_jobs;
+  QWidget* m_window;
+};
+
+}  // namespace geargraph::inline mainwindow
