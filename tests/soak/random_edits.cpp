@@ -120,8 +120,8 @@ Reduce reloaded(Random& random) {
       next.unit = random.oneIn(2) ? "mm" : "in";
       break;
     case 3:
-      next.gearDefaults =
-          random.maybe(GearDefaults{random.maybe(Number(20)), random.maybe(Number(Rational(1, 25))), {}, {}});
+      next.gearDefaults = random.maybe(
+          GearDefaults{random.maybe(Number(20)), random.maybe(Number(Rational(1, 25))), {}, {}, {}, {}});
       break;
     case 4: {
       const WheelId wheel("w" + std::to_string(random.below(40)));

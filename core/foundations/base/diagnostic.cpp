@@ -44,6 +44,17 @@ constexpr std::array kCodes = {
     CodeEntry{Code::undercut, "undercut", Severity::warning},
     CodeEntry{Code::interference, "interference", Severity::warning},
     CodeEntry{Code::symbolicSkipped, "symbolic-skipped", Severity::info},
+    CodeEntry{Code::noLoad, "no-load", Severity::info},
+    CodeEntry{Code::unitLoad, "unit-load", Severity::info},
+    CodeEntry{Code::unbalanced, "unbalanced", Severity::error},
+    CodeEntry{Code::staticallyIndeterminate, "statically-indeterminate", Severity::warning},
+    CodeEntry{Code::selfLocking, "self-locking", Severity::error},
+    CodeEntry{Code::recirculation, "recirculation", Severity::info},
+    CodeEntry{Code::noMotion, "no-motion", Severity::info},
+    CodeEntry{Code::noEfficiency, "no-efficiency", Severity::info},
+    CodeEntry{Code::deadLoad, "dead-load", Severity::info},
+    CodeEntry{Code::unknownUnit, "unknown-unit", Severity::info},
+    CodeEntry{Code::patternLimit, "pattern-limit", Severity::warning},
     CodeEntry{Code::graphics, "graphics", Severity::error},
 };
 

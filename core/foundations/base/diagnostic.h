@@ -42,6 +42,18 @@ enum class Code {
   undercut,
   interference,
   symbolicSkipped,
+  // of statics
+  noLoad,
+  unitLoad,
+  unbalanced,
+  staticallyIndeterminate,
+  selfLocking,
+  recirculation,
+  noMotion,
+  noEfficiency,
+  deadLoad,
+  unknownUnit,
+  patternLimit,
   graphics,  ///< of the machine, not of a file: no OpenGL 3.3, or a driver that fails
 };
 

@@ -80,6 +80,8 @@ std::string_view listName(ElementKind kind) {
       return "couplings";
     case ElementKind::state:
       return "states";
+    case ElementKind::load:
+      return "loads";
   }
   GEARGRAPH_REQUIRE(false);
 }

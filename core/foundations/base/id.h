@@ -59,8 +59,9 @@ using JointId = Id<struct JointTag>;  ///< turning joints
 using MeshId = Id<struct MeshTag>;    ///< gear meshes
 using WheelId = Id<struct WheelTag>;
 using CouplingId = Id<struct CouplingTag>;
+using LoadId = Id<struct LoadTag>;
 
-enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state };
+enum class ElementKind { link, axis, turningJoint, gearMesh, wheel, coupling, state, load };
 
 /// The name of the document's list that holds elements of this kind, e.g. "turningJoints".
 [[nodiscard]] std::string_view listName(ElementKind kind);
@@ -78,6 +79,7 @@ struct ElementId {
   ElementId(MeshId mesh) : kind(ElementKind::gearMesh), id(mesh.atom()) {}              // NOLINT
   ElementId(WheelId wheel) : kind(ElementKind::wheel), id(wheel.atom()) {}              // NOLINT
   ElementId(CouplingId coupling) : kind(ElementKind::coupling), id(coupling.atom()) {}  // NOLINT
+  ElementId(LoadId load) : kind(ElementKind::load), id(load.atom()) {}                  // NOLINT
 
   friend bool operator==(ElementId a, ElementId b) { return a.kind == b.kind && a.id == b.id; }
   friend bool operator!=(ElementId a, ElementId b) { return !(a == b); }

@@ -110,6 +110,7 @@ class MechanismReader {
     readGears(root);
     readInputs(root);
     readShifting(root);
+    readLoads(root);
     if (const auto view = root.member("view")) m_mechanism.view = readView(m_findings, *view);
   }
 
@@ -160,6 +161,8 @@ class MechanismReader {
                if (const auto wheel = from.id("tailWheel")) mesh.tailWheel = WheelId(*wheel);
                if (const auto wheel = from.id("headWheel")) mesh.headWheel = WheelId(*wheel);
                mesh.pinned = from.flag("pinned").value_or(false);
+               mesh.efficiency = from.number("efficiency");
+               mesh.friction = from.number("friction");
              });
     readList(root.member("wheels"), ElementKind::wheel, m_mechanism.wheels,
              [](JsonObject& from, Wheel& wheel) {
@@ -174,6 +177,8 @@ class MechanismReader {
       defaults.pressureAngle = from.number("pressureAngle");
       defaults.backlash = from.number("backlash");
       defaults.faceWidth = from.number("faceWidth");
+      defaults.efficiency = from.number("efficiency");
+      defaults.friction = from.number("friction");
       defaults.unknown = from.unknown();
     }
   }
@@ -235,6 +240,66 @@ class MechanismReader {
       if (kind) from.wrong("kind", *kind, "\"brake\" or \"clutch\"");
       if (!m_mechanism.links.empty()) coupling.links = {m_mechanism.links.front().id};  // no more findings
     }
+  }
+
+  void readLoads(JsonObject& root) {
+    if (const auto loads = root.member("loads")) {
+      forEachObject(*loads, "/loads", [&](JsonObject& from) {
+        Load& load = m_mechanism.loads.emplace_back();
+        if (const auto id = from.id("id")) load.id = LoadId(*id);
+        readAction(from, load);
+        load.unknown = from.unknown();
+      });
+    }
+    const auto value = root.member("balances");
+    if (!value) return;
+    std::vector<Balance>& balances = m_mechanism.balances.emplace();
+    forEachObject(*value, "/balances", [&](JsonObject& from) {
+      Balance& balance = balances.emplace_back();
+      if (const auto link = oneOfJointAndLink(from)) {
+        balance.at = Balance::OnLink{*link, optionalAxis(from)};
+      } else {
+        balance.at = JointId(from.requiredId("joint"));
+      }
+      balance.unknown = from.unknown();
+    });
+  }
+
+  void readAction(JsonObject& from, Load& load) {
+    const auto torque = [&] {
+      (void)from.required("torque", "a torque in N m");
+      return from.number("torque").value_or(Number());
+    };
+    const auto link = oneOfJointAndLink(from);
+    if (!link) {
+      const JointId joint(from.requiredId("joint"));
+      load.action = JointTorque{joint, torque()};
+      return;
+    }
+    const auto force = from.member("force");
+    if (!force) {
+      load.action = LinkTorque{*link, optionalAxis(from), torque()};
+      return;
+    }
+    if (const auto both = from.member("torque"))
+      from.wrong("torque", *both, "a torque or a force, not both in one load");
+    (void)from.required("point", "the point of the link that the force acts at");
+    LinkForce action{*link, {}, {}};
+    if (const auto components = from.triple("force")) action.force = *components;
+    if (const auto point = from.triple("point")) action.point = *point;
+    load.action = action;
+  }
+
+  /// The link where the object names one; else it has to name a joint.
+  static std::optional<LinkId> oneOfJointAndLink(JsonObject& from) {
+    const auto link = from.member("link");
+    if (!link) return std::nullopt;
+    if (from.member("joint")) from.wrong("link", *link, "a joint or a link, not both");
+    return LinkId(from.requiredId("link"));
+  }
+  static std::optional<AxisId> optionalAxis(JsonObject& from) {
+    const auto axis = from.id("axis");
+    return axis ? std::optional(AxisId(*axis)) : std::nullopt;
   }
 
   /// Calls read(object) for each element of a list; a value that is no list is a finding.

@@ -30,6 +30,8 @@ class MechanismWriter {
     if (mechanism.inputs) list("inputs", *mechanism.inputs);
     if (!mechanism.couplings.empty()) list("couplings", mechanism.couplings);
     if (!mechanism.states.empty()) list("states", mechanism.states);
+    if (!mechanism.loads.empty()) list("loads", mechanism.loads);
+    if (mechanism.balances) list("balances", *mechanism.balances);
     view(mechanism);
     unknown(mechanism.unknown);
     m_json.endObject();
@@ -104,6 +106,8 @@ class MechanismWriter {
     if (mesh.tailWheel) id("tailWheel", *mesh.tailWheel);
     if (mesh.headWheel) id("headWheel", *mesh.headWheel);
     pinned(mesh.pinned);
+    number("efficiency", mesh.efficiency);
+    number("friction", mesh.friction);
   }
 
   void members(const Wheel& wheel) {
@@ -118,6 +122,8 @@ class MechanismWriter {
     number("pressureAngle", defaults.pressureAngle);
     number("backlash", defaults.backlash);
     number("faceWidth", defaults.faceWidth);
+    number("efficiency", defaults.efficiency);
+    number("friction", defaults.friction);
   }
 
   void members(const Input& input) {
@@ -141,6 +147,33 @@ class MechanismWriter {
     ids("engaged", state.engaged);
     if (state.drive) id("drive", *state.drive);
     if (state.driven) id("driven", *state.driven);
+  }
+
+  void members(const Load& load) {
+    if (!load.id.empty()) id("id", load.id);
+    if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
+      id("joint", inJoint->joint);
+      number("torque", inJoint->torque);
+    } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
+      id("link", torque->link);
+      if (torque->axis) id("axis", *torque->axis);
+      number("torque", torque->torque);
+    } else {
+      const auto& force = std::get<LinkForce>(load.action);
+      id("link", force.link);
+      triple("force", force.force);
+      triple("point", force.point);
+    }
+  }
+
+  void members(const Balance& balance) {
+    if (const auto* joint = std::get_if<JointId>(&balance.at)) {
+      id("joint", *joint);
+      return;
+    }
+    const auto& onLink = std::get<Balance::OnLink>(balance.at);
+    id("link", onLink.link);
+    if (onLink.axis) id("axis", *onLink.axis);
   }
 
   void members(const ViewCamera& camera) {

@@ -75,6 +75,7 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.other = before.name != after.name || before.notes != after.notes || before.unit != after.unit ||
                      before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
                      before.couplings != after.couplings || before.states != after.states ||
+                     before.loads != after.loads || before.balances != after.balances ||
                      before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
                      before.unknown != after.unknown || reordered;
   return difference;
@@ -83,7 +84,7 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
 bool isSameButForView(const Mechanism& a, const Mechanism& b) {
   const auto rest = [](const Mechanism& m) {
     return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
-                    m.gearDefaults, m.inputs, m.couplings, m.states, m.unknown);
+                    m.gearDefaults, m.inputs, m.couplings, m.states, m.loads, m.balances, m.unknown);
   };
   return rest(a) == rest(b);
 }

@@ -7,6 +7,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 
 namespace geargraph::inline model {
@@ -31,9 +32,58 @@ Element* findIn(std::vector<Element>& list, ElementIdType id) {
   return found == list.end() ? nullptr : &*found;
 }
 
+/// Calls use(axis) for the axis of every torque on a link and of every balance on one, named or not.
+template <class Use>
+void forEachLoadAxis(Mechanism& mechanism, const Use& use) {
+  for (Load& load : mechanism.loads) {
+    if (auto* torque = std::get_if<LinkTorque>(&load.action)) use(torque->axis);
+  }
+  if (!mechanism.balances) return;
+  for (Balance& balance : *mechanism.balances) {
+    if (auto* onLink = std::get_if<Balance::OnLink>(&balance.at)) use(onLink->axis);
+  }
+}
+
+/// Loads and balances go with the joint, the link or the axis that they name.
+void dropLoads(Mechanism& mechanism, const std::unordered_set<ElementId>& gone) {
+  std::unordered_set<Atom> joints;
+  for (const TurningJoint& joint : mechanism.turningJoints) joints.insert(joint.id.atom());
+  const auto goesWith = [&](LinkId link, const std::optional<AxisId>& axis) {
+    return gone.contains(link) || (axis && gone.contains(*axis));
+  };
+  std::erase_if(mechanism.loads, [&](const Load& load) {
+    if (!load.id.empty() && gone.contains(load.id)) return true;
+    if (const auto* inJoint = std::get_if<JointTorque>(&load.action))
+      return !joints.contains(inJoint->joint.atom());
+    if (const auto* torque = std::get_if<LinkTorque>(&load.action))
+      return goesWith(torque->link, torque->axis);
+    return gone.contains(std::get<LinkForce>(load.action).link);
+  });
+  if (!mechanism.balances) return;
+  std::erase_if(*mechanism.balances, [&](const Balance& balance) {
+    if (const auto* joint = std::get_if<JointId>(&balance.at)) return !joints.contains(joint->atom());
+    const auto& onLink = std::get<Balance::OnLink>(balance.at);
+    return goesWith(onLink.link, onLink.axis);
+  });
+  if (mechanism.balances->empty()) mechanism.balances.reset();
+}
+
+bool bearsLoad(const Mechanism& mechanism, LinkId link) {
+  const bool loaded = std::any_of(mechanism.loads.begin(), mechanism.loads.end(),
+                                  [&](const Load& load) { return linkOf(load) == link; });
+  if (loaded || !mechanism.balances) return loaded;
+  return std::any_of(mechanism.balances->begin(), mechanism.balances->end(), [&](const Balance& balance) {
+    const auto* onLink = std::get_if<Balance::OnLink>(&balance.at);
+    return onLink != nullptr && onLink->link == link;
+  });
+}
+
 void dropUnusedAxes(Mechanism& mechanism, const std::set<AxisId>& candidates) {
   std::set<AxisId> used;
   for (const TurningJoint& joint : mechanism.turningJoints) used.insert(joint.axis);
+  forEachLoadAxis(mechanism, [&](std::optional<AxisId>& axis) {
+    if (axis) used.insert(*axis);
+  });
   std::erase_if(mechanism.axes,
                 [&](const Axis& axis) { return candidates.contains(axis.id) && !used.contains(axis.id); });
 }
@@ -161,6 +211,7 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
                   [&](const Input& input) { return !joints.contains(input.joint.atom()); });
     if (mechanism.inputs->empty()) mechanism.inputs.reset();
   }
+  dropLoads(mechanism, gone);
   dropUnusedAxes(mechanism, freed);
   return mechanism;
 }
@@ -171,6 +222,11 @@ Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
     if (joint == nullptr) return unknown(element);
     std::swap(joint->tail, joint->head);
     joint->limits = opposite(joint->limits);
+    for (Load& load : mechanism.loads) {  // the same action on the same two links
+      auto* inJoint = std::get_if<JointTorque>(&load.action);
+      if (inJoint != nullptr && inJoint->joint == joint->id)
+        inJoint->torque = Number(-inJoint->torque.exact());
+    }
     return mechanism;
   }
   GearMesh* mesh =
@@ -206,6 +262,9 @@ Expected<Mechanism> withName(Mechanism mechanism, const ElementId& element, cons
   for (TurningJoint& joint : mechanism.turningJoints) {
     if (joint.axis == from) joint.axis = to;
   }
+  forEachLoadAxis(mechanism, [&](std::optional<AxisId>& named) {
+    if (named == from) named = to;
+  });
   return mechanism;
 }
 
@@ -319,6 +378,11 @@ Expected<Mechanism> withGround(Mechanism mechanism, LinkId link) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
                                   [link](const Link& candidate) { return candidate.id == link; });
   if (found == mechanism.links.end()) return unknown(link);
+  if (bearsLoad(mechanism, link)) {
+    return refusal(Code::schema,
+                   "Loads or balances act on this link, and the ground can have none: remove them first.",
+                   {link});
+  }
   std::rotate(mechanism.links.begin(), found, found + 1);
   return mechanism;
 }

@@ -30,8 +30,9 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withGearAttached(Mechanism mechanism, LinkId gear, LinkId carrier,
                                                    std::optional<SheetPoint> at);
 
-/// Without these elements and all that needs them: a link takes its joints, meshes, wheels and couplings with
-/// it, a joint its input, an axis nobody uses any more goes too. Refuses to remove the ground.
+/// Without these elements and all that needs them: a link takes its joints, meshes, wheels, couplings and
+/// loads with it, a joint its input and its loads, an axis nobody uses any more goes too. Refuses to remove
+/// the ground.
 [[nodiscard]] Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements);
 
 /// Tail and head exchanged, for a turning joint or a mesh (with its teeth and wheels).
@@ -78,7 +79,8 @@ namespace geargraph::inline model {
 /// The driven joints with their speeds, in column order; none leaves the choice to the program.
 [[nodiscard]] Expected<Mechanism> withInputs(Mechanism mechanism, std::optional<std::vector<Input>> inputs);
 
-/// The link becomes the ground: it goes to the front of the list, and the labels follow.
+/// The link becomes the ground: it goes to the front of the list, and the labels follow. Refuses schema:
+/// loads act on it.
 [[nodiscard]] Expected<Mechanism> withGround(Mechanism mechanism, LinkId link);
 
 }  // namespace geargraph::inline model

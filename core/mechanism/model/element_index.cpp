@@ -39,6 +39,9 @@ bool ElementIndex::contains(const ElementId& element) const {
     case ElementKind::state:
       return std::any_of(m_mechanism->states.begin(), m_mechanism->states.end(),
                          [&](const ShiftState& state) { return state.name == element.id.text(); });
+    case ElementKind::load:
+      return std::any_of(m_mechanism->loads.begin(), m_mechanism->loads.end(),
+                         [&](const Load& load) { return load.id.atom() == element.id; });
   }
   GEARGRAPH_REQUIRE(false);
 }

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/load_edits.h"
 
 namespace geargraph::inline model {
 namespace {
@@ -141,6 +142,35 @@ void addArrows(Mechanism& mechanism, const Mechanism& fragment, const Renamer& r
                        });
 }
 
+/// The loads whose joint or link is pasted, under the pasted ids; their own ids stay where they are free.
+void addLoads(Mechanism& mechanism, const Mechanism& fragment, const Renamer& renamed) {
+  std::unordered_set<Atom> taken;
+  for (const Load& load : mechanism.loads) taken.insert(load.id.atom());
+  for (Load load : fragment.loads) {
+    const bool isFree = load.id.empty() || !taken.contains(load.id.atom());
+    if (!isFree) load.id = LoadId();
+    if (auto* inJoint = std::get_if<JointTorque>(&load.action)) {
+      inJoint->joint = renamed(inJoint->joint);
+    } else if (auto* torque = std::get_if<LinkTorque>(&load.action)) {
+      torque->link = renamed(torque->link);
+      if (torque->axis) torque->axis = renamed(*torque->axis);
+    } else {
+      LinkId& link = std::get<LinkForce>(load.action).link;
+      link = renamed(link);
+    }
+    mechanism.loads.push_back(std::move(load));
+  }
+}
+
+/// Do the joint, the link and the axis that the load names come along?
+bool comesAlong(const Load& load, const std::unordered_set<LinkId>& links,
+                const std::unordered_set<AxisId>& axes, const std::unordered_set<JointId>& joints) {
+  if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) return joints.contains(inJoint->joint);
+  const auto* torque = std::get_if<LinkTorque>(&load.action);
+  if (torque != nullptr && torque->axis && !axes.contains(*torque->axis)) return false;
+  return links.contains(*linkOf(load));
+}
+
 }  // namespace
 
 Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& selected) {
@@ -171,6 +201,8 @@ Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& sele
         kept(*mechanism.inputs, [&](const Input& input) { return joints.contains(input.joint); });
     if (fragment.inputs->empty()) fragment.inputs.reset();
   }
+  fragment.loads =
+      kept(mechanism.loads, [&](const Load& load) { return comesAlong(load, links, axes, joints); });
   for (const auto& [link, point] : mechanism.view.nodes) {
     if (has(link)) fragment.view.nodes.emplace(link, point);
   }
@@ -197,6 +229,7 @@ Expected<Mechanism> withFragment(Mechanism mechanism, const Mechanism& fragment)
     mechanism.links.push_back(std::move(link));
   }
   addArrows(mechanism, fragment, renamed);
+  addLoads(mechanism, fragment, renamed);
   if (fragment.inputs) {
     if (!mechanism.inputs) mechanism.inputs.emplace();
     for (Input input : *fragment.inputs) {

@@ -8,7 +8,7 @@
 namespace geargraph::inline model {
 
 /// What Copy takes: the selected links and the ends of the selected arrows, all arrows among them, with their
-/// axes, wheels, inputs and couplings. It is a document of its own: its ground is that of `mechanism`,
+/// axes, wheels, inputs, couplings and loads. It is a document of its own: its ground is that of `mechanism`,
 /// whether selected or not; arrows to the ground come along where the ground is among the selected or is an
 /// end of a selected arrow. Cost: O(n + t + c).
 [[nodiscard]] Mechanism fragmentOf(const Mechanism& mechanism, const std::set<ElementId>& selected);

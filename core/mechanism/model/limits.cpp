@@ -35,11 +35,14 @@ Diagnostic tooLong(const std::string& text, std::string pointer, std::vector<Ele
       std::move(pointer), std::move(elements));
 }
 
-void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
+void checkLength(std::size_t size, const std::string& name, Diagnostics& findings) {
   if (size <= kLongestList) return;
-  const std::string name(listName(kind));
   findings.push_back(finding(
       "A document has at most 100,000 " + name + "; this one has " + std::to_string(size) + ".", "/" + name));
+}
+
+void checkLength(std::size_t size, ElementKind kind, Diagnostics& findings) {
+  checkLength(size, std::string(listName(kind)), findings);
 }
 
 template <class Element>
@@ -90,6 +93,7 @@ class RangeCheck {
       number({}, mechanism.gearDefaults->backlash, "number", "/gearDefaults/backlash");
       number({}, mechanism.gearDefaults->faceWidth, "length", "/gearDefaults/faceWidth");
     }
+    each(mechanism.loads, ElementKind::load, [this](const Load& load, const auto& at) { action(load, at); });
     places(mechanism.view.nodes, "/view/nodes/");
     places(mechanism.view.ttNodes, "/view/ttNodes/");
     if (mechanism.view.camera) camera(*mechanism.view.camera);
@@ -113,6 +117,17 @@ class RangeCheck {
               const std::string& pointer) {
     for (std::size_t i = 0; values && i < values->size(); ++i)
       number({element}, (*values)[i].value(), what, pointer + "/" + std::to_string(i));
+  }
+  void action(const Load& load, const std::string& at) {
+    if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
+      number({inJoint->joint}, inJoint->torque.value(), "torque", at + "/torque");
+    } else if (const auto* torque = std::get_if<LinkTorque>(&load.action)) {
+      number({torque->link}, torque->torque.value(), "torque", at + "/torque");
+    } else {
+      const auto& force = std::get<LinkForce>(load.action);
+      triple(force.link, force.force, "force", at + "/force");
+      triple(force.link, force.point, "coordinate", at + "/point");
+    }
   }
   void places(const std::map<LinkId, SheetPoint>& nodes, const std::string& pointer) {
     for (const auto& [link, place] : nodes) {
@@ -146,6 +161,8 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
   checkList(mechanism.wheels, ElementKind::wheel, findings);
   checkList(mechanism.couplings, ElementKind::coupling, findings);
   checkLength(mechanism.states.size(), ElementKind::state, findings);
+  checkList(mechanism.loads, ElementKind::load, findings);
+  if (mechanism.balances) checkLength(mechanism.balances->size(), "balances", findings);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
     const Link& link = mechanism.links[i];
     if (isTooLong(link.name))

@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "core/foundations/base/id.h"
+#include "core/mechanism/model/load.h"
 #include "core/mechanism/model/number.h"
 
 namespace geargraph::inline model {
-
-/// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
-/// are kept and written back, so that a newer or foreign program's data survives an edit here.
-using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
 
 /// A 3D file (STL, OBJ, PLY, GLB) attached to a link beside its gears. `file` is a path from the folder of
 /// the document, with slashes, that stays inside it. A point p of the file lies at position + R (scale p) in
@@ -97,6 +94,9 @@ struct GearMesh {
   std::optional<WheelId> tailWheel;
   std::optional<WheelId> headWheel;
   bool pinned = false;  ///< it keeps its module (pins.h)
+  /// Of the power that crosses the teeth, seen from the carrier: above 0, at most 1. At most one of the two.
+  std::optional<Number> efficiency = {};
+  std::optional<Number> friction = {};  ///< coefficient of friction of the teeth, 0 to 1
   UnknownMembers unknown = {};
   friend bool operator==(const GearMesh&, const GearMesh&) = default;
 };
@@ -117,6 +117,8 @@ struct GearDefaults {
   std::optional<Number> pressureAngle;  ///< degrees
   std::optional<Number> backlash;       ///< modules
   std::optional<Number> faceWidth;
+  std::optional<Number> efficiency = {};  ///< of meshes that state neither of the two
+  std::optional<Number> friction = {};
   UnknownMembers unknown;
   friend bool operator==(const GearDefaults&, const GearDefaults&) = default;
 };
@@ -198,6 +200,8 @@ struct Mechanism {
   std::optional<std::vector<Input>> inputs;
   std::vector<Coupling> couplings;
   std::vector<ShiftState> states;
+  std::vector<Load> loads;
+  std::optional<std::vector<Balance>> balances;
   View view;
   UnknownMembers unknown;
 

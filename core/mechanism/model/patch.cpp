@@ -205,9 +205,11 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_couplings(listPatch(before.couplings, after.couplings)),
       m_inputs(listPatch(inputsOf(before), inputsOf(after))),
       m_states(listPatch(before.states, after.states)),
+      m_loads(listPatch(before.loads, after.loads)),
       m_inputsBefore(before.inputs.has_value()),
       m_inputsAfter(after.inputs.has_value()),
       m_gearDefaults(valuePatch(before.gearDefaults, after.gearDefaults)),
+      m_balances(valuePatch(before.balances, after.balances)),
       m_nodes(nodePatch(before.view.nodes, after.view.nodes)),
       m_ttNodes(nodePatch(before.view.ttNodes, after.view.ttNodes)),
       m_camera(cameraPatch(before.view.camera, after.view.camera)),
@@ -262,11 +264,13 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   geargraph::apply(m_wheels, mechanism.wheels, forward);
   geargraph::apply(m_couplings, mechanism.couplings, forward);
   geargraph::apply(m_states, mechanism.states, forward);
+  geargraph::apply(m_loads, mechanism.loads, forward);
   std::vector<Input> inputs = inputsOf(mechanism);
   geargraph::apply(m_inputs, inputs, forward);
   mechanism.inputs.reset();
   if (forward ? m_inputsAfter : m_inputsBefore) mechanism.inputs = std::move(inputs);
   geargraph::apply(m_gearDefaults, mechanism.gearDefaults, forward);
+  geargraph::apply(m_balances, mechanism.balances, forward);
   apply(m_nodes, mechanism.view.nodes, forward);
   apply(m_ttNodes, mechanism.view.ttNodes, forward);
   geargraph::apply(m_camera, mechanism.view.camera, forward);
@@ -277,8 +281,8 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
 void MechanismPatch::count() {
   ByteCount bytes;
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
-            m_inputs, m_states, m_gearDefaults, m_nodes.before, m_nodes.after, m_ttNodes.before,
-            m_ttNodes.after, m_camera, m_viewMembers, m_members);
+            m_inputs, m_states, m_loads, m_gearDefaults, m_balances, m_nodes.before, m_nodes.after,
+            m_ttNodes.before, m_ttNodes.after, m_camera, m_viewMembers, m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 

@@ -83,9 +83,11 @@ class MechanismPatch {
   ListPatch<Coupling> m_couplings;
   ListPatch<Input> m_inputs;
   ListPatch<ShiftState> m_states;
+  ListPatch<Load> m_loads;
   bool m_inputsBefore = false;  ///< stated at all
   bool m_inputsAfter = false;
   ValuePatch<std::optional<GearDefaults>> m_gearDefaults;
+  ValuePatch<std::optional<std::vector<Balance>>> m_balances;
   NodePatch m_nodes;
   NodePatch m_ttNodes;
   ValuePatch<std::optional<ViewCamera>> m_camera;

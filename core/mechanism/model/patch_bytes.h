@@ -59,12 +59,24 @@ class ByteCount {
   void one(const TurningJoint& joint) {
     add(joint.offset, joint.limits.low, joint.limits.high, joint.unknown);
   }
-  void one(const GearMesh& mesh) { add(mesh.pitchPoint, mesh.faceWidth, mesh.unknown); }
+  void one(const GearMesh& mesh) {
+    add(mesh.pitchPoint, mesh.faceWidth, mesh.efficiency, mesh.friction, mesh.unknown);
+  }
   void one(const Wheel& wheel) { add(wheel.profileShift, wheel.bore, wheel.backlash, wheel.unknown); }
-  void one(const GearDefaults& all) { add(all.pressureAngle, all.backlash, all.faceWidth, all.unknown); }
+  void one(const GearDefaults& all) {
+    add(all.pressureAngle, all.backlash, all.faceWidth, all.efficiency, all.friction, all.unknown);
+  }
   void one(const Input& input) { add(input.speed, input.unknown); }
   void one(const Coupling& coupling) { add(coupling.links, coupling.unknown); }
   void one(const ShiftState& state) { add(state.name, state.engaged, state.unknown); }
+  void one(const JointTorque& action) { add(action.torque); }
+  void one(const LinkTorque& action) { add(action.torque); }
+  void one(const LinkForce& action) { add(action.force, action.point); }
+  void one(const Load& load) {
+    std::visit([this](const auto& action) { one(action); }, load.action);
+    add(load.unknown);
+  }
+  void one(const Balance& balance) { add(balance.unknown); }
   void one(const TextPatch& patch) { add(patch.before, patch.after); }
   template <class Element>
   void one(const ListRun<Element>& run) {

@@ -8,6 +8,7 @@
 #include "core/foundations/base/wording.h"
 #include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/load_checks.h"
 #include "core/mechanism/model/shapes.h"
 
 namespace geargraph::inline model {
@@ -43,6 +44,7 @@ class WellFormedCheck {
     checkInputs();
     checkCouplings();
     checkStates();
+    for (Diagnostic& wrong : loadDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
     checkCamera();
     return std::move(m_findings);
   }

@@ -6,8 +6,8 @@
 namespace geargraph::inline model {
 
 /// Is the document well formed: duplicate-id, unknown-id, self-joint, and schema for teeth, directions,
-/// couplings and what is beyond the limits of the format (limits.h). All findings, not only the first. The
-/// reader refuses what has any. Cost: O(n + t + c).
+/// couplings, loads (load_checks.h) and what is beyond the limits of the format (limits.h). All findings, not
+/// only the first. The reader refuses what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics wellFormedDiagnostics(const Mechanism& mechanism);
 
 /// What is wrong with the limits of a joint, in a sentence: an end beyond the reference pose, which is at 0,

@@ -51,12 +51,15 @@ inline const std::string kEverything = R"({
     {"id": 6, "tail": "arm", "head": "planet", "axis": "p"}],
   "gearMeshes": [
     {"id": 7, "tail": "sun", "head": "planet", "tailTeeth": 20, "headTeeth": 31, "kind": "external",
-     "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true}],
+     "pitchPoint": [1, 2, 3], "faceWidth": "3/8", "tailWheel": "w", "pinned": true, "efficiency": "49/50"}],
   "wheels": [{"id": "w", "link": "sun", "profileShift": 0.1, "bore": 8, "backlash": 0.04}],
-  "gearDefaults": {"pressureAngle": 20, "backlash": 0.05, "faceWidth": 10},
+  "gearDefaults": {"pressureAngle": 20, "backlash": 0.05, "faceWidth": 10, "friction": 0.06},
   "inputs": [{"joint": 4, "speed": "1/3"}],
   "couplings": [{"id": "B", "kind": "brake", "link": "arm"}, {"id": "C", "kind": "clutch", "links": ["sun", "arm"]}],
   "states": [{"name": "1", "engaged": ["B", "C"], "drive": "sun", "driven": "arm"}],
+  "loads": [{"id": "pull", "joint": 5, "torque": -12.50}, {"link": "planet", "axis": "p", "torque": "5/2"},
+    {"link": "arm", "torque": 3}, {"link": "sun", "force": [0, 1.0, "-20/3"], "point": [0, 40, 132]}],
+  "balances": [{"joint": 4}, {"link": "arm", "axis": "a"}, {"link": "planet"}],
   "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
     "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
 })";

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/foundations/base/id.h"
+#include "core/mechanism/model/number.h"
+
+namespace geargraph::inline model {
+
+/// Members of a file that this program does not know, as (name, JSON text), in the order of the file. They
+/// are kept and written back, so that a newer or foreign program's data survives an edit here.
+using UnknownMembers = std::vector<std::pair<std::string, std::string>>;
+
+/// A torque in a turning joint, N m, about +direction of its axis: by the joint's tail on its head, and the
+/// opposite on the tail.
+struct JointTorque {
+  JointId joint;
+  Number torque;
+  friend bool operator==(const JointTorque&, const JointTorque&) = default;
+};
+
+/// A torque from outside on a link, N m; the ground takes the reaction. Only the direction of `axis` counts;
+/// without it, it is the link's first axis on the way to the ground.
+struct LinkTorque {
+  LinkId link;
+  std::optional<AxisId> axis;
+  Number torque;
+  friend bool operator==(const LinkTorque&, const LinkTorque&) = default;
+};
+
+/// A force from outside on a link, N, at a point of it in the reference pose (base frame, the document's
+/// unit); the ground takes the reaction.
+struct LinkForce {
+  LinkId link;
+  NumberTriple force;
+  NumberTriple point;
+  friend bool operator==(const LinkForce&, const LinkForce&) = default;
+};
+
+/// What acts on a mechanism, in the reference pose. Several loads on one element add up.
+struct Load {
+  LoadId id = {};  ///< may be empty
+  std::variant<JointTorque, LinkTorque, LinkForce> action;
+  UnknownMembers unknown = {};
+  friend bool operator==(const Load&, const Load&) = default;
+};
+
+/// A torque that has to be found so that the loads are held: in a joint, tail on head, or on a link about the
+/// direction of an axis (without it: the link's first axis on the way to the ground).
+struct Balance {
+  struct OnLink {
+    LinkId link;
+    std::optional<AxisId> axis;
+    friend bool operator==(const OnLink&, const OnLink&) = default;
+  };
+  std::variant<JointId, OnLink> at;
+  UnknownMembers unknown = {};
+  friend bool operator==(const Balance&, const Balance&) = default;
+};
+
+}  // namespace geargraph::inline model
