@@ -24,7 +24,7 @@ ReportForm formOf(const QString& path) {
 }
 
 /// Why the file could not be written; empty where it was.
-QString written(const QString& path, const std::string& bytes) {
+QString writingError(const QString& path, const std::string& bytes) {
   const auto error = writeFile(QFile::encodeName(path).toStdString(), bytes);
   return error ? QString::fromStdString(error->message) : QString();
 }
@@ -68,14 +68,14 @@ void WindowExports::exportDerivation(const QString& path) {
     if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {
       const Expected<std::string> pages =
           reportPdf(std::move(report), {lists.schematic, lists.digraph, lists.ttGraph});
-      return pages ? written(path, *pages) : QString::fromStdString(pages.error().front().message);
+      return pages ? writingError(path, *pages) : QString::fromStdString(pages.error().front().message);
     }
     const std::string text = reportText(report, formOf(path), [&] {
       const SheetLook look;
       return ReportDrawings{svgOf(lists.schematic, look), svgOf(lists.digraph, look),
                             svgOf(lists.ttGraph, look)};
     });
-    return written(path, text);
+    return writingError(path, text);
   };
   m_jobs->add({path, false, run});
 }

@@ -116,12 +116,12 @@ void WindowFiles::revert() {
 
 void WindowFiles::reload() {
   const QString path = m_document->filePath();
-  std::optional<Expected<Mechanism>> read = readDocument(path, m_window);
-  if (!read) return;
-  if (!*read) return sayBroken(path, read->error());
+  std::optional<Expected<Mechanism>> document = readDocument(path, m_window);
+  if (!document) return;
+  if (!*document) return sayBroken(path, document->error());
   emit read();
   m_document->apply(
-      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**read))));
+      takingOver(tr("Revert to the file"), std::make_shared<const Mechanism>(std::move(**document))));
   m_document->markSaved(path);
   took(path);
 }
