@@ -20,7 +20,8 @@
 namespace geargraph::soak {
 namespace {
 
-constexpr int kRoundsOfEach = 3;          // of every document, so that the first may fill caches
+constexpr int kRoundsOfEach = 3;          // of every document at least, so that the first may fill caches
+constexpr long kGesturesOfRound = 200;    // where no number is given
 constexpr int kMostFindings = 20;         // after that the rest would only repeat them
 constexpr int kSettling = 60;             // events with no window open until memory is counted
 constexpr long kSpareObjects = 20;        // that come and go with timers and threads
@@ -36,6 +37,15 @@ void onMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QStr
   if (type == QtDebugMsg || type == QtInfoMsg) return;
   if (message.startsWith(QLatin1String("This plugin does not support"))) return;
   warnings << message;
+}
+
+/// "80 ms (CPU 75, waiting 5, wall 120)"
+QString textOf(const test::StallWatchdog::Stall& stall) {
+  return QStringLiteral("%1 ms (CPU %2, waiting %3, wall %4)")
+      .arg(stall.length(), 0, 'f', 0)
+      .arg(stall.cpu, 0, 'f', 0)
+      .arg(stall.waiting, 0, 'f', 0)
+      .arg(stall.wall, 0, 'f', 0);
 }
 
 /// "robot", "random:1000"
@@ -73,16 +83,13 @@ int GestureSoak::run() {
   QApplication::exec();
   checkLeaks();
   printStalls();
-  std::printf(
-      "soak_gestures: seed %llu, %ld gestures, %d rounds, %.0f s, longest stall %.0f ms of CPU, %d "
-      "findings\n",
-      static_cast<unsigned long long>(m_options.seed), m_gestures, m_round, m_time.elapsed() / 1e3,
-      [this] {
-        double longest = 0;
-        for (const auto& [what, stall] : m_longest) longest = std::max(longest, stall.cpu);
-        return longest;
-      }(),
-      m_findings);
+  test::StallWatchdog::Stall longest;
+  for (const auto& [what, stall] : m_longest) {
+    if (stall.length() > longest.length()) longest = stall;
+  }
+  std::printf("soak_gestures: seed %llu, %ld gestures, %d rounds, %.0f s, longest stall %s, %d findings\n",
+              static_cast<unsigned long long>(m_options.seed), m_gestures, m_round, m_time.elapsed() / 1e3,
+              qPrintable(textOf(longest)), m_findings);
   return m_findings;
 }
 
@@ -110,10 +117,10 @@ void GestureSoak::beginRound() {
       m_options.documents[static_cast<std::size_t>(m_round) % m_options.documents.size()];
   m_document = QString::fromStdString(name);
   const QString path = documentFile(name);
-  m_watchdog->setActivity(kOpening);
+  m_watchdog->renameActivity(kOpening);
   m_watchdog->reset();
   m_ending = false;
-  m_roundTime.start();
+  m_gesturesBefore = m_gestures;
   m_windows->openNew().files().openForPerson(path);
 }
 
@@ -123,25 +130,42 @@ void GestureSoak::next() {
   QTimer::singleShot(1, this, &GestureSoak::step);
 }
 
+/// The gestures of a round. All rounds have as many, so that stalls and leaks can be compared.
+long GestureSoak::gesturesOfRound() const {
+  if (!m_options.count) return kGesturesOfRound;
+  return std::max(1L, *m_options.count / (kRoundsOfEach * static_cast<long>(m_options.documents.size())));
+}
+
+/// Is this the last round? With a number of gestures there are kRoundsOfEach of every document, else they go
+/// on until the minutes are over.
+bool GestureSoak::isLastRound() const {
+  const int rounds = kRoundsOfEach * static_cast<int>(m_options.documents.size());
+  return m_findings >= kMostFindings || isTimeOver() || (m_options.count && m_round + 1 >= rounds);
+}
+
+bool GestureSoak::isTimeOver() const {
+  return m_options.minutes && m_time.elapsed() / 6e4 >= *m_options.minutes;
+}
+
 void GestureSoak::step() {
-  const double total = m_time.elapsed() / 1e3;
-  const auto rounds = static_cast<double>(kRoundsOfEach * m_options.documents.size());
-  const double seconds = m_options.minutes.value_or(1e9) * 60 / rounds;
-  const double gestures = static_cast<double>(m_options.count.value_or(1'000'000'000)) / rounds;
   for (; !warnings.isEmpty(); warnings.removeFirst()) finding(warnings.front());
-  const bool isOver = static_cast<double>(m_gestures) >= gestures * (m_round + 1) ||
-                      total >= seconds * (m_round + 1) || m_findings >= kMostFindings;
+  const bool isOver =
+      m_gestures - m_gesturesBefore >= gesturesOfRound() || isTimeOver() || m_findings >= kMostFindings;
   if (isOver || m_ending) return endRound();
   next();
+  const std::size_t windows = m_windows->windows().size();
+  act();
+  if (m_windows->windows().size() > windows) m_watchdog->renameActivity(kOpening);
+}
+
+void GestureSoak::act() {
   if (QWidget* popup = QApplication::activePopupWidget()) return answerPopup(popup);
   if (QWidget* dialog = QApplication::activeModalWidget()) return answerPopup(dialog);
   if (m_windows->windows().empty()) return beginRound();
-  if (!m_steps.empty()) {
-    const std::function<void()> now = std::move(m_steps.back());
-    m_steps.pop_back();
-    return now();
-  }
-  chooseGesture();
+  if (m_steps.empty()) return chooseGesture();
+  const std::function<void()> now = std::move(m_steps.back());
+  m_steps.pop_back();
+  now();
 }
 
 /// Closes windows and what they ask, event by event, then waits and counts.
@@ -156,23 +180,26 @@ void GestureSoak::endRound() {
   if (!m_windows->windows().empty() || QApplication::activeModalWidget() != nullptr) return closeAll();
   if (++m_waited <= kSettling) return;
   malloc_trim(0);
-  m_rests.push_back(atRest());
+  const AtRest rest = atRest();
+  const bool isWhole = m_gestures - m_gesturesBefore >= gesturesOfRound();
+  if (isWhole) m_rests.push_back(rest);
   for (const auto& [activity, stall] : m_watchdog->longestByActivity()) {
     test::StallWatchdog::Stall& longest = m_longest[m_document + QStringLiteral(", ") + activity];
-    if (stall.cpu > longest.cpu) longest = stall;
-    if (stall.cpu > limitOfStall() && activity != kOpening && activity != kClosing) {
+    if (stall.length() > longest.length()) longest = stall;
+    if (stall.length() > limitOfStall() && activity != kOpening && activity != kClosing) {
       m_watchdog->setActivity(activity);
-      finding(QStringLiteral("the event loop was stalled for %1 ms of CPU, %2 ms of the wall")
-                  .arg(stall.cpu, 0, 'f', 0)
-                  .arg(stall.wall, 0, 'f', 0));
+      finding(QStringLiteral("the event loop was stalled for %1").arg(textOf(stall)));
     }
   }
-  std::printf("  round %d, %s: %ld gestures so far, %ld objects and %.1f MB at rest\n", m_round,
-              qPrintable(m_document), m_gestures, m_rests.back().objects, m_rests.back().memory);
+  std::printf("  round %d, %s: %ld gestures, %ld objects and %.1f MB at rest, %.0f s\n", m_round,
+              qPrintable(m_document), m_gestures - m_gesturesBefore, rest.objects, rest.memory,
+              m_time.elapsed() / 1e3);
   std::fflush(stdout);
+  if (isLastRound()) {
+    ++m_round;
+    return QApplication::quit();
+  }
   ++m_round;
-  const bool isLast = m_round >= kRoundsOfEach * static_cast<int>(m_options.documents.size());
-  if (isLast || m_findings >= kMostFindings) return QApplication::quit();
   beginRound();
   next();
 }
@@ -208,17 +235,18 @@ void GestureSoak::checkLeaks() {
 }
 
 void GestureSoak::printStalls() {
-  std::vector<std::pair<double, QString>> sorted;
+  constexpr double kShort = 8;  // ms, not worth a line
+  std::multimap<double, QString> sorted;
   for (const auto& [what, stall] : m_longest) {
-    sorted.emplace_back(-stall.cpu, QStringLiteral("  stall of %1 ms of CPU, %2 ms of the wall: %3")
-                                        .arg(stall.cpu, 0, 'f', 1)
-                                        .arg(stall.wall, 0, 'f', 1)
-                                        .arg(what));
+    if (stall.length() < kShort) continue;
+    QString lines = QStringLiteral("  stall of %1: %2\n").arg(textOf(stall), what);
+    if (stall.length() > kStallLimit) {
+      for (const std::string& function : stall.path)
+        lines += QStringLiteral("      ") + QString::fromStdString(function) + u'\n';
+    }
+    sorted.emplace(-stall.length(), lines);
   }
-  std::sort(sorted.begin(), sorted.end());
-  constexpr std::size_t kShown = 24;
-  for (std::size_t i = 0; i < std::min(sorted.size(), kShown); ++i)
-    std::printf("%s\n", qPrintable(sorted[i].second));
+  for (const auto& [length, lines] : sorted) std::printf("%s", qPrintable(lines));
 }
 
 }  // namespace geargraph::soak

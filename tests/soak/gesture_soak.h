@@ -42,6 +42,7 @@ class GestureSoak : public QObject {
  private:
   void next();
   void step();
+  void act();
   void beginRound();
   void endRound();
   void closeAll();
@@ -73,6 +74,9 @@ class GestureSoak : public QObject {
   [[nodiscard]] MainWindow* window();
   [[nodiscard]] QString documentFile(const std::string& name);
   [[nodiscard]] AtRest atRest() const;
+  [[nodiscard]] long gesturesOfRound() const;
+  [[nodiscard]] bool isLastRound() const;
+  [[nodiscard]] bool isTimeOver() const;
   [[nodiscard]] double limitOfStall() const;
   void finding(const QString& what);
   void checkLeaks();
@@ -84,7 +88,6 @@ class GestureSoak : public QObject {
   std::unique_ptr<WindowSet> m_windows;
   std::unique_ptr<test::StallWatchdog> m_watchdog;
   QElapsedTimer m_time;
-  QElapsedTimer m_roundTime;
   std::vector<std::function<void()>> m_steps;  ///< of the gesture that goes on, the next one last
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture
@@ -92,6 +95,7 @@ class GestureSoak : public QObject {
   int m_links = 0;
   int m_round = 0;
   long m_gestures = 0;
+  long m_gesturesBefore = 0;  ///< this round
   int m_findings = 0;
   int m_waited = 0;       ///< events since no window is open
   bool m_ending = false;  ///< the windows of the round are being closed

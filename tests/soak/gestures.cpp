@@ -300,10 +300,8 @@ void GestureSoak::triggerAction() {
   }
   if (actions.isEmpty()) return;
   const QPointer<QAction> action(actions[below(static_cast<int>(actions.size()))]);
-  begin(QStringLiteral("the command ") + action->text().remove(u'&'), {[this, action] {
-          const std::size_t windows = m_windows->windows().size();
+  begin(QStringLiteral("the command ") + action->text().remove(u'&'), {[action] {
           if (action) action->trigger();
-          if (m_windows->windows().size() > windows) m_watchdog->renameActivity(kOpening);
         }});
 }
 

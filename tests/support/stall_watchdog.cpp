@@ -1,16 +1,22 @@
 #include "tests/support/stall_watchdog.h"
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include <QCoreApplication>
 #include <QEvent>
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 
 namespace geargraph::test {
 namespace {
 
 constexpr std::chrono::milliseconds kPause{2};  // between two events
+constexpr double kLate = 15;                    // ms, from which on a stall is looked into
+constexpr double kWorthAPath = 30;              // ms
 
 QEvent::Type pingType() {
   static const auto type = static_cast<QEvent::Type>(QEvent::registerEventType());
@@ -23,30 +29,72 @@ double milliseconds(clockid_t clock) {
   return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
+/// How long a thread of this program was ready to run and did not, in ms; 0 where the system does not count
+/// it.
+double keptOf(pid_t thread) {
+  std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/schedstat");
+  double ran = 0;
+  double kept = 0;  // ns
+  file >> ran >> kept;
+  return kept / 1e6;
+}
+
 }  // namespace
 
 StallWatchdog::StallWatchdog(const QString& activity, QObject* parent)
-    : QObject(parent), m_activity(activity), m_postedActivity(activity) {
+    : QObject(parent), m_thread(gettid()), m_activity(activity), m_postedActivity(activity) {
   pthread_getcpuclockid(pthread_self(), &m_cpuClock);
   pingType();
-  m_thread = std::jthread([this](const std::stop_token& quit) { watch(quit); });
+  m_watcher = std::jthread([this](const std::stop_token& quit) { watch(quit); });
 }
 
 StallWatchdog::~StallWatchdog() {
-  m_thread.request_stop();
-  m_thread.join();
+  m_watcher.request_stop();
+  m_watcher.join();
 }
 
-StallWatchdog::Stall StallWatchdog::now() const {
-  return {milliseconds(m_cpuClock), milliseconds(CLOCK_MONOTONIC)};
+StallWatchdog::Clocks StallWatchdog::now() const {
+  return {milliseconds(m_cpuClock), keptOf(m_thread), milliseconds(CLOCK_MONOTONIC),
+          milliseconds(CLOCK_PROCESS_CPUTIME_ID)};
+}
+
+StallWatchdog::KeptByThread StallWatchdog::keptOfOthers() const {
+  KeptByThread kept;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
+    const std::string name = entry.path().filename();
+    pid_t thread = 0;
+    std::from_chars(name.data(), name.data() + name.size(), thread);
+    if (thread != m_thread) kept[thread] = keptOf(thread);
+  }
+  return kept;
+}
+
+/// By how much other programs may have prolonged the wait for one of our threads: what it was kept from
+/// running, but no more than the time of processors that we did not use ourselves.
+double StallWatchdog::excusedSince(const Clocks& clocks) const {
+  double most = 0;
+  for (const auto& [thread, kept] : keptOfOthers()) {
+    const auto before = m_others.find(thread);
+    most = std::max(most, kept - (before == m_others.end() ? 0 : before->second));
+  }
+  const Clocks at = now();
+  const double processors = std::max(1U, std::thread::hardware_concurrency());
+  return std::min(most, processors * (at.wall - clocks.wall) - (at.program - clocks.program));
 }
 
 void StallWatchdog::watch(const std::stop_token& quit) {
   std::unique_lock lock(m_mutex);
   while (!quit.stop_requested()) {
     m_wake.wait_for(lock, quit, kPause, [] { return false; });
-    if (m_isPosted || quit.stop_requested()) continue;
+    if (quit.stop_requested()) continue;
+    if (m_isPosted) {
+      if (milliseconds(CLOCK_MONOTONIC) - m_posted.wall < kLate) continue;
+      if (m_others.empty()) m_others = keptOfOthers();
+      m_sampler.sample();
+      continue;
+    }
     m_isPosted = true;
+    m_others.clear();
     m_posted = now();
     m_postedActivity = m_activity;
     lock.unlock();
@@ -58,10 +106,18 @@ void StallWatchdog::watch(const std::stop_token& quit) {
 bool StallWatchdog::event(QEvent* event) {
   if (event->type() != pingType()) return QObject::event(event);
   const std::lock_guard lock(m_mutex);
-  const Stall clocks = now();
-  const Stall stall{clocks.cpu - m_posted.cpu, clocks.wall - m_posted.wall};
+  const Clocks clocks = now();
+  Stall stall;
+  stall.cpu = clocks.cpu - m_posted.cpu;
+  stall.wall = clocks.wall - m_posted.wall;
+  stall.waiting = std::max(0.0, stall.wall - stall.cpu - (clocks.kept - m_posted.kept));
+  if (stall.waiting > kLate) stall.waiting = std::max(0.0, stall.waiting - excusedSince(m_posted));
   Stall& longest = m_longest[m_postedActivity];
-  if (stall.cpu > longest.cpu) longest = stall;
+  if (stall.length() > longest.length()) {
+    if (stall.length() > kWorthAPath && m_sampler.count() > 0) stall.path = m_sampler.commonPath();
+    longest = std::move(stall);
+  }
+  m_sampler.clear();
   m_isPosted = false;
   return true;
 }
@@ -87,9 +143,9 @@ std::map<QString, StallWatchdog::Stall> StallWatchdog::longestByActivity() const
   return m_longest;
 }
 
-double StallWatchdog::longestCpu() const {
+double StallWatchdog::longest() const {
   double longest = 0;
-  for (const auto& [activity, stall] : longestByActivity()) longest = std::max(longest, stall.cpu);
+  for (const auto& [activity, stall] : longestByActivity()) longest = std::max(longest, stall.length());
   return longest;
 }
 

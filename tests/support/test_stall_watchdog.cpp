@@ -1,5 +1,8 @@
 #include <QTest>
 #include <QTimer>
+#include <mutex>
+#include <semaphore>
+#include <thread>
 
 #include "tests/support/stall_watchdog.h"
 
@@ -28,10 +31,56 @@ class StallWatchdogTest : public QObject {
     watchdog.reset();
     watchdog.setActivity(QStringLiteral("computing"));
     QTimer::singleShot(0, this, [] { computeFor(80); });
-    QTRY_VERIFY(watchdog.longestCpu() > 60);
+    QTRY_VERIFY(watchdog.longest() > 60);
     const auto stall = watchdog.longestByActivity()[QStringLiteral("computing")];
     QVERIFY2(stall.cpu < 120, qPrintable(QString::number(stall.cpu)));
     QVERIFY(stall.wall >= stall.cpu - 1);
+  }
+
+  void waitingForAnIdleLockIsAStallOfThatLength() {
+    StallWatchdog watchdog;
+    QTRY_VERIFY(!watchdog.longestByActivity().empty());
+    watchdog.reset();
+    QTimer::singleShot(0, this, [] {
+      std::timed_mutex mutex;
+      std::binary_semaphore isTaken{0};
+      std::binary_semaphore isOver{0};
+      const std::jthread other([&] {
+        const std::lock_guard lock(mutex);
+        isTaken.release();
+        isOver.acquire();
+      });
+      isTaken.acquire();
+      static_cast<void>(mutex.try_lock_for(std::chrono::milliseconds(80)));
+      isOver.release();
+    });
+    QTRY_VERIFY(watchdog.longest() > 60);
+    const auto stall = watchdog.longestByActivity()[QString()];
+    QVERIFY2(stall.waiting > 60, qPrintable(QString::number(stall.waiting)));
+    QVERIFY2(stall.cpu < 20, qPrintable(QString::number(stall.cpu)));
+  }
+
+  void waitingForAWorkingThreadIsAStall() {
+    StallWatchdog watchdog;
+    QTRY_VERIFY(!watchdog.longestByActivity().empty());
+    watchdog.reset();
+    QTimer::singleShot(0, this, [] { std::jthread([] { computeFor(80); }).join(); });
+    QTRY_VERIFY(watchdog.longest() > 60);
+    QVERIFY(watchdog.longestByActivity()[QString()].cpu < 20);
+  }
+
+  void whatTheThreadWasAtIsNamed() {
+    StallWatchdog watchdog;
+    QTRY_VERIFY(!watchdog.longestByActivity().empty());
+    watchdog.reset();
+    QTimer::singleShot(0, this, [] { computeFor(80); });
+    QTRY_VERIFY(watchdog.longest() > 60);
+    const StallWatchdog::Stall stall = watchdog.longestByActivity()[QString()];
+    QString path;
+    for (const std::string& each : stall.path) path += QString::fromStdString(each) + u'\n';
+    QVERIFY2(path.contains(QStringLiteral("QTestEventLoop")) ||
+                 path.contains(QStringLiteral("QEventLoop")) || path.contains(QStringLiteral("computeFor")),
+             qPrintable(path));
   }
 
   void shortEventsAreNoStall() {
@@ -44,7 +93,7 @@ class StallWatchdogTest : public QObject {
     });
     timer.start(0);
     QTRY_VERIFY(left < 0);
-    QVERIFY2(watchdog.longestCpu() < 40, qPrintable(QString::number(watchdog.longestCpu())));
+    QVERIFY2(watchdog.longest() < 40, qPrintable(QString::number(watchdog.longest())));
   }
 };
 
