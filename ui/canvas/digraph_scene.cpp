@@ -132,8 +132,6 @@ void DigraphScene::drawStale() {
 }
 
 void DigraphScene::drawStaleSlice() {
-  constexpr std::size_t kMany = 100;
-  if (m_staleCount > kMany) update();  // uniting the areas of many items costs the square of their number
   m_isSliceDue = false;
   for (std::size_t left = std::min(kSlice, m_staleCount); left > 0; ++m_staleFrom) {
     if (!m_isStale[m_staleFrom]) continue;

@@ -1,5 +1,7 @@
 #include "ui/canvas/drawing_scene.h"
 
+#include <QGraphicsView>
+#include <unordered_map>
 #include <utility>
 
 #include "ui/canvas/mark_painter.h"
@@ -24,11 +26,11 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
 }  // namespace
 
 DrawingScene::DrawingScene(QObject* parent)
-    : QGraphicsScene(parent), m_overlay(new MarkItem(kGhostDepth, m_theme)) {
-  // Items are never looked up by place, and thousands of changes cost more in a tree than in a list.
-  setItemIndexMethod(NoIndex);
+    : QGraphicsScene(parent), m_item(new PartsItem(m_theme)), m_overlay(new MarkItem(kGhostDepth, m_theme)) {
+  setItemIndexMethod(NoIndex);  // items are never looked up by place
+  addItem(m_item);
   addItem(m_overlay);
-  setSceneRect(-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround);
+  setSheet({-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround});
 }
 
 DrawingScene::~DrawingScene() = default;
@@ -40,7 +42,13 @@ void DrawingScene::show(Draw draw) {
 
 void DrawingScene::play(DisplayList drawing) {
   m_outlines = std::move(drawing.outlines);
-  // An item for each element and depth, its marks in their order.
+  // The marks of each part in their order.
+  using PartKey = std::pair<ElementId, int>;
+  struct PartHash {
+    std::size_t operator()(const PartKey& key) const {
+      return std::hash<ElementId>{}(key.first) * 31 + static_cast<std::size_t>(key.second);
+    }
+  };
   std::unordered_map<PartKey, std::vector<Mark>, PartHash> parts;
   std::vector<PartKey> order;
   for (Mark& mark : drawing.marks) {
@@ -55,32 +63,54 @@ void DrawingScene::play(DisplayList drawing) {
 }
 
 void DrawingScene::beginDrawing() {
-  ++m_drawing;
+  m_item->parts().beginDrawing();
 }
 
 void DrawingScene::setPart(const ElementId& element, int depth, std::vector<Mark> marks) {
-  if (marks.empty()) {
-    m_parts.erase({element, depth});
-    return;
-  }
-  Part& part = m_parts[{element, depth}];
-  part.drawing = m_drawing;
-  if (!part.item) {
-    part.item = std::make_unique<MarkItem>(depth, m_theme);
-    addItem(part.item.get());
-  }
-  part.item->setMarks(std::move(marks));
+  ++m_drawnParts;
+  repaint(m_item->parts().set(element, depth, std::move(marks)));
 }
 
 void DrawingScene::endDrawing() {
-  std::erase_if(m_parts, [this](const auto& entry) { return entry.second.drawing != m_drawing; });
+  repaint(m_item->parts().endDrawing());
   growSheet();
+}
+
+void DrawingScene::setParts(SheetParts parts, std::vector<Outline> outlines) {
+  m_item->parts() = std::move(parts);
+  m_outlines = std::move(outlines);
+  growSheet();
+  update();
+}
+
+/// Uniting the areas of many parts costs the square of their number.
+void DrawingScene::repaint(const QRectF& area) {
+  constexpr int kMany = 100;
+  if (area.isNull() || m_repaints > kMany) return;
+  ++m_repaints;
+  for (QGraphicsView* view : views()) {
+    if (m_repaints > kMany) {
+      view->viewport()->update();
+    } else {
+      view->viewport()->update(view->mapFromScene(area).boundingRect().adjusted(-2, -2, 2, 2));
+    }
+  }
+}
+
+void DrawingScene::beginPainting(const QRegion& exposed) {
+  m_repaints = 0;
+  m_item->setExposed(exposed);
+}
+
+void DrawingScene::setSheet(const QRectF& area) {
+  setSceneRect(area);
+  m_item->setArea(area);
 }
 
 void DrawingScene::growSheet() {
   const QRectF drawn = drawnRect();
   if (sceneRect().contains(drawn.adjusted(-1000, -1000, 1000, 1000))) return;
-  setSceneRect(drawn.adjusted(-kRoomAround, -kRoomAround, kRoomAround, kRoomAround));
+  setSheet(drawn.adjusted(-kRoomAround, -kRoomAround, kRoomAround, kRoomAround));
 }
 
 void DrawingScene::setEmphases(Emphases emphases) {
@@ -104,11 +134,7 @@ DisplayList DrawingScene::displayList(const Emphases& emphases) const {
 }
 
 QRectF DrawingScene::drawnRect() const {
-  QRectF rect;
-  for (const auto& [key, part] : m_parts) {
-    if (key.second != kHaloDepth) rect |= part.item->boundingRect();
-  }
-  return rect;
+  return parts().bounds(kHaloDepth);
 }
 
 void DrawingScene::setOverlay(DisplayList overlay) {

@@ -2,18 +2,17 @@
 
 #include <QGraphicsScene>
 #include <functional>
-#include <memory>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "core/presentation/drawing/display_list.h"
 #include "core/presentation/drawing/emphasis.h"
 #include "ui/canvas/mark_item.h"
+#include "ui/canvas/parts_item.h"
 
 namespace geargraph::inline canvas {
 
-/// Plays a drawing on a scene: the marks of one element at one depth are one item, repainted only where they
-/// changed. Picking asks outlines(), never the items.
+/// Plays a drawing on a scene: the marks of one element at one depth are one part, repainted only where they
+/// changed. Picking asks outlines(), never the scene.
 class DrawingScene : public QGraphicsScene {
   Q_OBJECT
 
@@ -38,6 +37,14 @@ class DrawingScene : public QGraphicsScene {
   /// All that is drawn, without halos.
   [[nodiscard]] QRectF drawnRect() const;
 
+  /// The parts of the drawing, for what is drawn at which depth.
+  [[nodiscard]] const SheetParts& parts() const { return m_item->parts(); }
+  /// How many parts have been drawn since the scene was made: what a change costs.
+  [[nodiscard]] quint64 drawnParts() const { return m_drawnParts; }
+  /// What of the viewport the view is about to paint.
+  void beginPainting(const QRegion& exposed);
+  void endPainting() { m_item->setExposed({}); }
+
   /// Marks over the drawing: what is being drawn, the rubber band, guides.
   void setOverlay(DisplayList overlay);
 
@@ -52,30 +59,24 @@ class DrawingScene : public QGraphicsScene {
   void beginDrawing();
   void setPart(const ElementId& element, int depth, std::vector<Mark> marks);
   void endDrawing();
+  /// A drawing that is ready, instead of the one that there is. Cost: that of freeing the latter.
+  void setParts(SheetParts parts, std::vector<Outline> outlines);
   void growSheet();  ///< where the drawing has come near its end
   [[nodiscard]] std::vector<Outline>& editableOutlines() { return m_outlines; }
 
  private:
-  using PartKey = std::pair<ElementId, int>;
-  struct PartHash {
-    std::size_t operator()(const PartKey& key) const {
-      return std::hash<ElementId>{}(key.first) * 31 + static_cast<std::size_t>(key.second);
-    }
-  };
-  struct Part {
-    std::unique_ptr<MarkItem> item;
-    quint64 drawing = 0;  ///< the last one that it was in
-  };
-
   void play(DisplayList drawing);
+  void repaint(const QRectF& area);
+  void setSheet(const QRectF& area);
 
   Draw m_draw;
   Emphases m_emphases;
   std::vector<Outline> m_outlines;
   Theme m_theme = Theme::light;
-  std::unordered_map<PartKey, Part, PartHash> m_parts;
-  quint64 m_drawing = 0;
-  MarkItem* m_overlay = nullptr;  ///< owned by the scene
+  quint64 m_drawnParts = 0;
+  int m_repaints = 0;           ///< areas that wait to be painted, or more than can be told apart
+  PartsItem* m_item = nullptr;  ///< owned by the scene, as the next one
+  MarkItem* m_overlay = nullptr;
 };
 
 }  // namespace geargraph::inline canvas

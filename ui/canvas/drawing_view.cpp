@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QMenu>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QScrollBar>
 
@@ -124,6 +125,12 @@ DisplayList DrawingView::displayList() const {
 DisplayList DrawingView::picture() {
   catchUp();
   return m_scene->displayList(Emphases{});
+}
+
+void DrawingView::paintEvent(QPaintEvent* event) {
+  m_scene->beginPainting(event->region());
+  QGraphicsView::paintEvent(event);
+  m_scene->endPainting();
 }
 
 void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
