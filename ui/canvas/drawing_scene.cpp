@@ -71,6 +71,11 @@ void DrawingScene::setPart(const ElementId& element, int depth, std::vector<Mark
   repaint(m_item->parts().set(element, depth, std::move(marks)));
 }
 
+void DrawingScene::setElement(const ElementId& element, std::vector<Mark> marks) {
+  ++m_drawnParts;
+  repaint(m_item->parts().setElement(element, std::move(marks)));
+}
+
 void DrawingScene::endDrawing() {
   repaint(m_item->parts().endDrawing());
   growSheet();

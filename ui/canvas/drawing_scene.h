@@ -58,6 +58,8 @@ class DrawingScene : public QGraphicsScene {
   // vanish; in between drawings single parts may be set anew.
   void beginDrawing();
   void setPart(const ElementId& element, int depth, std::vector<Mark> marks);
+  /// All parts of an element.
+  void setElement(const ElementId& element, std::vector<Mark> marks);
   void endDrawing();
   /// A drawing that is ready, instead of the one that there is. Cost: that of freeing the latter.
   void setParts(SheetParts parts, std::vector<Outline> outlines);

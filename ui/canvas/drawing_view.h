@@ -52,6 +52,8 @@ class DrawingView : public QGraphicsView {
 
   [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
   [[nodiscard]] DisplayList picture();            ///< the same with nothing standing out, for export
+  /// Why picture() was not that of the document as it is now, as a sentence; empty where it was.
+  [[nodiscard]] virtual QString whyNoPicture() const { return {}; }
   /// The entries for what is at a place of the viewport; the caller owns the menu.
   [[nodiscard]] QMenu* contextMenuAt(QPoint viewportPlace);
   /// The entries for an element that another view shows, or for the sheet; the caller owns the menu.

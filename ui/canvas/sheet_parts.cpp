@@ -51,6 +51,17 @@ QRectF SheetParts::set(const ElementId& element, int depth, std::vector<Mark> ma
   return changed;
 }
 
+QRectF SheetParts::setElement(const ElementId& element, std::vector<Mark> marks) {
+  std::map<int, std::vector<Mark>> byDepth;
+  for (const auto& [depth, places] : m_places) {
+    if (places.contains(element)) byDepth[depth];
+  }
+  for (Mark& mark : marks) byDepth[mark.z].push_back(std::move(mark));
+  QRectF changed;
+  for (auto& [depth, ofDepth] : byDepth) changed |= set(element, depth, std::move(ofDepth));
+  return changed;
+}
+
 QRectF SheetParts::endDrawing() {
   QRectF vanished;
   for (auto& [depth, layer] : m_layers) {

@@ -30,6 +30,10 @@ class SheetParts {
   /// nothing differs. Cost: of the marks alone.
   QRectF set(const ElementId& element, int depth, std::vector<Mark> marks);
 
+  /// All parts of an element at once; those at depths that `marks` has none of vanish. The area to be painted
+  /// again, as above.
+  QRectF setElement(const ElementId& element, std::vector<Mark> marks);
+
   /// Parts that are not set after this vanish with endDrawing(), which returns their area.
   void beginDrawing() { ++m_drawing; }
   QRectF endDrawing();

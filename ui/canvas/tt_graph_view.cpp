@@ -2,14 +2,19 @@
 
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
-#include "core/presentation/drawing/tt_graph_drawing.h"
-#include "core/presentation/drawing/tt_graph_layout.h"
 #include "core/theory/ttgraph/mesh_words.h"
 #include "ui/canvas/f_circuits.h"
 #include "ui/models/term_tips.h"
 
 namespace geargraph::inline canvas {
 namespace {
+
+constexpr std::size_t kLarge = 300;  ///< links; up to here it takes less than a frame
+
+/// Null where the turning joints are no spanning tree.
+const TtGraph* graphOf(const SnapshotPtr& snapshot) {
+  return snapshot && snapshot->kinematics ? snapshot->kinematics->ttGraph.get() : nullptr;
+}
 
 QString paragraph(const QString& text) {
   return QStringLiteral("<p style='white-space:normal'>%1</p>").arg(text.toHtmlEscaped());
@@ -18,7 +23,14 @@ QString paragraph(const QString& text) {
 }  // namespace
 
 TtGraphView::TtGraphView(Document* document, Selection* selection, QWidget* parent)
-    : GraphView(document, selection, new DrawingScene, parent), m_scene(static_cast<DrawingScene*>(scene())) {
+    : GraphView(document, selection, new TtGraphScene, parent),
+      m_scene(static_cast<TtGraphScene*>(scene())),
+      m_worker([this](const Request& request, const std::stop_token&) {
+        const TtGraphSheetPtr sheet =
+            ttGraphSheet(*request.mechanism, graphOf(request.snapshot), request.layout);
+        QMetaObject::invokeMethod(
+            this, [this, request, sheet] { arrived(request, sheet); }, Qt::QueuedConnection);
+      }) {
   setAccessibleName(tr("T-T graph"));
   updateMessage();
 }
@@ -30,7 +42,7 @@ bool TtGraphView::isAnalyzed() const {
 }
 
 const TtGraph* TtGraphView::graph() const {
-  return snapshot() && snapshot()->kinematics ? snapshot()->kinematics->ttGraph.get() : nullptr;
+  return graphOf(snapshot());
 }
 
 void TtGraphView::rebuild() {
@@ -58,6 +70,8 @@ void TtGraphView::catchUp() {
 
 void TtGraphView::forgetDocument() {
   GraphView::forgetDocument();
+  m_shown = m_wanted;
+  m_layout.clear();
   m_toFit = true;
 }
 
@@ -68,14 +82,39 @@ void TtGraphView::draw() {
 
 void TtGraphView::drawNow() {
   m_behind = false;
-  if (m_layout.empty()) m_layout = ttLayout(mechanism(), graph());
-  m_positions = ttPositions(m_layout, mechanism().view.ttNodes);
-  auto geometry = std::make_shared<const TtGraphGeometry>(ttGraphGeometry(mechanism(), graph(), m_positions));
-  m_scene->show([geometry](const Emphases& emphases) { return ttGraphDrawing(*geometry, emphases); });
+  const Request request{document().mechanism(), snapshot(), m_layout, ++m_wanted};
+  if (mechanism().links.size() <= kLarge) {
+    return arrived(request, ttGraphSheet(*request.mechanism, graph(), request.layout));
+  }
+  m_worker.request(request);
+  updateMessage();
+}
+
+void TtGraphView::arrived(const Request& request, const TtGraphSheetPtr& sheet) {
+  if (request.number <= m_shown) return;  // of another document, or overtaken
+  m_shown = request.number;
+  if (request.snapshot == snapshot()) m_layout = sheet->layout;
+  m_scene->show(sheet);
   tellWhatIsMissing();
   updateEmphases();
   updateMessage();
   if (std::exchange(m_toFit, false)) fit();
+  emit drawn();
+}
+
+const NodePositions& TtGraphView::positions() const {
+  static const NodePositions kNone;
+  return m_scene->sheet() == nullptr ? kNone : m_scene->sheet()->positions;
+}
+
+QString TtGraphView::message() const {
+  if (!isUpToDate() && m_toFit) return tr("Laying out %1 links").arg(mechanism().links.size());
+  return GraphView::message();
+}
+
+QString TtGraphView::whyNoPicture() const {
+  return isUpToDate() && !m_behind ? QString()
+                                   : tr("The T–T graph is still being laid out. Try again in a moment.");
 }
 
 void TtGraphView::tellWhatIsMissing() {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/presentation/drawing/tt_graph_geometry.h"
+#include "core/foundations/base/request_worker.h"
 #include "ui/canvas/graph_view.h"
+#include "ui/canvas/tt_graph_scene.h"
 
 namespace geargraph::inline canvas {
 
@@ -19,6 +20,12 @@ class TtGraphView final : public GraphView {
   TtGraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
 
   void setSnapshot(const SnapshotPtr& snapshot) override;
+  /// Is the newest drawing that was asked for on the scene? One that nobody sees is not asked for.
+  [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
+  [[nodiscard]] QString whyNoPicture() const override;
+
+ signals:
+  void drawn();
 
  public slots:
   void tidy() override;  ///< gives all dragged nodes back to the layout
@@ -29,10 +36,11 @@ class TtGraphView final : public GraphView {
   void forgetDocument() override;
   void showEvent(QShowEvent* event) override;
   [[nodiscard]] Highlight highlight() const override;
+  [[nodiscard]] QString message() const override;
   [[nodiscard]] QString toolTipFor(const ElementId& element) const override;
   [[nodiscard]] QString captionToolTip() const override;
 
-  [[nodiscard]] const NodePositions& positions() const override { return m_positions; }
+  [[nodiscard]] const NodePositions& positions() const override;
   [[nodiscard]] Expected<Mechanism> withMoved(const Mechanism& mechanism,
                                               const NodeMoves& places) const override;
   [[nodiscard]] Expected<Mechanism> withLinkAt(const Mechanism& mechanism, SheetPoint at) const override;
@@ -42,16 +50,26 @@ class TtGraphView final : public GraphView {
   [[nodiscard]] bool isAnalyzed() const;
   /// Null where the turning joints are no spanning tree.
   [[nodiscard]] const TtGraph* graph() const;
+  /// What makes a drawing; a large one takes a thread of its own.
+  struct Request {
+    MechanismPtr mechanism;
+    SnapshotPtr snapshot;  ///< of the same but for where things are
+    NodePositions layout;  ///< empty where it is not known
+    quint64 number = 0;
+  };
   void draw();
   void drawNow();
+  void arrived(const Request& request, const TtGraphSheetPtr& sheet);
   void tellWhatIsMissing();
   [[nodiscard]] QString meshTip(int mesh) const;
 
-  DrawingScene* m_scene;
-  NodePositions m_layout;  ///< of the analysis, without what was dragged; empty until it is drawn
-  NodePositions m_positions;
-  bool m_toFit = true;    ///< another document has come and is not drawn yet
-  bool m_behind = false;  ///< the drawing is out of date, as nobody sees it
+  TtGraphScene* m_scene;
+  NodePositions m_layout;           ///< of the analysis, without what was dragged; empty until it is drawn
+  quint64 m_wanted = 0;             ///< the newest drawing asked for
+  quint64 m_shown = 0;              ///< the newest one that is on the scene
+  bool m_toFit = true;              ///< another document has come and is not drawn yet
+  bool m_behind = false;            ///< the drawing is out of date, as nobody sees it
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline canvas

@@ -84,8 +84,8 @@ void WindowExports::exportPicture(const PictureWish& wish, const QString& path) 
     DrawingPicture picture = wish.picture;
     picture.title = m_workbench.document().mechanism()->name;
     const DisplayList list = each->picture();
-    const QString why = m_views.schematic->whyNoPicture();
-    if (each == m_views.schematic && !why.isEmpty()) return emit refused(why);
+    const QString why = each->whyNoPicture();
+    if (!why.isEmpty()) return emit refused(why);
     writePicture(pictureOf(list, picture), path);
   }
 }

@@ -59,9 +59,9 @@ void WindowExports::exportDerivation(const QString& path) {
     if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
+    const QString why = each->whyNoPicture();
+    if (!why.isEmpty()) return emit refused(why);
   }
-  const QString why = m_views.schematic->whyNoPicture();
-  if (!why.isEmpty()) return emit refused(why);
   const auto run = [=](const PictureJobs::Progress&, const std::stop_token& stop) {
     Report report = derivationReport(snapshot, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");

@@ -24,8 +24,7 @@ class SchematicView : public DrawingView {
   [[nodiscard]] bool isUpToDate() const { return !m_behind && isSettled(); }
   /// Has all that was to be laid out been drawn? While nobody sees it that may be less than the document.
   [[nodiscard]] bool isSettled() const { return m_service->isUpToDate(); }
-  /// Why picture() was not that of the document as it is now, as a sentence; empty where it was.
-  [[nodiscard]] QString whyNoPicture() const;
+  [[nodiscard]] QString whyNoPicture() const override;
   void setTool(ToolKind tool) override;
 
  signals:

@@ -84,4 +84,29 @@ DisplayList ttGraphDrawing(const TtGraphGeometry& geometry, const Emphases& emph
   return list;
 }
 
+TtElements::TtElements(const TtGraphGeometry& geometry) {
+  for (std::size_t i = 0; i < geometry.lines.size(); ++i) m_places[geometry.lines[i].element].push_back(i);
+  for (std::size_t i = 0; i < geometry.nodes.size(); ++i) m_places[geometry.nodes[i].link].push_back(i);
+  for (std::size_t i = 0; i < geometry.couplings.size(); ++i)
+    m_places[geometry.couplings[i].coupling].push_back(i);
+}
+
+DisplayList TtElements::drawing(const TtGraphGeometry& geometry, const ElementId& element,
+                                const Emphasis& emphasis) const {
+  DisplayList list;
+  const auto places = m_places.find(element);
+  if (places == m_places.end()) return list;
+  for (const std::size_t i : places->second) {
+    if (element.kind == ElementKind::link) {
+      list.append(drawingOf(geometry.nodes[i], geometry.isTransfer[i], emphasis));
+    } else if (element.kind == ElementKind::coupling) {
+      list.append(couplingDrawing(geometry.couplings[i], emphasis));
+    } else {
+      list.append(drawingOf(geometry.lines[i], emphasis));
+    }
+  }
+  list.sortByDepth();
+  return list;
+}
+
 }  // namespace geargraph::inline drawing

@@ -367,6 +367,19 @@ class TestDigraphView : public QObject {
     QVERIFY(isDrawnAs(moved));
   }
 
+  void aClickDrawsWhatStandsOutAlone() {
+    Mechanism large = test::randomTree(23, 1200, 600);
+    large.view.nodes = layoutOf(large);
+    ViewDriver d(large);
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isSettled(), 60000);
+    const auto drawn = [&] { return static_cast<DrawingScene*>(d.view.scene())->drawnParts(); };
+    d.click(d.center(700));
+    const quint64 before = drawn();
+    d.click(d.center(30));
+    QVERIFY(d.selection.isSelected(d.link(30)));
+    QVERIFY2(drawn() - before < 20, qPrintable(QString::number(drawn() - before)));
+  }
+
   void thousandsOfElementsAreDrawnAgainInSlices() {
     Mechanism large = test::randomTree(23, 1200, 600);
     large.view.nodes = layoutOf(large);

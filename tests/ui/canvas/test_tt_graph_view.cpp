@@ -33,6 +33,10 @@ struct TtDriver : DriverOf<TtGraphView> {
   }
 };
 
+const TtGraphScene& sceneOf(const TtDriver& d) {
+  return static_cast<const TtGraphScene&>(*d.view.scene());
+}
+
 }  // namespace
 
 class TestTtGraphView : public QObject {
@@ -181,6 +185,49 @@ class TestTtGraphView : public QObject {
     TtDriver d(emptyMechanism());
     QCOMPARE(d.view.displayList().outlines.size(), std::size_t{1});
     QVERIFY(d.view.notice().isEmpty());
+  }
+
+  // --- large documents ---
+  void aLargeDrawingIsMadeBesideTheWindowsThread() {
+    TtDriver d(test::randomTree(23, 1200, 500));
+    QVERIFY(d.view.displayList().outlines.empty());
+    QVERIFY(!d.view.isUpToDate() && !d.view.whyNoPicture().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isUpToDate(), 60000);
+    QVERIFY(d.view.whyNoPicture().isEmpty());
+    QCOMPARE(d.view.picture().outlines.size(), d.view.displayList().outlines.size());
+    QCOMPARE(sceneOf(d).parts().count(kNodeDepth), std::size_t{1201});
+  }
+
+  void whatStandsOutIsDrawnAloneAndOfThousandsInSlices() {
+    TtDriver d(test::randomTree(23, 1200, 500));
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isUpToDate(), 60000);
+    const auto halos = [&] { return sceneOf(d).parts().count(kHaloDepth); };
+    const quint64 before = sceneOf(d).drawnParts();
+    d.click(d.center(700));
+    d.click(d.center(30));
+    QCOMPARE(d.selected(), QString("30"));
+    QCOMPARE(halos(), std::size_t{1});
+    QVERIFY2(sceneOf(d).drawnParts() - before < 20,
+             qPrintable(QString::number(sceneOf(d).drawnParts() - before)));
+
+    constexpr std::size_t kAll = 1201 + 1200 + 500;
+    d.view.selectAll();
+    QVERIFY(halos() < kAll / 2);  // no event has been asked to do all of it
+    QTRY_COMPARE_WITH_TIMEOUT(halos(), kAll, 60000);
+    d.selection.select({d.link(9)});  // the newest selection is what is seen in the end
+    QTRY_COMPARE_WITH_TIMEOUT(halos(), std::size_t{1}, 60000);
+  }
+
+  void theNewestOfSeveralLargeDocumentsIsShown() {
+    TtDriver d(test::randomTree(23, 1200, 500));
+    d.document.replace(test::randomTree(5, 900, 300), "other.geargraph");
+    d.document.replace(robot(), "robot.geargraph");
+    QCOMPARE(sceneOf(d).parts().count(kNodeDepth), std::size_t{8});
+    const TtGraphSheet* shown = sceneOf(d).sheet();
+    d.document.replace(test::randomTree(5, 800, 300), "third.geargraph");
+    QTRY_VERIFY_WITH_TIMEOUT(d.view.isUpToDate(), 60000);
+    QVERIFY(sceneOf(d).sheet() != shown);
+    QCOMPARE(sceneOf(d).parts().count(kNodeDepth), std::size_t{801});
   }
 };
 

@@ -1,0 +1,66 @@
+#include "ui/canvas/tt_graph_scene.h"
+
+#include <QTimer>
+#include <utility>
+
+#include "core/presentation/drawing/tt_graph_layout.h"
+
+namespace geargraph::inline canvas {
+namespace {
+
+constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 10 ms
+
+}  // namespace
+
+TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph, NodePositions layout) {
+  if (layout.empty()) layout = ttLayout(mechanism, graph);
+  NodePositions positions = ttPositions(layout, mechanism.view.ttNodes);
+  TtGraphGeometry geometry = ttGraphGeometry(mechanism, graph, positions);
+  TtElements elements(geometry);
+  DisplayList drawing = ttGraphDrawing(geometry, {});
+  return std::make_shared<TtGraphSheet>(
+      TtGraphSheet{std::move(layout), std::move(positions), std::move(geometry), std::move(elements),
+                   SheetParts(std::move(drawing.marks)), std::move(drawing.outlines)});
+}
+
+TtGraphScene::TtGraphScene(QObject* parent) : DrawingScene(parent) {}
+
+void TtGraphScene::show(TtGraphSheetPtr sheet) {
+  m_sheet = std::move(sheet);
+  setParts(std::move(m_sheet->parts), std::move(m_sheet->outlines));
+  m_stale.clear();
+  std::unordered_set<ElementId> outstanding;
+  for (const auto& [element, emphasis] : emphases()) outstanding.insert(element);
+  drawAgain(outstanding);
+}
+
+void TtGraphScene::drawAgain(const std::unordered_set<ElementId>& changed) {
+  if (m_stale.empty()) {
+    m_stale = changed;
+  } else {
+    m_stale.insert(changed.begin(), changed.end());
+  }
+  if (m_stale.size() <= kSlice) return drawSlice();
+  if (!std::exchange(m_isSliceDue, true)) QTimer::singleShot(0, this, &TtGraphScene::drawSlice);
+}
+
+void TtGraphScene::drawSlice() {
+  m_isSliceDue = false;
+  if (!m_sheet) return m_stale.clear();
+  for (std::size_t left = kSlice; left > 0 && !m_stale.empty(); --left) {
+    const ElementId element = *m_stale.begin();
+    m_stale.erase(m_stale.begin());
+    DisplayList drawing =
+        m_sheet->elements.drawing(m_sheet->geometry, element, emphasisOf(emphases(), element));
+    setElement(element, std::move(drawing.marks));
+  }
+  if (m_stale.empty()) return;
+  m_isSliceDue = true;
+  QTimer::singleShot(0, this, &TtGraphScene::drawSlice);
+}
+
+DisplayList TtGraphScene::displayList(const Emphases& emphases) const {
+  return m_sheet ? ttGraphDrawing(m_sheet->geometry, emphases) : DisplayList{};
+}
+
+}  // namespace geargraph::inline canvas

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "core/presentation/drawing/tt_graph_drawing.h"
+#include "ui/canvas/drawing_scene.h"
+
+namespace geargraph::inline canvas {
+
+/// A T-T graph laid out, placed and taken apart: a value that any thread can make.
+struct TtGraphSheet {
+  NodePositions layout;     ///< without what was dragged
+  NodePositions positions;  ///< with it
+  TtGraphGeometry geometry;
+  TtElements elements;  ///< of the geometry
+  SheetParts parts;     ///< with nothing standing out
+  std::vector<Outline> outlines;
+};
+using TtGraphSheetPtr = std::shared_ptr<TtGraphSheet>;
+
+/// `layout` may be empty: then it is made, too. Cost: near linear in links + joints + meshes, some 300 ms for
+/// 10,000 links.
+/// @pre `graph` is the mechanism's, or null where the turning joints are no spanning tree
+[[nodiscard]] TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph,
+                                           NodePositions layout);
+
+/// The drawing of the T-T graph on a scene. A new one is exchanged as a whole; what stands out is drawn
+/// element by element, thousands of them in slices, between which the window answers.
+class TtGraphScene final : public DrawingScene {
+  Q_OBJECT
+
+ public:
+  explicit TtGraphScene(QObject* parent = nullptr);
+
+  /// Takes the parts out of the sheet.
+  void show(TtGraphSheetPtr sheet);
+  /// Null until the first one is shown.
+  [[nodiscard]] const TtGraphSheet* sheet() const { return m_sheet.get(); }
+  using DrawingScene::displayList;
+  [[nodiscard]] DisplayList displayList(const Emphases& emphases) const override;
+
+ protected:
+  void drawAgain(const std::unordered_set<ElementId>& changed) override;
+
+ private:
+  void drawSlice();
+
+  TtGraphSheetPtr m_sheet;
+  std::unordered_set<ElementId> m_stale;  ///< to be drawn again
+  bool m_isSliceDue = false;
+};
+
+}  // namespace geargraph::inline canvas
