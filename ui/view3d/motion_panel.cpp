@@ -22,7 +22,17 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
       m_view(view),
       m_empty(new QLabel(this)),
       m_components(new QCheckBox(tr("x, y, z"), this)),
-      m_save(new QToolButton(this)) {
+      m_save(new QToolButton(this)),
+      m_worker([this](const Request& request, const std::stop_token& stop) {
+        auto sheets = motionCurves(*request.stage, request.view, request.choice, stop);
+        if (stop.stop_requested()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, sheets = std::move(sheets), number = request.number]() mutable {
+              arrived(std::move(sheets), number);
+            },
+            Qt::QueuedConnection);
+      }) {
   m_components->setToolTip(tr("Coordinates beside the magnitudes of links and points"));
   m_save->setText(tr("CSV…"));
   m_save->setToolTip(tr("Save what is plotted as CSV"));
@@ -31,6 +41,7 @@ MotionPanel::MotionPanel(Selection* selection, View3D* view, QWidget* parent)
   hint->setProperty("look", "hint");
   m_empty->setAlignment(Qt::AlignCenter);
   m_empty->setWordWrap(true);
+  m_empty->hide();  // until it is known that there is nothing
   m_empty->setText(tr("Nothing moves yet: the speeds appear here when the mechanism has valid inputs."));
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 2, 8, 2);
@@ -75,13 +86,18 @@ void MotionPanel::renewIfSeen() {
 }
 
 void MotionPanel::renew() {
-  m_sheets.clear();
   const StagePtr& stage = m_view->stage();
-  if (stage != nullptr) {
-    const double span = stage->period > 0 ? stage->period : kSpanWithoutPeriod;
-    m_sheets =
-        motionCurves(*stage, m_view->view(), {m_selection->selected(), m_components->isChecked(), span});
-  }
+  ++m_wanted;
+  if (stage == nullptr) return arrived({}, m_wanted);
+  const double span = stage->period > 0 ? stage->period : kSpanWithoutPeriod;
+  m_worker.request(
+      {stage, m_view->view(), {m_selection->selected(), m_components->isChecked(), span}, m_wanted});
+}
+
+void MotionPanel::arrived(std::vector<CurveSheet> sheets, quint64 number) {
+  if (number <= m_shown) return;  // overtaken
+  m_shown = number;
+  m_sheets = std::move(sheets);
   for (std::size_t i = 0; i < m_plots.size(); ++i) {
     const bool isThere = i < m_sheets.size();
     m_plots[i]->setVisible(isThere);

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "core/foundations/base/request_worker.h"
 #include "core/presentation/stage/motion_curves.h"
 #include "ui/selection/selection.h"
 
@@ -15,7 +16,8 @@ class MotionPlot;
 class View3D;
 
 /// Speeds over one period of the motion: of the selected joints and links, and of the points whose paths the
-/// 3D view shows. It computes nothing while it is not seen.
+/// 3D view shows. They are computed on a thread of its own, the newest request wins; nothing is while the
+/// panel is not seen.
 class MotionPanel : public QWidget {
   Q_OBJECT
 
@@ -24,6 +26,8 @@ class MotionPanel : public QWidget {
 
   [[nodiscard]] const std::vector<CurveSheet>& sheets() const { return m_sheets; }
   void setComponents(bool shown);
+  /// Do the sheets show what is chosen now?
+  [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
 
  signals:
   void fileWanted();  ///< the sheets are to be saved
@@ -32,8 +36,16 @@ class MotionPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  struct Request {
+    StagePtr stage;
+    StageView view;
+    CurveChoice choice;
+    quint64 number = 0;
+  };
+
   void renew();
   void renewIfSeen();
+  void arrived(std::vector<CurveSheet> sheets, quint64 number);
 
   Selection* m_selection;
   View3D* m_view;
@@ -42,6 +54,9 @@ class MotionPanel : public QWidget {
   QLabel* m_empty;
   QCheckBox* m_components;
   QToolButton* m_save;
+  quint64 m_wanted = 0;
+  quint64 m_shown = 0;
+  RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline view3d

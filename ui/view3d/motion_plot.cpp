@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geargraph::inline view3d {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall 
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
+constexpr double kUnseen = 0.2;   // px, that a curve may be off
 constexpr double kMargin = 0.08;  // of the values, above and below
 
 QString text(double value, int digits = 5) {
@@ -42,6 +44,30 @@ std::vector<double> niceTicks(double low, double high, int most) {
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
     ticks.push_back(k * step);
   return ticks;
+}
+
+std::vector<QPointF> simplified(const std::vector<QPointF>& points, double tolerance) {
+  if (points.size() < 3) return points;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<QPointF> kept{points.front()};
+  QPointF before = points.front();
+  double low = -kInfinity;  // slopes from the last kept point that pass all since
+  double high = kInfinity;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const QPointF& point = points[i];
+    const auto slopeTo = [&](double y) { return (y - kept.back().y()) / (point.x() - kept.back().x()); };
+    const double slope = slopeTo(point.y());
+    if (!(slope >= low && slope <= high)) {
+      kept.push_back(before);
+      low = -kInfinity;
+      high = kInfinity;
+    }
+    low = std::max(low, slopeTo(point.y() - tolerance));
+    high = std::min(high, slopeTo(point.y() + tolerance));
+    before = point;
+  }
+  kept.push_back(before);
+  return kept;
 }
 
 MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent) {
@@ -161,9 +187,11 @@ void MotionPlot::paintCurves(QPainter& painter) const {
     constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
     pen.setStyle(kStyles[coordinate % 4]);
     painter.setPen(pen);
-    QPainterPath path(placeOf(m_sheet.times.front(), curve.values.front()));
-    for (std::size_t i = 1; i < curve.values.size(); ++i)
-      path.lineTo(placeOf(m_sheet.times[i], curve.values[i]));
+    std::vector<QPointF> points;
+    for (std::size_t i = 0; i < curve.values.size(); ++i)
+      points.push_back(placeOf(m_sheet.times[i], curve.values[i]));
+    QPainterPath path(points.front());
+    for (const QPointF& point : simplified(points, kUnseen)) path.lineTo(point);
     painter.drawPath(path);
   }
   painter.restore();

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include "core/presentation/stage/motion_curves.h"
 
@@ -10,6 +11,10 @@ namespace geargraph::inline view3d {
 /// Ticks that read well: 1, 2 or 5 times a power of ten apart, at most `most` of them over the range.
 /// @pre low < high, most > 1
 [[nodiscard]] std::vector<double> niceTicks(double low, double high, int most);
+
+/// Few of the points of a line from left to right, such that it runs within `tolerance` above or below all of
+/// them. The first and the last stay. Cost: O(points).
+[[nodiscard]] std::vector<QPointF> simplified(const std::vector<QPointF>& points, double tolerance);
 
 /// Curves over time, with axes, units and a legend.
 ///

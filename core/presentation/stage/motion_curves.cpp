@@ -25,7 +25,7 @@ class Sampler {
       m_times.push_back(choice.span * static_cast<double>(i) / static_cast<double>(count - 1));
   }
 
-  std::vector<CurveSheet> sheets() {
+  std::vector<CurveSheet> sheets(const std::stop_token& stop) {
     const std::vector<std::size_t> links = chosenLinks();
     std::vector<std::vector<Eigen::Vector3d>> turning(links.size()), moving(m_view.traces.size());
     StageView now = m_view;
@@ -34,6 +34,7 @@ class Sampler {
     std::vector<Twist3> twists(poses.size());
     for (const double time : m_times) {
       if (links.empty() && m_view.traces.empty()) break;
+      if (stop.stop_requested()) return {};
       now.time = time;
       const std::vector<double> angles = inputAngles(m_stage, now);
       m_stage.place(angles, poses);
@@ -156,9 +157,10 @@ void appendNumber(std::string& text, double value) {
 
 }  // namespace
 
-std::vector<CurveSheet> motionCurves(const Stage& stage, const StageView& view, const CurveChoice& choice) {
+std::vector<CurveSheet> motionCurves(const Stage& stage, const StageView& view, const CurveChoice& choice,
+                                     const std::stop_token& stop) {
   if (!stage.place || !stage.twists || stage.inputSpeeds.empty()) return {};
-  return Sampler(stage, view, choice).sheets();
+  return Sampler(stage, view, choice).sheets(stop);
 }
 
 std::string curvesCsv(const CurveSheet& sheet) {

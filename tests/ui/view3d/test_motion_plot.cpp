@@ -91,6 +91,28 @@ class MotionPlotTest : public QObject {
     QVERIFY(std::abs(wanted.front().front().toDouble() - plot.timeAt(at.x())) < 1e-9);
   }
 
+  void aStraightCurveIsPaintedAsOneLine() {
+    std::vector<QPointF> constant;
+    std::vector<QPointF> sine;
+    for (int i = 0; i <= 2880; ++i) {
+      const double x = i / 4.0;
+      constant.emplace_back(x, 30);
+      sine.emplace_back(x, 40 * std::sin(x / 60));
+    }
+    QCOMPARE(simplified(constant, 0.2), (std::vector<QPointF>{{0, 30}, {720, 30}}));
+    const std::vector<QPointF> few = simplified(sine, 0.2);
+    QVERIFY2(few.size() < 200, qPrintable(QString::number(few.size())));
+    for (const QPointF& each : sine) {
+      const auto after = std::lower_bound(few.begin(), few.end(), each,
+                                          [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+      if (after == few.begin()) continue;
+      const QPointF& from = *std::prev(after);
+      const double along = (each.x() - from.x()) / (after->x() - from.x());
+      const double y = from.y() + along * (after->y() - from.y());
+      QVERIFY2(std::abs(y - each.y()) <= 0.2 + 1e-9, qPrintable(QString::number(y - each.y())));
+    }
+  }
+
   void theSelectionAndTheTracesChooseTheCurves() {
     Selection selection;
     View3D view(&selection);
@@ -100,22 +122,29 @@ class MotionPlotTest : public QObject {
     panel.resize(700, 240);
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const auto settle = [&] { QTRY_VERIFY(panel.isUpToDate()); };
+    settle();
     QCOMPARE(panel.sheets().front().curves.size(), std::size_t{2});
     selection.select({JointId("5")});
+    settle();
     QCOMPARE(panel.sheets().front().curves.size(), std::size_t{1});
     QCOMPARE(panel.sheets().front().curves[0].values.front(), -1.5);
     selection.select({LinkId("2")});
+    settle();
     QCOMPARE(panel.sheets().front().curves[0].name, std::string("link 2"));
     view.trace({0, LinkId("1"), {15, -22, 4}});
+    settle();
     QCOMPARE(panel.sheets().size(), std::size_t{2});
     QVERIFY(std::abs(panel.sheets()[1].curves[0].values[17] - 15 * 1.5) < 1e-9);
     panel.setComponents(true);
+    settle();
     QCOMPARE(panel.sheets()[1].curves.size(), std::size_t{4});
     auto* plot = panel.findChild<MotionPlot*>("motionPlot1");
     QVERIFY(plot->isVisible());
     QTest::mouseClick(plot, Qt::LeftButton, {}, plot->area().center().toPoint());
     QVERIFY(std::abs(view.playback().time() - 2) < 0.05);
     view.setStage(test::toyStage());  // without twists
+    settle();
     QVERIFY(panel.sheets().empty());
   }
 };
