@@ -93,11 +93,15 @@ void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
   // Without a tree, or with a mesh that has no geometry, there is no coefficient matrix to take a rank of.
   const MatroidAnalysis* matroid = snapshot->matroid();
   m_rank->setText(matroid != nullptr ? tr("rank %1").arg(matroid->rank) : tr("rank –"));
-  const QString freedom =
-      freedomText(*snapshot).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
-  m_freedom->setToolTip(tipOf(Term::degreesOfFreedom) +
-                        (freedom.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(freedom)));
   m_freedom->setText(matroid != nullptr ? tr("DOF %1").arg(matroid->dof) : tr("DOF –"));
+}
+
+/// Which joints turn together takes long to tell of a large train: only when it is read.
+void StatusLine::renewFreedomTip() {
+  const QString freedom = m_snapshot ? freedomText(*m_snapshot).toHtmlEscaped() : QString();
+  const QString lines = QString(freedom).replace(QLatin1Char('\n'), QStringLiteral("<br>"));
+  m_freedom->setToolTip(tipOf(Term::degreesOfFreedom) +
+                        (lines.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(lines)));
 }
 
 std::set<ElementId> StatusLine::counted(const QObject* chip) const {
@@ -124,6 +128,7 @@ std::set<ElementId> StatusLine::counted(const QObject* chip) const {
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Enter) m_selection->hover(counted(watched));
   if (event->type() == QEvent::Leave) m_selection->unhover();
+  if (event->type() == QEvent::ToolTip && watched == m_freedom) renewFreedomTip();
   return QStatusBar::eventFilter(watched, event);
 }
 

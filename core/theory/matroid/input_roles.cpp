@@ -39,12 +39,15 @@ std::vector<int> commandersOf(const LiveSolution& solution, int output) {
 
 std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution) {
   const std::size_t columns = solution.inputs.size();
-  std::map<std::vector<std::string>, std::vector<int>> groups;  // by row over its first entry that is not 0
-  const auto add = [&](int joint, const std::vector<Rational>& row) {
+  // By row over its first entry that is not 0; of a row the entries that are not 0.
+  std::map<std::vector<std::pair<std::size_t, std::string>>, std::vector<int>> groups;
+  const auto add = [&](int joint, std::span<const Rational> row) {
     const auto leading = std::find_if(row.begin(), row.end(), [](const Rational& r) { return !r.isZero(); });
     if (leading == row.end()) return;
-    std::vector<std::string> key;
-    for (const Rational& entry : row) key.push_back((entry / *leading).toString());
+    std::vector<std::pair<std::size_t, std::string>> key;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!row[i].isZero()) key.emplace_back(i, (row[i] / *leading).toString());
+    }
     groups[std::move(key)].push_back(joint);
   };
   for (std::size_t i = 0; i < columns; ++i) {
@@ -52,10 +55,8 @@ std::vector<std::vector<int>> tiedJoints(const ExactSolution& solution) {
     row[i] = 1;
     add(solution.inputs[i], row);
   }
-  for (std::size_t i = 0; i < solution.outputs.size(); ++i) {
-    const auto begin = solution.matrix.begin() + static_cast<std::ptrdiff_t>(i * columns);
-    add(solution.outputs[i], std::vector<Rational>(begin, begin + static_cast<std::ptrdiff_t>(columns)));
-  }
+  for (std::size_t i = 0; i < solution.outputs.size(); ++i)
+    add(solution.outputs[i], std::span(solution.matrix).subspan(i * columns, columns));
   std::vector<std::vector<int>> tied;
   for (auto& [key, joints] : groups) {
     if (joints.size() < 2) continue;
