@@ -124,6 +124,7 @@ void MainWindow::makeDrawings() {
   m_schematic = new SchematicView(m_document, m_selection, m_drawings);
   addDrawing(m_schematic, "schematic", tr("Schematic"), tipOf(Term::functionalSchematic));
   connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);
+  connect(m_ttGraph, &TtGraphView::drawn, this, &MainWindow::tellWhenSettled);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
@@ -209,6 +210,8 @@ void MainWindow::wireViews() {
   connect(m_problems, &ProblemsPanel::fixWanted, this, [this](const Fix& fix) {
     m_document->apply({shownText(fix.text), fix.edit, 0});
   });
+  connect(m_matrices, &MatricesPanel::refused, this,
+          [this](const QString& why) { m_status->showRefusal(why); });
   connect(m_matrices, &MatricesPanel::exportWanted, m_exports, &WindowExports::chooseAndExport);
   for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
     connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
@@ -279,7 +282,8 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 }
 
 bool MainWindow::isSettled() const {
-  return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled();
+  return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
+         m_ttGraph->isUpToDate();
 }
 
 void MainWindow::tellWhenSettled() {

@@ -69,7 +69,20 @@ QToolButton* panelButton(const QString& text, const QString& tip, QWidget* paren
 }  // namespace
 
 MatricesPanel::MatricesPanel(Selection* selection, QWidget* parent)
-    : QWidget(parent), m_model(new MatrixModel(this)), m_view(new MatrixView(m_model, selection, this)) {
+    : QWidget(parent),
+      m_model(new MatrixModel(this)),
+      m_view(new MatrixView(m_model, selection, this)),
+      m_writer([this](const std::function<std::string()>& write, const std::stop_token& stop) {
+        QString text = shownText(write());
+        if (stop.stop_requested()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, text = std::move(text)] {
+              QApplication::clipboard()->setText(text);
+              emit copied();
+            },
+            Qt::QueuedConnection);
+      }) {
   m_view->setObjectName(QStringLiteral("matrixView"));
   m_empty = emptyLabel(this);
   m_pages = new QStackedWidget(this);
@@ -152,14 +165,26 @@ QToolButton* MatricesPanel::makeCopyButton() {
                             {QStringLiteral("NumPy"), &matrixNumpy, &quantityNumpy}};
   for (const Format& format : formats) {
     menu->addAction(format.name, this, [this, format] {
-      if (!m_model->isThere()) return;
-      const std::string text =
-          m_model->quantity() ? format.quantity(*m_model->quantity()) : format.matrix(*m_model->matrix());
-      QApplication::clipboard()->setText(shownText(text));
+      if (const QuantityTablePtr table = m_model->quantity()) {
+        copy([table, write = format.quantity] { return write(*table); });
+      } else if (const IntegerMatrixPtr matrix = m_model->matrix()) {
+        copy([matrix, write = format.matrix] { return write(*matrix); });
+      }
     });
   }
   button->setMenu(menu);
   return button;
+}
+
+/// Large matrices are written beside the window's thread; what would take long is no text for a clipboard.
+void MatricesPanel::copy(std::function<std::string()> write) {
+  constexpr qint64 kMostEntries = 4'000'000;  // some 0.1 s and 16 MB
+  const qint64 entries = qint64{m_model->rowCount()} * m_model->columnCount();
+  if (entries > kMostEntries) {
+    return emit refused(
+        tr("A matrix of %1 entries is too large to be copied. Export it as CSV.").arg(entries));
+  }
+  m_writer.request(std::move(write));
 }
 
 void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <optional>
+#include <string>
 
+#include "core/foundations/base/request_worker.h"
 #include "core/teaching/derivation/glossary.h"
 #include "ui/models/matrix_model.h"
 #include "ui/selection/selection.h"
@@ -40,6 +43,8 @@ class MatricesPanel : public QWidget {
  signals:
   void exportWanted(const geargraph::IntegerMatrixPtr& matrix);
   void quantityExportWanted(const geargraph::QuantityTablePtr& table);
+  void copied();
+  void refused(const QString& why);  ///< to copy: as a sentence
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -48,6 +53,7 @@ class MatricesPanel : public QWidget {
   QWidget* makeBar();
   void addChip(QLayout* layout, const QString& text, const QString& name, Term term, int id);
   QToolButton* makeCopyButton();
+  void copy(std::function<std::string()> write);
   QToolButton* makeFormButton();
   void chooseForm(EntryForm form);
   QFrame* makeCard();
@@ -68,6 +74,7 @@ class MatricesPanel : public QWidget {
   QFrame* m_card = nullptr;
   QLabel* m_cardTitle = nullptr;
   QLabel* m_cardText = nullptr;
+  RequestWorker<std::function<std::string()>> m_writer;  ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline panels

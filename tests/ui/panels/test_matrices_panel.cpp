@@ -104,8 +104,10 @@ class MatricesPanelTest : public QObject {
   void copiesAsFiveKindsOfText() {
     const QMenu* menu = panel->findChild<QToolButton*>(QStringLiteral("copyMatrix"))->menu();
     QStringList begins;
+    QSignalSpy copied(panel.get(), &MatricesPanel::copied);
     for (QAction* action : menu->actions()) {
       action->trigger();
+      QTRY_COMPARE(copied.count(), begins.size() + 1);
       begins << QApplication::clipboard()->text().left(13);
     }
     QCOMPARE(begins, (QStringList{"C = [T | U]\t8", "C = [T | U],8", "\\begin{array}", "% Cycle-basis",
@@ -179,7 +181,7 @@ class MatricesPanelTest : public QObject {
     QTest::mouseClick(panel->findChild<QToolButton*>("chip.solution"), Qt::LeftButton);
     const auto formats = panel->findChild<QToolButton*>("copyMatrix")->menu()->actions();
     formats.at(1)->trigger();
-    QVERIFY(QApplication::clipboard()->text().startsWith("S,"));
+    QTRY_VERIFY(QApplication::clipboard()->text().startsWith("S,"));
     QSignalSpy whole(panel.get(), &MatricesPanel::exportWanted);
     QSignalSpy quantity(panel.get(), &MatricesPanel::quantityExportWanted);
     QTest::mouseClick(panel->findChild<QToolButton*>("exportCsv"), Qt::LeftButton);
