@@ -88,14 +88,23 @@ void StallWatchdog::watch(const std::stop_token& quit) {
     m_wake.wait_for(lock, quit, kPause, [] { return false; });
     if (quit.stop_requested()) continue;
     if (m_isPosted) {
-      if (milliseconds(CLOCK_MONOTONIC) - m_posted.wall < kLate) continue;
-      if (m_others.empty()) m_others = keptOfOthers();
-      m_sampler.sample();
+      const bool isLate = milliseconds(CLOCK_MONOTONIC) - m_posted.wall > kLate;
+      const bool isFirst = m_others.empty();
+      // The watched thread never waits while files are read here.
+      lock.unlock();
+      KeptByThread others;
+      if (isLate && isFirst) others = keptOfOthers();
+      if (isLate) m_sampler.sample();
+      lock.lock();
+      if (m_isPosted && isLate && isFirst) m_others = std::move(others);
       continue;
     }
+    lock.unlock();
+    const Clocks clocks = now();
+    lock.lock();
     m_isPosted = true;
     m_others.clear();
-    m_posted = now();
+    m_posted = clocks;
     m_postedActivity = m_activity;
     lock.unlock();
     QCoreApplication::postEvent(this, new QEvent(pingType()));
@@ -105,8 +114,8 @@ void StallWatchdog::watch(const std::stop_token& quit) {
 
 bool StallWatchdog::event(QEvent* event) {
   if (event->type() != pingType()) return QObject::event(event);
-  const std::lock_guard lock(m_mutex);
   const Clocks clocks = now();
+  const std::lock_guard lock(m_mutex);
   Stall stall;
   stall.cpu = clocks.cpu - m_posted.cpu;
   stall.wall = clocks.wall - m_posted.wall;
