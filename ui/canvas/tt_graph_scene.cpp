@@ -12,10 +12,13 @@ constexpr std::size_t kSlice = 1'000;  ///< elements, which take some 10 ms
 
 }  // namespace
 
-TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph, NodePositions layout) {
+TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph, NodePositions layout,
+                             const std::stop_token& stop) {
   if (layout.empty()) layout = ttLayout(mechanism, graph);
+  if (stop.stop_requested()) return nullptr;
   NodePositions positions = ttPositions(layout, mechanism.view.ttNodes);
   TtGraphGeometry geometry = ttGraphGeometry(mechanism, graph, positions);
+  if (stop.stop_requested()) return nullptr;
   TtElements elements(geometry);
   DisplayList drawing = ttGraphDrawing(geometry, {});
   return std::make_shared<TtGraphSheet>(

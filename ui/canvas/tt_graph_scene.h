@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <memory>
+#include <stop_token>
 
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "ui/canvas/drawing_scene.h"
@@ -20,10 +21,10 @@ struct TtGraphSheet {
 using TtGraphSheetPtr = std::shared_ptr<TtGraphSheet>;
 
 /// `layout` may be empty: then it is made, too. Cost: near linear in links + joints + meshes, some 300 ms for
-/// 10,000 links.
+/// 10,000 links; null if `stop` was requested meanwhile.
 /// @pre `graph` is the mechanism's, or null where the turning joints are no spanning tree
 [[nodiscard]] TtGraphSheetPtr ttGraphSheet(const Mechanism& mechanism, const TtGraph* graph,
-                                           NodePositions layout);
+                                           NodePositions layout, const std::stop_token& stop = {});
 
 /// The drawing of the T-T graph on a scene. A new one is exchanged as a whole; what stands out is drawn
 /// element by element, thousands of them in slices, between which the window answers.

@@ -27,12 +27,17 @@ TtGraphView::TtGraphView(Document* document, Selection* selection, QWidget* pare
       m_scene(static_cast<TtGraphScene*>(scene())),
       m_worker([this](const Request& request, const std::stop_token&) {
         const TtGraphSheetPtr sheet =
-            ttGraphSheet(*request.mechanism, graphOf(request.snapshot), request.layout);
+            ttGraphSheet(*request.mechanism, graphOf(request.snapshot), request.layout, request.stop);
+        if (!sheet) return;
         QMetaObject::invokeMethod(
             this, [this, request, sheet] { arrived(request, sheet); }, Qt::QueuedConnection);
       }) {
   setAccessibleName(tr("T-T graph"));
   updateMessage();
+}
+
+TtGraphView::~TtGraphView() {
+  m_stop.request_stop();
 }
 
 // --- what is shown ----------------------------------------------------------------------------------------
@@ -70,6 +75,8 @@ void TtGraphView::catchUp() {
 
 void TtGraphView::forgetDocument() {
   GraphView::forgetDocument();
+  m_stop.request_stop();
+  m_stop = {};
   m_shown = m_wanted;
   m_layout.clear();
   m_toFit = true;
@@ -82,7 +89,7 @@ void TtGraphView::draw() {
 
 void TtGraphView::drawNow() {
   m_behind = false;
-  const Request request{document().mechanism(), snapshot(), m_layout, ++m_wanted};
+  const Request request{document().mechanism(), snapshot(), m_layout, ++m_wanted, m_stop.get_token()};
   if (mechanism().links.size() <= kLarge) {
     return arrived(request, ttGraphSheet(*request.mechanism, graph(), request.layout));
   }

@@ -18,6 +18,7 @@ class TtGraphView final : public GraphView {
 
  public:
   TtGraphView(Document* document, Selection* selection, QWidget* parent = nullptr);
+  ~TtGraphView() override;
 
   void setSnapshot(const SnapshotPtr& snapshot) override;
   /// Is the newest drawing that was asked for on the scene? One that nobody sees is not asked for.
@@ -56,6 +57,7 @@ class TtGraphView final : public GraphView {
     SnapshotPtr snapshot;  ///< of the same but for where things are
     NodePositions layout;  ///< empty where it is not known
     quint64 number = 0;
+    std::stop_token stop;  ///< once the document is no longer shown; newer requests let older ones end
   };
   void draw();
   void drawNow();
@@ -69,6 +71,7 @@ class TtGraphView final : public GraphView {
   quint64 m_shown = 0;              ///< the newest one that is on the scene
   bool m_toFit = true;              ///< another document has come and is not drawn yet
   bool m_behind = false;            ///< the drawing is out of date, as nobody sees it
+  std::stop_source m_stop;          ///< of the requests of this document
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };
 
