@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -17,6 +18,8 @@ namespace {
 constexpr std::chrono::milliseconds kPause{2};  // between two events
 constexpr double kLate = 15;                    // ms, from which on a stall is looked into
 constexpr double kWorthAPath = 30;              // ms
+
+std::atomic<pid_t> watcher{0};  // nothing waits for it, so that what it is kept from excuses nothing
 
 QEvent::Type pingType() {
   static const auto type = static_cast<QEvent::Type>(QEvent::registerEventType());
@@ -64,7 +67,7 @@ StallWatchdog::KeptByThread StallWatchdog::keptOfOthers() const {
     const std::string name = entry.path().filename();
     pid_t thread = 0;
     std::from_chars(name.data(), name.data() + name.size(), thread);
-    if (thread != m_thread) kept[thread] = keptOf(thread);
+    if (thread != m_thread && thread != watcher) kept[thread] = keptOf(thread);
   }
   return kept;
 }
@@ -83,6 +86,7 @@ double StallWatchdog::excusedSince(const Clocks& clocks) const {
 }
 
 void StallWatchdog::watch(const std::stop_token& quit) {
+  watcher = gettid();
   std::unique_lock lock(m_mutex);
   while (!quit.stop_requested()) {
     m_wake.wait_for(lock, quit, kPause, [] { return false; });
