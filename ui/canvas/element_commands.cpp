@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mechanism/fitting/fitted_edits.h"
+#include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "ui/canvas/canvas_edits.h"
@@ -75,14 +76,7 @@ void ElementCommands::flipSelected() {
   }
   if (arrows.empty()) return;
   apply(tr("Flip %1").arg(describe(*m_document.mechanism(), {arrows.begin(), arrows.end()})),
-        [arrows](Mechanism mechanism) -> Expected<Mechanism> {
-          for (const ElementId& arrow : arrows) {
-            Expected<Mechanism> next = withFlipped(std::move(mechanism), arrow);
-            if (!next) return next.error();
-            mechanism = std::move(next).value();
-          }
-          return mechanism;
-        });
+        [arrows](const Mechanism& mechanism) { return withAllFlipped(mechanism, arrows); });
 }
 
 QString ElementCommands::toggleInputs(const std::set<ElementId>& elements) {

@@ -11,6 +11,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/module_fit.h"
 #include "core/mechanism/fitting/written_numbers.h"
+#include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
@@ -158,8 +159,8 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
 
   connect(flip, &QPushButton::clicked, this, [this] {
     newGesture();
-    apply(tr("Flip joint"),
-          [](Mechanism before, const ElementId& joint) { return withFlipped(std::move(before), joint); });
+    applyAtOnce(tr("Flip joint"),
+                [arrows = elements()](const Mechanism& before) { return withAllFlipped(before, arrows); });
   });
   connect(m_axis, &QComboBox::activated, this, &JointForm::chooseAxis);
   connect(m_offset, &NumberField::edited, this, [this](const std::optional<Number>& offset) {
@@ -358,8 +359,8 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   });
   connect(flip, &QPushButton::clicked, this, [this] {
     newGesture();
-    apply(tr("Flip mesh"),
-          [](Mechanism before, const ElementId& mesh) { return withFlipped(std::move(before), mesh); });
+    applyAtOnce(tr("Flip mesh"),
+                [arrows = elements()](const Mechanism& before) { return withAllFlipped(before, arrows); });
   });
 }
 

@@ -92,9 +92,10 @@ QCheckBox* PropertyForm::makePin(const QString& text, const QString& tip, const 
   box->setToolTip(tip);
   connect(box, &QCheckBox::clicked, this, [this, of](bool on) {
     newGesture();
-    apply(on ? tr("Pin") : tr("Unpin"), [this, of, on](Mechanism before, const ElementId& element) {
-      return withPinned(std::move(before), of(index(), element), on);
-    });
+    std::vector<ElementId> parts;
+    for (const ElementId& element : m_elements) parts.push_back(of(index(), element));
+    applyAtOnce(on ? tr("Pin") : tr("Unpin"),
+                [parts, on](const Mechanism& before) { return withAllPinned(before, parts, on); });
   });
   return box;
 }

@@ -21,6 +21,19 @@
 namespace geargraph::inline panels {
 namespace {
 
+constexpr std::size_t kMostUnits = 40;   ///< entries of a menu
+constexpr std::size_t kMostChains = 12;  ///< entries of a menu, of which each takes ms of a large train
+
+/// Shortens what a menu offers to `most` entries, what is selected first. Returns how many are left out.
+template <class Item, class IsSelected>
+std::size_t keepSelected(std::vector<Item>& items, std::size_t most, const IsSelected& isSelected) {
+  if (items.size() <= most) return 0;
+  std::stable_partition(items.begin(), items.end(), isSelected);
+  const std::size_t hidden = items.size() - most;
+  items.resize(most);
+  return hidden;
+}
+
 constexpr int kRowHeight = 23;
 constexpr int kPatience = 300;      // ms: sooner, the verdict would blink at every step of a drag
 constexpr int kRowsMeasured = 200;  // for the widths of columns; what is farther down may be elided
@@ -198,8 +211,14 @@ void ResultsPanel::fillUnits(QMenu& menu) {
   if (matroid == nullptr || !matroid->solution) return;
   menu.addSeparator();
   const Mechanism& mechanism = *m_snapshot->mechanism;
+  std::vector<std::size_t> turning;
   for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {
-    if (matroid->solution->rates[joint] == 0) continue;
+    if (matroid->solution->rates[joint] != 0) turning.push_back(joint);
+  }
+  const auto hidden = keepSelected(turning, kMostUnits, [&](std::size_t joint) {
+    return m_selection->isSelected(mechanism.turningJoints[joint].id);
+  });
+  for (const std::size_t joint : turning) {
     const JointId id = mechanism.turningJoints[joint].id;
     const int link = m_snapshot->kinematics->placement.tree->child[joint];
     menu.addAction(
@@ -207,6 +226,9 @@ void ResultsPanel::fillUnits(QMenu& menu) {
         [this, id] {
           setUnit({SpeedUnit::Kind::ratio, id});
         });
+  }
+  if (hidden > 0) {
+    menu.addAction(tr("%1 more joints: select one to find it here").arg(hidden))->setEnabled(false);
   }
 }
 
@@ -221,9 +243,14 @@ void ResultsPanel::fillMotors(QMenu& menu) {
   std::vector<char> carries(static_cast<std::size_t>(m_snapshot->graph->n()) + 1, 0);
   for (int link = 1; link <= m_snapshot->graph->n(); ++link)
     carries[static_cast<std::size_t>(tree.parent(link))] = 1;
+  std::vector<int> ends;
   for (int link = 1; link <= m_snapshot->graph->n(); ++link) {
+    if (carries[static_cast<std::size_t>(link)] == 0 && tree.parent(link) != 0) ends.push_back(link);
+  }
+  const auto hidden = keepSelected(
+      ends, kMostChains, [&](int link) { return m_selection->isSelected(m_snapshot->graph->nodeId(link)); });
+  for (const int link : ends) {
     const std::vector<int> chain = chainTo(tree, link);
-    if (carries[static_cast<std::size_t>(link)] != 0 || chain.size() < 2) continue;
     QStringList labels;
     for (const int joint : chain) labels << QString::number(m_snapshot->graph->edgeLabel(joint));
     const auto inputs = inputsWith(*m_snapshot->kinematics->model, chain, matroid->choice.joints);
@@ -233,6 +260,9 @@ void ResultsPanel::fillMotors(QMenu& menu) {
     action->setEnabled(inputs.has_value());
     if (inputs)
       connect(action, &QAction::triggered, this, [this, joints = *inputs] { emit inputsWanted(joints); });
+  }
+  if (hidden > 0) {
+    menu.addAction(tr("%1 more links: select one to find it here").arg(hidden))->setEnabled(false);
   }
   if (menu.isEmpty()) menu.addAction(tr("Every link turns on the ground"))->setEnabled(false);
 }

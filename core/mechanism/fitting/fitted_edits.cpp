@@ -1,6 +1,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/mechanism/fitting/axis_fit.h"
 #include "core/mechanism/fitting/fitting_guards.h"
@@ -72,16 +73,33 @@ Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind ki
 }
 
 Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned) {
-  auto marked = withPinMark(mechanism, element, pinned);
-  if (!marked || !pinned || element.kind == ElementKind::link) return marked;
+  return withAllPinned(std::move(mechanism), std::span(&element, 1), pinned);
+}
+
+Expected<Mechanism> withAllPinned(Mechanism mechanism, std::span<const ElementId> elements, bool pinned) {
+  Expected<Mechanism> marked = mechanism;
+  for (const ElementId& element : elements) {
+    marked = withPinMark(std::move(marked).value(), element, pinned);
+    if (!marked) return marked;
+  }
+  const bool arePlaced = std::all_of(elements.begin(), elements.end(), [](const ElementId& element) {
+    return element.kind == ElementKind::link;
+  });
+  if (!pinned || arePlaced) return marked;
   const Placement placement = placementOf(mechanism);
   if (!placement.tree) return marked;
-  for (const int axisClass : classesOf(mechanism, placement, element)) {
+  std::set<int> classes;
+  for (const ElementId& element : elements) {
+    if (element.kind == ElementKind::link) continue;
+    for (const int axisClass : classesOf(mechanism, placement, element)) classes.insert(axisClass);
+  }
+  for (const int axisClass : classes) {
     const Axis& axis = axisOfClass(mechanism, placement, axisClass);
     if (axis.point && axis.direction) continue;
     const ExactLine line = exactLineOfClass(mechanism, placement, axisClass);
     marked =
         withAxisPlaced(std::move(marked).value(), axis.id, numbersOf(line.point), numbersOf(line.direction));
+    if (!marked) return marked;
   }
   return marked;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
@@ -30,5 +32,8 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 /// Pins an axis, a link or a mesh, or lets it go (pins.h). An axis that the program has placed so far is
 /// stated where it lies, and so are both axes of a mesh. Refuses unknown-id.
 [[nodiscard]] Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned);
+/// All of these; the mechanism is placed once.
+[[nodiscard]] Expected<Mechanism> withAllPinned(Mechanism mechanism, std::span<const ElementId> elements,
+                                                bool pinned);
 
 }  // namespace geargraph::inline fitting

@@ -6,6 +6,7 @@
 
 #include "core/foundations/base/contract.h"
 #include "core/foundations/base/position_index.h"
+#include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
@@ -220,21 +221,14 @@ Expected<Mechanism> withFlipped(Mechanism mechanism, const ElementId& element) {
   if (element.kind == ElementKind::turningJoint) {
     TurningJoint* joint = findIn(mechanism.turningJoints, JointId(element.id));
     if (joint == nullptr) return unknown(element);
-    std::swap(joint->tail, joint->head);
-    joint->limits = opposite(joint->limits);
-    for (Load& load : mechanism.loads) {  // the same action on the same two links
-      auto* inJoint = std::get_if<JointTorque>(&load.action);
-      if (inJoint != nullptr && inJoint->joint == joint->id)
-        inJoint->torque = Number(-inJoint->torque.exact());
-    }
+    flip(*joint);
+    for (Load& load : mechanism.loads) flipOnJoint(load, joint->id);
     return mechanism;
   }
   GearMesh* mesh =
       element.kind == ElementKind::gearMesh ? findIn(mechanism.gearMeshes, MeshId(element.id)) : nullptr;
   if (mesh == nullptr) return unknown(element);
-  std::swap(mesh->tail, mesh->head);
-  std::swap(mesh->tailTeeth, mesh->headTeeth);
-  std::swap(mesh->tailWheel, mesh->headWheel);
+  flip(*mesh);
   return mechanism;
 }
 

@@ -97,6 +97,25 @@ class InputsAndResultsTest : public QObject {
     QCOMPARE(snapshot->solved->exact->rates, before);
   }
 
+  void menusOfLargeTrainsAreShortAndHoldWhatIsSelected() {
+    auto large = std::make_shared<const Mechanism>(test::randomTrain(7, 300, 120));
+    snapshot = analyzeLive(large, 1);
+    results->setSnapshot(snapshot);
+    const SpanningTree& tree = *snapshot->tree;
+    int last = 0;  // the last link at an end of the train that does not turn on the ground
+    for (int link = 1; link <= snapshot->graph->n(); ++link) {
+      bool carries = false;
+      for (int other = 1; other <= snapshot->graph->n(); ++other) carries |= tree.parent(other) == link;
+      if (!carries && tree.parent(link) != 0) last = link;
+    }
+    const QString wanted = QStringLiteral("joints of link %1:").arg(last);
+    QVERIFY(entry(menuOf(*results, "readMotors"), wanted) == nullptr);
+    QVERIFY(menuOf(*results, "readMotors").actions().size() < 20);
+    QVERIFY(menuOf(*results, "speedUnit").actions().size() < 50);
+    selection.select({snapshot->graph->nodeId(last)});
+    QVERIFY(entry(menuOf(*results, "readMotors"), wanted) != nullptr);
+  }
+
   void speedsAreToldInRpmAndAsRatios() {
     QCOMPARE(cell(0, 4), QStringLiteral("−1/2"));
     results->setUnit({SpeedUnit::Kind::rpm, {}});

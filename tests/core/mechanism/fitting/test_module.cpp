@@ -1,9 +1,12 @@
 #include <QtTest>
 
 #include "core/mechanism/fitting/axis_drag.h"
+#include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/module_fit.h"
+#include "core/mechanism/model/pins.h"
 #include "tests/core/mechanism/fitting/fitted_trains.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/mechanisms.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -114,6 +117,21 @@ class TestModule : public QObject {
     const auto offers = teethNear(held, held.axes[1].id, 44);
     QVERIFY(!offers.empty());  // what can be had with this module
     QCOMPARE(*withPinned(held, pinned, false), before);
+  }
+
+  void manyArePinnedAsOneByOne() {
+    const Mechanism open = test::robotTopology();  // whose axes the program places
+    std::vector<ElementId> parts;
+    for (const GearMesh& each : open.gearMeshes) parts.emplace_back(each.id);
+    for (const Link& each : open.links) parts.emplace_back(each.id);
+    Mechanism one = open;
+    for (const ElementId& part : parts) one = *withPinned(one, part, true);
+    const auto all = withAllPinned(open, parts, true);
+    QVERIFY(all && *all == one);
+    QVERIFY(std::all_of(one.axes.begin(), one.axes.end(),
+                        [](const Axis& axis) { return axis.point.has_value(); }));
+    parts.emplace_back(MeshId("none"));
+    QVERIFY(!withAllPinned(open, parts, true));
   }
 
   void teethAreChosenSoThatAPinnedModuleStays() {

@@ -1,6 +1,7 @@
 #include <QTest>
 #include <random>
 
+#include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/mechanisms.h"
@@ -180,6 +181,16 @@ class MechanismTest : public QObject {
     QCOMPARE(mesh.headTeeth, 18);
     QVERIFY(withFlipped(flipped, MeshId("15")).value() == robotTopology());
     QCOMPARE(refusalOf(withFlipped(flipped, LinkId("1"))), Code::unknownId);
+  }
+
+  void manyArrowsAreFlippedAsOneByOne() {
+    const Mechanism robot = robotTopology();
+    const std::array<ElementId, 3> arrows{JointId("9"), MeshId("15"), JointId("13")};
+    Mechanism one = robot;
+    for (const ElementId& arrow : arrows) one = withFlipped(one, arrow).value();
+    QVERIFY(withAllFlipped(robot, arrows).value() == one);
+    const std::array<ElementId, 2> unknown{JointId("9"), MeshId("99")};
+    QCOMPARE(refusalOf(withAllFlipped(robot, unknown)), Code::unknownId);
   }
 
   void axesAreRenamedWithTheirJoints() {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph::inline model {
+
+// Edits of many elements at once, in one pass: one edit after the other would search the mechanism for each.
+
+/// Tail and head exchanged of all these turning joints and meshes, as by withFlipped(). Rejects unknown-id.
+/// Cost: O(elements + joints + meshes).
+[[nodiscard]] Expected<Mechanism> withAllFlipped(Mechanism mechanism, std::span<const ElementId> elements);
+
+}  // namespace geargraph::inline model
