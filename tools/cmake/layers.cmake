@@ -2,14 +2,15 @@
 
 set_property(GLOBAL PROPERTY GEARGRAPH_LAYERS "")
 
-# geargraph_layer(name SOURCES files... [USES layers...] [QT modules...] [EXTERNAL targets...])
+# geargraph_layer(name SOURCES files... [ALONE files...] [USES layers...] [QT modules...] [EXTERNAL targets...])
 #
 # Makes the static library geargraph_<name> from the files of this folder. USES names the layers it may include
 # from and is linked publicly; it is the only place a dependency between layers is written. The test
 # quality.layering reads the same list. QT turns on moc and Qt's include paths; a layer without QT cannot
-# include a Qt header, because no such path reaches its compiler.
+# include a Qt header, because no such path reaches its compiler. ALONE: sources whose local names others of the layer
+# have, too; unity builds (GEARGRAPH_UNITY) compile them by themselves.
 function(geargraph_layer name)
-  cmake_parse_arguments(LAYER "" "" "SOURCES;USES;QT;EXTERNAL" ${ARGN})
+  cmake_parse_arguments(LAYER "" "" "SOURCES;ALONE;USES;QT;EXTERNAL" ${ARGN})
   if(LAYER_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "geargraph_layer(${name}): unknown arguments ${LAYER_UNPARSED_ARGUMENTS}")
   endif()
@@ -21,6 +22,10 @@ function(geargraph_layer name)
     target_link_libraries(${library} PUBLIC geargraph_${used})
   endforeach()
   target_link_libraries(${library} PUBLIC ${LAYER_EXTERNAL})
+  if(GEARGRAPH_UNITY)
+    set_target_properties(${library} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_source_files_properties(${LAYER_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   if(LAYER_QT)
     set_target_properties(${library} PROPERTIES AUTOMOC ON)
     foreach(module IN LISTS LAYER_QT)

@@ -2,6 +2,7 @@
 
 option(GEARGRAPH_QT "Build the layers, programs and tests that need Qt" ON)
 option(GEARGRAPH_WERROR "Warnings are errors (on in CI, off on users' machines)" OFF)
+option(GEARGRAPH_UNITY "Compile the sources of a layer together: half the time for all, more for one" OFF)
 set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
 
 option(GEARGRAPH_FUZZ "Build the libFuzzer programs (clang only; preset fuzz)" OFF)

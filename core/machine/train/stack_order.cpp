@@ -29,7 +29,8 @@ using SpansOfAxis = std::map<int, Spanned>;  // by link
 /// `same`: what rounding leaves between heights that are one.
 int enclosed(const SpansOfAxis& links, double same) {
   int count = 0;
-  for (const auto& [link, span] : links) {
+  for (const auto& [link, spanned] : links) {
+    const Spanned& span = spanned;
     for (const auto& [other, spanOfOther] : links) {
       if (other == link) continue;
       count += static_cast<int>(std::count_if(spanOfOther.at.begin(), spanOfOther.at.end(), [&](double z) {
