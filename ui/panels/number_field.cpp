@@ -13,6 +13,7 @@
 namespace geargraph::inline panels {
 
 NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
+  setProperty("look", "number");
   setFocusPolicy(Qt::StrongFocus);  // not by the wheel, which scrolls the panel
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAttribute(Qt::WA_Hover);

@@ -76,16 +76,19 @@ QLabel#view3dPainter { padding: 2px 6px; }
 QToolButton#view3dMore::menu-indicator { image: none; width: 0px; }
 QToolButton[look="flat"]::menu-indicator, QToolButton[look="control"]::menu-indicator { image: none; width: 0px; }
 
-QLineEdit, QAbstractSpinBox { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px;
-            selection-background-color: @accent@; selection-color: @sheet@; }
-QAbstractSpinBox { padding-right: 16px; }
-QAbstractSpinBox QLineEdit { border: none; padding: 0px; }
-QLineEdit:focus, QAbstractSpinBox:focus { border-color: @accent@; }
-QLineEdit:disabled, QAbstractSpinBox:disabled { background: @panel@; color: @secondary@; }
-QAbstractSpinBox[wrong="true"], QAbstractSpinBox[wrong="true"] QLineEdit { border-color: @error@; color: @error@; }
-QAbstractSpinBox::up-button { subcontrol-origin: border; subcontrol-position: top right; width: 16px; border: none; }
-QAbstractSpinBox::down-button { subcontrol-origin: border; subcontrol-position: bottom right; width: 16px; border: none; }
-QAbstractSpinBox::up-arrow, QAbstractSpinBox::down-arrow { image: none; width: 0px; height: 0px; }
+QLineEdit, QAbstractSpinBox[look="number"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px;
+            padding: 3px 6px; selection-background-color: @accent@; selection-color: @sheet@; }
+QLineEdit:focus, QAbstractSpinBox[look="number"]:focus { border-color: @accent@; }
+QLineEdit:disabled, QAbstractSpinBox[look="number"]:disabled { background: @panel@; color: @secondary@; }
+QAbstractSpinBox[look="number"] { padding-right: 16px; }
+QAbstractSpinBox[look="number"] QLineEdit { border: none; padding: 0px; }
+QAbstractSpinBox[wrong="true"] { border-color: @error@; color: @error@; }
+QAbstractSpinBox[look="number"]::up-button { subcontrol-origin: border; subcontrol-position: top right; width: 16px;
+            border: none; }
+QAbstractSpinBox[look="number"]::down-button { subcontrol-origin: border; subcontrol-position: bottom right; width: 16px;
+            border: none; }
+QAbstractSpinBox[look="number"]::up-arrow, QAbstractSpinBox[look="number"]::down-arrow { image: none; width: 0px;
+            height: 0px; }
 QPushButton { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 4px 16px; }
 QPushButton:hover { border-color: @accent@; }
 QPushButton:pressed, QPushButton:default { background: @chosen@; }
