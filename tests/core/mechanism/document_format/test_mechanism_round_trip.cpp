@@ -76,7 +76,7 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QCOMPARE(m.loads.size(), std::size_t{4});
   QVERIFY(m.loads[0].id == LoadId("pull") && m.loads[1].id.empty());
   QVERIFY(
-      (std::get<JointTorque>(m.loads[0].action) == JointTorque{JointId("5"), *Number::fromText("-12.50")}));
+      (std::get<JointTorque>(m.loads[0].action) == JointTorque{JointId("6"), *Number::fromText("-12.50")}));
   QVERIFY((std::get<LinkTorque>(m.loads[1].action) ==
            LinkTorque{LinkId("planet"), AxisId("p"), *Number::fromText("5/2")}));
   QVERIFY((std::get<LinkTorque>(m.loads[2].action) == LinkTorque{LinkId("arm"), {}, Number(3)}));
