@@ -221,6 +221,13 @@ std::optional<std::vector<StateSolution>> solveStates(const Mechanism& mechanism
   return solutions;
 }
 
+std::optional<StateSolution> solveState(const Mechanism& mechanism, const KinematicModel& model,
+                                        const Placement& placement, int state, bool symbolic,
+                                        const std::stop_token& stop) {
+  return StateSolver(mechanism, model, placement, symbolic ? ratioRingOf(mechanism) : nullptr, stop)
+      .solve(state);
+}
+
 std::optional<Rational> stepBetween(const StateSolution& from, const StateSolution& to) {
   if (!from.ratio || !to.ratio || from.ratio->sign() != to.ratio->sign()) return std::nullopt;
   return *from.ratio / *to.ratio;

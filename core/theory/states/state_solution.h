@@ -46,6 +46,12 @@ struct StateSolution {
                                                                     bool symbolic = true,
                                                                     const std::stop_token& stop = {});
 
+/// The state at this position alone. Nothing where `stop` was requested. @pre there is such a state; as
+/// solveStates()
+[[nodiscard]] std::optional<StateSolution> solveState(const Mechanism& mechanism, const KinematicModel& model,
+                                                      const Placement& placement, int state,
+                                                      bool symbolic = true, const std::stop_token& stop = {});
+
 /// The step from one gear to the next, ratio over ratio; none where one of them has no ratio or they turn
 /// opposite ways.
 [[nodiscard]] std::optional<Rational> stepBetween(const StateSolution& from, const StateSolution& to);

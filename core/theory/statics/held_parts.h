@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/theory/states/relative_speed.h"
+#include "core/theory/statics/applied_loads.h"
+
+namespace geargraph::inline statics {
+
+/// One torque that holds links together: an engaged coupling about one direction, or a balance. A brake acts
+/// on its link, a clutch on the first link that it names (the second one has the reaction); about the first
+/// axis on the way from that link to the ground. Where the axes between the two links are not parallel, a
+/// coupling has one part a direction, the others about the direction of a class's line.
+struct HeldPart {
+  int coupling = -1;    ///< position in the document; -1: a balance
+  int balance = -1;     ///< position in StaticsProblem::balances; -1: a coupling
+  int axis = -1;        ///< of the document, whose direction counts; -1 of a balance in a joint
+  bool isMain = true;   ///< of a coupling: about the first axis; else one of its further directions
+  bool isExact = true;  ///< the factors below are; else rounded from irrational cosines
+  /// Power for the torque 1: sum of factor * phi_link of the kinematic model.
+  std::vector<std::pair<int, Rational>> byLink;
+  /// The same over the joints' rates: the coefficients of the f-circuit of a chord from the ground (or the
+  /// second link) to the link.
+  std::vector<std::pair<int, Rational>> byJoint;
+};
+
+/// The torques of the engaged couplings and of the balances, in this order.
+/// Cost: O(joints between their links). @pre the placement has a tree
+[[nodiscard]] std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel& model,
+                                              const Placement& placement, const StaticsProblem& problem);
+
+/// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
+[[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling);
+
+}  // namespace geargraph::inline statics

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "core/theory/statics/statics_solution.h"
+#include "core/theory/ttgraph/tt_statics.h"
+
+namespace geargraph::inline statics {
+
+/// Both methods' torques side by side, mesh by mesh and held part by held part, as fractions.
+struct StaticsAgreement {
+  bool equal = true;
+  Real largestDifference;
+  int compared = 0;         ///< torques
+  std::vector<int> meshes;  ///< whose port torques differ, ascending
+  std::vector<int> held;    ///< held parts that differ, ascending
+};
+
+/// Of the torques that are determined; what is held and what is determined has to be the same for both.
+/// @pre the solution is one without losses
+[[nodiscard]] StaticsAgreement staticsAgreement(const KinematicModel& model, const StaticsSolution& matroid,
+                                                const TtTorques& ttGraph);
+
+/// The chords of the T-T graph for the held parts.
+[[nodiscard]] std::vector<TtChord> chordsOf(std::span<const HeldPart> held);
+
+}  // namespace geargraph::inline statics
