@@ -1,0 +1,233 @@
+#include "core/theory/statics/forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/foundations/base/position_index.h"
+
+namespace geargraph::inline statics {
+namespace {
+
+/// Perpendicular to the pitch line in the plane of the axes, towards the axis of the smaller gear.
+Vector3 towardsSmaller(const Placement& placement, const MeshGeometry& mesh) {
+  const Vector3& tail = placement.lineOfClass(mesh.tailClass).direction;
+  const Vector3& head = placement.lineOfClass(mesh.headClass).direction;
+  const Vector3 pitchLine =
+      (static_cast<double>(mesh.sign) * mesh.headTeeth) * tail - static_cast<double>(mesh.tailTeeth) * head;
+  const Vector3 across = unit(cross(mesh.normal, pitchLine));
+  const bool isTail = std::abs(mesh.tailRadius) <= std::abs(mesh.headRadius);
+  const Vector3& axis = isTail ? tail : head;
+  const Vector3 fromLine = isTail ? mesh.tailToPitch : mesh.tailToPitch - mesh.tailToHead;
+  const Vector3 towards = dot(fromLine, axis) * axis - fromLine;
+  return dot(across, towards) < 0 ? -1.0 * across : across;
+}
+
+/// Sums the wrenches on links, moments about a point near the train.
+class LinkWrenches {
+ public:
+  LinkWrenches(int links, Vector3 origin, double metres)
+      : m_origin(origin),
+        m_metres(metres),
+        m_forces(static_cast<std::size_t>(links) + 1, Vector3{0, 0, 0}),
+        m_moments(m_forces) {}
+
+  void addForce(int link, const Vector3& force, const Vector3& point) {
+    add(m_forces[static_cast<std::size_t>(link)], force);
+    addCouple(link, m_metres * cross(point - m_origin, force));
+  }
+  void addCouple(int link, const Vector3& couple) { add(m_moments[static_cast<std::size_t>(link)], couple); }
+
+  /// The links' wrenches become those of all links beyond: call from the leaves towards the ground.
+  void pass(int link, int parent) {
+    add(m_forces[static_cast<std::size_t>(parent)], force(link));
+    add(m_moments[static_cast<std::size_t>(parent)], m_moments[static_cast<std::size_t>(link)]);
+  }
+  [[nodiscard]] const Vector3& force(int link) const { return m_forces[static_cast<std::size_t>(link)]; }
+  [[nodiscard]] Vector3 momentAbout(int link, const Vector3& point) const {
+    return m_moments[static_cast<std::size_t>(link)] - m_metres * cross(point - m_origin, force(link));
+  }
+
+ private:
+  static void add(Vector3& to, const Vector3& what) {
+    for (std::size_t i = 0; i < 3; ++i) to[i] += what[i];
+  }
+
+  Vector3 m_origin;
+  double m_metres;
+  std::vector<Vector3> m_forces;
+  std::vector<Vector3> m_moments;
+};
+
+/// The vector of least length that has these components along the directions, which are independent: by
+/// orthogonalisation (Gram and Schmidt).
+Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components) {
+  Vector3 sum{0, 0, 0};
+  std::vector<Vector3> basis;
+  for (const auto& [direction, value] : components) {
+    Vector3 rest = direction;
+    for (const Vector3& known : basis) rest = rest - dot(rest, known) * known;
+    const double left = length(rest);
+    if (left < 1e-9) continue;
+    const Vector3 across = (1 / left) * rest;
+    sum = sum + ((value - dot(sum, direction)) / left) * across;
+    basis.push_back(across);
+  }
+  return sum;
+}
+
+class ForceSum {
+ public:
+  ForceSum(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement, double metres,
+           std::span<const HeldPart> held, std::span<const double> values, std::span<const char> determined)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_held(held),
+        m_values(values),
+        m_determined(determined),
+        m_wrenches(model.n(), placement.axes.empty() ? Vector3{} : placement.axes.front().point, metres),
+        m_keys(static_cast<std::size_t>(model.n()) + 1, 0) {}
+
+  void addMeshes(const std::vector<ToothForce>& forces, std::span<const MeshLoss> losses) {
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+      const auto at = static_cast<std::size_t>(mesh);
+      const MeshGeometry& geometry = *m_placement.meshes[at];
+      m_wrenches.addForce(geometry.head, forces[at].force, geometry.pitchPoint);
+      m_wrenches.addForce(geometry.tail, -1.0 * forces[at].force, geometry.pitchPoint);
+      if (m_determined[at] == 0) mark(geometry.tail, geometry.head);
+      if (losses.empty() || losses[at].driver == MeshLoss::Driver::none) continue;
+      const bool tailDrives = losses[at].driver == MeshLoss::Driver::tail;
+      const double lost = 1 - losses[at].efficiency.toDouble();
+      const double couple = tailDrives ? -lost * geometry.sign * m_values[at] * geometry.headTeeth
+                                       : lost * m_values[at] * geometry.tailTeeth;
+      const Vector3& axis =
+          m_placement.lineOfClass(tailDrives ? geometry.headClass : geometry.tailClass).direction;
+      m_wrenches.addCouple(tailDrives ? geometry.head : geometry.tail, couple * axis);
+      m_wrenches.addCouple(geometry.carrier, -couple * axis);
+    }
+  }
+
+  void addLoads(const StaticsProblem& problem) {
+    for (const AppliedTorque& load : problem.torques) {
+      if (load.place.inJoint()) continue;  // it acts on both links of the joint, from within
+      m_wrenches.addCouple(load.place.link, load.torque.toDouble() * unitDirection(load.place.direction));
+    }
+    for (const AppliedForce& load : problem.forces)
+      m_wrenches.addForce(load.link, toDoubles(load.force), toDoubles(load.point));
+  }
+
+  void addHeld(const StaticsProblem& problem) {
+    const PositionIndex<LinkTag> links(m_mechanism.links);
+    for (std::size_t part = 0; part < m_held.size();) {
+      const HeldPart& first = m_held[part];
+      if (first.balance >= 0) {
+        const TorquePlace& place = problem.balances[static_cast<std::size_t>(first.balance)];
+        const auto at = static_cast<std::size_t>(m_model.c()) + part++;
+        if (place.inJoint()) continue;
+        m_wrenches.addCouple(place.link, m_values[at] * unitDirection(place.direction));
+        if (m_determined[at] == 0) mark(place.link, 0);
+        continue;
+      }
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(first.coupling)];
+      const int link = links.at(coupling.links.front());
+      const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+      std::vector<std::pair<Vector3, double>> components;
+      bool isDetermined = true;
+      for (; part < m_held.size() && m_held[part].coupling == first.coupling; ++part) {
+        const auto at = static_cast<std::size_t>(m_model.c()) + part;
+        components.emplace_back(m_placement.axes[static_cast<std::size_t>(m_held[part].axis)].direction,
+                                m_values[at]);
+        isDetermined = isDetermined && m_determined[at] != 0;
+      }
+      const Vector3 torque = vectorOf(components);
+      m_wrenches.addCouple(link, torque);
+      m_wrenches.addCouple(against, -1.0 * torque);
+      if (!isDetermined) mark(link, against);
+    }
+  }
+
+  [[nodiscard]] std::vector<BearingReaction> take() {
+    std::vector<BearingReaction> bearings(static_cast<std::size_t>(m_model.t()));
+    const SpanningTree& tree = m_model.tree();
+    const auto order = tree.preorder();
+    for (auto link = order.rbegin(); link != order.rend(); ++link) {
+      if (*link == 0) continue;
+      const int joint = tree.jointToParent(*link);
+      const AxisLine& axis =
+          m_placement
+              .axes[static_cast<std::size_t>(m_placement.tree->axisOf[static_cast<std::size_t>(joint)])];
+      BearingReaction& bearing = bearings[static_cast<std::size_t>(joint)];
+      const double offset = m_mechanism.turningJoints[static_cast<std::size_t>(joint)].offset.value();
+      bearing.point = axis.point + offset * axis.direction;
+      // On the child it is opposite to all that acts beyond; on the head, if that is the parent, the same.
+      const double sign = tree.directionToGround(joint) > 0 ? 1 : -1;
+      bearing.force = sign * m_wrenches.force(*link);
+      bearing.moment = sign * m_wrenches.momentAbout(*link, bearing.point);
+      bearing.isDetermined = m_keys[static_cast<std::size_t>(*link)] == 0;
+      const int parent = tree.parent(*link);
+      m_wrenches.pass(*link, parent);
+      m_keys[static_cast<std::size_t>(parent)] ^= m_keys[static_cast<std::size_t>(*link)];
+    }
+    return bearings;
+  }
+
+ private:
+  /// What acts between the two links is not determined: nor are the reactions of joints between them. The key
+  /// stays in the exclusive-or of all links beyond a joint exactly if one of the two is.
+  void mark(int one, int other) {
+    m_next = (m_next ^ (m_next >> 27U)) * 0x94d049bb133111ebU + 0x9e3779b97f4a7c15U;
+    m_keys[static_cast<std::size_t>(one)] ^= m_next;
+    m_keys[static_cast<std::size_t>(other)] ^= m_next;
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  std::span<const HeldPart> m_held;
+  std::span<const double> m_values;
+  std::span<const char> m_determined;
+  LinkWrenches m_wrenches;
+  std::vector<std::uint64_t> m_keys;  ///< by link
+  std::uint64_t m_next = 1;
+};
+
+}  // namespace
+
+std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicModel& model,
+                                    const Placement& placement, std::span<const double> values,
+                                    std::span<const char> determined,
+                                    std::span<const double> pressureAngles) {
+  std::vector<ToothForce> forces;
+  const auto metres = metresPerUnit(mechanism);
+  if (!metres) return forces;
+  for (int mesh = 0; mesh < model.c(); ++mesh) {
+    const auto at = static_cast<std::size_t>(mesh);
+    const MeshGeometry& geometry = *placement.meshes[at];
+    ToothForce& force = forces.emplace_back();
+    force.tangential = values[at] * geometry.tailTeeth / (geometry.tailRadius * metres->toDouble());
+    force.separating = std::abs(force.tangential) * std::tan(pressureAngles[at]);
+    const bool headIsSmaller = std::abs(geometry.headRadius) < std::abs(geometry.tailRadius);
+    force.direction = (headIsSmaller ? 1.0 : -1.0) * towardsSmaller(placement, geometry);
+    force.force = force.tangential * geometry.normal + force.separating * force.direction;
+    force.isDetermined = determined[at] != 0;
+  }
+  return forces;
+}
+
+StaticsForces forcesOf(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+                       const StaticsProblem& problem, std::span<const HeldPart> held,
+                       std::span<const double> values, std::span<const char> determined,
+                       std::span<const MeshLoss> losses, std::span<const double> pressureAngles) {
+  StaticsForces result;
+  const auto metres = metresPerUnit(mechanism);
+  if (!metres) return result;
+  result.meshes = toothForces(mechanism, model, placement, values, determined, pressureAngles);
+  ForceSum sum(mechanism, model, placement, metres->toDouble(), held, values, determined);
+  sum.addMeshes(result.meshes, losses);
+  sum.addLoads(problem);
+  sum.addHeld(problem);
+  result.bearings = sum.take();
+  return result;
+}
+
+}  // namespace geargraph::inline statics

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/theory/statics/statics_solution.h"
+
+namespace geargraph::inline statics {
+
+/// The force of one mesh, by the tail's gear on the head's, at the drawn pitch point (a bevel's: mid face),
+/// in the reference pose.
+struct ToothForce {
+  double tangential = 0;  ///< F_c along e_c, N: MeshGeometry::normal
+  Vector3 direction{};    ///< s_c: the unit vector of the separating force on the head, see below
+  double separating = 0;  ///< |F_c| tan(alpha_w), N
+  Vector3 force{};        ///< their sum, N, base frame
+  bool isDetermined = true;
+};
+
+/// The tooth forces, by mesh:
+///
+///     F_c e_c + |F_c| tan(alpha_w) s_c,      F_c = mu_c N_tail / (e_c . r_A)
+///
+/// r_A the moment arm of the tail's axis at the pitch point, in metres. s_c is in the plane of the axes,
+/// perpendicular to the pitch line (parallel axes: radial; bevel: perpendicular to the line from the apex).
+/// The gear with the smaller pitch radius is pushed towards its own axis, the other one the opposite way:
+/// external, internal and bevel pairs alike. For a bevel the radial part F tan a cos d and the axial part
+/// F tan a sin d follow.
+///
+/// `pressureAngles` by mesh: alpha_w at which the pair works, rad. Empty where the unit of length is not
+/// known. Doubles, because tan is irrational.
+[[nodiscard]] std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicModel& model,
+                                                  const Placement& placement, std::span<const double> values,
+                                                  std::span<const char> determined,
+                                                  std::span<const double> pressureAngles);
+
+/// What holds a link in a turning joint, the tail on the head, at the point where the joint is drawn: W_e of
+///
+///     W_e - sum over meshes c of T_ce W_c + sum over links l beyond e of L_l = 0      (14*)
+///
+/// Five of its six components are the reactions of an ideal bearing, the one about the axis is tau_e. It
+/// belongs to the tree that is drawn: a coaxial gear hung on another member leaves all torques and moves
+/// reactions.
+struct BearingReaction {
+  Vector3 point{};   ///< in the document's unit
+  Vector3 force{};   ///< N; 0 where the unit is not known
+  Vector3 moment{};  ///< N m, about the point
+  bool isDetermined = true;
+};
+
+/// What the torques and forces of a solved problem do to the links.
+struct StaticsForces {
+  std::vector<ToothForce> meshes;         ///< by mesh; empty where the unit of length is not known
+  std::vector<BearingReaction> bearings;  ///< by joint; empty likewise
+};
+
+/// `values`, `determined`: by unknown, as of StaticsSolution. `losses`: by mesh, or empty. The torque that a
+/// lossy mesh misses is a couple on the driven gear about its axis, with its reaction on the carrier.
+/// Cost: O(n + c). @pre all of one mechanism
+[[nodiscard]] StaticsForces forcesOf(const Mechanism& mechanism, const KinematicModel& model,
+                                     const Placement& placement, const StaticsProblem& problem,
+                                     std::span<const HeldPart> held, std::span<const double> values,
+                                     std::span<const char> determined, std::span<const MeshLoss> losses,
+                                     std::span<const double> pressureAngles);
+
+}  // namespace geargraph::inline statics

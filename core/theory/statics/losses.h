@@ -1,0 +1,102 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/machine/train/mesh_contact.h"
+#include "core/theory/statics/stiffness.h"
+
+namespace geargraph::inline statics {
+
+/// The efficiency of one mesh, of the power that crosses it seen from its carrier.
+struct MeshEfficiency {
+  Rational value = 1;
+  bool isGiven = false;  ///< an efficiency or a friction is stated for it; else it is 1
+  bool isExact = true;   ///< false where it comes from friction
+};
+
+/// The efficiencies that the document states, by mesh: its own, else that of gearDefaults, else `otherwise`,
+/// else 1. From a coefficient of friction mu it is 1 - mu H_v (toothLossFactor()), of a mesh without
+/// contact 1. `contacts`: by mesh; needed where hasFriction().
+[[nodiscard]] std::vector<MeshEfficiency> efficienciesOf(
+    const Mechanism& mechanism, std::span<const std::optional<MeshContact>> contacts = {},
+    const std::optional<Rational>& otherwise = {});
+/// Does the document state a coefficient of friction for some mesh?
+[[nodiscard]] bool hasFriction(const Mechanism& mechanism);
+
+/// A steady motion: the rates of all joints, by joint.
+using Motion = std::vector<Rational>;
+
+/// What each mesh passes, and what the loads and the held parts feed, in a motion.
+struct MeshPowers {
+  /// Pi_c = F_c (A_c theta'), W, by mesh: from the tail's gear to the head's, seen from the carrier, taken at
+  /// the gear that drives.
+  std::vector<Real> mesh;
+  std::vector<char> rolls;  ///< by mesh: the gears turn against the carrier
+  std::vector<Real> held;   ///< W by held part: fed into the train
+};
+[[nodiscard]] MeshPowers powersOf(const KinematicModel& model, const StaticsSolution& solution,
+                                  const Motion& motion);
+
+/// The power that loads feed into the train in a motion, W.
+[[nodiscard]] Real powerOf(const KinematicModel& model, const RadicalColumns& loads, const Motion& motion);
+
+/// Torques with losses: constant efficiencies eta_c on the power seen from each carrier (Pennestri and
+/// Freudenstein, J. Mech. Design 115(3), 1993, 645-651). Kinematics are unchanged; the row of mesh c is
+/// A_c + eta_c B_c where the tail's gear drives (Pi_c > 0), eta_c A_c + B_c where the head's does, A_c + B_c
+/// where the mesh does not roll or bears nothing; A_c, B_c the tail's and the head's part of row c of P.
+///
+/// A pattern of drivers counts if its own solution reproduces it and every balance feeds power, or takes it,
+/// as in the train without losses. No proof is known to us that there is one only for several loads and
+/// motors; the drivers that were taken are in `losses`.
+struct LossySolution {
+  enum class Outcome {
+    solved,
+    selfLocking,   ///< no pattern counts: the balances cannot move the loads in this direction
+    patternLimit,  ///< too many meshes to try all patterns
+    undecided      ///< the loads are not held, or meshes share them in unknown parts
+  };
+  Outcome outcome = Outcome::undecided;
+  std::vector<MeshLoss> losses;  ///< by mesh, of the accepted pattern
+  StaticsSolution statics;       ///< with these losses; where solved
+  MeshPowers powers;
+};
+
+/// Of more meshes than this, not all patterns are tried.
+constexpr int kMostPatternMeshes = 14;
+
+/// `lossless` is the solution of the same problem with no losses. `stiffness`: where meshes share loads, they
+/// do it by equal stiffness (stiffness.h); null: then nothing is decided. Nothing where `stop` was requested.
+/// Cost: two or three eliminations; where these cycle, one for each pattern.
+[[nodiscard]] std::optional<LossySolution> solveWithLosses(const KinematicModel& model,
+                                                           const StaticsSolution& lossless,
+                                                           const RadicalColumns& loads, const Motion& motion,
+                                                           std::span<const MeshEfficiency> efficiencies,
+                                                           const CoefficientMatrix* stiffness = nullptr,
+                                                           const std::stop_token& stop = {});
+
+/// Power taken over power fed, over loads and balances. `loads`: each load for itself. None where nothing is
+/// fed.
+struct PowerSums {
+  Real fed;
+  Real taken;
+  Real lost;
+  [[nodiscard]] std::optional<Real> efficiency() const {
+    return fed.isZero() ? std::nullopt : std::optional(taken / fed);
+  }
+};
+[[nodiscard]] PowerSums powerSums(const KinematicModel& model, const LossySolution& solution,
+                                  std::span<const RadicalColumns> loads, const Motion& motion);
+
+/// The part of the losses, 0 to 1, from which on the train locks itself: all 1 - eta_c are multiplied by it.
+/// None where `stop` was requested. Found by bisection to 1e-6. @pre it is self-locking with all its losses
+[[nodiscard]] std::optional<double> selfLockingPart(const KinematicModel& model,
+                                                    const StaticsSolution& lossless,
+                                                    const RadicalColumns& loads, const Motion& motion,
+                                                    std::span<const MeshEfficiency> efficiencies,
+                                                    const CoefficientMatrix* stiffness = nullptr,
+                                                    const std::stop_token& stop = {});
+
+}  // namespace geargraph::inline statics
