@@ -1,0 +1,313 @@
+#include "core/theory/statics/statics_report.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/position_index.h"
+#include "core/mechanism/model/load_edits.h"
+#include "core/theory/matroid/exact_solution.h"
+#include "core/theory/states/state_solution.h"
+#include "core/theory/statics/statics_findings.h"
+
+namespace geargraph::inline statics {
+namespace {
+
+/// The joints that are no balances, where every balance is one: what the transposed kinematics is about.
+std::optional<std::pair<std::vector<int>, std::vector<int>>> jointsOf(const KinematicModel& model,
+                                                                      const StaticsProblem& problem) {
+  std::vector<int> balanced;
+  for (const TorquePlace& place : problem.balances) {
+    if (!place.inJoint()) return std::nullopt;
+    balanced.push_back(place.joint);
+  }
+  return std::pair(balanced, outputsOf(model, balanced));
+}
+
+class Analysis {
+ public:
+  Analysis(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+           const TtGraph& ttGraph, const MatroidAnalysis& analysis, const StaticsOptions& options,
+           const std::stop_token& stop)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_ttGraph(ttGraph),
+        m_analysis(analysis),
+        m_options(options),
+        m_stop(stop),
+        m_matrix(mechanism, model, placement) {}
+
+  std::optional<StaticsReport> run() {
+    if (!takeMotion()) return std::nullopt;
+    if (hasErrors(m_report.diagnostics)) return std::move(m_report);
+    m_report.isSolved = true;
+    takeLoads();
+    takeBalances();
+    if (!solve()) return std::nullopt;
+    if (m_report.lossless.isBalanced()) {
+      if (m_options.losses && !solveLosses()) return std::nullopt;
+      takePowers();
+      takeForces();
+    }
+    if (!solveTransposed()) return std::nullopt;
+    if (m_stop.stop_requested()) return std::nullopt;
+    return std::move(m_report);
+  }
+
+ private:
+  [[nodiscard]] const ShiftState* state() const {
+    return m_options.state < 0 ? nullptr : &m_mechanism.states[static_cast<std::size_t>(m_options.state)];
+  }
+  void add(Diagnostic diagnostic) { m_report.diagnostics.push_back(std::move(diagnostic)); }
+
+  /// False where `stop` was requested.
+  bool takeMotion() {
+    if (state() != nullptr) {
+      auto solution = solveState(m_mechanism, m_model, m_placement, m_options.state, false, m_stop);
+      if (!solution) return false;
+      m_report.problem.engaged = solution->engaged;
+      for (Diagnostic& diagnostic : solution->diagnostics) add(std::move(diagnostic));
+      if (solution->isSolved()) m_report.motion = std::move(solution->rates);
+    } else if (m_analysis.solution) {
+      auto solution = solveExact(m_model, m_analysis.choice.joints, m_analysis.speeds, m_stop);
+      if (!solution) return false;
+      m_report.motion = std::move(solution->rates);
+    }
+    if (!m_report.motion) add(noMotion());
+    return true;
+  }
+
+  void takeLoads() {
+    if (m_options.documentLoads)
+      for (const Load& load : m_mechanism.loads) m_report.loads.push_back({load, {}, {}});
+    for (const Load& load : m_options.loads) m_report.loads.push_back({load, {}, {}});
+    const ShiftState* const of = state();
+    if (of != nullptr && of->drive && !isLoaded(of->drive) && !isLoaded(of->driven)) {
+      m_report.loads.push_back({Load{{}, LinkTorque{*of->drive, {}, Number(1)}}, {}, {}});
+      add(unitLoad(m_mechanism, *of));
+    } else if (m_report.loads.empty()) {
+      add(noLoad());
+    }
+    bool hasForces = false;
+    for (LoadReport& report : m_report.loads) {
+      StaticsProblem only;
+      addLoads(m_mechanism, m_placement, std::span(&report.load, 1), only);
+      hasForces = hasForces || !only.forces.empty();
+      report.power = LoadPower::of(m_mechanism, m_model, m_placement, only).byLink;
+      if (m_report.motion) report.watts = powerOf(m_model, report.power, *m_report.motion);
+      auto& problem = m_report.problem;
+      problem.torques.insert(problem.torques.end(), only.torques.begin(), only.torques.end());
+      problem.forces.insert(problem.forces.end(), only.forces.begin(), only.forces.end());
+    }
+    if (!metresPerUnit(m_mechanism)) add(unknownUnit(m_mechanism, hasForces));
+    m_power = LoadPower::of(m_mechanism, m_model, m_placement, m_report.problem);
+  }
+
+  [[nodiscard]] bool isLoaded(const std::optional<LinkId>& link) const {
+    return link && std::any_of(m_report.loads.begin(), m_report.loads.end(),
+                               [&](const LoadReport& each) { return linkOf(each.load) == *link; });
+  }
+
+  void takeBalances() {
+    StaticsProblem& problem = m_report.problem;
+    if (!m_options.balances.empty()) {
+      problem.balances = placesOf(m_mechanism, m_placement, m_options.balances);
+    } else if (const ShiftState* const of = state()) {
+      if (m_mechanism.balances) {
+        problem.balances = placesOf(m_mechanism, m_placement, *m_mechanism.balances);
+      } else if (of->drive && of->driven && isLoaded(of->drive) != isLoaded(of->driven)) {
+        const PositionIndex<LinkTag> links(m_mechanism.links);
+        const LinkId free = isLoaded(of->drive) ? *of->driven : *of->drive;
+        if (links.at(free) != 0)
+          problem.balances = {onLink(m_mechanism, m_placement, links.at(free), std::nullopt)};
+      }
+    } else if (m_mechanism.balances) {
+      problem.balances = placesOf(m_mechanism, m_placement, *m_mechanism.balances);
+    } else {
+      for (const int joint : m_analysis.choice.joints) {
+        const bool loaded = std::any_of(problem.torques.begin(), problem.torques.end(),
+                                        [&](const AppliedTorque& each) { return each.place.joint == joint; });
+        if (!loaded) problem.balances.push_back(TorquePlace{joint});
+      }
+    }
+    m_report.held = heldParts(m_mechanism, m_model, m_placement, problem);
+  }
+
+  bool solve() {
+    auto solution = solveStatics(m_model, m_report.held, m_power.byLink, {}, m_stop);
+    if (!solution) return false;
+    m_report.lossless = std::move(*solution);
+    if (m_ttGraph.isComplete()) {
+      const auto torques = ttTorques(m_ttGraph, chordsOf(m_report.held), m_power.byJoint, m_stop);
+      if (!torques) return false;
+      m_report.agreement = staticsAgreement(m_model, m_report.lossless, *torques);
+    }
+    if (!m_report.lossless.isBalanced()) {
+      add(unbalancedLoads(m_mechanism, m_report));
+      return true;
+    }
+    if (m_report.lossless.indeterminate() > 0) {
+      add(sharedLoads(m_mechanism, m_model, m_report.lossless));
+      if (m_options.stiffness) {
+        if (!shareByStiffness(m_model, m_matrix, m_report.lossless, m_stop)) return false;
+        m_report.isShared = m_report.lossless.isDeterminate();
+      }
+    }
+    addDeadLoads();
+    return true;
+  }
+
+  void addDeadLoads() {
+    for (const AppliedTorque& load : m_report.problem.torques) {
+      if (!load.place.inJoint() || load.torque.isZero()) continue;
+      if (m_analysis.dead[static_cast<std::size_t>(load.place.joint)] == 0) continue;
+      std::vector<int> meshes;
+      for (const CutsetEquations::Term& term : cutsets().terms(load.place.joint))
+        if (!m_report.lossless.values[static_cast<std::size_t>(term.mesh)].isZero() ||
+            !m_report.lossless.isDetermined(term.mesh))
+          meshes.push_back(term.mesh);
+      add(deadLoad(m_mechanism, load.place.joint, meshes));
+    }
+  }
+
+  bool solveLosses() {
+    if (hasFriction(m_mechanism)) (void)contacts();
+    m_efficiencies = efficienciesOf(m_mechanism, m_contacts, m_options.efficiency);
+    const bool any = std::any_of(m_efficiencies.begin(), m_efficiencies.end(),
+                                 [](const MeshEfficiency& each) { return each.isGiven; });
+    if (!any) add(noEfficiency());
+    if (!m_report.motion || !any) return true;
+    const CoefficientMatrix* const stiffness = m_options.stiffness ? &m_matrix : nullptr;
+    m_report.lossy = solveWithLosses(m_model, m_report.lossless, m_power.byLink, *m_report.motion,
+                                     m_efficiencies, stiffness, m_stop);
+    if (!m_report.lossy) return false;
+    if (m_report.lossy->outcome == LossySolution::Outcome::selfLocking) {
+      const auto part = selfLockingPart(m_model, m_report.lossless, m_power.byLink, *m_report.motion,
+                                        m_efficiencies, stiffness, m_stop);
+      if (!part) return false;
+      add(selfLocking(m_mechanism, m_report, m_efficiencies, part));
+    } else if (m_report.lossy->outcome == LossySolution::Outcome::patternLimit) {
+      add(patternLimit(m_mechanism, lossyMeshes()));
+    }
+    return solveBackward(stiffness);
+  }
+
+  [[nodiscard]] std::vector<int> lossyMeshes() const {
+    std::vector<int> meshes;
+    for (int mesh = 0; mesh < m_model.c(); ++mesh)
+      if (m_efficiencies[static_cast<std::size_t>(mesh)].value != Rational(1)) meshes.push_back(mesh);
+    return meshes;
+  }
+
+  /// The same motion with every known torque reversed.
+  bool solveBackward(const CoefficientMatrix* stiffness) {
+    if (m_report.lossy->outcome == LossySolution::Outcome::undecided) return true;
+    RadicalColumns reversed;
+    for (const RadicalColumns::Column& column : m_power.byLink.columns())
+      for (const auto& [link, force] : column.entries) reversed.add(link, -force, column.square);
+    auto lossless = solveStatics(m_model, m_report.held, reversed, {}, m_stop);
+    if (!lossless) return false;
+    if (stiffness != nullptr && !shareByStiffness(m_model, *stiffness, *lossless, m_stop)) return false;
+    m_report.backward =
+        solveWithLosses(m_model, *lossless, reversed, *m_report.motion, m_efficiencies, stiffness, m_stop);
+    if (!m_report.backward) return false;
+    if (m_report.backward->outcome != LossySolution::Outcome::solved) return true;
+    std::vector<RadicalColumns> loads;
+    for (const LoadReport& load : m_report.loads) {
+      RadicalColumns& opposite = loads.emplace_back();
+      for (const RadicalColumns::Column& column : load.power.columns())
+        for (const auto& [link, force] : column.entries) opposite.add(link, -force, column.square);
+    }
+    m_report.backwardSums = powerSums(m_model, *m_report.backward, loads, *m_report.motion);
+    return true;
+  }
+
+  void takePowers() {
+    if (!m_report.motion) return;
+    std::vector<RadicalColumns> loads;
+    for (const LoadReport& load : m_report.loads) loads.push_back(load.power);
+    const bool isLossy = m_report.lossy && m_report.lossy->outcome == LossySolution::Outcome::solved;
+    LossySolution shown;
+    if (isLossy) {
+      shown = *m_report.lossy;
+    } else {
+      shown.statics = m_report.lossless;
+      shown.powers = powersOf(m_model, m_report.lossless, *m_report.motion);
+    }
+    m_report.powers = shown.powers;
+    m_report.sums = powerSums(m_model, shown, loads, *m_report.motion);
+    const double fed = m_report.sums->fed.number();
+    constexpr double kNoticeably = 1 + 1e-9;
+    for (int mesh = 0; mesh < m_model.c() && fed > 0; ++mesh) {
+      if (!shown.statics.isDetermined(mesh)) continue;
+      const double passed = std::abs(shown.powers.mesh[static_cast<std::size_t>(mesh)].number());
+      if (passed > kNoticeably * fed) add(recirculation(m_mechanism, mesh, passed / fed));
+    }
+  }
+
+  void takeForces() {
+    if (!metresPerUnit(m_mechanism)) return;
+    std::vector<double> angles;
+    for (const std::optional<MeshContact>& contact : contacts())
+      angles.push_back(contact ? contact->pressureAngle : 0);
+    m_report.forces =
+        forcesOf(m_mechanism, m_model, m_placement, m_report.problem, m_report.held,
+                 numbersOf(m_report.solution()), m_report.solution().determined, m_report.losses(), angles);
+  }
+
+  bool solveTransposed() {
+    const auto joints = jointsOf(m_model, m_report.problem);
+    if (!joints || !m_report.problem.engaged.empty() || joints->first.empty()) return true;
+    if (joints->first.size() * joints->second.size() > ExactSolution::kMostExactEntries) return true;
+    m_report.balancedJoints = joints->first;
+    m_report.matrix = torqueMatrix(m_model, m_report.held, joints->second, m_stop);
+    if (m_stop.stop_requested()) return false;
+    constexpr std::size_t kMostSymbolicEntries = 20'000;
+    if (!m_report.matrix || !m_options.symbolic || m_report.matrix->entries.size() > kMostSymbolicEntries)
+      return true;
+    m_report.symbolic = solveStaticsSymbolic(m_mechanism, cutsets(), m_analysis.independentMeshes,
+                                             joints->first, joints->second, m_stop);
+    return !m_stop.stop_requested();
+  }
+
+  /// Of no use where `stop` was requested.
+  const std::vector<std::optional<MeshContact>>& contacts() {
+    if (m_contacts.empty()) m_contacts = meshContacts(m_mechanism, m_placement, m_stop);
+    return m_contacts;
+  }
+
+  const CutsetEquations& cutsets() {
+    if (!m_cutsets) m_cutsets.emplace(m_matrix);
+    return *m_cutsets;
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const TtGraph& m_ttGraph;
+  const MatroidAnalysis& m_analysis;
+  const StaticsOptions& m_options;
+  std::stop_token m_stop;
+  CoefficientMatrix m_matrix;
+  std::optional<CutsetEquations> m_cutsets;
+  LoadPower m_power;
+  std::vector<MeshEfficiency> m_efficiencies;
+  std::vector<std::optional<MeshContact>> m_contacts;  ///< once they are asked for
+  StaticsReport m_report;
+};
+
+}  // namespace
+
+std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism, const KinematicModel& model,
+                                            const Placement& placement, const TtGraph& ttGraph,
+                                            const MatroidAnalysis& analysis, const StaticsOptions& options,
+                                            const std::stop_token& stop) {
+  return Analysis(mechanism, model, placement, ttGraph, analysis, options, stop).run();
+}
+
+std::vector<double> numbersOf(const StaticsSolution& solution) {
+  std::vector<double> numbers;
+  for (const Real& value : solution.values) numbers.push_back(value.number());
+  return numbers;
+}
+
+}  // namespace geargraph::inline statics

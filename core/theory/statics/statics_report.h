@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/theory/matroid/matroid_analysis.h"
+#include "core/theory/statics/forces.h"
+#include "core/theory/statics/losses.h"
+#include "core/theory/statics/statics_agreement.h"
+#include "core/theory/statics/symbolic_statics.h"
+
+namespace geargraph::inline statics {
+
+/// What is asked about the torques of a mechanism.
+struct StaticsOptions {
+  int state = -1;                      ///< position of the state whose couplings are engaged; -1: none is
+  bool documentLoads = true;           ///< false: `loads` only
+  std::vector<Load> loads;             ///< beside those of the document
+  std::vector<Balance> balances;       ///< instead of those of the document, where there are any
+  bool losses = false;                 ///< with the efficiencies of the meshes
+  std::optional<Rational> efficiency;  ///< of meshes that state none
+  bool stiffness = false;              ///< self-stresses by equal stiffness of all teeth
+  bool symbolic = true;
+};
+
+/// One load with what it does.
+struct LoadReport {
+  Load load;
+  RadicalColumns power;       ///< by link, for unit speeds
+  std::optional<Real> watts;  ///< fed into the train; none without a motion
+};
+
+/// The torques of a mechanism, of one state or of none: by both methods, with losses where asked for.
+struct StaticsReport {
+  StaticsProblem problem;
+  std::vector<LoadReport> loads;  ///< all that act
+  std::vector<HeldPart> held;     ///< couplings and balances, as in the solutions' unknowns
+  bool isSolved = false;         ///< false: a coupling of the state closes a linkage, `diagnostics` say which
+  std::optional<Motion> motion;  ///< none where the speeds are not determined
+  StaticsSolution lossless;
+  std::optional<StaticsAgreement> agreement;  ///< none where a mesh has no sign in the T-T graph
+  std::optional<LossySolution> lossy;         ///< with options.losses and a motion
+  std::optional<PowerSums> sums;              ///< with a motion, where the loads are held
+  std::optional<LossySolution> backward;      ///< the known torques reversed; with `lossy`
+  std::optional<PowerSums> backwardSums;
+  bool isShared = false;  ///< self-stresses were decided by stiffness
+  MeshPowers powers;      ///< with a motion; of the train with losses where these are solved
+  StaticsForces forces;
+  std::vector<int> balancedJoints;  ///< where all balances are in joints, of the transposed kinematics
+  std::optional<TorqueMatrix> matrix;
+  std::optional<SymbolicStatics> symbolic;
+  Diagnostics diagnostics;
+
+  /// The solution that is shown: with losses where these are solved.
+  [[nodiscard]] const StaticsSolution& solution() const {
+    return lossy && lossy->outcome == LossySolution::Outcome::solved ? lossy->statics : lossless;
+  }
+  /// Its drivers and efficiencies, by mesh; empty without losses.
+  [[nodiscard]] std::span<const MeshLoss> losses() const {
+    if (!lossy || lossy->outcome != LossySolution::Outcome::solved) return {};
+    return lossy->losses;
+  }
+};
+
+/// Nothing where `stop` was requested.
+/// Cost: two exact eliminations by the Matroid method and the T-T graph, more with losses and symbols.
+/// @pre all of one mechanism without errors; the state exists
+[[nodiscard]] std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism,
+                                                          const KinematicModel& model,
+                                                          const Placement& placement, const TtGraph& ttGraph,
+                                                          const MatroidAnalysis& analysis,
+                                                          const StaticsOptions& options = {},
+                                                          const std::stop_token& stop = {});
+
+/// The values of a solution as doubles, for forces.
+[[nodiscard]] std::vector<double> numbersOf(const StaticsSolution& solution);
+
+}  // namespace geargraph::inline statics
