@@ -84,12 +84,12 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     const QString one = written(QStringLiteral("one.geargraph"), 1);
     const QString two = written(QStringLiteral("two.geargraph"), 2);
     set->start({});
-    set->open(one, &first());
+    set->openFrom(one, first().files());
     QCOMPARE(set->windows().size(), std::size_t{1});  // the empty one is used
-    set->open(two, &first());
+    set->openFrom(two, first().files());
     QCOMPARE(set->windows().size(), std::size_t{2});
     QCOMPARE(set->windows().back()->document().mechanism()->n(), 2);
-    set->open(one, set->windows().back());  // it is open already
+    set->openFrom(one, set->windows().back()->files());  // it is open already
     QCOMPARE(set->windows().size(), std::size_t{2});
     first().actions().newWindow->trigger();
     QCOMPARE(set->windows().size(), std::size_t{3});
@@ -102,7 +102,7 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     QFile file(folder->filePath(QStringLiteral("broken.geargraph")));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{") == 1);
     file.close();
-    set->open(file.fileName(), &first());
+    set->openFrom(file.fileName(), first().files());
     QCOMPARE(set->windows().size(), std::size_t{1});
     QVERIFY(first().statusLine().text().contains(QStringLiteral("broken.geargraph")));
   }

@@ -209,9 +209,9 @@ class WindowSavingTest : public QObject, protected test::FileWindows {
     fs::create_symlink("one.geargraph", nativeOf("soft.geargraph"));
     fs::create_hard_link(nativeOf("one.geargraph"), nativeOf("hard.geargraph"));
     set->start({path});
-    set->open(written("two.geargraph", 2), &first());
+    set->openFrom(written("two.geargraph", 2), first().files());
     for (const char* name : {"soft.geargraph", "hard.geargraph", "./app/.././one.geargraph"}) {
-      set->open(pathOf(name), &last());
+      set->openFrom(pathOf(name), last().files());
       QCOMPARE(set->windows().size(), std::size_t{2});
       QVERIFY(first().statusLine().text().contains(QStringLiteral("open in this window already")));
     }
