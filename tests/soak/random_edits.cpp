@@ -156,13 +156,22 @@ std::vector<LinkShape> shapes(Random& random) {
   return worn;
 }
 
+Expected<Mechanism> mechanismOf(Expected<Mechanism> edited) {
+  return edited;
+}
+Expected<Mechanism> mechanismOf(const Expected<PlacedMechanism>& edited) {
+  if (!edited) return edited.error();
+  return edited->mechanism();
+}
+
 /// A kind of edit whose arguments, after the mechanism, are what `draw` draws.
 template <auto function, class Draw>
 EditKind kind(std::string name, Draw draw, int weight = 4) {
   return {std::move(name),
           [draw](Random& random) -> Reduce {
-            return [arguments = draw(random)](const Mechanism& before) -> Expected<Mechanism> {
-              return std::apply([&](const auto&... each) { return function(before, each...); }, arguments);
+            return [arguments = draw(random)](const Mechanism& before) {
+              return mechanismOf(
+                  std::apply([&](const auto&... each) { return function(before, each...); }, arguments));
             };
           },
           weight};
@@ -326,7 +335,7 @@ std::vector<EditKind> numberEdits() {
          const AxisId axis = r.axis();
          if (!axisReach(r.mechanism(), axis)) return {};
          return [axis, factor = Rational(1 + r.below(40), 20)](const Mechanism& before) {
-           return withAxisReach(before, axis, factor);
+           return mechanismOf(withAxisReach(before, axis, factor));
          };
        }},
       kind<withShaftOnSheet>("withShaftOnSheet",

@@ -74,16 +74,12 @@ std::set<JointId> jointsDrivenBy(const Mechanism& mechanism, const std::set<Elem
   return joints;
 }
 
-std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh) {
+std::optional<MeshKind> shownKind(const PlacedMechanism& placed, MeshId mesh) {
+  const Mechanism& mechanism = placed.mechanism();
   const GearMesh* found = mechanism.find(mesh);
   if (found == nullptr || found->kind) return found == nullptr ? std::nullopt : found->kind;
-  return shownKind(mechanism, mesh, placementOf(mechanism));
-}
-
-std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh, const Placement& placement) {
-  const GearMesh* found = mechanism.find(mesh);
-  if (found == nullptr || found->kind) return found == nullptr ? std::nullopt : found->kind;
-  const auto& geometry = placement.meshes[static_cast<std::size_t>(found - mechanism.gearMeshes.data())];
+  const auto& geometry =
+      placed.placement().meshes[static_cast<std::size_t>(found - mechanism.gearMeshes.data())];
   return geometry ? std::optional(geometry->kind) : std::nullopt;
 }
 

@@ -6,11 +6,7 @@
 #include <vector>
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/model/mechanism.h"
-
-namespace geargraph::inline placement {
-struct Placement;
-}  // namespace geargraph::inline placement
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline canvas {
 
@@ -36,10 +32,8 @@ struct Carrying {
                                                const std::set<ElementId>& elements);
 
 /// The kind that a mesh states, else the one that its geometry tells; nothing where there is neither.
-[[nodiscard]] std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh);
-/// The same with the placement of the mechanism, which else is worked out. Cost: O(c).
-[[nodiscard]] std::optional<MeshKind> shownKind(const Mechanism& mechanism, MeshId mesh,
-                                                const Placement& placement);
+/// Cost: O(c).
+[[nodiscard]] std::optional<MeshKind> shownKind(const PlacedMechanism& placed, MeshId mesh);
 
 /// "link 3", "turning joint 8", "3 elements"
 [[nodiscard]] QString describe(const Mechanism& mechanism, const std::set<ElementId>& elements);

@@ -337,14 +337,6 @@ void DrawingView::openElement(const ElementId& element) {
   }
 }
 
-/// The geometry of a large train takes long: that of the analysis is asked where it is of this document.
-std::optional<MeshKind> DrawingView::kindNow(MeshId mesh) const {
-  const bool isAnalyzed =
-      m_snapshot && m_snapshot->kinematics && m_snapshot->revision == m_document->mechanicsRevision();
-  return isAnalyzed ? shownKind(mechanism(), mesh, m_snapshot->kinematics->placement)
-                    : shownKind(mechanism(), mesh);
-}
-
 QMenu* DrawingView::contextMenuAt(QPoint viewportPlace) {
   return contextMenuFor(elementUnder(viewportPlace), toSheetPoint(mapToScene(viewportPlace)));
 }
@@ -360,7 +352,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.flip = [this] { flipSelected(); };
   actions.attachGear = [this, link] { m_commands.attachGear(link); };
   actions.selected = m_selection->selected();
-  actions.kindOf = [this](MeshId which) { return kindNow(which); };
+  actions.kindOf = [this](MeshId which) { return shownKind(m_document->placed(), which); };
   actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
   actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };

@@ -163,7 +163,6 @@ class DrawingView : public QGraphicsView {
 
   void showDocument();
   void showAnotherDocument();
-  [[nodiscard]] std::optional<MeshKind> kindNow(MeshId mesh) const;
   void applyTheme(Theme theme);
   void escape();
   bool editKey(const QKeyEvent& event);

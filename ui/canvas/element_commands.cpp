@@ -45,8 +45,7 @@ std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
 
 }  // namespace
 
-void ElementCommands::apply(const QString& text,
-                            std::function<Expected<Mechanism>(const Mechanism&)> reduce) {
+void ElementCommands::apply(const QString& text, Reduce reduce) {
   m_document.apply({text, std::move(reduce), 0});
 }
 
@@ -122,17 +121,17 @@ void ElementCommands::makeGround(LinkId link) {
 void ElementCommands::pin(const ElementId& element, bool pinned) {
   const QString what = describe(*m_document.mechanism(), {element});
   apply(pinned ? tr("Pin %1").arg(what) : tr("Unpin %1").arg(what),
-        [element, pinned](const Mechanism& mechanism) { return withPinned(mechanism, element, pinned); });
+        [element, pinned](const PlacedMechanism& before) { return withPinned(before, element, pinned); });
 }
 
 void ElementCommands::makeKind(MeshId mesh, MeshKind kind) {
   apply(tr("Change kind"),
-        [mesh, kind](const Mechanism& mechanism) { return withKindFitted(mechanism, mesh, kind); });
+        [mesh, kind](const PlacedMechanism& before) { return withKindFitted(before, mesh, kind); });
 }
 
 void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
   apply(tr("Move gear to the other side"),
-        [mesh, ofTail](const Mechanism& mechanism) { return withBevelSideFlipped(mechanism, mesh, ofTail); });
+        [mesh, ofTail](const PlacedMechanism& before) { return withBevelSideFlipped(before, mesh, ofTail); });
 }
 
 void ElementCommands::addBrake(LinkId link) {

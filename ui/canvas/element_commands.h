@@ -33,7 +33,7 @@ class ElementCommands {
   void takeOff(const ElementId& coupling);
 
  private:
-  void apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce);
+  void apply(const QString& text, Reduce reduce);
 
   Document& m_document;
   Selection& m_selection;

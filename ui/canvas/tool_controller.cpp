@@ -20,12 +20,12 @@ QString translated(std::string_view text) {
 }
 
 /// Would the arrow make a joint if it were released here?
-Expected<Mechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draft) {
-  if (draft.kind != ElementKind::gearMesh) return withTurningJoint(mechanism, draft.tail, draft.head);
-  Expected<Mechanism> drawn = withDrawnMesh(mechanism, draft.tail, draft.head);
+Expected<PlacedMechanism> withDraft(const Mechanism& mechanism, const ArrowDraft& draft) {
+  if (draft.kind != ElementKind::gearMesh)
+    return unplaced(withTurningJoint(mechanism, draft.tail, draft.head));
+  const Expected<PlacedMechanism> drawn = unplaced(withDrawnMesh(mechanism, draft.tail, draft.head));
   if (!drawn) return drawn;
-  const MeshId mesh = drawn->gearMeshes.back().id;
-  return withMeshSnapped(std::move(drawn).value(), mesh);
+  return withMeshSnapped(*drawn, drawn->mechanism().gearMeshes.back().id);
 }
 
 }  // namespace
@@ -68,8 +68,7 @@ void ToolController::carryOut(const Proposal& proposal) {
   std::visit(Visitor{*this}, proposal);
 }
 
-void ToolController::apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce,
-                           quint64 gesture) {
+void ToolController::apply(const QString& text, Reduce reduce, quint64 gesture) {
   m_document.apply({text, std::move(reduce), gesture});
 }
 
@@ -198,7 +197,7 @@ QString ToolController::previewAndHint(std::optional<JointPreview>& preview) con
     preview->valid = true;  // known already; the check is not free
     return hint;
   }
-  const Expected<Mechanism> next = withDraft(*m_document.mechanism(), *draft);
+  const Expected<PlacedMechanism> next = withDraft(*m_document.mechanism(), *draft);
   preview->valid = next.has_value();
   return next ? hint : QString::fromStdString(next.error().front().message);
 }

@@ -57,8 +57,7 @@ class ToolController final : public QObject {
   void addJoint(const AddJoint& joint);
   void selectInside(const SelectInside& band);
   [[nodiscard]] Drag beginDrag();
-  void apply(const QString& text, std::function<Expected<Mechanism>(const Mechanism&)> reduce,
-             quint64 gesture = 0);
+  void apply(const QString& text, Reduce reduce, quint64 gesture = 0);
   void showState();
   [[nodiscard]] QString previewAndHint(std::optional<JointPreview>& preview) const;
   /// A line through all nodes of a row or column.

@@ -16,13 +16,14 @@ namespace geargraph::inline document {
 /// themselves are what the document has kept whole; older ones are made from their neighbour in the history.
 class EditCommand final : public QUndoCommand {
  public:
-  EditCommand(Document& document, const MechanismPtr& after, const Edit& edit)
+  EditCommand(Document& document, const PlacedMechanism& after, const Edit& edit)
       : QUndoCommand(edit.text),
         m_document(document),
         m_before(document.mechanism()),
-        m_after(after),
+        m_after(after.pointer()),
+        m_unpublished(after),
         m_gesture(edit.gesture),
-        m_patch(*document.mechanism(), *after) {
+        m_patch(*document.mechanism(), after) {
     m_document.m_historyBytes += bytes();
   }
   EditCommand(const EditCommand& other)
@@ -38,6 +39,7 @@ class EditCommand final : public QUndoCommand {
 
   void redo() override {
     if (m_document.m_rebuilding) return;
+    if (m_unpublished) return m_document.publish(*std::exchange(m_unpublished, std::nullopt));
     MechanismPtr after = m_after.lock();
     if (!after) after = std::make_shared<const Mechanism>(m_patch.forward(*m_document.mechanism()));
     m_after = after;
@@ -76,23 +78,23 @@ class EditCommand final : public QUndoCommand {
   Document& m_document;
   std::weak_ptr<const Mechanism> m_before;
   std::weak_ptr<const Mechanism> m_after;
+  std::optional<PlacedMechanism> m_unpublished;  ///< until the step is first taken
   quint64 m_gesture;
   MechanismPatch m_patch;
 };
 
-Document::Document(QObject* parent)
-    : QObject(parent), m_mechanism(std::make_shared<const Mechanism>(emptyMechanism())) {
+Document::Document(QObject* parent) : QObject(parent), m_placed(emptyMechanism()) {
   connect(&m_undoStack, &QUndoStack::cleanChanged, this,
           [this](bool clean) { emit modifiedChanged(!clean); });
 }
 
 const ElementIndex& Document::elements() const {
-  if (!m_elements) m_elements.emplace(m_mechanism);
+  if (!m_elements) m_elements.emplace(mechanism());
   return *m_elements;
 }
 
 bool Document::apply(const Edit& edit) {
-  Expected<Mechanism> next = edit.reduce(*m_mechanism);
+  const Expected<PlacedMechanism> next = edit.reduce(m_placed);
   if (!next) {
     emit refused(next.error());
     return false;
@@ -101,12 +103,11 @@ bool Document::apply(const Edit& edit) {
     emit refused(beyond);
     return false;
   }
-  const bool nothingToDo = edit.gesture == 0 && *next == *m_mechanism;
+  const MechanismPtr before = mechanism();
+  const bool nothingToDo = edit.gesture == 0 && next->mechanism() == *before;
   if (nothingToDo) return true;
-  const MechanismPtr before = m_mechanism;
-  const auto after = std::make_shared<const Mechanism>(std::move(*next));
   const int steps = m_undoStack.index();
-  m_undoStack.push(new EditCommand(*this, after, edit));
+  m_undoStack.push(new EditCommand(*this, *next, edit));
   if (m_undoStack.index() > steps) m_gestureStart = before;  // merged steps go on with the one they have
   if (m_historyBytes > m_historyLimit) shortenHistory();
   return true;
@@ -163,7 +164,7 @@ void Document::replace(Mechanism mechanism, const QString& filePath) {
   m_gestureStart.reset();
   const bool isElsewhere =
       std::exchange(m_filePath, filePath) != filePath;  // who hears of the one asks for the other
-  publish(std::make_shared<const Mechanism>(std::move(mechanism)));
+  publish(std::move(mechanism));
   emit replaced();
   m_undoStack.setClean();
   if (isElsewhere) emit filePathChanged(m_filePath);
@@ -176,12 +177,13 @@ void Document::markSaved(const QString& filePath) {
   emit filePathChanged(m_filePath);
 }
 
-void Document::publish(const MechanismPtr& mechanism) {
-  if (m_mechanism == mechanism) return;
-  const bool moved = isSameButForView(*m_mechanism, *mechanism);
-  keepWhole(m_mechanism);
-  keepWhole(mechanism);
-  m_mechanism = mechanism;
+void Document::publish(const PlacedMechanism& placed) {
+  const MechanismPtr before = mechanism();
+  if (before == placed.pointer()) return;
+  const bool moved = isSameButForView(*before, placed);
+  keepWhole(before);
+  keepWhole(placed.pointer());
+  m_placed = moved ? m_placed.withSamePlacement(placed.pointer()) : placed;
   m_elements.reset();
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;

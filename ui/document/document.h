@@ -3,20 +3,39 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <concepts>
 #include <deque>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/element_index.h"
-#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline document {
 
-/// One change of the document: its name in the undo list, and a pure function from one mechanism to the next.
+/// A pure function from one mechanism to the next; one that reads the placement takes and gives placed ones,
+/// so that the document's is not computed again, and the next one's comes along.
+class Reduce {
+ public:
+  template <class Function>
+  requires std::invocable<const Function&, const PlacedMechanism&> Reduce(
+      Function function)  // NOLINT(google-explicit-constructor): as a std::function
+      : m_function([function = std::move(function)](const PlacedMechanism& before) {
+          return unplaced(function(before));
+        }) {}
+
+  Expected<PlacedMechanism> operator()(const PlacedMechanism& before) const { return m_function(before); }
+
+ private:
+  std::function<Expected<PlacedMechanism>(const PlacedMechanism&)> m_function;
+};
+
+/// One change of the document: its name in the undo list, and what changes.
 struct Edit {
   QString text;
-  std::function<Expected<Mechanism>(const Mechanism&)> reduce;
+  Reduce reduce;
   /// Edits of one gesture (a drag, a spin) are one undo step: give them the number of Document::newGesture().
   /// 0: a step of its own.
   quint64 gesture = 0;
@@ -38,7 +57,9 @@ class Document : public QObject {
 
   explicit Document(QObject* parent = nullptr);
 
-  [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
+  [[nodiscard]] const MechanismPtr& mechanism() const { return m_placed.pointer(); }
+  /// The mechanism as it is now with its placement, which edits, forms and the analysis share.
+  [[nodiscard]] const PlacedMechanism& placed() const { return m_placed; }
   /// The elements of the mechanism as it is now, by id: made when first asked for after an edit.
   [[nodiscard]] const ElementIndex& elements() const;
   [[nodiscard]] quint64 revision() const { return m_revision; }
@@ -78,12 +99,12 @@ class Document : public QObject {
 
  private:
   friend class EditCommand;
-  void publish(const MechanismPtr& mechanism);
+  void publish(const PlacedMechanism& placed);
   void keepWhole(const MechanismPtr& mechanism);
   void shortenHistory();
 
-  MechanismPtr m_mechanism;
-  mutable std::optional<ElementIndex> m_elements;  ///< of m_mechanism; empty: not asked for yet
+  PlacedMechanism m_placed;
+  mutable std::optional<ElementIndex> m_elements;  ///< of the mechanism now; empty: not asked for yet
   std::deque<MechanismPtr> m_keptWhole;            ///< the newest first
   MechanismPtr m_gestureStart;                     ///< what the newest step began with
   std::size_t m_historyBytes = 0;

@@ -95,7 +95,7 @@ void EditCommands::makePlanets(int total) {
   for (const ElementId& element : m_selection->selected()) {
     if (element.kind != ElementKind::link) continue;
     m_document->apply({tr("Make %1 planets").arg(total),
-                       [planet = LinkId(element.id), total](const Mechanism& before) {
+                       [planet = LinkId(element.id), total](const PlacedMechanism& before) {
                          return withPlanets(before, planet, total);
                        },
                        0});

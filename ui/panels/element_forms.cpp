@@ -219,18 +219,19 @@ void JointForm::chooseAxis(int item) {
 }
 
 void JointForm::placeAxes(int index, const std::optional<Number>& number, bool ofPoint) {
-  apply(ofPoint ? tr("Move axis") : tr("Turn axis"),
-        [index, number, ofPoint](Mechanism before, const ElementId& joint) {
-          const AxisId id = before.find(JointId(joint.id))->axis;
-          const Axis axis = *before.find(id);
-          if (!ofPoint) {
-            return withAxisPlaced(std::move(before), id, axis.point,
-                                  withComponent(axis.direction, index, number, kUpwards));
-          }
-          const auto point = withComponent(axis.point, index, number, kOrigin);
-          if (point && axis.point) return withAxisMoved(std::move(before), id, *point);
-          return withAxisPlaced(std::move(before), id, point, axis.direction);
-        });
+  applyFitted(ofPoint ? tr("Move axis") : tr("Turn axis"),
+              [index, number, ofPoint](const PlacedMechanism& before,
+                                       const ElementId& joint) -> Expected<PlacedMechanism> {
+                const AxisId id = before.mechanism().find(JointId(joint.id))->axis;
+                const Axis axis = *before.mechanism().find(id);
+                if (!ofPoint) {
+                  return unplaced(withAxisPlaced(before, id, axis.point,
+                                                 withComponent(axis.direction, index, number, kUpwards)));
+                }
+                const auto point = withComponent(axis.point, index, number, kOrigin);
+                if (point && axis.point) return withAxisMoved(before, id, *point);
+                return unplaced(withAxisPlaced(before, id, point, axis.direction));
+              });
 }
 
 std::vector<const TurningJoint*> JointForm::joints() const {
@@ -337,17 +338,19 @@ MeshForm::MeshForm(Document* document, std::vector<ElementId> meshes)
   m_module->setStep(Rational(1, 4));
   connect(m_module, &NumberField::edited, this, [this](const std::optional<Number>& number) {
     if (!number) return;
-    apply(tr("Change module"), [module = number->exact()](Mechanism before, const ElementId& mesh) {
-      return withModule(std::move(before), MeshId(mesh.id), module);
-    });
+    applyFitted(tr("Change module"),
+                [module = number->exact()](const PlacedMechanism& before, const ElementId& mesh) {
+                  return withModule(before, MeshId(mesh.id), module);
+                });
   });
   connect(m_kind, &QComboBox::activated, this, [this](int index) {
     newGesture();
-    apply(tr("Change kind"), [index](Mechanism before, const ElementId& id) {
-      const MeshId mesh(id.id);
-      if (index <= 0) return withMeshKind(std::move(before), mesh, std::nullopt);
-      return withKindFitted(std::move(before), mesh, static_cast<MeshKind>(index - 1));
-    });
+    applyFitted(tr("Change kind"),
+                [index](const PlacedMechanism& before, const ElementId& id) -> Expected<PlacedMechanism> {
+                  const MeshId mesh(id.id);
+                  if (index <= 0) return unplaced(withMeshKind(before, mesh, std::nullopt));
+                  return withKindFitted(before, mesh, static_cast<MeshKind>(index - 1));
+                });
   });
   connect(m_pitchPoint, &TripleField::editingStarted, this, &MeshForm::newGesture);
   connect(m_pitchPoint, &TripleField::wrongChanged, this, &MeshForm::showWrong);
@@ -371,11 +374,12 @@ void MeshForm::connectTeeth() {
     connect(field, &NumberField::edited, this, [this, field](const std::optional<Number>& number) {
       if (!number) return;
       const bool ofTail = field == m_tailTeeth;
-      apply(tr("Change teeth"), [ofTail, teeth = asTeeth(*number)](Mechanism before, const ElementId& id) {
-        const GearMesh mesh = *before.find(MeshId(id.id));
-        return withTeethFitted(std::move(before), mesh.id, ofTail ? teeth : mesh.tailTeeth,
-                               ofTail ? mesh.headTeeth : teeth);
-      });
+      applyFitted(tr("Change teeth"),
+                  [ofTail, teeth = asTeeth(*number)](const PlacedMechanism& before, const ElementId& id) {
+                    const GearMesh& mesh = *before.mechanism().find(MeshId(id.id));
+                    return withTeethFitted(before, mesh.id, ofTail ? teeth : mesh.tailTeeth,
+                                           ofTail ? mesh.headTeeth : teeth);
+                  });
     });
   }
 }
@@ -412,7 +416,7 @@ void MeshForm::refreshGeometry(const std::vector<const GearMesh*>& meshes) {
   m_module->setLengthUnit(mechanism().unit);
   std::vector<std::optional<Rational>> modules(meshes.size());
   if (mechanism().c() <= kMostFittedMeshes) {
-    const Placement placement = placementOf(mechanism());
+    const Placement& placement = placed().placement();
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       const auto position = static_cast<int>(meshes[i] - mechanism().gearMeshes.data());
       if (const auto module = moduleOf(mechanism(), placement, position)) modules[i] = plainDecimal(*module);

@@ -40,8 +40,6 @@ class GearboxPanel : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  using Reduce = std::function<Expected<Mechanism>(const Mechanism&)>;
-
   QToolButton* makeButton(const char* name, const QString& text, const QString& tip);
   void wireTable();
   void apply(const QString& text, Reduce reduce);

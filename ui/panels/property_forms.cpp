@@ -95,7 +95,7 @@ QCheckBox* PropertyForm::makePin(const QString& text, const QString& tip, const 
     std::vector<ElementId> parts;
     for (const ElementId& element : m_elements) parts.push_back(of(index(), element));
     applyAtOnce(on ? tr("Pin") : tr("Unpin"),
-                [parts, on](const Mechanism& before) { return withAllPinned(before, parts, on); });
+                [parts, on](const PlacedMechanism& before) { return withAllPinned(before, parts, on); });
   });
   return box;
 }
@@ -127,8 +127,19 @@ void PropertyForm::apply(const QString& text, const Change& change) {
   });
 }
 
-void PropertyForm::applyAtOnce(const QString& text,
-                               const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+void PropertyForm::applyFitted(const QString& text, const FittedChange& change) {
+  applyAtOnce(text, [change, ids = m_elements](const PlacedMechanism& before) -> Expected<PlacedMechanism> {
+    PlacedMechanism next = before;
+    for (const ElementId& element : ids) {
+      Expected<PlacedMechanism> changed = change(next, element);
+      if (!changed) return changed;
+      next = std::move(changed).value();
+    }
+    return next;
+  });
+}
+
+void PropertyForm::applyAtOnce(const QString& text, const Reduce& reduce) {
   QString why;
   const auto heard = connect(m_document, &Document::refused, this,
                              [&why](const Diagnostics& found) { why = shownText(found.front().message); });

@@ -33,6 +33,7 @@ class PropertyForm : public QWidget {
   PropertyForm(Document* document, std::vector<ElementId> elements);
 
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
+  [[nodiscard]] const PlacedMechanism& placed() const { return m_document->placed(); }
   /// Its elements by id: a form may be about all of a document.
   [[nodiscard]] const ElementIndex& index() const { return m_document->elements(); }
   [[nodiscard]] const std::vector<ElementId>& elements() const { return m_elements; }
@@ -49,10 +50,13 @@ class PropertyForm : public QWidget {
   void showPin(QCheckBox& box, const PinnedPart& of) const;
 
   using Change = std::function<Expected<Mechanism>(Mechanism, const ElementId&)>;
+  /// One that reads the placement (fitting).
+  using FittedChange = std::function<Expected<PlacedMechanism>(const PlacedMechanism&, const ElementId&)>;
   /// Applies a change to every element, as one edit of the gesture under way. Why it was refused stands below
   /// the fields until something is accepted.
   void apply(const QString& text, const Change& change);
-  void applyAtOnce(const QString& text, const std::function<Expected<Mechanism>(const Mechanism&)>& reduce);
+  void applyFitted(const QString& text, const FittedChange& change);
+  void applyAtOnce(const QString& text, const Reduce& reduce);
   /// What is wrong with what stands in a field, below the fields; empty: nothing.
   void showWrong(const QString& why);
   void newGesture() { m_gesture = m_document->newGesture(); }

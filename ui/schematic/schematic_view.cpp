@@ -145,8 +145,7 @@ void SchematicView::step(const ToolEvent& event) {
   if (const auto* drag = std::get_if<section_tool::DragAxis>(&*next.proposal)) dragAxis(*drag);
   if (std::holds_alternative<section_tool::AxisDropped>(*next.proposal)) offerTeeth();
   if (std::holds_alternative<section_tool::AxisPutBack>(*next.proposal) && m_drag) {
-    const MechanismPtr before = m_drag->before;
-    applyDragged([before](const Mechanism&) -> Expected<Mechanism> { return *before; });
+    applyDragged([before = m_drag->before](const PlacedMechanism&) { return before; });
     endDrag();
   }
 }
@@ -155,23 +154,23 @@ void SchematicView::step(const ToolEvent& event) {
 
 void SchematicView::dragAxis(const section_tool::DragAxis& drag) {
   if (!m_schematic) return;
-  if (!m_drag) m_drag = AxisDrag{document().newGesture(), document().mechanism(), m_schematic, drag.axis};
+  if (!m_drag) m_drag = AxisDrag{document().newGesture(), document().placed(), m_schematic, drag.axis};
   const DraggedAxis dragged{drag.axis, drag.from, drag.to, !drag.unsnapped};
-  applyDragged([dragged, at = *m_drag](const Mechanism&) {
-    return withAxisOnSheet(*at.before, at.schematic->frame, dragged);
+  applyDragged([dragged, at = *m_drag](const PlacedMechanism&) {
+    return withAxisOnSheet(at.before, at.schematic->frame, dragged);
   });
 }
 
 /// Every edit of the drag begins where the drag did, so that one that is refused leaves the last valid one.
-void SchematicView::applyDragged(const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+void SchematicView::applyDragged(const Reduce& reduce) {
   const bool done = document().apply(
       {tr("Move axis %1").arg(QString::fromStdString(m_drag->axis.text())), reduce, m_drag->gesture});
   const QString reach = reachText();
   if (done && !reach.isEmpty()) setHint(tr("%1. Alt places freely, Esc puts back").arg(reach));
 }
 
-QString SchematicView::reachText() const {
-  const std::optional<AxisReach> reach = axisReach(mechanism(), m_drag->axis);
+QString SchematicView::reachText() {
+  const std::optional<AxisReach> reach = axisReach(document().placed(), m_drag->axis);
   if (!reach) return {};
   return tr("Axis %1 is %2 from axis %3, module %4")
       .arg(QString::fromStdString(m_drag->axis.text()), lengthText(reach->distance, mechanism()),
@@ -180,16 +179,16 @@ QString SchematicView::reachText() const {
 
 void SchematicView::offerTeeth() {
   if (!m_drag) return;
-  const MechanismPtr moved = document().mechanism();
-  const std::optional<AxisReach> reach = axisReach(*moved, m_drag->axis);
+  const PlacedMechanism moved = document().placed();
+  const std::optional<AxisReach> reach = axisReach(moved, m_drag->axis);
   std::vector<TeethOffer> offers;
-  if (reach && moved != m_drag->before) offers = teethNear(*m_drag->before, m_drag->axis, reach->distance);
+  if (reach && moved.pointer() != m_drag->before.pointer())
+    offers = teethNear(m_drag->before, m_drag->axis, reach->distance);
   if (offers.empty()) return endDrag();
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("axisOffer"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto offer = [&](const QString& text,
-                         const std::function<Expected<Mechanism>(const Mechanism&)>& reduce) {
+  const auto offer = [&](const QString& text, const Reduce& reduce) {
     QAction* action = menu->addAction(text);
     const auto take = [this, reduce] {
       if (m_drag) applyDragged(reduce);
@@ -198,8 +197,8 @@ void SchematicView::offerTeeth() {
     connect(action, &QAction::triggered, this, take);
     return action;
   };
-  const auto stays = [moved](const Mechanism&) -> Expected<Mechanism> { return *moved; };
-  QAction* first = offer(tr("Module %1, teeth as they are").arg(lengthText(reach->module, *moved)), stays);
+  const auto stays = [moved](const PlacedMechanism&) { return moved; };
+  QAction* first = offer(tr("Module %1, teeth as they are").arg(lengthText(reach->module, moved)), stays);
   menu->addSeparator();
   for (const TeethOffer& each : offers) {
     const double off = each.distance - reach->distance;
@@ -207,10 +206,10 @@ void SchematicView::offerTeeth() {
         tr("%1 : %2 teeth, %3 apart, %4 off")
             .arg(each.tailTeeth)
             .arg(each.headTeeth)
-            .arg(lengthText(each.distance, *moved),
-                 (off < 0 ? QStringLiteral("−") : QStringLiteral("+")) + lengthText(std::abs(off), *moved));
-    offer(text, [before = m_drag->before, each](const Mechanism&) {
-      return withTeethFitted(*before, each.mesh, each.tailTeeth, each.headTeeth);
+            .arg(lengthText(each.distance, moved),
+                 (off < 0 ? QStringLiteral("−") : QStringLiteral("+")) + lengthText(std::abs(off), moved));
+    offer(text, [before = m_drag->before, each](const PlacedMechanism&) {
+      return withTeethFitted(before, each.mesh, each.tailTeeth, each.headTeeth);
     });
   }
   // Closed without a choice, the axis stands where it was dropped. A choice is told after that.

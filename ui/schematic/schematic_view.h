@@ -51,7 +51,7 @@ class SchematicView : public DrawingView {
   /// An axis that goes along with the mouse, until the offer after it is closed.
   struct AxisDrag {
     quint64 gesture = 0;
-    MechanismPtr before;
+    PlacedMechanism before;
     SchematicPtr schematic;  ///< as it was then: what the mouse means
     AxisId axis;
   };
@@ -59,11 +59,11 @@ class SchematicView : public DrawingView {
   void showDrawing(const SchematicPtr& schematic);
   void dragAxis(const section_tool::DragAxis& drag);
   void offerTeeth();
-  void applyDragged(const std::function<Expected<Mechanism>(const Mechanism&)>& reduce);
+  void applyDragged(const Reduce& reduce);
   void endDrag();
   [[nodiscard]] std::optional<Mark> axisGhost(SheetPoint moved) const;
   /// "48 mm from axis a, module 2.3 mm"; empty where the axis has no such neighbour.
-  [[nodiscard]] QString reachText() const;
+  [[nodiscard]] QString reachText();
   void step(const ToolEvent& event);
   /// A bearing stands for the shaft in it, as far as tools go.
   [[nodiscard]] Pointer meant(Pointer pointer) const;

@@ -55,7 +55,8 @@ struct Planet {
   Turn turn;  ///< about the axis of what it meshes with; the angle is still open
 };
 
-Expected<Planet> planetOf(const Mechanism& mechanism, LinkId link) {
+Expected<Planet> planetOf(const PlacedMechanism& placed, LinkId link) {
+  const Mechanism& mechanism = placed.mechanism();
   const Link* element = mechanism.find(link);
   if (element == nullptr) return Diagnostic{Code::unknownId, "There is no such link.", {link}, {}, 0, 0};
   Planet planet;
@@ -68,7 +69,7 @@ Expected<Planet> planetOf(const Mechanism& mechanism, LinkId link) {
   }
   if (joints != 1) return noPlanet(mechanism, link, "a planet turns on its carrier and carries nothing.");
   planet.axis = *mechanism.find(planet.joint.axis);
-  const Placement placement = placementOf(mechanism);
+  const Placement& placement = placed.placement();
   int around = -1;
   for (std::size_t m = 0; m < mechanism.gearMeshes.size(); ++m) {
     const GearMesh& mesh = mechanism.gearMeshes[m];
@@ -125,26 +126,24 @@ Expected<Mechanism> withCopy(Mechanism mechanism, const Planet& planet, int k, d
 
 }  // namespace
 
-Expected<Mechanism> withPlanets(Mechanism mechanism, LinkId planet, int total) {
-  const auto found = planetOf(mechanism, planet);
+Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId planet, int total) {
+  const auto found = planetOf(before, planet);
   if (!found) return found.error();
-  Mechanism edited = mechanism;
+  Mechanism edited = before;
   for (int k = 1; k < total; ++k) {
     auto next = withCopy(std::move(edited), *found, k, 2 * std::numbers::pi * k / total);
-    if (!next) return next;
+    if (!next) return next.error();
     edited = std::move(next).value();
   }
-  const GearTrain train = trainOf(edited, placementOf(edited));
-  Diagnostics misfits;
-  for (const Diagnostic& diagnostic : train.diagnostics) {
-    if (diagnostic.code == Code::assembly) misfits.push_back(diagnostic);
-  }
+  const PlacedMechanism after = std::move(edited);
+  Diagnostics misfits = gearDiagnostics(after, after.placement());
+  std::erase_if(misfits, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::assembly; });
   if (!misfits.empty()) {
     misfits.front().message =
         std::to_string(total) + " planets cannot be put in evenly. " + misfits.front().message;
     return misfits;
   }
-  return edited;
+  return after;
 }
 
 }  // namespace geargraph::inline synthesis

@@ -78,15 +78,18 @@ int reachOf(MeshKind kind, const GearMesh& mesh) {
 
 }  // namespace
 
-Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const NumberTriple& point) {
+Expected<PlacedMechanism> withAxisMoved(const PlacedMechanism& before, AxisId axis,
+                                        const NumberTriple& point) {
+  const Mechanism& mechanism = before.mechanism();
   const Axis* found = mechanism.find(axis);
-  auto plain = withAxisPlaced(mechanism, axis, point, found == nullptr ? std::nullopt : found->direction);
-  if (!plain) return plain;
+  Expected<Mechanism> plain =
+      withAxisPlaced(mechanism, axis, point, found == nullptr ? std::nullopt : found->direction);
+  if (!plain) return plain.error();
   if (isPinned(*found)) return pinRefusal(*found);
-  const Placement placement = placementOf(mechanism);
-  if (!canBeFitted(placement)) return plain;
+  const Placement& placement = before.placement();
+  if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const MovedAxis moved = movedAxis(mechanism, placement, axis);
-  if (moved.neighbour < 0) return unlessBroken(mechanism, placement, std::move(plain));
+  if (moved.neighbour < 0) return unlessBroken(before, std::move(plain));
   const double was = distanceFrom(placement, moved.neighbour, placement.lineOfClass(moved.axisClass).point);
   const double now = distanceFrom(placement, moved.neighbour, valuesOf(point));
   if (now < 1e-9 * was) {
@@ -109,11 +112,12 @@ Expected<Mechanism> withAxisMoved(Mechanism mechanism, AxisId axis, const Number
   if (!stated->point) {
     stated->point = numbersOf(exactLineOfClass(mechanism, placement, moved.axisClass).point);
   }
-  return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales, pinned));
+  return unlessBroken(before, fitAxes(mechanism, placement, std::move(edited), scales, pinned));
 }
 
-std::optional<AxisReach> axisReach(const Mechanism& mechanism, AxisId axis) {
-  const Placement placement = placementOf(mechanism);
+std::optional<AxisReach> axisReach(const PlacedMechanism& placed, AxisId axis) {
+  const Mechanism& mechanism = placed.mechanism();
+  const Placement& placement = placed.placement();
   if (mechanism.find(axis) == nullptr || !canBeFitted(placement)) return std::nullopt;
   const MovedAxis moved = movedAxis(mechanism, placement, axis);
   if (moved.neighbour < 0) return std::nullopt;
@@ -128,8 +132,9 @@ std::optional<AxisReach> axisReach(const Mechanism& mechanism, AxisId axis) {
   return reach;
 }
 
-Expected<Mechanism> withAxisReach(Mechanism mechanism, AxisId axis, const Rational& factor) {
-  const Placement placement = placementOf(mechanism);
+Expected<PlacedMechanism> withAxisReach(const PlacedMechanism& before, AxisId axis, const Rational& factor) {
+  const Mechanism& mechanism = before.mechanism();
+  const Placement& placement = before.placement();
   const MovedAxis moved = movedAxis(mechanism, placement, axis);
   GEARGRAPH_REQUIRE(moved.neighbour >= 0 && factor > 0);
   const ExactLine from = exactLineOfClass(mechanism, placement, moved.neighbour);
@@ -137,13 +142,14 @@ Expected<Mechanism> withAxisReach(Mechanism mechanism, AxisId axis, const Ration
   const ExactVector3 between = line.point - from.point;
   const Rational along = dot(between, from.direction) / dot(from.direction, from.direction);
   const ExactVector3 place = line.point + (factor - Rational(1)) * (between - along * from.direction);
-  return withAxisMoved(std::move(mechanism), axis, numbersOf(place));
+  return withAxisMoved(before, axis, numbersOf(place));
 }
 
-std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, double distance,
+std::vector<TeethOffer> teethNear(const PlacedMechanism& placed, AxisId axis, double distance,
                                   std::size_t most) {
   std::vector<TeethOffer> offers;
-  const Placement placement = placementOf(mechanism);
+  const Mechanism& mechanism = placed.mechanism();
+  const Placement& placement = placed.placement();
   if (mechanism.find(axis) == nullptr || !canBeFitted(placement)) return offers;
   const MovedAxis moved = movedAxis(mechanism, placement, axis);
   if (moved.neighbour < 0) return offers;
@@ -172,7 +178,7 @@ std::vector<TeethOffer> teethNear(const Mechanism& mechanism, AxisId axis, doubl
   for (const TeethOffer& offer : offers) {
     if (fitting.size() == most) break;
     // The other meshes have a say, too: with another one as the base the distance may be another.
-    const auto taken = withTeethFitted(mechanism, offer.mesh, offer.tailTeeth, offer.headTeeth);
+    const auto taken = withTeethFitted(placed, offer.mesh, offer.tailTeeth, offer.headTeeth);
     const auto reach = taken ? axisReach(*taken, axis) : std::nullopt;
     if (reach && std::abs(reach->distance - offer.distance) < kGeometryFits * distance)
       fitting.push_back(offer);

@@ -245,10 +245,10 @@ class AxisFitter {
 class PitchPointFitter {
  public:
   PitchPointFitter(const Mechanism& before, const Placement& placement, const Mechanism& edited,
-                   const Placement& now, const std::vector<ExactVector3>& shifts)
-      : m_before(before), m_placement(placement), m_edited(edited), m_now(now), m_shifts(shifts) {}
+                   const std::vector<ExactVector3>& shifts)
+      : m_before(before), m_placement(placement), m_edited(edited), m_shifts(shifts) {}
 
-  [[nodiscard]] ExactVector3 pointOf(int mesh) const {
+  [[nodiscard]] ExactVector3 pointOf(int mesh) {
     const MeshGeometry& was = *m_placement.meshes[static_cast<std::size_t>(mesh)];
     const ExactLine tail = lineNow(was.tailClass);
     const ExactLine head = lineNow(was.headClass);
@@ -263,10 +263,14 @@ class PitchPointFitter {
   }
 
  private:
-  /// Axes that coincide after the edit share a class, so a class of before is found by its axis.
-  [[nodiscard]] ExactLine lineNow(int classBefore) const {
-    return exactLine(m_edited, m_now,
-                     m_placement.classes->classes[static_cast<std::size_t>(classBefore)].axis);
+  /// Axes that coincide after the edit share a class, so a class of before is found by its axis. Only where
+  /// the program places it, the edited document has to be placed.
+  [[nodiscard]] ExactLine lineNow(int classBefore) {
+    const int axis = m_placement.classes->classes[static_cast<std::size_t>(classBefore)].axis;
+    const Axis& stated = m_edited.axes[static_cast<std::size_t>(axis)];
+    if (stated.point && stated.direction) return {toFractions(*stated.point), toFractions(*stated.direction)};
+    if (!m_now) m_now = placementOf(m_edited);
+    return exactLine(m_edited, *m_now, axis);
   }
 
   /// On the same half axes as before, at the module of the mesh: radius over teeth.
@@ -291,8 +295,8 @@ class PitchPointFitter {
   const Mechanism& m_before;
   const Placement& m_placement;
   const Mechanism& m_edited;
-  const Placement& m_now;
   const std::vector<ExactVector3>& m_shifts;
+  std::optional<Placement> m_now;  ///< of the edited document, when asked for
 };
 
 bool meshChanged(const GearMesh& a, const GearMesh& b) {
@@ -315,16 +319,19 @@ Expected<Mechanism> fitAxes(const Mechanism& before, const Placement& placement,
     const NumberTriple& at = *element.point;
     element.point = written(ExactVector3{at[0].exact(), at[1].exact(), at[2].exact()} + shift, element.point);
   }
-  const Placement now = placementOf(edited);
-  const PitchPointFitter fitter(before, placement, edited, now, *shifts);
+  PitchPointFitter fitter(before, placement, edited, *shifts);
+  std::vector<std::pair<int, ExactVector3>> points;
   for (int mesh = 0; mesh < edited.c(); ++mesh) {
-    GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
+    const GearMesh& element = edited.gearMeshes[static_cast<std::size_t>(mesh)];
     const MeshGeometry& was = *placement.meshes[static_cast<std::size_t>(mesh)];
     const bool stays = !meshChanged(before.gearMeshes[static_cast<std::size_t>(mesh)], element) &&
                        isZero((*shifts)[static_cast<std::size_t>(was.tailClass)]) &&
                        isZero((*shifts)[static_cast<std::size_t>(was.headClass)]);
-    if (!element.pitchPoint || stays) continue;
-    element.pitchPoint = written(fitter.pointOf(mesh), element.pitchPoint);
+    if (element.pitchPoint && !stays) points.emplace_back(mesh, fitter.pointOf(mesh));
+  }
+  for (const auto& [mesh, point] : points) {
+    auto& stated = edited.gearMeshes[static_cast<std::size_t>(mesh)].pitchPoint;
+    stated = written(point, stated);
   }
   return edited;
 }

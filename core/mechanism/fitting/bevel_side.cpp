@@ -30,12 +30,12 @@ NumberTriple mirroredPoint(const Mechanism& mechanism, const Placement& placemen
 
 }  // namespace
 
-Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool ofTail) {
+Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, MeshId mesh, bool ofTail) {
+  const Mechanism& mechanism = before.mechanism();
   const GearMesh* found = mechanism.find(mesh);
-  if (found == nullptr)
-    return withPitchPoint(std::move(mechanism), mesh, std::nullopt);  // refuses unknown-id
+  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // refuses unknown-id
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
-  const Placement placement = placementOf(mechanism);
+  const Placement& placement = before.placement();
   const auto& geometry = placement.meshes[static_cast<std::size_t>(position)];
   if (!geometry || geometry->kind != MeshKind::bevel) {
     Diagnostic refusal;
@@ -56,7 +56,7 @@ Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool 
   for (const int end : ends) points.push_back(mirroredPoint(edited, placement, end));
   for (std::size_t i = 0; i < ends.size(); ++i)
     edited.gearMeshes[static_cast<std::size_t>(ends[i] / 2)].pitchPoint = points[i];
-  return unlessBroken(mechanism, placement, std::move(edited));
+  return unlessBroken(before, std::move(edited));
 }
 
 }  // namespace geargraph::inline fitting

@@ -20,7 +20,9 @@ int positionOf(const Mechanism& mechanism, MeshId mesh) {
   return found == mechanism.gearMeshes.end() ? -1 : static_cast<int>(found - mechanism.gearMeshes.begin());
 }
 
-Expected<Mechanism> fitted(const Mechanism& before, const Placement& placement, const MeshChange& change) {
+Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange& change) {
+  const Mechanism& before = placed.mechanism();
+  const Placement& placement = placed.placement();
   const WheelMap wheels(before, placement);
   const auto fit = fitTeeth(before, placement, wheels, change);
   if (!fit) return fit.error();
@@ -32,7 +34,7 @@ Expected<Mechanism> fitted(const Mechanism& before, const Placement& placement, 
     if (mesh == change.mesh && change.kind != placement.meshes[static_cast<std::size_t>(mesh)]->kind)
       element.kind = change.kind;
   }
-  return unlessBroken(before, placement, fitAxes(before, placement, std::move(edited), fit->scales));
+  return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
 }
 
 /// Of an axis its class, of a mesh those of its wheels; none where they have no place.
@@ -49,45 +51,50 @@ std::vector<int> classesOf(const Mechanism& mechanism, const Placement& placemen
 
 }  // namespace
 
-Expected<Mechanism> withTeethFitted(Mechanism mechanism, MeshId mesh, int tailTeeth, int headTeeth) {
-  auto plain = withTeeth(mechanism, mesh, tailTeeth, headTeeth);
-  if (!plain) return plain;
-  const Placement placement = placementOf(mechanism);
-  if (!canBeFitted(placement)) return plain;
+Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId mesh, int tailTeeth,
+                                          int headTeeth) {
+  const Mechanism& mechanism = before.mechanism();
+  Expected<Mechanism> plain = withTeeth(mechanism, mesh, tailTeeth, headTeeth);
+  if (!plain) return plain.error();
+  const Placement& placement = before.placement();
+  if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
   const MeshKind kind = placement.meshes[static_cast<std::size_t>(position)]->kind;
-  return fitted(mechanism, placement, {position, tailTeeth, headTeeth, kind});
+  return fitted(before, {position, tailTeeth, headTeeth, kind});
 }
 
-Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind kind) {
-  auto plain = withMeshKind(mechanism, mesh, kind);
-  if (!plain) return plain;
-  const Placement placement = placementOf(mechanism);
-  if (!canBeFitted(placement)) return plain;
+Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId mesh, MeshKind kind) {
+  const Mechanism& mechanism = before.mechanism();
+  Expected<Mechanism> plain = withMeshKind(mechanism, mesh, kind);
+  if (!plain) return plain.error();
+  const Placement& placement = before.placement();
+  if (!canBeFitted(placement)) return unplaced(std::move(plain));
   const int position = positionOf(mechanism, mesh);
   const MeshKind was = placement.meshes[static_cast<std::size_t>(position)]->kind;
   if (was == kind || (was == MeshKind::bevel) != (kind == MeshKind::bevel))
-    return unlessBroken(mechanism, placement, std::move(plain));
+    return unlessBroken(before, std::move(plain));
   const GearMesh& element = mechanism.gearMeshes[static_cast<std::size_t>(position)];
-  return fitted(mechanism, placement, {position, element.tailTeeth, element.headTeeth, kind});
+  return fitted(before, {position, element.tailTeeth, element.headTeeth, kind});
 }
 
-Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned) {
-  return withAllPinned(std::move(mechanism), std::span(&element, 1), pinned);
+Expected<PlacedMechanism> withPinned(const PlacedMechanism& before, const ElementId& element, bool pinned) {
+  return withAllPinned(before, std::span(&element, 1), pinned);
 }
 
-Expected<Mechanism> withAllPinned(Mechanism mechanism, std::span<const ElementId> elements, bool pinned) {
+Expected<PlacedMechanism> withAllPinned(const PlacedMechanism& before, std::span<const ElementId> elements,
+                                        bool pinned) {
+  const Mechanism& mechanism = before.mechanism();
   Expected<Mechanism> marked = mechanism;
   for (const ElementId& element : elements) {
     marked = withPinMark(std::move(marked).value(), element, pinned);
-    if (!marked) return marked;
+    if (!marked) return marked.error();
   }
   const bool arePlaced = std::all_of(elements.begin(), elements.end(), [](const ElementId& element) {
     return element.kind == ElementKind::link;
   });
-  if (!pinned || arePlaced) return marked;
-  const Placement placement = placementOf(mechanism);
-  if (!placement.tree) return marked;
+  if (!pinned || arePlaced) return unplaced(std::move(marked));
+  const Placement& placement = before.placement();
+  if (!placement.tree) return unplaced(std::move(marked));
   std::set<int> classes;
   for (const ElementId& element : elements) {
     if (element.kind == ElementKind::link) continue;
@@ -99,9 +106,9 @@ Expected<Mechanism> withAllPinned(Mechanism mechanism, std::span<const ElementId
     const ExactLine line = exactLineOfClass(mechanism, placement, axisClass);
     marked =
         withAxisPlaced(std::move(marked).value(), axis.id, numbersOf(line.point), numbersOf(line.direction));
-    if (!marked) return marked;
+    if (!marked) return marked.error();
   }
-  return marked;
+  return unplaced(std::move(marked));
 }
 
 }  // namespace geargraph::inline fitting

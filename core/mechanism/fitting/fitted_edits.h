@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline fitting {
 
@@ -18,22 +18,25 @@ constexpr int kMostFittedMeshes = 500;  ///< beyond, following would not keep up
 
 /// Other tooth counts for a mesh, with all that follows (TeethFit). Refuses unknown-id, schema,
 /// teeth-geometry and pitch-geometry.
-[[nodiscard]] Expected<Mechanism> withTeethFitted(Mechanism mechanism, MeshId mesh, int tailTeeth,
-                                                  int headTeeth);
+[[nodiscard]] Expected<PlacedMechanism> withTeethFitted(const PlacedMechanism& before, MeshId mesh,
+                                                        int tailTeeth, int headTeeth);
 
 /// An external pair becomes internal or the other way round; the axes move to the new distance. A bevel pair
 /// has no other kind: pitch-geometry.
-[[nodiscard]] Expected<Mechanism> withKindFitted(Mechanism mechanism, MeshId mesh, MeshKind kind);
+[[nodiscard]] Expected<PlacedMechanism> withKindFitted(const PlacedMechanism& before, MeshId mesh,
+                                                       MeshKind kind);
 
 /// The wheel of a bevel mesh goes to the other side of the apex, on its own axis; its other meshes go along.
 /// The other wheel stays. Refuses unknown-id, and pitch-geometry for a pair that is no bevel.
-[[nodiscard]] Expected<Mechanism> withBevelSideFlipped(Mechanism mechanism, MeshId mesh, bool ofTail);
+[[nodiscard]] Expected<PlacedMechanism> withBevelSideFlipped(const PlacedMechanism& before, MeshId mesh,
+                                                             bool ofTail);
 
 /// Pins an axis, a link or a mesh, or lets it go (pins.h). An axis that the program has placed so far is
 /// stated where it lies, and so are both axes of a mesh. Refuses unknown-id.
-[[nodiscard]] Expected<Mechanism> withPinned(Mechanism mechanism, const ElementId& element, bool pinned);
-/// All of these; the mechanism is placed once.
-[[nodiscard]] Expected<Mechanism> withAllPinned(Mechanism mechanism, std::span<const ElementId> elements,
-                                                bool pinned);
+[[nodiscard]] Expected<PlacedMechanism> withPinned(const PlacedMechanism& before, const ElementId& element,
+                                                   bool pinned);
+/// All of these.
+[[nodiscard]] Expected<PlacedMechanism> withAllPinned(const PlacedMechanism& before,
+                                                      std::span<const ElementId> elements, bool pinned);
 
 }  // namespace geargraph::inline fitting

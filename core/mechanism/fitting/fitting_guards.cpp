@@ -13,14 +13,15 @@ namespace geargraph::inline fitting {
 namespace {
 
 /// Meshes whose module is pinned and another one now.
-Diagnostics brokenPins(const Mechanism& before, const Placement& placement, const Mechanism& edited,
-                       const Placement& now) {
+Diagnostics brokenPins(const PlacedMechanism& placedBefore, const PlacedMechanism& placedAfter) {
+  const Mechanism& before = placedBefore.mechanism();
+  const Mechanism& edited = placedAfter.mechanism();
   Diagnostics broken;
   for (int mesh = 0; mesh < std::min(before.c(), edited.c()); ++mesh) {
     const GearMesh& element = before.gearMeshes[static_cast<std::size_t>(mesh)];
     if (!isPinned(element) || edited.gearMeshes[static_cast<std::size_t>(mesh)].id != element.id) continue;
-    const auto was = moduleOf(before, placement, mesh);
-    const auto is = moduleOf(edited, now, mesh);
+    const auto was = moduleOf(before, placedBefore.placement(), mesh);
+    const auto is = moduleOf(edited, placedAfter.placement(), mesh);
     if (was && is && std::abs(*is - *was) > kGeometryFits * *was)
       broken.push_back(modulePinRefusal(before, mesh));
   }
@@ -35,17 +36,16 @@ bool canBeFitted(const Placement& placement) {
                                        [](const auto& mesh) { return mesh.has_value(); });
 }
 
-Expected<Mechanism> unlessBroken(const Mechanism& before, const Placement& placement,
-                                 Expected<Mechanism> edited) {
-  if (!edited) return edited;
-  Placement now = placementOf(*edited);
+Expected<PlacedMechanism> unlessBroken(const PlacedMechanism& before, Expected<Mechanism> edited) {
+  if (!edited) return edited.error();
+  PlacedMechanism after = std::move(edited).value();
   Diagnostics broken;
-  for (Diagnostic& diagnostic : now.diagnostics) {
-    if (diagnostic.severity() == Severity::error) broken.push_back(std::move(diagnostic));
+  for (const Diagnostic& diagnostic : after.placement().diagnostics) {
+    if (diagnostic.severity() == Severity::error) broken.push_back(diagnostic);
   }
-  if (broken.empty()) broken = brokenPins(before, placement, *edited, now);
+  if (broken.empty()) broken = brokenPins(before, after);
   if (!broken.empty()) return broken;
-  return edited;
+  return after;
 }
 
 }  // namespace geargraph::inline fitting

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/placement/placement.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline fitting {
 
@@ -9,8 +9,8 @@ namespace geargraph::inline fitting {
 [[nodiscard]] bool canBeFitted(const Placement& placement);
 
 /// The edited document, unless the edit broke a geometry that was sound, or gave a pinned mesh another
-/// module. `placement` is that of `before`.
-[[nodiscard]] Expected<Mechanism> unlessBroken(const Mechanism& before, const Placement& placement,
-                                               Expected<Mechanism> edited);
+/// module. Cost: its placement, which comes with it.
+[[nodiscard]] Expected<PlacedMechanism> unlessBroken(const PlacedMechanism& before,
+                                                     Expected<Mechanism> edited);
 
 }  // namespace geargraph::inline fitting

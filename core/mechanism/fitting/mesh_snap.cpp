@@ -77,25 +77,25 @@ std::optional<Rational> growthOf(const Mechanism& mechanism, const Placement& pl
 
 }  // namespace
 
-Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh) {
+Expected<PlacedMechanism> withMeshSnapped(const PlacedMechanism& before, MeshId mesh) {
+  const Mechanism& mechanism = before.mechanism();
   const auto found = std::find_if(mechanism.gearMeshes.begin(), mechanism.gearMeshes.end(),
                                   [mesh](const GearMesh& each) { return each.id == mesh; });
-  if (found == mechanism.gearMeshes.end()) return mechanism;
+  if (found == mechanism.gearMeshes.end()) return before;
   const int position = static_cast<int>(found - mechanism.gearMeshes.begin());
-  const Placement placement = placementOf(mechanism);
-  if (!canBeFitted(placement)) return mechanism;
+  const Placement& placement = before.placement();
+  if (!canBeFitted(placement)) return before;
   const auto growth = growthOf(mechanism, placement, position);
-  if (!growth) return mechanism;
+  if (!growth) return before;
   const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(position)];
   const std::map<AxisPair, Rational> scales{{std::minmax(geometry.tailClass, geometry.headClass), *growth}};
   const auto moved = [&](int held) {
-    return unlessBroken(mechanism, placement,
-                        fitAxes(mechanism, placement, mechanism, scales,
-                                {{held, exactLineOfClass(mechanism, placement, held).point}}));
+    return unlessBroken(before, fitAxes(mechanism, placement, mechanism, scales,
+                                        {{held, exactLineOfClass(mechanism, placement, held).point}}));
   };
-  Expected<Mechanism> snapped = moved(geometry.tailClass);
+  Expected<PlacedMechanism> snapped = moved(geometry.tailClass);
   if (snapped) return snapped;
-  Expected<Mechanism> other = moved(geometry.headClass);
+  Expected<PlacedMechanism> other = moved(geometry.headClass);
   return other ? other : snapped;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline fitting {
 
@@ -12,6 +12,6 @@ namespace geargraph::inline fitting {
 ///
 /// The document stays as it is where an axis is not stated (it follows by itself), where no wheel has a
 /// module yet or both have different ones, where another mesh holds the two axes, and for bevels.
-[[nodiscard]] Expected<Mechanism> withMeshSnapped(Mechanism mechanism, MeshId mesh);
+[[nodiscard]] Expected<PlacedMechanism> withMeshSnapped(const PlacedMechanism& before, MeshId mesh);
 
 }  // namespace geargraph::inline fitting

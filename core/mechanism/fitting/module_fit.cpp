@@ -59,12 +59,12 @@ std::optional<double> moduleOf(const Mechanism& mechanism, const Placement& plac
   return 2 * std::abs(geometry->tailRadius) / mechanism.gearMeshes[static_cast<std::size_t>(mesh)].tailTeeth;
 }
 
-Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational& module) {
+Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh, const Rational& module) {
+  const Mechanism& mechanism = before.mechanism();
   const GearMesh* found = mechanism.find(mesh);
-  if (found == nullptr)
-    return withPitchPoint(std::move(mechanism), mesh, std::nullopt);  // refuses unknown-id
+  if (found == nullptr) return unplaced(withPitchPoint(mechanism, mesh, std::nullopt));  // refuses unknown-id
   if (module <= 0) return refusal(mesh, "A module is more than 0: the pitch diameter over the teeth.");
-  const Placement placement = placementOf(mechanism);
+  const Placement& placement = before.placement();
   if (!canBeFitted(placement))
     return refusal(mesh, "Modules can be set where every mesh has its place, in trains of up to " +
                              std::to_string(kMostFittedMeshes) +
@@ -78,14 +78,14 @@ Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational&
     for (const int each : along)
       edited.gearMeshes[static_cast<std::size_t>(each)].pitchPoint =
           grownPoint(mechanism, placement, each, factor);
-    return unlessBroken(mechanism, placement, std::move(edited));
+    return unlessBroken(before, std::move(edited));
   }
   std::map<AxisPair, Rational> scales;
   for (const int each : along) {
     scales[axisPairOf(geometryOf(placement, each))] = factor;
     stateAxes(edited, placement, geometryOf(placement, each));
   }
-  return unlessBroken(mechanism, placement, fitAxes(mechanism, placement, std::move(edited), scales));
+  return unlessBroken(before, fitAxes(mechanism, placement, std::move(edited), scales));
 }
 
 }  // namespace geargraph::inline fitting

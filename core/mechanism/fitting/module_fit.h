@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/placement/placement.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline fitting {
 
@@ -16,6 +16,7 @@ namespace geargraph::inline fitting {
 /// apart or together, bevels grow or shrink about their apex. Tooth counts stay, so no ratio changes.
 /// Refuses unknown-id, and teeth-geometry for a module that is not positive, and where the train has no
 /// geometry to keep or something pinned is in the way.
-[[nodiscard]] Expected<Mechanism> withModule(Mechanism mechanism, MeshId mesh, const Rational& module);
+[[nodiscard]] Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
+                                                   const Rational& module);
 
 }  // namespace geargraph::inline fitting

@@ -168,12 +168,13 @@ Expected<Mechanism> withShaftOnSheet(Mechanism mechanism, const SheetFrame& fram
   return withOffset(std::move(mechanism), joint, Number(static_cast<int>(std::lround(along))));
 }
 
-Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame, const DrawnMesh& mesh) {
-  Expected<Mechanism> next = withGearMesh(std::move(mechanism), mesh.tail, mesh.head);
-  if (!next) return next;
-  const Placement placement = placementOf(*next);
+Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
+                                          const DrawnMesh& mesh) {
+  const Expected<PlacedMechanism> drawn = unplaced(withGearMesh(std::move(mechanism), mesh.tail, mesh.head));
+  if (!drawn) return drawn;
+  const Placement& placement = drawn->placement();
   const auto& geometry = placement.meshes.back();
-  if (!geometry || geometry->kind == MeshKind::bevel) return next;
+  if (!geometry || geometry->kind == MeshKind::bevel) return drawn;
   const AxisLine& a = placement.lineOfClass(geometry->tailClass);
   const AxisLine& b = placement.lineOfClass(geometry->headClass);
   const double distance = length(cross(a.direction, b.point - a.point));
@@ -181,9 +182,9 @@ Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame
   const int sum =
       isFree ? 2 * kDefaultTeeth
              : std::max(1, static_cast<int>(std::lround(2 * distance / placement.module.toDouble())));
-  const std::optional<int> tail = teethOf(*next, placement, geometry->tail, geometry->tailClass);
-  const std::optional<int> head = teethOf(*next, placement, geometry->head, geometry->headClass);
-  const RingOf ring = ringMeant(frame, *next, placement, *geometry, mesh);
+  const std::optional<int> tail = teethOf(*drawn, placement, geometry->tail, geometry->tailClass);
+  const std::optional<int> head = teethOf(*drawn, placement, geometry->head, geometry->headClass);
+  const RingOf ring = ringMeant(frame, *drawn, placement, *geometry, mesh);
   Teeth teeth;
   if (ring == RingOf::neither) {
     teeth = externalTeeth(tail, head, sum);
@@ -192,30 +193,30 @@ Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame
     const Teeth pair = internalTeeth(isTail ? tail : head, isTail ? head : tail, sum);
     teeth = isTail ? pair : Teeth{pair.head, pair.tail};
   }
-  const MeshId id = next->gearMeshes.back().id;
-  next = withTeeth(std::move(next).value(), id, teeth.tail, teeth.head);
+  const MeshId id = drawn->mechanism().gearMeshes.back().id;
+  Expected<Mechanism> next = withTeeth(*drawn, id, teeth.tail, teeth.head);
   if (next && ring != RingOf::neither) next = withMeshKind(std::move(next).value(), id, MeshKind::internal);
-  if (!next || !tail || !head) return next;
-  return withMeshSnapped(std::move(next).value(), id);
+  Expected<PlacedMechanism> fits = unplaced(std::move(next));
+  return fits && tail && head ? withMeshSnapped(*fits, id) : fits;
 }
 
-Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame, const DraggedAxis& drag) {
+Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before, const SheetFrame& frame,
+                                          const DraggedAxis& drag) {
   constexpr double kLeast = 0.02;  ///< of the distance: nearer the wheels would have no room
   const SheetFrame::Line* line = frame.line(drag.axis);
-  const Axis* axis = mechanism.find(drag.axis);
-  if (line == nullptr || axis == nullptr) return withAxisPlaced(std::move(mechanism), drag.axis, {}, {});
-  const std::optional<AxisReach> reach = axisReach(mechanism, drag.axis);
+  const Axis* axis = before.mechanism().find(drag.axis);
+  if (line == nullptr || axis == nullptr) return unplaced(withAxisPlaced(before, drag.axis, {}, {}));
+  const std::optional<AxisReach> reach = axisReach(before, drag.axis);
   const SheetFrame::Line* other = reach ? frame.line(reach->from) : nullptr;
   const double height = other == nullptr ? 0 : heightTowards(*other, *line, line->at);
   if (height > 1e-6) {
     const double moved = heightTowards(*other, *line, drag.to) - heightTowards(*other, *line, drag.from);
     double factor = std::max(1 + moved / height, kLeast);
-    if (!drag.snapped) return withAxisReach(std::move(mechanism), drag.axis, Rational::fromDouble(factor));
+    if (!drag.snapped) return withAxisReach(before, drag.axis, Rational::fromDouble(factor));
     const long long steps = std::max(1LL, std::llround(factor * reach->module / kModuleStep));
-    return withAxisReach(std::move(mechanism), drag.axis,
-                         Rational(steps, 20) / Rational::fromDouble(reach->module));
+    return withAxisReach(before, drag.axis, Rational(steps, 20) / Rational::fromDouble(reach->module));
   }
-  if (!axis->point) return withAxisMoved(std::move(mechanism), drag.axis, {});
+  if (!axis->point) return withAxisMoved(before, drag.axis, {});
   const Vector3 along = frame.spaceOf(line->at + line->along) - frame.spaceOf(line->at);
   Vector3 way = frame.spaceOf(drag.to) - frame.spaceOf(drag.from);
   way = way - (dot(way, along) / dot(along, along)) * along;
@@ -225,7 +226,7 @@ Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame
     if (std::abs(way[i]) > 1e-9)
       place[i] = drag.snapped ? Number(static_cast<int>(std::lround(moved))) : Number::fromDouble(moved);
   }
-  return withAxisMoved(std::move(mechanism), drag.axis, place);
+  return withAxisMoved(before, drag.axis, place);
 }
 
 }  // namespace geargraph::inline schematic

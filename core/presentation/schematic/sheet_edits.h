@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 #include "core/presentation/schematic/sheet_frame.h"
 
 namespace geargraph::inline schematic {
@@ -36,8 +36,8 @@ struct DrawnMesh {
 /// own, makes a ring about it; so does one that begins beyond. Axes that meet get a bevel pair. Two wheels
 /// that are there already come together (withMeshSnapped).
 /// Refuses self-joint and unknown-id.
-[[nodiscard]] Expected<Mechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
-                                                  const DrawnMesh& mesh);
+[[nodiscard]] Expected<PlacedMechanism> withMeshOnSheet(Mechanism mechanism, const SheetFrame& frame,
+                                                        const DrawnMesh& mesh);
 
 /// An axis dragged across the sheet.
 struct DraggedAxis {
@@ -51,7 +51,7 @@ constexpr double kModuleStep = 0.05;
 /// The axis goes where it is dragged. With meshes it keeps its ray from the axis that it meshes with nearest
 /// the ground, and the module follows its distance there (withAxisReach); the sheet shows those distances,
 /// not places in space. One without goes there in space. Refuses unknown-id and what the fitting refuses.
-[[nodiscard]] Expected<Mechanism> withAxisOnSheet(Mechanism mechanism, const SheetFrame& frame,
-                                                  const DraggedAxis& drag);
+[[nodiscard]] Expected<PlacedMechanism> withAxisOnSheet(const PlacedMechanism& before,
+                                                        const SheetFrame& frame, const DraggedAxis& drag);
 
 }  // namespace geargraph::inline schematic

@@ -16,8 +16,6 @@ class RandomEditsTest : public QObject {
   static constexpr int kEdits = 10'000;
   static constexpr int kMostLinks = 25;
 
-  using Reduce = std::function<Expected<Mechanism>(const Mechanism&)>;
-
   std::mt19937_64 dice{20'261'121};
   int below(int limit) { return static_cast<int>(dice() % static_cast<std::uint64_t>(limit)); }
   template <class Element>

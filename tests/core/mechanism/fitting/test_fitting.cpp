@@ -218,7 +218,7 @@ class TestFitting : public QObject {
         const auto& old = *was.meshes[static_cast<std::size_t>(position)];
         const auto& is = *now.meshes[static_cast<std::size_t>(position)];
         QCOMPARE(is.sign, -old.sign);  // it turns the other way
-        QCOMPARE(flipped->axes, before.axes);
+        QCOMPARE(flipped->mechanism().axes, before.axes);
         QVERIFY(misfit(*flipped) < 1e-9);
         QVERIFY(std::abs(moduleOf(*flipped, position) - moduleOf(before, position)) < 1e-9);
         const Mechanism back = *withBevelSideFlipped(*flipped, id, ofTail);
@@ -264,13 +264,13 @@ class TestFitting : public QObject {
       if (misfit(mechanism) > 1e-9) continue;
       for (int step = 0; step < 25 && mechanism.c() > 0; ++step) {
         const GearMesh edited = mesh(mechanism, below(mechanism.c()));
-        auto next = [&]() -> Expected<Mechanism> {
+        auto next = [&]() -> Expected<PlacedMechanism> {
           const int change = below(7) - 3;
           switch (below(5)) {
             case 0: {
               const Axis& axis =
                   mechanism.axes[static_cast<std::size_t>(below(static_cast<int>(mechanism.axes.size())))];
-              if (!axis.point) return mechanism;
+              if (!axis.point) return PlacedMechanism(mechanism);
               NumberTriple point = *axis.point;
               point[static_cast<std::size_t>(below(3))] = Number::fromDouble(point[0].value() + 5 * change);
               return withAxisMoved(mechanism, axis.id, point);

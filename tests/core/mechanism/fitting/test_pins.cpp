@@ -26,7 +26,7 @@ Mechanism twoPairs() {
 }
 
 /// Links 2 and 3 of those are set into mesh.
-Expected<Mechanism> snapped(const Mechanism& pairs) {
+Expected<PlacedMechanism> snapped(const Mechanism& pairs) {
   const Mechanism drawn = withGearMesh(pairs, pairs.links[2].id, pairs.links[3].id, 30, 40).value();
   return withMeshSnapped(drawn, drawn.gearMeshes.back().id);
 }
@@ -51,7 +51,7 @@ class TestPins : public QObject {
     QCOMPARE(placeOf(*together, 2), (ExactVector3{120, 0, 0}));  // 2 * (30 + 40) / 2 from the second
     QCOMPARE(placeOf(*together, 3), (ExactVector3{120, 65, 0}));
     QVERIFY(misfit(*together) < 1e-9);
-    for (int m = 0; m < together->c(); ++m) {
+    for (int m = 0; m < together->mechanism().c(); ++m) {
       const MeshGeometry geometry = *placementOf(*together).meshes[static_cast<std::size_t>(m)];
       QVERIFY(std::abs(2 * std::abs(geometry.tailRadius) / mesh(*together, m).tailTeeth - 2) < 1e-9);
     }

@@ -115,7 +115,7 @@ class TestSheetEdits : public QObject {
     QCOMPARE(hand.mechanism.gearMeshes[0].tailTeeth, 25);
     QCOMPARE(hand.mechanism.gearMeshes[0].headTeeth, 25);
     QVERIFY(!hand.mechanism.gearMeshes[0].kind);
-    const Expected<Mechanism> self =
+    const Expected<PlacedMechanism> self =
         withMeshOnSheet(hand.mechanism, hand.frame(), {hand.link(1), hand.link(1), {}, {}});
     QVERIFY(!self.has_value());
   }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "core/foundations/base/deferred_value.h"
+#include "core/foundations/base/expected.h"
+#include "core/mechanism/placement/placement.h"
+
+namespace geargraph::inline placement {
+
+/// A mechanism with its placement, which is computed at the first request, once, and shared by copies.
+/// Immutable and thread-safe. Edits that keep the geometry sound (fitting) take and give these, so that the
+/// placement by which an edit is checked is the one that everything else reads. It passes for its mechanism.
+class PlacedMechanism {
+ public:
+  PlacedMechanism(MechanismPtr mechanism);  // NOLINT(google-explicit-constructor)
+  PlacedMechanism(Mechanism mechanism)      // NOLINT
+      : PlacedMechanism(std::make_shared<const Mechanism>(std::move(mechanism))) {}
+
+  /// Another version of the document with the same placement: nothing is computed again.
+  /// @pre they differ only in what placementOf() does not read (isSameButForView())
+  [[nodiscard]] PlacedMechanism withSamePlacement(MechanismPtr mechanism) const;
+
+  [[nodiscard]] const MechanismPtr& pointer() const { return m_mechanism; }
+  [[nodiscard]] const Mechanism& mechanism() const { return *m_mechanism; }
+  operator const Mechanism&() const { return *m_mechanism; }  // NOLINT(google-explicit-constructor)
+  /// It lives as long as any copy. Cost: the first time placementOf().
+  [[nodiscard]] const Placement& placement() const { return *m_placement->get(); }
+
+ private:
+  MechanismPtr m_mechanism;
+  std::shared_ptr<const DeferredValue<Placement>> m_placement;
+};
+
+/// The mechanism of an edit, not placed yet; or why there is none.
+[[nodiscard]] Expected<PlacedMechanism> unplaced(Expected<Mechanism> edited);
+[[nodiscard]] inline Expected<PlacedMechanism> unplaced(Expected<PlacedMechanism> edited) {
+  return edited;
+}
+
+}  // namespace geargraph::inline placement
