@@ -23,7 +23,7 @@ DisplayList ttGraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*s
 }
 
 DisplayList schematic(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  return schematicDrawing(schematicGeometry(*snapshot.mechanism, stop), {});
+  return schematicDrawing(schematicGeometry(*snapshot.geometry, stop), {});
 }
 
 constexpr std::array kDrawings = {Drawing{"digraph", digraph}, Drawing{"ttgraph", ttGraph},

@@ -106,7 +106,7 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
   if (!snapshot.kinematics || !snapshot.kinematics->model) return json.null();
   const Digraph& graph = *snapshot.graph;
   const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
-                                 snapshot.kinematics->placement);
+                                 snapshot.kinematics->placement());
   const auto meshLabel = [&](int mesh) { return graph.edgeLabel(graph.t() + mesh); };
   json.beginObject();
   json.key("rows");

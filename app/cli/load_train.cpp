@@ -6,7 +6,8 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/bodies/body_plan.h"
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph::cli {
@@ -47,9 +48,11 @@ std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
     std::cerr << "geargraph-cli: A mechanism with errors has no gears; nothing was written.\n";
     return static_cast<int>(kMechanismErrors);
   }
-  loaded.train = trainOf(loaded.mechanism(), snapshot.kinematics->placement, arguments.stop);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the gear train");
-  std::cerr << diagnosticLines(file, loaded.train.diagnostics);
+  const auto train = snapshot.geometry->train(arguments.stop);
+  const auto found = snapshot.geometry->diagnostics(arguments.stop);
+  if (!train || !found) return outOfTime(arguments, "the gear train");
+  loaded.train = *train;
+  std::cerr << diagnosticLines(file, *found);
   if (loaded.train.hasSimpleBodies) {
     std::cerr
         << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over " << kMostRoutedGears

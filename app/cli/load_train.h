@@ -21,7 +21,7 @@ struct LoadedTrain {
 
   [[nodiscard]] const Mechanism& mechanism() const { return *snapshot->mechanism; }
   [[nodiscard]] PlacedTrain placed() const {
-    return {mechanism(), *snapshot->tree, snapshot->kinematics->placement, train};
+    return {mechanism(), *snapshot->tree, snapshot->kinematics->placement(), train};
   }
 };
 

@@ -69,7 +69,7 @@ std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAng
 }
 
 std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std::vector<double>& angles) {
-  return ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement)).poses(angles);
+  return ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(angles);
 }
 
 /// The same with all their turns, which limits count.

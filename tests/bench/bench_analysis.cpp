@@ -44,7 +44,7 @@ void matroidOf(benchmark::State& state, const MechanismPtr& mechanism) {
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   const LiveKinematics& kinematics = *snapshot->kinematics;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(analyzeMatroid(*mechanism, *kinematics.model, kinematics.placement));
+    benchmark::DoNotOptimize(analyzeMatroid(*mechanism, *kinematics.model, kinematics.placement()));
   }
 }
 void matroidOnly(benchmark::State& state, Family family) {
@@ -75,7 +75,7 @@ void symbolic(benchmark::State& state, Family family) {
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   const LiveKinematics& kinematics = *snapshot->kinematics;
   const MatroidAnalysis& matroid = *snapshot->matroid();
-  const CoefficientMatrix coefficients(*mechanism, *kinematics.model, kinematics.placement);
+  const CoefficientMatrix coefficients(*mechanism, *kinematics.model, kinematics.placement());
   for (auto _ : state) {
     benchmark::DoNotOptimize(solveSymbolic(*mechanism, *kinematics.model, coefficients,
                                            matroid.independentMeshes, matroid.choice.joints));

@@ -53,7 +53,7 @@ void findings(benchmark::State& state) {
     mesh.headTeeth *= static_cast<int>(state.range(0));
   }
   const Placement placement = placementOf(robot);
-  for (auto _ : state) benchmark::DoNotOptimize(gearDiagnostics(robot, placement));
+  for (auto _ : state) benchmark::DoNotOptimize(trainDiagnostics(robot, placement));
 }
 
 BENCHMARK(findings)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Arg(2500);

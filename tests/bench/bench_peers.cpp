@@ -96,7 +96,7 @@ BENCHMARK_CAPTURE(eigenSparse, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'
 void eigenDenseRobot(benchmark::State& state) {
   const Problem problem(test::robot());
   const KinematicModel& model = *problem.snapshot->kinematics->model;
-  const CoefficientMatrix coefficients(*problem.mechanism, model, problem.snapshot->kinematics->placement);
+  const CoefficientMatrix coefficients(*problem.mechanism, model, problem.snapshot->kinematics->placement());
   for (auto _ : state) {
     const Digraph graph(*problem.mechanism);
     const Eigen::MatrixXd gamma(reducedIncidence(graph));

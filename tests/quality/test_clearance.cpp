@@ -286,7 +286,7 @@ Mechanism bare(Mechanism mechanism) {
 }
 
 bool saysSo(const Mechanism& mechanism) {
-  const Diagnostics found = trainOf(mechanism, placementOf(mechanism)).diagnostics;
+  const Diagnostics found = trainDiagnostics(mechanism, placementOf(mechanism));
   return std::any_of(found.begin(), found.end(), [](const Diagnostic& d) {
     return d.detail == Detail::bodiesOverlap || d.detail == Detail::wheelsOverlap;
   });
@@ -366,9 +366,9 @@ class TestClearance : public QObject {
     for (const auto& [links, meshes] : {std::pair{4, 3}, {6, 6}, {8, 6}, {12, 8}}) {
       for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Mechanism mechanism = bare(test::randomTrain(seed, links, meshes));
-        const GearTrain train = trainOf(mechanism, placementOf(mechanism));
-        gears += train.gears.size();
-        for (const Diagnostic& d : train.diagnostics)
+        const Placement placement = placementOf(mechanism);
+        gears += trainOf(mechanism, placement).gears.size();
+        for (const Diagnostic& d : trainDiagnostics(mechanism, placement))
           QVERIFY2(d.detail != Detail::wheelsOverlap,
                    qPrintable(QString("%1 links, %2: ").arg(links).arg(seed) + d.message.c_str()));
       }

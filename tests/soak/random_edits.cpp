@@ -96,7 +96,7 @@ Reduce quickFix(Random& random) {
   Diagnostics findings = snapshot->diagnostics;
   if (snapshot->tree) {
     const Mechanism& mechanism = random.mechanism();
-    const Diagnostics teeth = trainOf(mechanism, placementOf(mechanism)).diagnostics;
+    const Diagnostics teeth = trainDiagnostics(mechanism, placementOf(mechanism));
     findings.insert(findings.end(), teeth.begin(), teeth.end());
   }
   if (findings.empty()) return {};

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/patch.h"
@@ -83,7 +84,10 @@ class EditCommand final : public QUndoCommand {
   MechanismPatch m_patch;
 };
 
-Document::Document(QObject* parent) : QObject(parent), m_placed(emptyMechanism()) {
+Document::Document(QObject* parent)
+    : QObject(parent),
+      m_placed(emptyMechanism()),
+      m_geometry(std::make_shared<const DerivedGeometry>(m_placed)) {
   connect(&m_undoStack, &QUndoStack::cleanChanged, this,
           [this](bool clean) { emit modifiedChanged(!clean); });
 }
@@ -184,6 +188,7 @@ void Document::publish(const PlacedMechanism& placed) {
   keepWhole(before);
   keepWhole(placed.pointer());
   m_placed = moved ? m_placed.withSamePlacement(placed.pointer()) : placed;
+  if (!moved) m_geometry = std::make_shared<const DerivedGeometry>(placed);
   m_elements.reset();
   ++m_revision;
   if (!moved) m_mechanicsRevision = m_revision;

@@ -6,12 +6,17 @@
 #include <concepts>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/foundations/base/expected.h"
 #include "core/mechanism/model/element_index.h"
 #include "core/mechanism/placement/placed_mechanism.h"
+
+namespace geargraph::inline bodies {
+class DerivedGeometry;
+}  // namespace geargraph::inline bodies
 
 namespace geargraph::inline document {
 
@@ -60,6 +65,9 @@ class Document : public QObject {
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_placed.pointer(); }
   /// The mechanism as it is now with its placement, which edits, forms and the analysis share.
   [[nodiscard]] const PlacedMechanism& placed() const { return m_placed; }
+  /// All geometry that follows from it, computed on demand by the thread that asks first. While only places
+  /// in the drawings change it stays the same object, with the mechanism of the first of these versions.
+  [[nodiscard]] const std::shared_ptr<const DerivedGeometry>& geometry() const { return m_geometry; }
   /// The elements of the mechanism as it is now, by id: made when first asked for after an edit.
   [[nodiscard]] const ElementIndex& elements() const;
   [[nodiscard]] quint64 revision() const { return m_revision; }
@@ -104,6 +112,7 @@ class Document : public QObject {
   void shortenHistory();
 
   PlacedMechanism m_placed;
+  std::shared_ptr<const DerivedGeometry> m_geometry;
   mutable std::optional<ElementIndex> m_elements;  ///< of the mechanism now; empty: not asked for yet
   std::deque<MechanismPtr> m_keptWhole;            ///< the newest first
   MechanismPtr m_gestureStart;                     ///< what the newest step began with

@@ -46,7 +46,7 @@ std::optional<Rational> LinkSpeedsModel::referenceSpeed() const {
   const std::vector<Rational>* rates = exactRates();
   if (m_unit.kind != SpeedUnit::Kind::ratio || rates == nullptr) return std::nullopt;
   const auto& joints = m_snapshot->mechanism->turningJoints;
-  const Placement& placement = m_snapshot->kinematics->placement;
+  const Placement& placement = m_snapshot->kinematics->placement();
   for (std::size_t joint = 0; joint < joints.size(); ++joint) {
     if (joints[joint].id != m_unit.reference) continue;
     const auto speeds = absoluteSpeed(placement, *rates, placement.tree->child[joint]);
@@ -58,7 +58,7 @@ std::optional<Rational> LinkSpeedsModel::referenceSpeed() const {
 QString LinkSpeedsModel::aboutText(int link) const {
   const std::vector<Rational>* rates = exactRates();
   if (rates == nullptr) return QStringLiteral("…");
-  const Placement& placement = m_snapshot->kinematics->placement;
+  const Placement& placement = m_snapshot->kinematics->placement();
   const auto reference = referenceSpeed();
   QStringList parts;
   for (const SpeedAbout& about : absoluteSpeed(placement, *rates, link)) {

@@ -220,7 +220,7 @@ void ResultsPanel::fillUnits(QMenu& menu) {
   });
   for (const std::size_t joint : turning) {
     const JointId id = mechanism.turningJoints[joint].id;
-    const int link = m_snapshot->kinematics->placement.tree->child[joint];
+    const int link = m_snapshot->kinematics->placement().tree->child[joint];
     menu.addAction(
         tr("Ratio to joint %1 (link %2)").arg(mechanism.jointLabel(static_cast<int>(joint))).arg(link), this,
         [this, id] {

@@ -5,12 +5,14 @@
 namespace geargraph::inline ui_schematic {
 namespace {
 
-bool isSameDrawing(const MechanismPtr& before, const MechanismPtr& now) {
-  return isSameTrain(*before, *now) && before->couplings == now->couplings;
+bool isSameDrawing(const DerivedGeometryPtr& before, const DerivedGeometryPtr& now) {
+  const Mechanism& was = before->mechanism();
+  const Mechanism& is = now->mechanism();
+  return isSameTrain(was, is) && was.couplings == is.couplings;
 }
 
-void layOut(const MechanismPtr& mechanism, const SchematicService::Responder& respond) {
-  respond(std::make_shared<const SchematicGeometry>(schematicGeometry(*mechanism, respond.stop())));
+void layOut(const DerivedGeometryPtr& geometry, const SchematicService::Responder& respond) {
+  respond(std::make_shared<const SchematicGeometry>(schematicGeometry(*geometry, respond.stop())));
 }
 
 }  // namespace

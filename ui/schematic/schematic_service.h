@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/schematic/schematic.h"
 #include "ui/service/service.h"
 
@@ -11,7 +12,7 @@ using SchematicPtr = std::shared_ptr<const SchematicGeometry>;
 
 /// Lays schematics out. A request that changes nothing of the drawing (a node moved, a link renamed) is
 /// answered already.
-class SchematicService final : public Service<MechanismPtr, SchematicPtr> {
+class SchematicService final : public Service<DerivedGeometryPtr, SchematicPtr> {
  public:
   explicit SchematicService(QObject* parent = nullptr);
 };

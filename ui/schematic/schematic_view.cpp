@@ -27,12 +27,12 @@ SchematicView::SchematicView(Document* document, Selection* selection, QWidget* 
 
 void SchematicView::rebuild() {
   m_behind = !isVisible();
-  if (!m_behind) m_service->request(document().mechanism());
+  if (!m_behind) m_service->request(document().geometry());
 }
 
 void SchematicView::catchUp() {
   constexpr std::chrono::milliseconds kMoment{100};
-  if (std::exchange(m_behind, false)) m_service->request(document().mechanism());
+  if (std::exchange(m_behind, false)) m_service->request(document().geometry());
   m_service->await(kMoment);
 }
 

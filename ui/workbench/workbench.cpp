@@ -30,7 +30,7 @@ Workbench::Workbench(QObject* parent)
 
 void Workbench::request() {
   m_stages->setFolder(folderOf(*m_document));
-  m_analysis->request({m_document->mechanism(), m_document->mechanicsRevision()});
+  m_analysis->request({m_document->geometry(), m_document->mechanicsRevision()});
 }
 
 bool Workbench::isUpToDate() const {

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "core/foundations/base/wording.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/train/train.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/pose/turning_lines.h"
 
@@ -35,7 +36,7 @@ std::optional<JointRates> ratesOf(const AnalysisSnapshot& snapshot, const std::s
   const MatroidAnalysis* matroid = snapshot.matroid();
   if (matroid == nullptr || !matroid->solution) return std::nullopt;
   JointRates rates{
-      *snapshot.tree, turningLines(snapshot.kinematics->placement), matroid->solution->rates, {}};
+      *snapshot.tree, turningLines(snapshot.kinematics->placement()), matroid->solution->rates, {}};
   if (rates.rates.size() * matroid->choice.joints.size() <= kMostExactGains) {
     auto exact = solveExact(*snapshot.kinematics->model, matroid->choice.joints, matroid->speeds, stop);
     if (!exact) return std::nullopt;
@@ -122,18 +123,19 @@ std::optional<MotionReport> checkMotion(const AnalysisSnapshot& snapshot, const 
   const auto turns = [](double rate) { return rate != 0; };
   if (!rates || std::none_of(rates->rates.begin(), rates->rates.end(), turns)) return std::nullopt;
 
-  const GearTrain train = trainOf(mechanism, snapshot.kinematics->placement, stop);
-  if (stop.stop_requested()) return std::nullopt;
+  const auto train = snapshot.geometry->train(stop);
+  const auto known = snapshot.geometry->diagnostics(stop);
+  if (!train || !known) return std::nullopt;
   const std::vector<double> reference(rates->rates.size(), 0);
   const MotionRange range = motionRange(angleLimits(mechanism), reference, rates->rates);
   MotionReport report;
-  report.check = motionCollisions(collisionParts(train, stop), *rates, range, stop, options);
+  report.check = motionCollisions(collisionParts(*train, stop), *rates, range, stop, options);
   if (stop.stop_requested()) return std::nullopt;
   const Wording wording(snapshot, report.check, range.isLimited());
   std::size_t unlisted = 0;
   for (const MotionCollision& collision : report.check.collisions) {
     Diagnostic found = wording.finding(collision);
-    if (isKnown(train.diagnostics, found.elements[0], found.elements[1])) continue;
+    if (isKnown(*known, found.elements[0], found.elements[1])) continue;
     if (report.diagnostics.size() < kMostMotionFindings) {
       report.diagnostics.push_back(std::move(found));
     } else {

@@ -22,7 +22,7 @@ std::string teethText(const Mechanism& mechanism, const GearMesh& mesh, int tail
 void addFittingTeeth(const AnalysisSnapshot& snapshot, const GearMesh& mesh, std::vector<Fix>& fixes) {
   if (!snapshot.tree || !snapshot.kinematics || !mesh.pitchPoint) return;
   const Digraph& graph = *snapshot.graph;
-  const Placement& placement = snapshot.kinematics->placement;
+  const Placement& placement = snapshot.kinematics->placement();
   const auto path = treePath(*snapshot.tree, graph.nodeOf(mesh.tail), graph.nodeOf(mesh.head));
   if (path.size() < 2 || !placement.classes) return;
   const Vector3 point{(*mesh.pitchPoint)[0].value(), (*mesh.pitchPoint)[1].value(),
@@ -111,10 +111,10 @@ Expected<Mechanism> withAxisSplit(Mechanism mechanism, AxisId axis,
 
 std::vector<Fix> axisFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
-  if (diagnostic.elements.empty() || !snapshot.kinematics || !snapshot.kinematics->placement.classes)
+  if (diagnostic.elements.empty() || !snapshot.kinematics || !snapshot.kinematics->placement().classes)
     return {};
   const AxisId axis(diagnostic.elements.front().id);
-  const AxisClasses& classes = *snapshot.kinematics->placement.classes;
+  const AxisClasses& classes = *snapshot.kinematics->placement().classes;
   std::vector<int> known;
   std::vector<std::vector<JointId>> groups;
   for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint) {

@@ -15,7 +15,7 @@ constexpr int kFewestUsualTeeth = 8;
 bool trainSays(const Mechanism& mechanism, Code code) {
   const Placement placement = placementOf(mechanism);
   if (hasErrors(placement.diagnostics)) return true;
-  const Diagnostics found = trainOf(mechanism, placement).diagnostics;
+  const Diagnostics found = trainDiagnostics(mechanism, placement);
   return std::any_of(found.begin(), found.end(), [code](const Diagnostic& d) { return d.code == code; });
 }
 

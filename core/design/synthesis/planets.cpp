@@ -136,7 +136,7 @@ Expected<PlacedMechanism> withPlanets(const PlacedMechanism& before, LinkId plan
     edited = std::move(next).value();
   }
   const PlacedMechanism after = std::move(edited);
-  Diagnostics misfits = gearDiagnostics(after, after.placement());
+  Diagnostics misfits = trainDiagnostics(after, after.placement());
   std::erase_if(misfits, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::assembly; });
   if (!misfits.empty()) {
     misfits.front().message =

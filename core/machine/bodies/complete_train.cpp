@@ -1,69 +1,73 @@
 #include "core/machine/bodies/complete_train.h"
 
+#include <utility>
+
+#include "core/machine/bodies/body_recipe.h"
 #include "core/machine/bodies/train_bodies.h"
-#include "core/machine/solids/part_solids.h"
 #include "core/machine/train/toothed_train.h"
-#include "core/machine/train/train_findings.h"
 #include "core/mechanism/placement/recentred.h"
 
 namespace geargraph::inline bodies {
-namespace {
 
-/// Of larger trains the analysis does not say whether wheels and bodies find ways past each other: stacking
-/// and planning them compares all with all.
-constexpr std::size_t kMostPlannedWheels = 150;
+AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& placement, TrainWheels wheels,
+                              const std::stop_token& stop) {
+  AssembledTrain assembled;
+  if (!placement.tree || !placement.classes) return assembled;
+  if (wheels.wheels.size() <= kMostRoutedGears) shortenFaces(wheels, placement, stop);
+  if (stop.stop_requested()) return assembled;
+  assembled.train = toothedTrain(mechanism, wheels);
+  assembled.wheels = std::move(wheels);
+  addBodies(mechanism, placement, assembled.train, stop);
+  return assembled;
+}
 
 Diagnostics diagnosticsOf(const Mechanism& mechanism, const Placement& placement,
-                          const std::stop_token& stop) {
-  TrainWheels wheels = wheelsOf(mechanism, placement, stop);
-  if (stop.stop_requested()) return {};
-  shapeWheels(mechanism, wheels, stop);
-  if (stop.stop_requested()) return {};
-  const bool planned = wheels.wheels.size() <= kMostPlannedWheels;
-  if (planned) {
-    stackWheels(wheels, placement, stop);
-    shortenFaces(wheels, placement, stop);
-    if (stop.stop_requested()) return {};
-  }
-  const GearTrain train = toothedTrain(mechanism, wheels);
-  Diagnostics found = wheelDiagnostics(mechanism, placement, train, stop);
-  if (!planned || stop.stop_requested()) return found;
-  append(found, bodyDiagnostics(mechanism, placement, train, stop));
-  append(found, placeDiagnostics(mechanism, placement, wheels, train, stop));
+                          const AssembledTrain& assembled, const std::stop_token& stop) {
+  Diagnostics found = wheelDiagnostics(mechanism, placement, assembled.train, stop);
+  if (stop.stop_requested() || assembled.train.gears.empty()) return found;
+  append(found, bodyDiagnostics(mechanism, assembled.train));
+  append(found, placeDiagnostics(mechanism, placement, assembled.wheels, assembled.train, stop));
   return found;
 }
 
-}  // namespace
+TrainWheels moved(TrainWheels wheels, const Eigen::Vector3d& by) {
+  for (TrainWheel& wheel : wheels.wheels) wheel.origin += by;
+  for (TrainPair& pair : wheels.pairs) pair.pitchPoint += by;
+  return wheels;
+}
 
-GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies,
-                     const std::stop_token& stop) {
-  if (!placement.tree || !placement.classes) return {};
-  const TrainWheels wheels = placedWheels(mechanism, placement, stop);
-  if (stop.stop_requested()) return {};
-  GearTrain train = toothedTrain(mechanism, wheels);
-  addBodies(mechanism, placement, train, &bodies, stop);
-  train.diagnostics.clear();
-  return train;
+GearTrain moved(const GearTrain& train, const Eigen::Vector3d& by) {
+  GearTrain result = train;
+  for (TrainGear& gear : result.gears) gear.pose.pretranslate(by);
+  for (TrainMesh& mesh : result.meshes) mesh.pitchPoint += by;
+  for (LinkBody& body : result.bodies) {
+    BodyRecipe recipe = *body.recipe;
+    for (BodyPart& part : recipe) part.placed.pretranslate(by);
+    body = bodyOf(body.link, std::move(recipe));
+  }
+  return result;
 }
 
 GearTrain trainOf(const Mechanism& mechanism, const Placement& placement, const std::stop_token& stop) {
-  if (!placement.tree || !placement.classes) return {};
-  const TrainWheels wheels = placedWheels(mechanism, placement, stop);
-  if (stop.stop_requested()) return {};
-  GearTrain train = toothedTrain(mechanism, wheels);
-  addBodies(mechanism, placement, train, nullptr, stop);
-  Diagnostics findings = wheelDiagnostics(mechanism, placement, train, stop);
-  append(findings, train.diagnostics);
-  train.diagnostics = std::move(findings);
-  append(train.diagnostics, placeDiagnostics(mechanism, placement, wheels, train, stop));
-  return train;
+  const std::optional<Recentred> elsewhere = recentred(mechanism, placement);
+  const Placement& near = elsewhere ? elsewhere->placement : placement;
+  TrainWheels wheels = shapedWheels(mechanism, near, stop);
+  stackWheels(wheels, near, stop);
+  AssembledTrain assembled = assembledTrain(mechanism, near, std::move(wheels), stop);
+  return elsewhere ? moved(assembled.train, wide(elsewhere->origin)) : std::move(assembled.train);
 }
 
-Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
-                            const std::stop_token& stop) {
-  if (!placement.tree || !placement.classes || stop.stop_requested()) return {};
-  const std::optional<Placement> near = recentred(mechanism, placement);
-  return diagnosticsOf(mechanism, near ? *near : placement, stop);
+Diagnostics trainDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                             const std::stop_token& stop) {
+  const std::optional<Recentred> elsewhere = recentred(mechanism, placement);
+  const Placement& near = elsewhere ? elsewhere->placement : placement;
+  TrainWheels wheels = shapedWheels(mechanism, near, stop);
+  if (stop.stop_requested()) return {};
+  if (wheels.wheels.size() > kMostRoutedGears)
+    return wheelDiagnostics(mechanism, near, toothedTrain(mechanism, wheels), stop);
+  stackWheels(wheels, near, stop);
+  const AssembledTrain assembled = assembledTrain(mechanism, near, std::move(wheels), stop);
+  return stop.stop_requested() ? Diagnostics{} : diagnosticsOf(mechanism, near, assembled, stop);
 }
 
 }  // namespace geargraph::inline bodies

@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "core/machine/train/train.h"
+#include "core/machine/train/train_wheels.h"
 #include "core/mechanism/placement/placement.h"
 
 namespace geargraph::inline bodies {
@@ -16,7 +17,7 @@ namespace geargraph::inline bodies {
 /// 2. Shape: the module of meshing wheels is the smallest that one of their meshes asks for; the others get
 ///    their centre distance by profile shifts, as equal as the document's own shifts allow. Tips are
 ///    shortened for clearance, tips of rings kept off the pinion's fillets.
-/// 3. Phase: phase.h; loops that cannot close give `assembly` with the nearest that can.
+/// 3. Phase: phase.h; in loops that cannot close a residual is left.
 ///    Faces of bevels that the document leaves open are shortened where their wheels would stand in others.
 /// 4. Bodies: sized from the gears.
 /// Trains of more than kMostRoutedGears keep their faces, and their bodies are simple.
@@ -24,23 +25,38 @@ namespace geargraph::inline bodies {
 /// Cost: under a millisecond for ten links, 0.4 s for a thousand: stacking and passing compare wheels in
 ///       pairs.
 /// Of no use when `stop` was requested meanwhile, which ends any of it within some milliseconds.
+/// For one use: what the views of a document share is in DerivedGeometry.
 /// @pre the mechanism is well formed and the placement is its own
 [[nodiscard]] GearTrain trainOf(const Mechanism& mechanism, const Placement& placement,
                                 const std::stop_token& stop = {});
 
-class BodyCache;
-
-/// The same for a picture: nothing is said of it, and bodies that an edit leaves as they are stay the same
-/// solids.
-[[nodiscard]] GearTrain shownTrain(const Mechanism& mechanism, const Placement& placement, BodyCache& bodies,
-                                   const std::stop_token& stop = {});
-
-/// The diagnostics of trainOf() alone, without making bodies, for the analysis; of trains of many wheels
-/// (150) without those about the room of wheels and bodies. Those found so far where `stop` was requested
-/// meanwhile. Cost: O(wheels + meshes) and some microseconds for the tooth of each wheel
-/// (tests/bench/bench_gears.cpp); stacking wheels and planning bodies takes milliseconds more.
+/// Assembly, undercut and interference of that train; for trains of more than kMostRoutedGears without those
+/// about clearance between wheels and between bodies. Incomplete when `stop` was requested meanwhile. Cost:
+/// O(wheels + meshes) and some microseconds for the tooth of each wheel (tests/bench/bench_gears.cpp);
+/// stacking wheels and planning bodies takes milliseconds more.
 /// @pre as trainOf
-[[nodiscard]] Diagnostics gearDiagnostics(const Mechanism& mechanism, const Placement& placement,
-                                          const std::stop_token& stop = {});
+[[nodiscard]] Diagnostics trainDiagnostics(const Mechanism& mechanism, const Placement& placement,
+                                           const std::stop_token& stop = {});
+
+// The stages of both, each of which DerivedGeometry computes once. What they return is of no use when `stop`
+// was requested meanwhile.
+
+/// The wheels as they are shown, with the gears, meshes and bodies that they make.
+struct AssembledTrain {
+  TrainWheels wheels;
+  GearTrain train;
+};
+
+/// 3. and 4. @pre the wheels are shaped and stacked
+[[nodiscard]] AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& placement,
+                                            TrainWheels wheels, const std::stop_token& stop = {});
+
+/// trainDiagnostics() of a train that is there.
+[[nodiscard]] Diagnostics diagnosticsOf(const Mechanism& mechanism, const Placement& placement,
+                                        const AssembledTrain& assembled, const std::stop_token& stop = {});
+
+/// The same at another place.
+[[nodiscard]] TrainWheels moved(TrainWheels wheels, const Eigen::Vector3d& by);
+[[nodiscard]] GearTrain moved(const GearTrain& train, const Eigen::Vector3d& by);
 
 }  // namespace geargraph::inline bodies

@@ -262,10 +262,6 @@ void fitBore(const BodyPlan& plan, TrainGear& gear) {
   if (passing > 0) gear.spec.bore = 2 * (passing + 0.12 * layout.module);
 }
 
-}  // namespace
-
-namespace {
-
 Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& links) {
   std::string who;
   std::vector<ElementId> elements;
@@ -281,26 +277,30 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
                  std::move(elements));
 }
 
-Diagnostics blockedFindings(const Mechanism& mechanism, const BodyPlan& plan) {
+}  // namespace
+
+Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train) {
   Diagnostics found;
-  for (const auto& links : plan.blocked) found.push_back(blockedFinding(mechanism, links));
+  for (const auto& links : train.blocked) found.push_back(blockedFinding(mechanism, links));
   return found;
 }
 
-}  // namespace
-
-Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                            const std::stop_token& stop) {
-  return blockedFindings(mechanism, planBodies(mechanism, placement, train, stop));
+LinkBody bodyOf(int link, BodyRecipe recipe) {
+  const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
+  const double module = std::min_element(recipe.begin(), recipe.end(), byModule)->module;
+  const auto shared = std::make_shared<const BodyRecipe>(std::move(recipe));
+  const auto deferred = [&](double tolerance) {
+    return std::make_shared<const DeferredSolid>([shared, tolerance] { return madeBy(*shared, tolerance); });
+  };
+  return {link, module, deferred(kBodyTolerance), deferred(kFarthestTolerance), shared};
 }
 
-void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train, BodyCache* cache,
+void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
                const std::stop_token& stop) {
   const BodyPlan plan = planBodies(mechanism, placement, train, stop);
   if (stop.stop_requested()) return;
   train.hasSimpleBodies = plan.isSimple;
-  const Diagnostics blocked = blockedFindings(mechanism, plan);
-  train.diagnostics.insert(train.diagnostics.end(), blocked.begin(), blocked.end());
+  train.blocked = plan.blocked;
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
   for (const auto& [gear, diameter] : plan.hubs) {
     GearSpec& spec = train.gears[gear].spec;
@@ -309,17 +309,9 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
   // Webs with windows are half of what a wheel is made of, and cannot be told apart in so large a train.
   for (TrainGear& gear : train.gears) gear.spec.body = plan.isSimple ? GearBody::plain : gear.spec.body;
   std::vector<BodyRecipe> recipes = BodyBuilder(plan, train, mechanism.links.size()).build();
-  BodyCache once;
-  BodyCache& solids = cache != nullptr ? *cache : once;
-  solids.makeRoomFor(4 * recipes.size());  // two details, of this edit and the one before
   for (std::size_t link = 0; link < recipes.size() && !stop.stop_requested(); ++link) {
-    BodyRecipe& recipe = recipes[link];
-    if (recipe.empty()) continue;
-    const auto byModule = [](const BodyPart& a, const BodyPart& b) { return a.module < b.module; };
-    const double module = std::min_element(recipe.begin(), recipe.end(), byModule)->module;
-    train.bodies.push_back({static_cast<int>(link), module, solids.deferred(recipe, kBodyTolerance),
-                            solids.deferred(recipe, kFarthestTolerance),
-                            std::make_shared<const BodyRecipe>(std::move(recipe))});
+    if (!recipes[link].empty())
+      train.bodies.push_back(bodyOf(static_cast<int>(link), std::move(recipes[link])));
   }
 }
 

@@ -8,15 +8,16 @@
 
 namespace geargraph::inline bodies {
 
-/// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts.
-/// What finds no way past others is an `interference` of the train. `cache`: keeps solids from one edit to
-/// the next. Adds none, or some, when `stop` was requested meanwhile.
+/// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts;
+/// their solids are made on demand. Adds none, or some, when `stop` was requested meanwhile. Cost:
+/// planBodies().
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
-               BodyCache* cache = nullptr, const std::stop_token& stop = {});
+               const std::stop_token& stop = {});
 
-/// The findings of addBodies() alone: bodies are planned but not made. Of no use when `stop` was requested
-/// meanwhile. Cost: planBodies().
-[[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const Placement& placement,
-                                          const GearTrain& train, const std::stop_token& stop);
+/// `interference` of bodies that have no clearance from each other (GearTrain::blocked).
+[[nodiscard]] Diagnostics bodyDiagnostics(const Mechanism& mechanism, const GearTrain& train);
+
+/// A link's body of these parts, one at least.
+[[nodiscard]] LinkBody bodyOf(int link, BodyRecipe recipe);
 
 }  // namespace geargraph::inline bodies

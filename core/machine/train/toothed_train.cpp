@@ -36,12 +36,10 @@ PhaseSolution phasesOf(const TrainWheels& train, std::vector<Eigen::Isometry3d>&
 
 }  // namespace
 
-TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
+TrainWheels shapedWheels(const Mechanism& mechanism, const Placement& placement,
                          const std::stop_token& stop) {
   TrainWheels wheels = wheelsOf(mechanism, placement, stop);
   shapeWheels(mechanism, wheels, stop);
-  stackWheels(wheels, placement, stop);
-  if (wheels.wheels.size() <= kMostRoutedGears) shortenFaces(wheels, placement, stop);
   return wheels;
 }
 
@@ -64,6 +62,7 @@ GearTrain toothedTrain(const Mechanism& mechanism, const TrainWheels& wheels) {
 
 Diagnostics wheelDiagnostics(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
                              const std::stop_token& stop) {
+  if (!placement.tree || !placement.classes) return {};
   Diagnostics found = toothDiagnostics(mechanism, train, stop);
   if (stop.stop_requested()) return found;
   append(found, neighbourDiagnostics(mechanism, placement, train));

@@ -7,8 +7,9 @@
 
 namespace geargraph::inline train {
 
-/// Wheels in their shape, each where it has room. Of no use when `stop` was requested meanwhile.
-[[nodiscard]] TrainWheels placedWheels(const Mechanism& mechanism, const Placement& placement,
+/// Which wheels there are, in their shape but not stacked (stackWheels()). Of no use when `stop` was
+/// requested meanwhile.
+[[nodiscard]] TrainWheels shapedWheels(const Mechanism& mechanism, const Placement& placement,
                                        const std::stop_token& stop = {});
 
 /// Wheels and their meshes, each turned into the others' spaces; no bodies.

@@ -63,7 +63,8 @@ struct GearTrain {
   std::vector<TrainGear> gears;
   std::vector<TrainMesh> meshes;
   std::vector<LinkBody> bodies;
-  Diagnostics diagnostics;  ///< assembly, undercut, interference
+  /// Links whose bodies have no clearance from each other: two, or all of one axis.
+  std::vector<std::vector<int>> blocked;
   /// The train has more than kMostRoutedGears: its bodies are straight and may pass through each other, its
   /// wheels are discs without webs.
   bool hasSimpleBodies = false;

@@ -255,6 +255,7 @@ class PlaneStacker {
 }  // namespace
 
 void stackWheels(TrainWheels& train, const Placement& placement, const std::stop_token& stop) {
+  if (train.wheels.empty()) return;  // nor need there be a tree
   std::vector<Plane> planes = planesOf(train);
   std::stable_partition(planes.begin(), planes.end(), [](const Plane& plane) { return !plane.movable; });
   const auto isRing = [](const TrainWheel& wheel) { return wheel.spec.kind == GearKind::internal; };

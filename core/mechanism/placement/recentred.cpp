@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/mechanism/placement/tolerance.h"
 
@@ -22,7 +23,7 @@ bool isFar(const Placement& placement) {
 
 }  // namespace
 
-std::optional<Placement> recentred(const Mechanism& mechanism, const Placement& placement) {
+std::optional<Recentred> recentred(const Mechanism& mechanism, const Placement& placement) {
   if (!placement.classes || !isFar(placement)) return std::nullopt;
   Placement near = placement;
   const ExactVector3 origin = exactLine(mechanism, placement, 0).point;
@@ -34,7 +35,7 @@ std::optional<Placement> recentred(const Mechanism& mechanism, const Placement& 
   for (auto& mesh : near.meshes) {
     if (mesh) mesh->pitchPoint = near.lineOfClass(mesh->tailClass).point + mesh->tailToPitch;
   }
-  return near;
+  return Recentred{std::move(near), toDoubles(origin)};
 }
 
 }  // namespace geargraph::inline placement

@@ -103,7 +103,7 @@ class MatroidPart : private ReportPart {
         "ratios "
         "are left:");
     const CoefficientMatrix matrix(*m_snapshot.mechanism, *m_snapshot.kinematics->model,
-                                   m_snapshot.kinematics->placement);
+                                   m_snapshot.kinematics->placement());
     std::vector<std::string> lines;
     std::vector<ElementId> meshes;
     for (int mesh = 0; mesh < m_graph.c() && mesh < kMostListed; ++mesh) {

@@ -115,9 +115,9 @@ void dropUntied(DrawnPart& part) {
   Thinner(part).keep(reached.links, reached.joints, meshesBetween(m, positions, reached.links));
 }
 
-void dropAlike(DrawnPart& part) {
+void dropAlike(DrawnPart& part, const PlacedMechanism& placed) {
   const Mechanism& m = part.mechanism;
-  const Placement placement = placementOf(m);
+  const Placement& placement = placed.placement();
   if (!placement.tree) return;
   std::vector<bool> links(m.links.size(), true);
   std::vector<bool> joints(m.turningJoints.size(), true);
@@ -148,14 +148,15 @@ void dropAlike(DrawnPart& part) {
 
 }  // namespace
 
-DrawnPart drawnPart(const Mechanism& mechanism) {
+DrawnPart drawnPart(const PlacedMechanism& document) {
+  const Mechanism& mechanism = document.mechanism();
   DrawnPart part;
   part.mechanism = mechanism;
   for (int i = 0; i <= mechanism.n(); ++i) part.linkLabels.push_back(mechanism.linkLabel(i));
   for (int j = 0; j < mechanism.t(); ++j) part.jointLabels.push_back(mechanism.jointLabel(j));
   for (int m = 0; m < mechanism.c(); ++m) part.meshLabels.push_back(mechanism.meshLabel(m));
   dropUntied(part);
-  dropAlike(part);
+  dropAlike(part, part.isWhole() ? document : PlacedMechanism(part.mechanism));
   return part;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/mechanism/model/mechanism.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 
 namespace geargraph::inline schematic {
 
@@ -30,10 +30,13 @@ struct DrawnPart {
     int count = 1;            ///< sets, the drawn one included
   };
   std::vector<Planets> planets;
+
+  /// Is everything of the document drawn?
+  [[nodiscard]] bool isWhole() const { return loose.empty() && closing.empty() && planets.empty(); }
 };
 
 /// Cost: O(n + t + c), and the meshes of equal planets sorted.
 /// @pre the mechanism is well formed
-[[nodiscard]] DrawnPart drawnPart(const Mechanism& mechanism);
+[[nodiscard]] DrawnPart drawnPart(const PlacedMechanism& document);
 
 }  // namespace geargraph::inline schematic

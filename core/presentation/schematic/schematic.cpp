@@ -1,7 +1,9 @@
 #include "core/presentation/schematic/schematic.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/schematic/coupling_symbols.h"
 #include "core/presentation/schematic/stacker.h"
 
@@ -102,13 +104,22 @@ class SectionSearch {
 }  // namespace
 
 SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_token& stop) {
+  return schematicGeometry(DerivedGeometry(mechanism), stop);
+}
+
+SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::stop_token& stop) {
   SchematicGeometry geometry;
-  geometry.isTooLarge = mechanism.links.size() > kMostDrawnLinks;
+  geometry.isTooLarge = document.mechanism().links.size() > kMostDrawnLinks;
   if (geometry.isTooLarge) return geometry;
-  const DrawnPart part = drawnPart(mechanism);
-  const Placement placement = placementOf(part.mechanism);
+  const DrawnPart part = drawnPart(document.placed());
+  std::optional<DerivedGeometry> ofPart;  // where that is another mechanism than the document's
+  if (!part.isWhole()) ofPart.emplace(part.mechanism);
+  const DerivedGeometry& derived = ofPart ? *ofPart : document;
+  const Placement& placement = derived.placement();
   if (!placement.tree || stop.stop_requested()) return geometry;
-  SheetLayout layout = sheetLayout(part, placement, stop);
+  const auto wheels = derived.wheels(stop);
+  if (!wheels) return geometry;
+  SheetLayout layout = sheetLayout(part, placement, *wheels, stop);
   if (stop.stop_requested()) return geometry;
   if (layout.axes.empty()) return geometry;
   Section section = SectionSearch(part, placement, layout).best(stop);

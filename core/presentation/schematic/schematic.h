@@ -6,6 +6,10 @@
 #include "core/presentation/drawing/emphasis.h"
 #include "core/presentation/schematic/section_labels.h"
 
+namespace geargraph::inline bodies {
+class DerivedGeometry;
+}  // namespace geargraph::inline bodies
+
 namespace geargraph::inline schematic {
 
 /// The functional schematic of a mechanism [AU, Figs. 1 and 3] in its plain look: the section drawing of
@@ -28,6 +32,9 @@ struct SchematicGeometry {
 /// Cost: milliseconds for 15 links, half a second for 60, two seconds for 100 and ten for 200: not for the
 /// thread of the windows. When `stop` is requested meanwhile, what comes back is of no use.
 /// @pre the mechanism is well formed
+[[nodiscard]] SchematicGeometry schematicGeometry(const DerivedGeometry& document,
+                                                  const std::stop_token& stop = {});
+/// The same of a mechanism of which nothing has been derived yet.
 [[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
                                                   const std::stop_token& stop = {});
 /// Links, the ground among them; arms and bearings of more take too long to find their places.

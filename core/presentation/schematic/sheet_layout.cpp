@@ -43,13 +43,10 @@ double SheetLayout::stretched(double coordinate) const {
   return (index - 1 + (coordinate - low) / (*above - low)) * kPlaneDistance;
 }
 
-SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const std::stop_token& stop) {
+SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement, const TrainWheels& train,
+                        const std::stop_token& stop) {
   SheetLayout layout;
   collectAxes(part, placement, layout);
-  TrainWheels train = wheelsOf(part.mechanism, placement, stop);
-  shapeWheels(part.mechanism, train, stop);
-  stackWheels(train, placement, stop);
-  if (stop.stop_requested()) return layout;
   for (const SheetAxis& axis : layout.axes) {
     layout.parallel = layout.parallel && isParallel(axis.direction, layout.axes.front().direction);
   }

@@ -106,9 +106,9 @@ constexpr double kBarGap = 1.8;
 /// Otherwise: as in space where the axes lie in one plane (z up); else each axis is turned about its
 /// neighbour into the sheet, its distance and angle to it kept.
 /// Of no use when `stop` was requested meanwhile.
-/// @pre the placement is the part's and has a tree
+/// @pre placement and stacked wheels are the part's, and there is a tree
 [[nodiscard]] SheetLayout sheetLayout(const DrawnPart& part, const Placement& placement,
-                                      const std::stop_token& stop = {});
+                                      const TrainWheels& train, const std::stop_token& stop = {});
 
 // The two ways, and what both need.
 void layParallel(SheetLayout& layout, const TrainWheels& train, const Placement& placement,

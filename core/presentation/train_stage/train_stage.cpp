@@ -7,7 +7,7 @@
 
 #include "core/machine/bodies/body_plan.h"
 #include "core/machine/bodies/body_recipe.h"
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/solids/spec_findings.h"
 #include "core/machine/solids/toothless_gear.h"
 #include "core/presentation/drawing/palette.h"
@@ -38,10 +38,11 @@ Eigen::Vector3d middleOf(const GearSpec& spec) {
 /// The stage while it is built, with the link of every instance.
 class StageBuilder {
  public:
-  StageBuilder(const Mechanism& mechanism, const Placement& placement, GearCache& cache,
-               const ShapeSource* shapes, StageMemory* memory, const std::stop_token& stop)
-      : m_mechanism(mechanism),
-        m_placement(placement),
+  StageBuilder(const DerivedGeometry& geometry, GearCache& cache, const ShapeSource* shapes,
+               StageMemory* memory, const std::stop_token& stop)
+      : m_geometry(geometry),
+        m_mechanism(geometry.mechanism()),
+        m_placement(geometry.placement()),
         m_cache(cache),
         m_shapes(shapes),
         m_memory(memory),
@@ -60,6 +61,7 @@ class StageBuilder {
   void addShapes(int link);
   void addLabels();
 
+  const DerivedGeometry& m_geometry;
   const Mechanism& m_mechanism;
   const Placement& m_placement;
   GearCache& m_cache;
@@ -133,9 +135,12 @@ void StageBuilder::noteToothless(const TrainGear& gear) {
 }
 
 void StageBuilder::addBody(const LinkBody& body) {
-  const Solid& solid = *body.rough->solid();
-  Instance& instance = add(body.link, body.rough->solid(), Pose::Identity());
-  levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, body.fine}}};
+  const bool keeps = m_memory != nullptr;
+  const auto rough = keeps ? m_memory->bodies().deferred(*body.recipe, kFarthestTolerance) : body.rough;
+  const auto fine = keeps ? m_memory->bodies().deferred(*body.recipe, kBodyTolerance) : body.fine;
+  const Solid& solid = *rough->solid();
+  Instance& instance = add(body.link, rough->solid(), Pose::Identity());
+  levelsOf(instance.solid) = {body.module, kFarthestTolerance, {{kBodyTolerance, fine}}};
   const int joint = m_placement.tree->joint[static_cast<std::size_t>(body.link)];
   if (joint >= 0) instance.also.push_back(m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id);
   StageLabel& label = m_labelOf[static_cast<std::size_t>(body.link)];
@@ -186,9 +191,9 @@ void StageBuilder::addLabels() {
 }
 
 std::shared_ptr<Stage> StageBuilder::build() {
-  BodyCache once;
-  const GearTrain train =
-      shownTrain(m_mechanism, m_placement, m_memory != nullptr ? m_memory->bodies() : once, m_stop);
+  const std::shared_ptr<const GearTrain> made = m_geometry.train(m_stop);
+  if (!made) return nullptr;
+  const GearTrain& train = *made;
   if (train.hasSimpleBodies) {
     m_stage->notes.push_back(
         {m_mechanism.links.front().id,
@@ -198,6 +203,8 @@ std::shared_ptr<Stage> StageBuilder::build() {
              std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
   }
   m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());
+  // Two details, of this edit and the one before.
+  if (m_memory != nullptr) m_memory->bodies().makeRoomFor(4 * train.bodies.size());
   m_labelOf.resize(m_mechanism.links.size());
   m_instanceOfGear.resize(train.gears.size());
   for (std::size_t gear = 0; gear < train.gears.size() && !m_stop.stop_requested(); ++gear)
@@ -302,9 +309,9 @@ StagePtr trainStage(const AnalysisSnapshot& snapshot, GearCache& cache, const Sh
                     StageMemory* memory, const std::stop_token& stop) {
   const Mechanism& mechanism = *snapshot.mechanism;
   if (mechanism.n() > kMostStageLinks || !snapshot.kinematics) return std::make_shared<const Stage>();
-  const Placement& placement = snapshot.kinematics->placement;
+  const Placement& placement = snapshot.kinematics->placement();
   const SpanningTree& tree = *snapshot.tree;
-  StageBuilder builder(mechanism, placement, cache, shapes, memory, stop);
+  StageBuilder builder(*snapshot.geometry, cache, shapes, memory, stop);
   const std::shared_ptr<Stage> stage = builder.build();
   if (!stage) return nullptr;
   const auto motion = jointMotion(snapshot, stop);

@@ -12,7 +12,8 @@ class CoefficientTable final : public QuantityTable {
   CoefficientTable(SnapshotPtr snapshot, EntryForm form)
       : QuantityTable(QuantityKind::coefficients, form),
         m_snapshot(std::move(snapshot)),
-        m_matrix(*m_snapshot->mechanism, *m_snapshot->kinematics->model, m_snapshot->kinematics->placement) {
+        m_matrix(*m_snapshot->mechanism, *m_snapshot->kinematics->model,
+                 m_snapshot->kinematics->placement()) {
     m_joints.resize(static_cast<std::size_t>(m_matrix.columns()));
     std::iota(m_joints.begin(), m_joints.end(), 0);
     if (form == EntryForm::symbols) putInputsFirst();

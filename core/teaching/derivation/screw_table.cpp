@@ -91,7 +91,7 @@ class ScrewTable final : public QuantityTable {
   };
 
   [[nodiscard]] Place at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] const Placement& placement() const { return m_snapshot->kinematics->placement; }
+  [[nodiscard]] const Placement& placement() const { return m_snapshot->kinematics->placement(); }
 
   [[nodiscard]] Screw<double> screwOf(Place place) const {
     const auto joint = static_cast<std::size_t>(place.joint);

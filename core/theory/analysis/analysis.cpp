@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "core/machine/bodies/complete_train.h"
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/model/validate.h"
 
 namespace geargraph::inline analysis {
@@ -27,15 +27,18 @@ Diagnostics geometryFindings(const Diagnostics& ttGraph, const Diagnostics& plac
 
 }  // namespace
 
-SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const std::stop_token& stop) {
+SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, const std::stop_token& stop) {
   auto snapshot = std::make_shared<AnalysisSnapshot>();
   snapshot->revision = revision;
-  snapshot->graph = std::make_shared<const Digraph>(*mechanism);
-  snapshot->mechanism = std::move(mechanism);
-  if (auto tree = SpanningTree::of(*snapshot->graph)) {
-    snapshot->tree = std::make_shared<const SpanningTree>(std::move(*tree));
+  snapshot->mechanism = geometry->placed().pointer();
+  snapshot->geometry = std::move(geometry);
+  const PlacedMechanism& placed = snapshot->geometry->placed();
+  if (const auto& joints = placed.placement().tree) {
+    snapshot->graph = joints->graph;
+    snapshot->tree = joints->tree;
   } else {
-    snapshot->diagnostics = treeDiagnostics(*snapshot->mechanism);
+    snapshot->graph = std::make_shared<const Digraph>(placed);
+    snapshot->diagnostics = treeDiagnostics(placed);
   }
   snapshot->matrices.reserve(allMatrixKinds().size());
   for (const MatrixKind kind : allMatrixKinds()) {
@@ -44,24 +47,29 @@ SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const st
   if (stop.stop_requested()) return nullptr;
   if (!snapshot->tree) return snapshot;
 
-  snapshot->kinematics = liveKinematics(*snapshot->mechanism, snapshot->graph, snapshot->tree, stop);
+  snapshot->kinematics = liveKinematics(placed, stop);
   if (!snapshot->kinematics) return nullptr;
-  append(snapshot->diagnostics, geometryFindings(snapshot->kinematics->ttGraph->diagnostics(),
-                                                 snapshot->kinematics->placement.diagnostics));
+  append(snapshot->diagnostics,
+         geometryFindings(snapshot->kinematics->ttGraph->diagnostics(), placed.placement().diagnostics));
   if (const MatroidAnalysis* matroid = snapshot->matroid()) {
     append(snapshot->diagnostics, matroid->diagnostics);
   }
   return snapshot;
 }
 
+SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision, const std::stop_token& stop) {
+  return analyzeLive(std::make_shared<const DerivedGeometry>(std::move(mechanism)), revision, stop);
+}
+
 Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop) {
   if (!live.kinematics || hasErrors(live.diagnostics)) return {};
-  return gearDiagnostics(*live.mechanism, live.kinematics->placement, stop);
+  const auto found = live.geometry->diagnostics(stop);
+  return found ? *found : Diagnostics{};
 }
 
 SnapshotPtr analyzeStates(const SnapshotPtr& live, const SolveOptions& options, const std::stop_token& stop) {
   if (live->mechanism->states.empty() || !live->kinematics || !live->kinematics->model) return live;
-  auto states = solveStates(*live->mechanism, *live->kinematics->model, live->kinematics->placement,
+  auto states = solveStates(*live->mechanism, *live->kinematics->model, live->kinematics->placement(),
                             options.symbolic, stop);
   if (!states) return nullptr;
   auto snapshot = std::make_shared<AnalysisSnapshot>(*live);
@@ -80,7 +88,6 @@ SnapshotPtr analyzeFully(const SnapshotPtr& live, const SolveOptions& options, c
     snapshot->solved = solvedKinematics(*live->mechanism, *live->kinematics, options, stop);
     if (!snapshot->solved) return nullptr;
   }
-  // Last: by now whoever draws the bodies has found the ways that these findings ask for, too.
   append(snapshot->diagnostics, toothFindings(*live, stop));
   if (stop.stop_requested()) return nullptr;
   if (snapshot->solved) append(snapshot->diagnostics, snapshot->solved->diagnostics);

@@ -10,6 +10,11 @@
 #include "core/theory/analysis/kinematics.h"
 #include "core/theory/states/state_solution.h"
 
+namespace geargraph::inline bodies {
+class DerivedGeometry;
+using DerivedGeometryPtr = std::shared_ptr<const DerivedGeometry>;
+}  // namespace geargraph::inline bodies
+
 namespace geargraph::inline analysis {
 
 /// Everything that is computed from one mechanism: an immutable value that all views read. A stage that fails
@@ -21,6 +26,8 @@ namespace geargraph::inline analysis {
 struct AnalysisSnapshot {
   std::uint64_t revision = 0;
   MechanismPtr mechanism;
+  /// Placement, wheels, train and its diagnostics, which are computed on demand and once; never null.
+  DerivedGeometryPtr geometry;
   DigraphPtr graph;
   SpanningTreePtr tree;  ///< null where the turning joints are no spanning tree
   /// By MatrixKind; null where the matrix needs the tree and there is none.
@@ -48,11 +55,14 @@ using SnapshotPtr = std::shared_ptr<const AnalysisSnapshot>;
 /// Pure; null when `stop` was requested meanwhile.
 /// Cost: near linear in n + t + c and the sum of the cycle lengths.
 /// @pre the mechanism is well formed
+[[nodiscard]] SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision = 0,
+                                      const std::stop_token& stop = {});
+/// The same of a mechanism of which nothing has been derived yet.
 [[nodiscard]] SnapshotPtr analyzeLive(MechanismPtr mechanism, std::uint64_t revision = 0,
                                       const std::stop_token& stop = {});
 
-/// What the teeth of a mechanism without errors have to say (gearDiagnostics()). Its share of the second
-/// step. Incomplete where `stop` was requested meanwhile.
+/// The diagnostics of the train of a mechanism without errors (DerivedGeometry::diagnostics()). Its share of
+/// the second step. None if `stop` was requested meanwhile.
 [[nodiscard]] Diagnostics toothFindings(const AnalysisSnapshot& live, const std::stop_token& stop = {});
 
 /// The states of the document solved, and their findings: the same snapshot with them. Null when `stop` was

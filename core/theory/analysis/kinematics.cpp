@@ -30,7 +30,7 @@ class SymbolicPass {
 
  private:
   bool byMatroid() {
-    const CoefficientMatrix coefficients(m_mechanism, *m_live.model, m_live.placement);
+    const CoefficientMatrix coefficients(m_mechanism, *m_live.model, m_live.placement());
     m_result.symbolic = solveSymbolic(m_mechanism, *m_live.model, coefficients,
                                       m_live.matroid->independentMeshes, m_result.exact->inputs, m_stop);
     if (m_stop.stop_requested()) return false;
@@ -68,16 +68,16 @@ class SymbolicPass {
 
 }  // namespace
 
-LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& graph,
-                                 const SpanningTreePtr& tree, const std::stop_token& stop) {
-  auto live = std::make_shared<LiveKinematics>();
-  live->placement = placementOf(mechanism, JointTree(graph, tree));
+LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed, const std::stop_token& stop) {
+  const Placement& placement = placed.placement();
+  const DigraphPtr& graph = placement.tree->graph;
+  const SpanningTreePtr& tree = placement.tree->tree;
+  auto live = std::make_shared<LiveKinematics>(LiveKinematics{placed, nullptr, {}, {}});
+  live->ttGraph = std::make_shared<const TtGraph>(placed, graph, tree, ReferenceLines(placement));
   if (stop.stop_requested()) return nullptr;
-  live->ttGraph = std::make_shared<const TtGraph>(mechanism, graph, tree, ReferenceLines(live->placement));
-  if (stop.stop_requested()) return nullptr;
-  live->model = KinematicModel::of(graph, tree, live->placement);
+  live->model = KinematicModel::of(graph, tree, placement);
   if (live->model) {
-    live->matroid = analyzeMatroid(mechanism, *live->model, live->placement, stop);
+    live->matroid = analyzeMatroid(placed, *live->model, placement, stop);
     if (!live->matroid) return nullptr;
   }
   return live;

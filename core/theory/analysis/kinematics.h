@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/mechanism/placement/placement.h"
+#include "core/mechanism/placement/placed_mechanism.h"
 #include "core/theory/analysis/agreement.h"
 #include "core/theory/matroid/exact_solution.h"
 #include "core/theory/matroid/matroid_analysis.h"
@@ -18,18 +18,20 @@ namespace geargraph::inline analysis {
 
 /// What both methods say at once, while somebody draws.
 struct LiveKinematics {
-  Placement placement;
+  PlacedMechanism placed;
   std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
   std::optional<KinematicModel> model;     ///< none where a mesh has no geometry
   std::optional<MatroidAnalysis> matroid;  ///< with the model
+
+  [[nodiscard]] const Placement& placement() const { return placed.placement(); }
 };
 
 using LiveKinematicsPtr = std::shared_ptr<const LiveKinematics>;
 
 /// Null when `stop` was requested. Cost: near linear in n + t + c.
-/// @pre graph and tree are the mechanism's
-[[nodiscard]] LiveKinematicsPtr liveKinematics(const Mechanism& mechanism, const DigraphPtr& graph,
-                                               const SpanningTreePtr& tree, const std::stop_token& stop = {});
+/// @pre the placement has a tree
+[[nodiscard]] LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed,
+                                               const std::stop_token& stop = {});
 
 struct SolveOptions {
   bool symbolic = true;

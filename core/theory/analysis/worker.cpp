@@ -21,7 +21,7 @@ AnalysisWorker::Work analysisWork() {
   const auto completion = std::make_shared<RequestWorker<LivePart>>(
       [](const LivePart& live, const std::stop_token&) { complete(live); }, Urgency::background);
   return [completion](const AnalysisRequest& request, const AnalysisWorker::Responder& respond) {
-    const SnapshotPtr live = analyzeLive(request.mechanism, request.revision, respond.stop());
+    const SnapshotPtr live = analyzeLive(request.geometry, request.revision, respond.stop());
     if (!live || respond.stop().stop_requested()) return;
     respond.partly(live);
     completion->request({live, respond});

@@ -6,7 +6,7 @@
 namespace geargraph::inline analysis {
 
 struct AnalysisRequest {
-  MechanismPtr mechanism;
+  DerivedGeometryPtr geometry;  ///< of the mechanism
   std::uint64_t revision = 0;
 };
 

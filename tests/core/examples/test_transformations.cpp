@@ -94,7 +94,7 @@ Verdict verdictOf(const Mechanism& original, const Transformation& to, bool with
   }
   if (live->kinematics) {
     for (int m = 0; m < to.mechanism.c(); ++m) {
-      const auto& mesh = live->kinematics->placement.meshes[static_cast<std::size_t>(m)];
+      const auto& mesh = live->kinematics->placement().meshes[static_cast<std::size_t>(m)];
       const ElementId id = to.mechanism.gearMeshes[static_cast<std::size_t>(m)].id;
       const double size = to.length.toDouble();
       if (!mesh) continue;

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/model/edits.h"
 #include "ui/analysis/analysis_service.h"
 #include "ui/document/document.h"
 
 namespace geargraph {
+
+static DerivedGeometryPtr geometryOf(const Mechanism& mechanism) {
+  return std::make_shared<const DerivedGeometry>(mechanism);
+}
 
 class AnalysisServiceTest : public QObject {
   Q_OBJECT
@@ -24,7 +29,7 @@ class AnalysisServiceTest : public QObject {
     for (int i = 0; i < 39; ++i) {
       document.apply({QStringLiteral("Add link"),
                       [](const Mechanism& mechanism) { return withLink(mechanism, SheetPoint{}); }, 0});
-      service.request({document.mechanism(), document.revision()});
+      service.request({document.geometry(), document.revision()});
     }
     QVERIFY(!service.isUpToDate());
     QTRY_VERIFY(service.isComplete());
@@ -35,15 +40,15 @@ class AnalysisServiceTest : public QObject {
   }
 
   void askedAgainForTheSameRevisionItAnswersOnce() {
-    const auto mechanism = std::make_shared<const Mechanism>(emptyMechanism());
+    const DerivedGeometryPtr geometry = geometryOf(emptyMechanism());
     AnalysisService service;
     int live = 0;
     service.onAnswer(&service, [&](const SnapshotPtr& snapshot) { live += snapshot->isComplete ? 0 : 1; });
-    service.request({mechanism, 0});
+    service.request({geometry, 0});
     QTRY_VERIFY(service.isComplete());
-    service.request({mechanism, 0});
+    service.request({geometry, 0});
     QVERIFY(service.isComplete());
-    service.request({mechanism, 1});
+    service.request({geometry, 1});
     QVERIFY(!service.isUpToDate());
     QTRY_VERIFY(service.isComplete());
     QCOMPARE(live, 2);
@@ -63,7 +68,7 @@ class AnalysisServiceTest : public QObject {
       QVERIFY(std::find(ahead.begin(), ahead.end(), snapshot) != ahead.end());
       ++arrived;
     });
-    service.request({std::make_shared<const Mechanism>(emptyMechanism()), 1});
+    service.request({geometryOf(emptyMechanism()), 1});
     QTRY_VERIFY(service.isComplete());
     QCOMPARE(arrived, 2);
     QCOMPARE(ahead.size(), std::size_t{2});
@@ -72,7 +77,7 @@ class AnalysisServiceTest : public QObject {
   void destroyedWhileItWorksIsHarmless() {
     for (int round = 0; round < 50; ++round) {
       AnalysisService service;
-      service.request({std::make_shared<const Mechanism>(emptyMechanism()), 1});
+      service.request({geometryOf(emptyMechanism()), 1});
     }
     QCoreApplication::processEvents();
   }

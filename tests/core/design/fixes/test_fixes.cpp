@@ -24,7 +24,7 @@ GearMesh& meshOf(Mechanism& mechanism, const char* id) {
 Diagnostics findingsOf(const AnalysisSnapshot& snapshot) {
   Diagnostics all = snapshot.diagnostics;
   if (!snapshot.tree) return all;
-  const Diagnostics teeth = trainOf(*snapshot.mechanism, placementOf(*snapshot.mechanism)).diagnostics;
+  const Diagnostics teeth = trainDiagnostics(*snapshot.mechanism, placementOf(*snapshot.mechanism));
   all.insert(all.end(), teeth.begin(), teeth.end());
   return all;
 }

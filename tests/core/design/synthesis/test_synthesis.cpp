@@ -27,15 +27,16 @@ bool isAboutBodies(const Diagnostic& diagnostic) {
 bool isSound(const Mechanism& set, int rank, bool crowded = false) {
   if (!wellFormedDiagnostics(set).empty() || !treeDiagnostics(set).empty()) return false;
   const Worked worked(set);
-  GearTrain train = trainOf(set, worked.placement);
-  if (crowded) std::erase_if(train.diagnostics, isAboutBodies);
+  const GearTrain train = trainOf(set, worked.placement);
+  Diagnostics found = trainDiagnostics(set, worked.placement);
+  if (crowded) std::erase_if(found, isAboutBodies);
   for (const Diagnostic& diagnostic : worked.placement.diagnostics)
     qWarning("%s", diagnostic.message.c_str());
-  for (const Diagnostic& diagnostic : train.diagnostics) qWarning("%s", diagnostic.message.c_str());
+  for (const Diagnostic& diagnostic : found) qWarning("%s", diagnostic.message.c_str());
   for (const TrainMesh& mesh : train.meshes) {
     if (std::abs(mesh.residual) > kPhaseFits) return false;
   }
-  return worked.placement.diagnostics.empty() && train.diagnostics.empty() && worked.analysis.rank == rank &&
+  return worked.placement.diagnostics.empty() && found.empty() && worked.analysis.rank == rank &&
          worked.analysis.solution.has_value();
 }
 

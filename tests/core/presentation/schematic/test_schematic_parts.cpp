@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/drawn_part.h"
 #include "core/presentation/schematic/radial_system.h"
@@ -13,13 +14,15 @@ namespace {
 
 struct Laid {
   DrawnPart part;
-  Placement placement;
+  DerivedGeometry geometry;
+  const Placement& placement;
   SheetLayout layout;
 
   explicit Laid(const Mechanism& mechanism)
       : part(drawnPart(mechanism)),
-        placement(placementOf(part.mechanism)),
-        layout(sheetLayout(part, placement)) {}
+        geometry(part.mechanism),
+        placement(geometry.placement()),
+        layout(sheetLayout(part, placement, *geometry.wheels())) {}
 };
 
 double touchError(const RadialSystem& system, std::size_t contact) {

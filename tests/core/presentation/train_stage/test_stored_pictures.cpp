@@ -27,7 +27,7 @@ Wheels wheelsOf(const QString& name) {
   const SnapshotPtr snapshot = analyzeLive(mechanism);
   Wheels wheels;
   Scene& scene = wheels.scene;
-  for (const TrainGear& gear : trainOf(*mechanism, snapshot->kinematics->placement).gears) {
+  for (const TrainGear& gear : trainOf(*mechanism, snapshot->kinematics->placement()).gears) {
     Instance instance;
     instance.solid = scene.solids.size();
     instance.pose = gear.pose;

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <random>
 
+#include "core/machine/bodies/derived_geometry.h"
 #include "core/theory/analysis/worker.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -52,19 +53,19 @@ class Mailbox {
   std::vector<std::uint64_t> m_revisions;
 };
 
-MechanismPtr mechanismOf(std::uint64_t seed, int n) {
-  return std::make_shared<const Mechanism>(test::randomTree(seed, n, n / 2));
+DerivedGeometryPtr geometryOf(std::uint64_t seed, int n) {
+  return std::make_shared<const DerivedGeometry>(test::randomTree(seed, n, n / 2));
 }
 
 void newestRequestIsAnswered() {
   Mailbox mailbox;
   AnalysisWorker worker(analysisWork(), [&](const Reply<SnapshotPtr>& reply) { mailbox.put(*reply.answer); });
-  const MechanismPtr large = mechanismOf(1, 2000);
-  const MechanismPtr small = mechanismOf(2, 10);
+  const DerivedGeometryPtr large = geometryOf(1, 2000);
+  const DerivedGeometryPtr small = geometryOf(2, 10);
   for (std::uint64_t revision = 1; revision < 200; ++revision) worker.request({large, revision});
   worker.request({small, 200});
   const SnapshotPtr last = mailbox.waitFor(200);
-  check(last->mechanism == small, "the newest mechanism is the one that was analysed");
+  check(last->geometry == small, "the newest mechanism is the one that was analysed");
   check(last->graph->n() == 10, "its digraph has its links");
   const std::vector<std::uint64_t> revisions = mailbox.revisions();
   check(std::is_sorted(revisions.begin(), revisions.end()), "revisions arrive in order");
@@ -76,7 +77,7 @@ void everyLastRequestIsCompleted() {
   Mailbox mailbox;
   AnalysisWorker worker(analysisWork(), [&](const Reply<SnapshotPtr>& reply) { mailbox.put(*reply.answer); });
   for (std::uint64_t revision = 1; revision < 300; ++revision) {
-    worker.request({mechanismOf(revision, 2), revision});
+    worker.request({geometryOf(revision, 2), revision});
     mailbox.waitForSecondStep(revision);
   }
   check(mailbox.revisions().size() == 2 * 299, "every request is answered twice");
@@ -93,7 +94,7 @@ void destructionInTheMiddleOfWorkIsQuiet() {
       });
       for (int i = 0; i < 100; ++i) {
         worker.request(
-            {mechanismOf(random() % 5, static_cast<int>(random() % 60) + 1), static_cast<std::uint64_t>(i)});
+            {geometryOf(random() % 5, static_cast<int>(random() % 60) + 1), static_cast<std::uint64_t>(i)});
         if (round % 2 == 0 && i == 50) break;  // half of them are destroyed mid-work
       }
     }

@@ -23,7 +23,7 @@ struct Solved {
     for (const TurningJoint& joint : m.turningJoints) {
       for (std::size_t axis = 0; axis < m.axes.size(); ++axis) {
         if (m.axes[axis].id != joint.axis) continue;
-        const Placement& placement = snapshot->kinematics->placement;
+        const Placement& placement = snapshot->kinematics->placement();
         const AxisLine& line = placement.axes[axis];
         exactLines.push_back(exactLine(m, placement, static_cast<int>(axis)));
         lines.push_back({{line.point[0], line.point[1], line.point[2]},

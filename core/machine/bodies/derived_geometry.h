@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <stop_token>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/placement/placed_mechanism.h"
+
+namespace geargraph::inline train {
+struct GearTrain;
+struct TrainWheels;
+}  // namespace geargraph::inline train
+
+namespace geargraph::inline bodies {
+
+/// All geometry that follows from one mechanism: its placement, its wheels, the train with its bodies, and
+/// the diagnostics of the train. Edits, analysis, 3D view, schematic, forms and exports of a document share
+/// it.
+///
+/// Each part is computed at the first request, once, on the thread that asks (DeferredValue). The parts of a
+/// request that was cancelled are null, and are computed by the next one. Immutable otherwise; thread-safe.
+///
+/// Where the document's coordinates are so large that doubles lose digits which gears need, the train is
+/// computed about an origin of its own (recentred()) and then moved to its place: pictures, files and
+/// diagnostics are of one train.
+class DerivedGeometry {
+ public:
+  explicit DerivedGeometry(PlacedMechanism placed);
+  ~DerivedGeometry();
+  DerivedGeometry(const DerivedGeometry&) = delete;
+  DerivedGeometry& operator=(const DerivedGeometry&) = delete;
+
+  [[nodiscard]] const PlacedMechanism& placed() const { return m_placed; }
+  [[nodiscard]] const Mechanism& mechanism() const { return m_placed.mechanism(); }
+  [[nodiscard]] const Placement& placement() const { return m_placed.placement(); }
+
+  /// The wheels in their shape, stacked along their axes; none where the turning joints are no spanning tree.
+  /// Cost: shapeWheels() and stackWheels().
+  [[nodiscard]] std::shared_ptr<const TrainWheels> wheels(const std::stop_token& stop = {}) const;
+  /// trainOf(). Its bodies are planned; their solids are made on demand.
+  [[nodiscard]] std::shared_ptr<const GearTrain> train(const std::stop_token& stop = {}) const;
+  /// trainDiagnostics().
+  [[nodiscard]] std::shared_ptr<const Diagnostics> diagnostics(const std::stop_token& stop = {}) const;
+
+ private:
+  struct Parts;
+
+  PlacedMechanism m_placed;
+  std::unique_ptr<Parts> m_parts;
+};
+
+using DerivedGeometryPtr = std::shared_ptr<const DerivedGeometry>;
+
+}  // namespace geargraph::inline bodies
