@@ -1,12 +1,8 @@
 #include "core/machine/bodies/meridian_router.h"
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstddef>
-#include <cstdint>
-#include <deque>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -296,8 +292,10 @@ std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vec
   return routes;
 }
 
-Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
-              const std::stop_token& stop) {
+}  // namespace
+
+Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+                     const std::stop_token& stop) {
   if (nets.size() * grid.owner.size() > kMostRoutedCells) return std::nullopt;
   std::vector<int> order(nets.size());
   std::iota(order.begin(), order.end(), 0);
@@ -332,83 +330,6 @@ Routes routed(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, in
     std::rotate(order.begin(), place, place + 1);
   }
   return std::nullopt;
-}
-
-/// What was asked last, with the answers. Thread-safe.
-class RouteMemory {
- public:
-  /// A request for what another thread is working on waits for that answer, or for its own stop.
-  Routes find(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
-              const std::stop_token& stop) {
-    std::unique_lock lock(m_mutex);
-    while (true) {
-      const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& k) {
-        return k.tries == tries && k.grid == grid && k.nets == nets;
-      });
-      if (known == m_known.end()) break;
-      if (known->isMade) {
-        std::rotate(m_known.begin(), known, known + 1);  // the newest is in front
-        return m_known.front().routes;
-      }
-      m_changed.wait(lock, stop, [this, before = m_changes] { return m_changes != before; });
-      if (stop.stop_requested()) return std::nullopt;
-    }
-    const std::uint64_t number = ++m_asked;
-    m_known.push_front({grid, nets, tries, number, false, std::nullopt});
-    dropOldest();
-    lock.unlock();
-    Routes routes = routed(grid, nets, tries, stop);
-    lock.lock();
-    finish(number, routes, stop.stop_requested());
-    return routes;
-  }
-
- private:
-  static constexpr std::size_t kMost = 64;              // a drag to and fro
-  static constexpr std::size_t kMostCells = 8'000'000;  // of all grids that are kept
-  struct Known {
-    MeridianGrid grid;
-    std::vector<MeridianNet> nets;
-    int tries = 0;
-    std::uint64_t number = 0;
-    bool isMade = false;
-    Routes routes;
-  };
-
-  void dropOldest() {
-    std::size_t cells = 0;
-    for (const Known& known : m_known) cells += known.grid.owner.size();
-    while (m_known.size() > 1 && (m_known.size() > kMost || cells > kMostCells)) {
-      cells -= m_known.back().grid.owner.size();
-      m_known.pop_back();
-    }
-  }
-  /// An answer that was stopped is none: the next request begins again.
-  void finish(std::uint64_t number, const Routes& routes, bool isStopped) {
-    const auto known =
-        std::find_if(m_known.begin(), m_known.end(), [number](const Known& k) { return k.number == number; });
-    if (known != m_known.end()) {
-      known->routes = routes;
-      known->isMade = true;
-      if (isStopped) m_known.erase(known);
-    }
-    ++m_changes;
-    m_changed.notify_all();
-  }
-
-  std::mutex m_mutex;
-  std::condition_variable_any m_changed;
-  std::deque<Known> m_known;    ///< guarded by m_mutex, like the rest
-  std::uint64_t m_asked = 0;    ///< the number of the newest entry
-  std::uint64_t m_changes = 0;  ///< answers that were finished
-};
-
-}  // namespace
-
-Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
-                     const std::stop_token& stop) {
-  static RouteMemory memory;
-  return memory.find(grid, nets, tries, stop);
 }
 
 }  // namespace geargraph::inline bodies

@@ -70,9 +70,7 @@ constexpr std::size_t kMostRoutedCells = 4'000'000;
 /// stood in its way gets dearer for all others (after L. McMurchie and C. Ebeling, PathFinder, FPGA 1995;
 /// there nets overlap meanwhile). Deterministic, and nets much alike get ways much alike. Nothing after
 /// `tries` rounds, where a net finds no way even by itself, where nets * cells is over kMostRoutedCells, or
-/// when `stop` was requested meanwhile. Cost: O(nets * cells) a round. The last answers are kept: the
-/// analysis and the views of one document ask for the same ways, and every step of a drag that leaves the
-/// axis alone asks for them again; a concurrent request for the same problem waits for the first.
+/// when `stop` was requested meanwhile. Cost: O(nets * cells) a round.
 [[nodiscard]] std::optional<std::vector<MeridianRoute>> routeMeridian(const MeridianGrid& grid,
                                                                       const std::vector<MeridianNet>& nets,
                                                                       int tries = kMostRouteRounds,
