@@ -14,11 +14,11 @@ namespace geargraph::inline panels {
 /// where the locale writes one.
 class NumberField : public QAbstractSpinBox {
   Q_OBJECT
-  // What QAccessibleAbstractSpinBox reads and sets.
+  // What QAccessibleAbstractSpinBox reads and sets; it asks for "stepSize", not QSpinBox's "singleStep".
   Q_PROPERTY(QVariant value READ value WRITE setValue)
   Q_PROPERTY(QVariant minimum READ minimum)
   Q_PROPERTY(QVariant maximum READ maximum)
-  Q_PROPERTY(QVariant singleStep READ singleStep)
+  Q_PROPERTY(QVariant stepSize READ stepSize)
 
  public:
   explicit NumberField(QWidget* parent = nullptr);
@@ -49,7 +49,7 @@ class NumberField : public QAbstractSpinBox {
   void setValue(const QVariant& value);  ///< as if it were typed
   [[nodiscard]] QVariant minimum() const { return m_least ? QVariant(*m_least) : QVariant(); }
   [[nodiscard]] QVariant maximum() const { return m_most ? QVariant(*m_most) : QVariant(); }
-  [[nodiscard]] QVariant singleStep() const { return m_step.toDouble(); }
+  [[nodiscard]] QVariant stepSize() const { return m_step.toDouble(); }
 
  signals:
   void edited(const std::optional<geargraph::Number>& number);

@@ -3,6 +3,7 @@
 
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/example_files.h"
+#include "ui/models/printed_number.h"
 #include "ui/models/results_model.h"
 
 namespace geargraph {
