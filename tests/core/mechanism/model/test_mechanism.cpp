@@ -3,6 +3,7 @@
 
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/mechanisms.h"
 
@@ -184,11 +185,17 @@ class MechanismTest : public QObject {
   }
 
   void manyArrowsAreFlippedAsOneByOne() {
-    const Mechanism robot = robotTopology();
+    const Mechanism robot =
+        withLoad(withLoad(robotTopology(), {.action = JointTorque{JointId("13"), Number(5)}}).value(),
+                 {.action = JointTorque{JointId("8"), Number(5)}})
+            .value();
     const std::array<ElementId, 3> arrows{JointId("9"), MeshId("15"), JointId("13")};
     Mechanism one = robot;
     for (const ElementId& arrow : arrows) one = withFlipped(one, arrow).value();
-    QVERIFY(withAllFlipped(robot, arrows).value() == one);
+    const Mechanism flipped = withAllFlipped(robot, arrows).value();
+    QVERIFY(flipped == one);
+    QCOMPARE(std::get<JointTorque>(flipped.loads[0].action).torque, Number(-5));
+    QCOMPARE(std::get<JointTorque>(flipped.loads[1].action).torque, Number(5));  // on a joint left as it was
     const std::array<ElementId, 2> unknown{JointId("9"), MeshId("99")};
     QCOMPARE(refusalOf(withAllFlipped(robot, unknown)), Code::unknownId);
   }
