@@ -23,7 +23,8 @@ GlCanvas::GlCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
     if (m_picture.isValid()) m_viewer->setPictureCost(static_cast<double>(m_picture.nsecsElapsed()) / 1e6);
     m_picture.invalidate();
   });
-  viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
+  viewer->setPick([this](const Frame& frame, double x, double y, Viewer::PickFor,
+                         const Viewer::Answer& answer) { answer(pick(frame, x, y)); });
 }
 
 GlCanvas::~GlCanvas() {

@@ -55,7 +55,9 @@ ImageCanvas::ImageCanvas(Viewer* viewer, LabelLayer* labels, QWidget* parent)
   m_pace.setSoftware(m_thread->isSoftware());
   connect(&m_pace, &PicturePace::rested, this, &ImageCanvas::orderSoon);
   connect(viewer, &Viewer::viewChanged, this, &ImageCanvas::orderSoon);
-  viewer->setPick([this](const Frame& frame, double x, double y) { return pick(frame, x, y); });
+  viewer->setPick([this](const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer) {
+    pick(frame, x, y, use, std::move(answer));
+  });
 }
 
 ImageCanvas::~ImageCanvas() {
@@ -249,11 +251,20 @@ void ImageCanvas::addOverlay() {
   paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
 }
 
-std::optional<Hit> ImageCanvas::pick(const Frame& frame, double x, double y) {
+void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer) {
   if (m_shown.frame == nullptr || m_shown.frame->stage() != m_viewer->stage())
-    return std::nullopt;  // nothing is seen yet that could be meant
+    return answer(std::nullopt);  // nothing is seen yet that could be meant
   const QPointF at = m_labels->meant(QPointF(x, y) / frame.pixelRatio) * frame.pixelRatio;
-  return m_thread->pick(std::make_shared<const KeptFrame>(m_viewer->stage(), frame), at.x(), at.y());
+  PictureQuestion question{std::make_shared<const KeptFrame>(m_viewer->stage(), frame),
+                           at.x(),
+                           at.y(),
+                           use == Viewer::PickFor::hover,
+                           {}};
+  question.answer = [this, answer = std::move(answer)](const std::optional<Hit>& hit) {
+    QMetaObject::invokeMethod(
+        this, [answer, hit] { answer(hit); }, Qt::QueuedConnection);
+  };
+  m_thread->ask(std::move(question));
 }
 
 }  // namespace geargraph::inline view3d

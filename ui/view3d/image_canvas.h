@@ -63,7 +63,8 @@ class ImageCanvas : public QWidget {
   void addOverlay();
   [[nodiscard]] bool isWaiting() const;
   void paintWords(QPainter& painter, const QString& text) const;
-  [[nodiscard]] std::optional<Hit> pick(const Frame& frame, double x, double y);
+  /// Answered when the picture under way is finished.
+  void pick(const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer);
 
   Viewer* m_viewer;
   LabelLayer* m_labels;

@@ -1,11 +1,5 @@
 #include "ui/view3d/viewer.h"
 
-#include <QApplication>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
-#include <QPointingDevice>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,9 +10,6 @@
 namespace geargraph::inline view3d {
 namespace {
 
-constexpr double kZoomPerNotch = 1.15;
-constexpr double kMostZoomPerEvent = 4;
-constexpr double kKeyPixels = 32;           // an arrow key turns as far as a drag by so many pixels
 constexpr double kHalfFrame = 8;            // ms
 constexpr int kHandRests = 150;             // ms
 constexpr double kTraceWithoutPeriod = 60;  // s
@@ -65,6 +56,7 @@ void Viewer::setStage(StagePtr stage) {
 
 void Viewer::startAnew(const std::optional<Camera>& camera) {
   m_isAnew = true;
+  dropQuestions();
   m_opening = camera;
   m_isCameraChosen = camera.has_value();
   m_view.traces.clear();
@@ -208,17 +200,17 @@ void Viewer::clearTraces() {
 // The pointer's way along the circle of the held point, as the picture shows it, is the angle; where the
 // circle is seen from its edge, a small part of its radius stands for it, so that the part does not spin
 // away.
-void Viewer::turn(const QPointF& step) {
-  const StageHandle& handle = m_stage->handles[m_held->instance];
+void Viewer::turn(Hit& held, const QPointF& step) {
+  const StageHandle& handle = m_stage->handles[held.instance];
   double strength = 0;
   for (const double gain : handle.gains) strength += gain * gain;
   if (strength == 0) return;
-  const auto displacement = [this] {
-    return m_seen.poses[m_held->instance] * m_stage->scene.instances[m_held->instance].pose.inverse();
+  const auto displacement = [this, &held] {
+    return m_seen.poses[held.instance] * m_stage->scene.instances[held.instance].pose.inverse();
   };
   const Pose before = displacement();
   const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
-  const Eigen::Vector3d along = axis.cross(m_held->point - origin);  // of the held point, a rad
+  const Eigen::Vector3d along = axis.cross(held.point - origin);  // of the held point, a rad
   const double pixels = 1 / m_view.camera.millimetresPerPixel(m_viewport);
   const Eigen::Vector2d seen =
       pixels * Eigen::Vector2d(along.dot(m_view.camera.right()), -along.dot(m_view.camera.up()));
@@ -236,7 +228,7 @@ void Viewer::turn(const QPointF& step) {
     if (!joint.empty()) return emit limitReached(QString::fromStdString(joint));
   }
   setTurnedByHand(std::move(turned));
-  m_held->point = displacement() * before.inverse() * m_held->point;
+  held.point = displacement() * before.inverse() * held.point;
 }
 
 void Viewer::setCamera(const Camera& camera) {
@@ -343,158 +335,6 @@ void Viewer::renewShowing() {
       m_showing[i] = Showing::ghost;
     }
   }
-}
-
-std::optional<Hit> Viewer::hitAt(const QPointF& place) const {
-  if (!m_pick || m_stage == nullptr) return std::nullopt;
-  return m_pick(frame(true), place.x() * m_pixelRatio, place.y() * m_pixelRatio);
-}
-
-bool Viewer::eventFilter(QObject* canvas, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-      event->setAccepted(mousePress(*static_cast<QMouseEvent*>(event)));
-      return true;
-    case QEvent::MouseMove:
-      event->setAccepted(mouseMove(*static_cast<QMouseEvent*>(event)));
-      return true;
-    case QEvent::MouseButtonRelease:
-      event->setAccepted(mouseRelease(*static_cast<QMouseEvent*>(event)));
-      return true;
-    case QEvent::Wheel:
-      event->setAccepted(wheel(*static_cast<QWheelEvent*>(event)));
-      return true;
-    case QEvent::NativeGesture:
-      return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
-    case QEvent::Leave:
-      leave();
-      return false;
-    default:
-      return QObject::eventFilter(canvas, event);
-  }
-}
-
-bool Viewer::mousePress(const QMouseEvent& event) {
-  if (m_gesture != Gesture::none) return true;
-  const bool shifted = event.modifiers().testFlag(Qt::ShiftModifier);
-  m_held.reset();
-  if (event.button() == Qt::LeftButton && event.modifiers().testFlag(Qt::ControlModifier))
-    m_held = hitAt(event.position());
-  const bool turns = m_held && m_held->instance < m_stage->handles.size() &&
-                     !m_stage->handles[m_held->instance].gains.empty();
-  if (turns) {
-    m_gesture = Gesture::turn;
-  } else if (event.button() == Qt::RightButton || (event.button() == Qt::LeftButton && shifted)) {
-    m_gesture = Gesture::pan;
-  } else if (event.button() == Qt::LeftButton || event.button() == Qt::MiddleButton) {
-    m_gesture = Gesture::orbit;
-  } else {
-    return false;
-  }
-  m_pressedAt = m_last = event.position();
-  m_dragged = false;
-  return true;
-}
-
-bool Viewer::mouseMove(const QMouseEvent& event) {
-  if (m_gesture == Gesture::none) {
-    const auto hit = hitAt(event.position());
-    hit ? m_selection->hover(hit->element) : m_selection->unhover();
-    return true;
-  }
-  if (!m_dragged) {
-    const QPointF away = event.position() - m_pressedAt;
-    if (away.manhattanLength() < QApplication::startDragDistance() / 2.0) return true;
-    m_dragged = true;
-  }
-  const QPointF step = event.position() - m_last;
-  m_last = event.position();
-  emit moving();
-  if (m_gesture == Gesture::turn) {
-    turn(step);
-    return true;
-  }
-  setCamera(m_gesture == Gesture::orbit
-                ? m_view.camera.orbited(step.x(), step.y())
-                : m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
-  return true;
-}
-
-bool Viewer::mouseRelease(const QMouseEvent& event) {
-  if (m_gesture == Gesture::none || event.buttons() != Qt::NoButton) return false;
-  m_gesture = Gesture::none;
-  if (!m_dragged && event.button() == Qt::RightButton)
-    emit menuWanted(hitAt(event.position()), event.position());
-  if (m_dragged || event.button() != Qt::LeftButton) return true;
-  const auto hit = hitAt(event.position());
-  if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    if (hit) m_selection->toggle(hit->element);
-  } else {
-    hit ? m_selection->select({hit->element}) : m_selection->clear();
-  }
-  return true;
-}
-
-void Viewer::zoomAt(const QPointF& place, double factor) {
-  const double x = place.x() * m_pixelRatio, y = place.y() * m_pixelRatio;
-  const auto hit = hitAt(place);
-  setCamera(m_view.camera.zoomed(factor, hit ? hit->point : m_view.camera.atTargetDepth(x, y, m_viewport)));
-}
-
-bool Viewer::wheel(const QWheelEvent& event) {
-  const bool isPad =
-      event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
-  if (isPad && !event.modifiers().testFlag(Qt::ControlModifier)) {
-    const QPointF step = event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 8 : event.pixelDelta();
-    emit moving();
-    setCamera(m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
-    return true;
-  }
-  const double notches = event.angleDelta().y() / 120.0;
-  if (notches == 0) return false;
-  emit moving();
-  zoomAt(event.position(),
-         std::clamp(std::pow(kZoomPerNotch, notches), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
-  return true;
-}
-
-bool Viewer::nativeGesture(const QNativeGestureEvent& event) {
-  if (event.gestureType() != Qt::ZoomNativeGesture) return false;
-  emit moving();
-  zoomAt(event.position(), std::clamp(1 + event.value(), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
-  return true;
-}
-
-bool Viewer::keyPress(const QKeyEvent& event) {
-  const QPointF middle(0.5 * m_viewport.width / m_pixelRatio, 0.5 * m_viewport.height / m_pixelRatio);
-  switch (event.key()) {
-    case Qt::Key_Left:
-      setCamera(m_view.camera.orbited(-kKeyPixels, 0));
-      return true;
-    case Qt::Key_Right:
-      setCamera(m_view.camera.orbited(kKeyPixels, 0));
-      return true;
-    case Qt::Key_Up:
-      setCamera(m_view.camera.orbited(0, -kKeyPixels));
-      return true;
-    case Qt::Key_Down:
-      setCamera(m_view.camera.orbited(0, kKeyPixels));
-      return true;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      zoomAt(middle, kZoomPerNotch);
-      return true;
-    case Qt::Key_Minus:
-      zoomAt(middle, 1 / kZoomPerNotch);
-      return true;
-    default:
-      return false;
-  }
-}
-
-void Viewer::leave() {
-  if (m_gesture == Gesture::none) m_selection->unhover();
 }
 
 }  // namespace geargraph::inline view3d

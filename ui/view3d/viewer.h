@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/presentation/painting/renderer.h"
@@ -35,8 +36,11 @@ class Viewer : public QObject {
   Q_OBJECT
 
  public:
-  /// What is under a place of the picture; the canvas knows.
-  using Pick = std::function<std::optional<Hit>(const Frame& frame, double x, double y)>;
+  using Answer = std::function<void(const std::optional<Hit>& hit)>;
+  enum class PickFor { hover, gesture };
+  /// Asks the canvas what is under a place of the picture. It answers at once or later, on the viewer's
+  /// thread and in the order of the questions; for hovering only the newest question has to be answered.
+  using Pick = std::function<void(const Frame& frame, double x, double y, PickFor use, Answer answer)>;
 
   explicit Viewer(Selection* selection, QObject* parent = nullptr);
 
@@ -82,7 +86,8 @@ class Viewer : public QObject {
   void fit();
 
   void setLook(const Look& look);
-  void setPick(Pick pick) { m_pick = std::move(pick); }
+  /// Open questions are dropped.
+  void setPick(Pick pick);
   /// The canvas' size in device pixels, and how many of them a logical pixel is.
   void setViewport(const Viewport& viewport, double pixelRatio);
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
@@ -112,7 +117,17 @@ class Viewer : public QObject {
   void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:
-  enum class Gesture { none, orbit, pan, turn };
+  /// grab: it is not known yet what Ctrl was pressed on.
+  enum class Gesture { none, orbit, pan, turn, grab };
+  /// What the pointer does before it is known what it has grabbed.
+  struct Grab {
+    std::vector<QPointF> steps;
+  };
+  /// Notches of a wheel until it is known what is under the pointer.
+  struct Zoom {
+    QPointF place;
+    double factor = 1;
+  };
 
   /// @return the event was one of the gestures
   bool mousePress(const QMouseEvent& event);
@@ -129,9 +144,14 @@ class Viewer : public QObject {
   [[nodiscard]] std::optional<std::size_t> instance(const std::optional<ElementId>& link) const;
   void renewTraces(const Stage& before);
   [[nodiscard]] TracedPath pathOf(const TracedPoint& point) const;
-  void turn(const QPointF& step);
+  void turn(Hit& held, const QPointF& step);
   void lightUpHovered();
-  [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
+  void ask(const QPointF& place, PickFor use, Answer answer);
+  void dropQuestions();
+  void hover(const QPointF& place);
+  void grab(const QPointF& place);
+  void drag(Gesture gesture, std::optional<Hit>& held, const QPointF& step);
+  void click(const std::optional<Hit>& hit, bool isAdded);
   void zoomAt(const QPointF& place, double factor);
 
   Selection* m_selection;
@@ -160,7 +180,11 @@ class Viewer : public QObject {
   QPointF m_last;
   bool m_dragged = false;
   std::optional<Hit> m_held;  ///< what Ctrl was pressed on, and where, in the world
-  double m_pictureCost = 0;   ///< ms
+  std::shared_ptr<Grab> m_grab;
+  std::shared_ptr<Zoom> m_zoom;
+  bool m_isPointedAt = false;  ///< the pointer is in the picture
+  int m_dropped = 0;           ///< how often all open questions were dropped
+  double m_pictureCost = 0;    ///< ms
   QTimer m_whenHandRests;
 };
 

@@ -59,13 +59,14 @@ void PictureThread::work(const std::stop_token& quit) {
     m_isPainting = false;
     if (!m_next && !m_mapDue) m_idle.notify_all();
     m_wake.wait(lock, quit, [this] { return hasWork(); });
-    std::optional<Question> question = std::exchange(m_question, std::nullopt);
-    if (question) {
+    if (quit.stop_requested()) return;
+    if (!m_questions.empty()) {
+      const PictureQuestion question = std::move(m_questions.front());
+      m_questions.pop_front();
       lock.unlock();
-      answer(*std::move(question));
+      answer(question);
       continue;
     }
-    if (quit.stop_requested()) return;
     std::optional<PictureOrder> due = std::exchange(m_mapDue, std::nullopt);
     m_isPainting = m_next || due;
     if (m_next) {
@@ -89,9 +90,9 @@ void PictureThread::deliver(PaintedPicture picture) {
   if (!m_quit.stop_requested()) m_deliver(std::move(picture));
 }
 
-void PictureThread::answer(Question question) {
+void PictureThread::answer(const PictureQuestion& question) {
   show(question.frame->stage());
-  question.answer.set_value(m_host->pick(question.frame->frame(), question.x, question.y));
+  question.answer(m_host->pick(question.frame->frame(), question.x, question.y));
 }
 
 void PictureThread::show(const StagePtr& stage) {
@@ -143,15 +144,14 @@ void PictureThread::rehearse(std::vector<PictureOrder> orders) {
   m_wake.notify_one();
 }
 
-std::optional<Hit> PictureThread::pick(const KeptFramePtr& frame, double x, double y) {
-  std::future<std::optional<Hit>> answer;
+void PictureThread::ask(PictureQuestion question) {
   {
     const std::lock_guard lock(m_mutex);
-    m_question.emplace(Question{frame, x, y, {}});
-    answer = m_question->answer.get_future();
+    const auto givesWay = [](const PictureQuestion& open) { return open.givesWay; };
+    if (question.givesWay) std::erase_if(m_questions, givesWay);
+    m_questions.push_back(std::move(question));
   }
   m_wake.notify_one();
-  return answer.get();
 }
 
 }  // namespace geargraph::inline stage

@@ -27,6 +27,17 @@ struct PictureOrder {
   bool mapMayFollow = false;
 };
 
+/// What is under a place of a picture?
+struct PictureQuestion {
+  KeptFramePtr frame;
+  double x = 0;  ///< as of Renderer::pick()
+  double y = 0;
+  /// Dropped when a newer one that gives way too is asked before its turn: of a hovering pointer only the
+  /// last place counts.
+  bool givesWay = false;
+  std::function<void(const std::optional<Hit>& hit)> answer;  ///< called on the painting thread
+};
+
 /// The picture of an order. An empty image where the driver had no room.
 struct PaintedPicture {
   PictureOrder order;
@@ -64,25 +75,21 @@ class PictureThread {
   void rehearse(std::vector<PictureOrder> orders);
   /// Returns when all that was ordered has been delivered.
   void finish();
-  /// Renderer::pick(), before any picture that has not been begun. Waits for the answer.
-  [[nodiscard]] std::optional<Hit> pick(const KeptFramePtr& frame, double x, double y);
+  /// Answered in the order of the questions, and before any picture that has not been begun. Questions that
+  /// are open when the thread ends are not answered.
+  void ask(PictureQuestion question);
 
  private:
-  struct Question {
-    KeptFramePtr frame;
-    double x = 0;
-    double y = 0;
-    std::promise<std::optional<Hit>> answer;
-  };
-
   explicit PictureThread(Deliver deliver) : m_deliver(std::move(deliver)) {}
   void run(const std::stop_token& quit, std::promise<Diagnostics> started);
   void work(const std::stop_token& quit);
   void deliver(PaintedPicture picture);
   [[nodiscard]] PaintedPicture paint(PictureOrder order);
   [[nodiscard]] PaintedPicture mapOf(PictureOrder order);
-  void answer(Question question);
-  [[nodiscard]] bool hasWork() const { return m_next || m_question || m_mapDue || !m_rehearsals.empty(); }
+  void answer(const PictureQuestion& question);
+  [[nodiscard]] bool hasWork() const {
+    return m_next || !m_questions.empty() || m_mapDue || !m_rehearsals.empty();
+  }
   void show(const StagePtr& stage);
 
   Deliver m_deliver;
@@ -96,12 +103,12 @@ class PictureThread {
   std::mutex m_mutex;
   std::condition_variable_any m_wake;
   std::condition_variable m_idle;
-  std::optional<PictureOrder> m_next;     ///< guarded by m_mutex
-  std::optional<Question> m_question;     ///< guarded by m_mutex
-  std::optional<PictureOrder> m_mapDue;   ///< whose map has still to follow; guarded by m_mutex
-  std::deque<PictureOrder> m_rehearsals;  ///< guarded by m_mutex
-  bool m_isPainting = false;              ///< guarded by m_mutex
-  std::jthread m_thread;                  ///< last: it is stopped before what it uses goes
+  std::optional<PictureOrder> m_next;       ///< guarded by m_mutex
+  std::deque<PictureQuestion> m_questions;  ///< guarded by m_mutex
+  std::optional<PictureOrder> m_mapDue;     ///< whose map has still to follow; guarded by m_mutex
+  std::deque<PictureOrder> m_rehearsals;    ///< guarded by m_mutex
+  bool m_isPainting = false;                ///< guarded by m_mutex
+  std::jthread m_thread;                    ///< last: it is stopped before what it uses goes
 };
 
 }  // namespace geargraph::inline stage

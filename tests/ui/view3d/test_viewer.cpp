@@ -1,11 +1,53 @@
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 #include <cmath>
 
 #include "tests/ui/view3d/toy_stage.h"
 #include "ui/view3d/viewer.h"
 
 namespace geargraph {
+namespace {
+
+/// A viewer whose canvas answers when the test lets it.
+struct LateCanvas {
+  Selection selection;
+  Viewer viewer{&selection};
+  std::vector<Viewer::Answer> open;
+
+  LateCanvas() {
+    viewer.setViewport({640, 420}, 1);
+    viewer.setStage(test::toyStage());
+    viewer.setPick([this](const Frame&, double, double, Viewer::PickFor, Viewer::Answer answer) {
+      open.push_back(std::move(answer));
+    });
+  }
+  /// Answers the oldest question with this part's link.
+  void answer(const std::optional<std::size_t>& part) {
+    const Viewer::Answer oldest = std::move(open.front());
+    open.erase(open.begin());
+    if (!part) return oldest(std::nullopt);
+    const Instance& instance = viewer.stage()->scene.instances[*part];
+    oldest(Hit{*part, instance.element, instance.pose.translation() + Eigen::Vector3d(15, 0, 4)});
+  }
+  void mouse(QEvent::Type type, const QPointF& at, Qt::MouseButton button = Qt::NoButton,
+             Qt::KeyboardModifiers keys = {}) {
+    const bool isUp = type == QEvent::MouseButtonRelease;
+    QMouseEvent event(type, at, at, button, isUp ? Qt::NoButton : button, keys);
+    viewer.eventFilter(nullptr, &event);
+  }
+  void click(const QPointF& at, Qt::MouseButton button = Qt::LeftButton) {
+    mouse(QEvent::MouseButtonPress, at, button);
+    mouse(QEvent::MouseButtonRelease, at, button);
+  }
+  void wheel(const QPointF& at) {
+    QWheelEvent event(at, at, {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    viewer.eventFilter(nullptr, &event);
+  }
+};
+
+}  // namespace
 
 class ViewerTest : public QObject {
   Q_OBJECT
@@ -128,6 +170,97 @@ class ViewerTest : public QObject {
     viewer.startAnew(own);
     viewer.setStage(test::toyStage());
     QVERIFY(viewer.camera() == own && viewer.isCameraChosen());
+  }
+
+  void aClickSelectsWhatWasUnderItHoweverLateTheAnswer() {
+    LateCanvas canvas;
+    canvas.click({100, 100});
+    canvas.mouse(QEvent::MouseMove, {300, 200});
+    QVERIFY(canvas.selection.selected().empty());
+    canvas.answer(2);
+    QCOMPARE(canvas.selection.selected(), std::set<ElementId>{LinkId("3")});
+    canvas.answer(0);
+    QVERIFY(canvas.selection.isHovered(LinkId("1")));
+    QCOMPARE(canvas.selection.selected(), std::set<ElementId>{LinkId("3")});
+    QSignalSpy menus(&canvas.viewer, &Viewer::menuWanted);
+    canvas.click({50, 60}, Qt::RightButton);
+    QVERIFY(menus.empty());
+    canvas.answer(1);
+    QCOMPARE(menus.size(), qsizetype{1});
+    QCOMPARE(menus[0][1].toPointF(), QPointF(50, 60));
+  }
+
+  void nothingLightsUpForAPointerThatHasLeft() {
+    LateCanvas canvas;
+    canvas.mouse(QEvent::MouseMove, {300, 200});
+    QEvent leave(QEvent::Leave);
+    canvas.viewer.eventFilter(nullptr, &leave);
+    canvas.answer(0);
+    QVERIFY(canvas.selection.hovered().empty());
+  }
+
+  void aPartTurnsByWhatTheHandDidBeforeItWasKnown() {
+    std::vector<double> turned;
+    for (const int known : {0, 2, 4}) {  // steps of the drag before the answer
+      LateCanvas canvas;
+      const Camera before = canvas.viewer.camera();
+      canvas.mouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::ControlModifier);
+      for (int step = 0; step < 4; ++step) {
+        if (step == known) canvas.answer(0);
+        canvas.mouse(QEvent::MouseMove, {100, 110.0 + 10 * step}, Qt::LeftButton, Qt::ControlModifier);
+      }
+      canvas.mouse(QEvent::MouseButtonRelease, {100, 140}, Qt::LeftButton, Qt::ControlModifier);
+      if (known == 4) {
+        canvas.click({5, 5});  // another gesture begins
+        canvas.answer(0);
+      }
+      QVERIFY(canvas.viewer.camera() == before);
+      QCOMPARE(canvas.viewer.turnedByHand().size(), std::size_t{1});
+      turned.push_back(canvas.viewer.turnedByHand().front());
+    }
+    QVERIFY(turned[0] != 0);
+    QCOMPARE(turned[1], turned[0]);
+    QCOMPARE(turned[2], turned[0]);
+  }
+
+  void theNotchesOfAWheelAreOneQuestion() {
+    LateCanvas canvas;
+    const double before = canvas.viewer.camera().distance();
+    for (int notch = 0; notch < 3; ++notch) canvas.wheel({320, 210});
+    QCOMPARE(canvas.open.size(), std::size_t{1});
+    canvas.answer(std::nullopt);
+    const double factor = before / canvas.viewer.camera().distance();
+    QVERIFY2(std::abs(factor - std::pow(1.15, 3)) < 1e-9, qPrintable(QString::number(factor)));
+    canvas.wheel({320, 210});
+    QCOMPARE(canvas.open.size(), std::size_t{1});
+  }
+
+  void answersAboutAStageThatHasGoneFindTheLinkOrNothing() {
+    LateCanvas canvas;
+    canvas.click({100, 100});
+    canvas.click({200, 100});
+    const StagePtr before = canvas.viewer.stage();
+    auto fewer = std::make_shared<Stage>(*before);
+    fewer->scene.instances[0].element = LinkId("9");
+    canvas.viewer.setStage(fewer);
+    const std::vector<Viewer::Answer> open = std::exchange(canvas.open, {});
+    open[0](Hit{2, LinkId("3"), {0, 0, 30}});
+    QCOMPARE(canvas.selection.selected(), std::set<ElementId>{LinkId("3")});
+    open[1](Hit{0, LinkId("1"), {0, -22, 0}});
+    QVERIFY(canvas.selection.selected().empty());
+
+    canvas.selection.select({LinkId("2")});
+    canvas.click({100, 100});
+    canvas.wheel({320, 210});
+    canvas.mouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::ControlModifier);
+    canvas.viewer.startAnew(std::nullopt);
+    const Camera anew = canvas.viewer.camera();
+    while (!canvas.open.empty()) canvas.answer(2);
+    QCOMPARE(canvas.selection.selected(), std::set<ElementId>{LinkId("2")});
+    QVERIFY(canvas.viewer.camera() == anew);
+    canvas.mouse(QEvent::MouseMove, {150, 100}, Qt::LeftButton, Qt::ControlModifier);  // hovers
+    canvas.wheel({320, 210});
+    QCOMPARE(canvas.open.size(), std::size_t{2});
   }
 
   void dearPicturesWaitUntilTheHandRests() {

@@ -1,4 +1,5 @@
 #include <QTest>
+#include <future>
 #include <mutex>
 
 #include "core/presentation/stage/picture_thread.h"
@@ -32,6 +33,13 @@ struct Studio {
                const std::lock_guard lock(mutex);
                pictures.push_back(std::move(picture));
              })).value();
+  }
+
+  /// The answer to a question, awaited.
+  [[nodiscard]] std::optional<Hit> pick(const KeptFramePtr& frame, double x, double y) {
+    std::promise<std::optional<Hit>> answer;
+    thread->ask({frame, x, y, false, [&](const std::optional<Hit>& hit) { answer.set_value(hit); }});
+    return answer.get_future().get();
   }
 };
 
@@ -121,7 +129,7 @@ class TestPictureThread : public QObject {
     studio.thread->rehearse({{other, 0.1, {}}, {other, 0.5, Viewport{4, 4}}, {other, 1, {}, true}});
     studio.thread->finish();
     const ScreenPoint onBox = frame->frame().camera.project({0, 0, 30}, kSize);
-    for (int i = 0; i < 6; ++i) QVERIFY(studio.thread->pick(frame, onBox.x, onBox.y));
+    for (int i = 0; i < 6; ++i) QVERIFY(studio.pick(frame, onBox.x, onBox.y));
     studio.thread->order({frame, 1, {}});
     studio.thread->finish();
     QCOMPARE(studio.pictures.size(), std::size_t{2});
@@ -149,11 +157,35 @@ class TestPictureThread : public QObject {
     Studio studio;
     for (int i = 0; i < 20; ++i) {
       studio.thread->order({frame, 1, {}});
-      const auto hit = studio.thread->pick(frame, onBox.x, onBox.y);
+      const auto hit = studio.pick(frame, onBox.x, onBox.y);
       QVERIFY(hit.has_value());
       QCOMPARE(hit->instance, std::size_t{2});
-      QVERIFY(!studio.thread->pick(frame, 1, 50));
+      QVERIFY(!studio.pick(frame, 1, 50));
     }
+  }
+
+  /// The painting thread is kept in an answer meanwhile, so that the others wait for their turn.
+  void ofQuestionsThatGiveWayTheNewestIsAnsweredAndOfTheOthersAll() {
+    const KeptFramePtr frame = toyAt(test::toyStage(), 0);
+    Studio studio;
+    std::promise<void> begun, goOn;
+    std::vector<int> answered;
+    studio.thread->ask({frame, 1, 1, true, [&](const auto&) {
+                          begun.set_value();
+                          goOn.get_future().wait();
+                        }});
+    begun.get_future().wait();
+    const auto ask = [&](int number, bool givesWay) {
+      studio.thread->ask({frame, 1, 1, givesWay, [&, number](const auto&) { answered.push_back(number); }});
+    };
+    ask(1, true);
+    ask(2, false);
+    ask(3, true);
+    ask(4, false);
+    ask(5, true);
+    goOn.set_value();
+    static_cast<void>(studio.pick(frame, 1, 1));
+    QCOMPARE(answered, (std::vector<int>{2, 4, 5}));
   }
 
   void itGoesInTheMidstOfItsWork() {

@@ -1,0 +1,239 @@
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/view3d/viewer.h"
+
+namespace geargraph::inline view3d {
+namespace {
+
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kMostZoomPerEvent = 4;
+constexpr double kKeyPixels = 32;  // an arrow key turns as far as a drag by as many pixels
+
+}  // namespace
+
+// A stage may change before the answer is there: what is left of the part is another instance.
+void Viewer::ask(const QPointF& place, PickFor use, Answer answer) {
+  if (!m_pick || m_stage == nullptr) return answer(std::nullopt);
+  m_pick(frame(true), place.x() * m_pixelRatio, place.y() * m_pixelRatio, use,
+         [this, stage = m_stage, dropped = m_dropped, answer = std::move(answer)](std::optional<Hit> hit) {
+           if (dropped != m_dropped) return;
+           if (hit && stage != m_stage) {
+             const auto now = instance(hit->element);
+             now ? static_cast<void>(hit->instance = *now) : hit.reset();
+           }
+           answer(hit);
+         });
+}
+
+void Viewer::dropQuestions() {
+  ++m_dropped;
+  m_zoom.reset();
+  m_grab.reset();
+  if (m_gesture == Gesture::grab) m_gesture = Gesture::none;
+}
+
+void Viewer::setPick(Pick pick) {
+  dropQuestions();
+  m_pick = std::move(pick);
+}
+
+void Viewer::hover(const QPointF& place) {
+  m_isPointedAt = true;
+  ask(place, PickFor::hover, [this](const std::optional<Hit>& hit) {
+    if (!m_isPointedAt) return;
+    hit ? m_selection->hover(hit->element) : m_selection->unhover();
+  });
+}
+
+// What the pointer has done before the answer is there is made up for then, even if the button is up again.
+void Viewer::grab(const QPointF& place) {
+  m_gesture = Gesture::grab;
+  m_grab = std::make_shared<Grab>();
+  ask(place, PickFor::gesture, [this, grab = m_grab](const std::optional<Hit>& hit) {
+    std::optional<Hit> held = hit;
+    const bool turns =
+        held && held->instance < m_stage->handles.size() && !m_stage->handles[held->instance].gains.empty();
+    const Gesture gesture = turns ? Gesture::turn : Gesture::orbit;
+    for (const QPointF& step : grab->steps) drag(gesture, held, step);
+    if (m_grab != grab) return;
+    m_grab.reset();
+    m_gesture = gesture;
+    m_held = std::move(held);
+  });
+}
+
+void Viewer::drag(Gesture gesture, std::optional<Hit>& held, const QPointF& step) {
+  emit moving();
+  if (gesture == Gesture::turn) return turn(*held, step);
+  setCamera(gesture == Gesture::orbit
+                ? m_view.camera.orbited(step.x(), step.y())
+                : m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
+}
+
+bool Viewer::eventFilter(QObject* canvas, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      event->setAccepted(mousePress(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::MouseMove:
+      event->setAccepted(mouseMove(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::MouseButtonRelease:
+      event->setAccepted(mouseRelease(*static_cast<QMouseEvent*>(event)));
+      return true;
+    case QEvent::Wheel:
+      event->setAccepted(wheel(*static_cast<QWheelEvent*>(event)));
+      return true;
+    case QEvent::NativeGesture:
+      return nativeGesture(*static_cast<QNativeGestureEvent*>(event));
+    case QEvent::Leave:
+      leave();
+      return false;
+    default:
+      return QObject::eventFilter(canvas, event);
+  }
+}
+
+bool Viewer::mousePress(const QMouseEvent& event) {
+  if (m_gesture != Gesture::none) return true;
+  const bool isLeft = event.button() == Qt::LeftButton;
+  m_held.reset();
+  m_pressedAt = m_last = event.position();
+  m_dragged = false;
+  if (isLeft && event.modifiers().testFlag(Qt::ControlModifier)) {
+    grab(event.position());
+  } else if (event.button() == Qt::RightButton || (isLeft && event.modifiers().testFlag(Qt::ShiftModifier))) {
+    m_gesture = Gesture::pan;
+  } else if (isLeft || event.button() == Qt::MiddleButton) {
+    m_gesture = Gesture::orbit;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Viewer::mouseMove(const QMouseEvent& event) {
+  if (m_gesture == Gesture::none) {
+    hover(event.position());
+    return true;
+  }
+  if (!m_dragged) {
+    const QPointF away = event.position() - m_pressedAt;
+    if (away.manhattanLength() < QApplication::startDragDistance() / 2.0) return true;
+    m_dragged = true;
+  }
+  const QPointF step = event.position() - m_last;
+  m_last = event.position();
+  if (m_gesture == Gesture::grab) {
+    m_grab->steps.push_back(step);
+  } else {
+    drag(m_gesture, m_held, step);
+  }
+  return true;
+}
+
+bool Viewer::mouseRelease(const QMouseEvent& event) {
+  if (m_gesture == Gesture::none || event.buttons() != Qt::NoButton) return false;
+  m_gesture = Gesture::none;
+  m_grab.reset();
+  if (m_dragged) return true;
+  const QPointF place = event.position();
+  if (event.button() == Qt::RightButton) {
+    ask(place, PickFor::gesture,
+        [this, place](const std::optional<Hit>& hit) { emit menuWanted(hit, place); });
+  } else if (event.button() == Qt::LeftButton) {
+    const bool isAdded = event.modifiers().testFlag(Qt::ControlModifier);
+    ask(place, PickFor::gesture, [this, isAdded](const std::optional<Hit>& hit) { click(hit, isAdded); });
+  }
+  return true;
+}
+
+void Viewer::click(const std::optional<Hit>& hit, bool isAdded) {
+  if (isAdded) {
+    if (hit) m_selection->toggle(hit->element);
+  } else {
+    hit ? m_selection->select({hit->element}) : m_selection->clear();
+  }
+}
+
+// One question for all notches that follow each other before its answer is there.
+void Viewer::zoomAt(const QPointF& place, double factor) {
+  if (m_zoom != nullptr && m_zoom->place == place) {
+    m_zoom->factor *= factor;
+    return;
+  }
+  m_zoom = std::make_shared<Zoom>(Zoom{place, factor});
+  ask(place, PickFor::gesture, [this, zoom = m_zoom](const std::optional<Hit>& hit) {
+    if (m_zoom == zoom) m_zoom.reset();
+    const QPointF at = zoom->place * m_pixelRatio;
+    setCamera(m_view.camera.zoomed(
+        zoom->factor, hit ? hit->point : m_view.camera.atTargetDepth(at.x(), at.y(), m_viewport)));
+  });
+}
+
+bool Viewer::wheel(const QWheelEvent& event) {
+  const bool isPad =
+      event.device() != nullptr && event.device()->type() == QInputDevice::DeviceType::TouchPad;
+  if (isPad && !event.modifiers().testFlag(Qt::ControlModifier)) {
+    const QPointF step = event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 8 : event.pixelDelta();
+    emit moving();
+    setCamera(m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
+    return true;
+  }
+  const double notches = event.angleDelta().y() / 120.0;
+  if (notches == 0) return false;
+  emit moving();
+  zoomAt(event.position(),
+         std::clamp(std::pow(kZoomPerNotch, notches), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
+  return true;
+}
+
+bool Viewer::nativeGesture(const QNativeGestureEvent& event) {
+  if (event.gestureType() != Qt::ZoomNativeGesture) return false;
+  emit moving();
+  zoomAt(event.position(), std::clamp(1 + event.value(), 1 / kMostZoomPerEvent, kMostZoomPerEvent));
+  return true;
+}
+
+bool Viewer::keyPress(const QKeyEvent& event) {
+  const QPointF middle(0.5 * m_viewport.width / m_pixelRatio, 0.5 * m_viewport.height / m_pixelRatio);
+  switch (event.key()) {
+    case Qt::Key_Left:
+      setCamera(m_view.camera.orbited(-kKeyPixels, 0));
+      return true;
+    case Qt::Key_Right:
+      setCamera(m_view.camera.orbited(kKeyPixels, 0));
+      return true;
+    case Qt::Key_Up:
+      setCamera(m_view.camera.orbited(0, -kKeyPixels));
+      return true;
+    case Qt::Key_Down:
+      setCamera(m_view.camera.orbited(0, kKeyPixels));
+      return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      zoomAt(middle, kZoomPerNotch);
+      return true;
+    case Qt::Key_Minus:
+      zoomAt(middle, 1 / kZoomPerNotch);
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Viewer::leave() {
+  m_isPointedAt = false;
+  if (m_gesture == Gesture::none) m_selection->unhover();
+}
+
+}  // namespace geargraph::inline view3d
