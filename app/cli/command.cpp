@@ -10,7 +10,8 @@
 namespace geargraph::cli {
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates, &kExport, &kPose};
+  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates,
+                                           &kStatics, &kExport,   &kPose};
   return kCommands;
 }
 

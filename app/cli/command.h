@@ -29,6 +29,7 @@ extern const Command kAnalyze;
 extern const Command kValidate;
 extern const Command kInputs;
 extern const Command kStates;
+extern const Command kStatics;
 extern const Command kExport;
 extern const Command kPose;
 

@@ -1,0 +1,162 @@
+// `statics FILE ...`: torques, forces, powers and efficiency, for people or as JSON.
+
+#include <unistd.h>
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/input_options.h"
+#include "app/cli/load.h"
+#include "app/cli/statics_json.h"
+#include "app/cli/statics_options.h"
+#include "app/cli/statics_text.h"
+#include "app/cli/time_limit.h"
+
+namespace geargraph::cli {
+namespace {
+
+/// What one call solves: a document, and one report a state.
+struct Solved {
+  SnapshotPtr snapshot;
+  StaticsOptions options;
+  std::vector<int> states;                            ///< positions; -1: none
+  std::vector<std::optional<StaticsReport>> reports;  ///< none where the mechanism has errors
+};
+
+/// The findings of the document that concern a state: its inputs do not.
+Diagnostics findingsOf(const AnalysisSnapshot& snapshot, int state) {
+  Diagnostics all;
+  for (const Diagnostic& diagnostic : snapshot.diagnostics) {
+    const bool isIdle = state >= 0 && diagnostic.code == Code::invalidInputs;
+    if (!isIdle) all.push_back(diagnostic);
+  }
+  return all;
+}
+
+/// These, and those of its statics.
+Diagnostics allFindings(const Solved& solved, std::size_t place) {
+  Diagnostics all = findingsOf(*solved.snapshot, solved.states[place]);
+  if (const auto& report = solved.reports[place])
+    all.insert(all.end(), report->diagnostics.begin(), report->diagnostics.end());
+  return all;
+}
+
+std::string asJson(const Solved& solved, bool asList) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    if (asList) {
+      json.beginObject();
+      json.member("format", "geargraph-statics");
+      json.member("version", 1);
+      json.key("states");
+      json.beginArray();
+    }
+    for (std::size_t i = 0; i < solved.states.size(); ++i) {
+      const StaticsReport* const report = solved.reports[i] ? &*solved.reports[i] : nullptr;
+      writeStaticsJson(json, solved.snapshot.get(), report, solved.states[i], solved.options,
+                       allFindings(solved, i));
+    }
+    if (asList) {
+      json.endArray();
+      json.endObject();
+    }
+  }
+  return sink.take();
+}
+
+/// Of a file that is no document.
+std::string asJson(const Diagnostics& diagnostics) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    writeStaticsJson(json, nullptr, nullptr, -1, {}, diagnostics);
+  }
+  return sink.take();
+}
+
+int solveAll(Solved& solved, const Arguments& arguments) {
+  const AnalysisSnapshot& snapshot = *solved.snapshot;
+  for (const int state : solved.states) {
+    if (snapshot.matroid() == nullptr || hasErrors(findingsOf(snapshot, state))) {
+      solved.reports.emplace_back();
+      continue;
+    }
+    StaticsOptions options = solved.options;
+    options.state = state;
+    auto report =
+        analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement,
+                       *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, arguments.stop);
+    if (!report) return outOfTime(arguments, "the torques");
+    solved.reports.push_back(std::move(*report));
+  }
+  return kFine;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kStatics, "One file is needed.");
+  const std::string& file = arguments.files.front();
+  const auto loaded = load(file);
+  if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
+  const auto& document = std::get<Expected<Mechanism>>(loaded);
+  if (!document) {
+    std::cerr << diagnosticLines(file, document.error());
+    return arguments.has("--json") ? print(asJson(document.error()), kMechanismErrors) : kMechanismErrors;
+  }
+  auto mechanism = withInputOptions(*document, arguments);
+  if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kStatics, error->message);
+  Solved solved;
+  auto options = staticsOptions(std::get<Mechanism>(mechanism), arguments);
+  if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kStatics, error->message);
+  solved.options = std::get<StaticsOptions>(std::move(options));
+  auto states = statesAsked(std::get<Mechanism>(mechanism), arguments);
+  if (const auto* error = std::get_if<UsageError>(&states)) return wrongUsage(kStatics, error->message);
+  solved.states = std::get<std::vector<int>>(std::move(states));
+  solved.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))),
+                                0, arguments.stop);
+  if (!solved.snapshot) return outOfTime(arguments, "the analysis");
+  if (const int status = solveAll(solved, arguments); status != kFine) return status;
+  bool isWrong = false;
+  for (std::size_t i = 0; i < solved.states.size(); ++i) {
+    const Diagnostics findings = allFindings(solved, i);
+    isWrong = isWrong || hasErrors(findings);
+    std::cerr << diagnosticLines(file, findings);
+  }
+  const int status = isWrong ? kMechanismErrors : kFine;
+  if (arguments.has("--json")) return print(asJson(solved, arguments.has("--all-states")), status);
+  std::string text;
+  for (std::size_t i = 0; i < solved.reports.size(); ++i) {
+    if (!solved.reports[i]) continue;
+    text += (text.empty() ? "" : "\n") + staticsText(*solved.snapshot, *solved.reports[i], solved.states[i]);
+  }
+  return print(text, status);
+}
+
+constexpr std::array kOptions = {
+    Option{"--state", "NAME", "with the couplings of this state engaged"},
+    Option{"--all-states", "", "of every state"},
+    Option{"--load", "PLACE=SIZE", "joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added"},
+    Option{"--no-loads", "", "without the loads of the document"},
+    Option{"--balance", "PLACE", "joint:8 or link:7@a: find the torque there; may be given again"},
+    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be given again"},
+    Option{"--efficiency", "", "with the losses of the meshes"},
+    Option{"--eta", "0.98", "efficiency of meshes that state none; implies --efficiency"},
+    Option{"--share", "none|stiffness", "loads that several meshes share: left open, or by equal stiffness"},
+    Option{"--no-symbolic", "", "without the solution in gear ratios"},
+    Option{"--json", "", "as JSON"},
+};
+
+}  // namespace
+
+const Command kStatics = {
+    "statics",
+    "FILE [--state NAME | --all-states] [--load joint:14=10Nm ...] [--balance joint:8 ...] [--efficiency] "
+    "[--eta 0.98] [--json]",
+    "Torques, tooth forces, bearing reactions and efficiency under loads.", kOptions, run};
+
+}  // namespace geargraph::cli

@@ -1,0 +1,462 @@
+#include "app/cli/statics_json.h"
+
+#include <string>
+
+#include "app/cli/diagnostics_output.h"
+#include "core/foundations/base/position_index.h"
+#include "core/mechanism/model/load_edits.h"
+
+namespace geargraph::cli {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+/// Writes the parts of one report, a function a part.
+class StaticsJson {
+ public:
+  StaticsJson(JsonWriter& json, const AnalysisSnapshot& snapshot, const StaticsReport& report,
+              const StaticsOptions& options)
+      : m_json(json),
+        m_mechanism(*snapshot.mechanism),
+        m_model(*snapshot.kinematics->model),
+        m_placement(snapshot.kinematics->placement),
+        m_report(report),
+        m_solution(report.solution()),
+        m_options(options),
+        m_isBalanced(report.isSolved && report.lossless.isBalanced()) {}
+
+  void write() {
+    engaged();
+    m_json.member("share", m_options.stiffness ? "stiffness" : "none");
+    part("speeds", m_report.motion.has_value(), &StaticsJson::speeds);
+    part("counts", m_report.isSolved, &StaticsJson::counts);
+    part("loads", true, &StaticsJson::loads);
+    part("balances", m_isBalanced, &StaticsJson::balances);
+    part("jointTorques", m_isBalanced, &StaticsJson::jointTorques);
+    part("couplings", m_isBalanced, &StaticsJson::couplings);
+    part("meshes", m_isBalanced, &StaticsJson::meshes);
+    part("bearings", m_isBalanced && !m_report.forces.bearings.empty(), &StaticsJson::bearings);
+    part("selfStresses", m_report.isSolved, &StaticsJson::selfStresses);
+    part("power", m_report.sums.has_value(), &StaticsJson::power);
+    part("efficiency", m_report.lossy && m_report.lossy->outcome != LossySolution::Outcome::undecided,
+         &StaticsJson::efficiency);
+    part("solution", m_report.matrix.has_value(), &StaticsJson::matrix);
+    part("agreement", m_report.agreement.has_value(), &StaticsJson::agreement);
+  }
+
+ private:
+  void part(std::string_view name, bool isDefined, void (StaticsJson::*writePart)()) {
+    m_json.key(name);
+    isDefined ? (this->*writePart)() : m_json.null();
+  }
+
+  /// A fraction as a text, what is not exact as a number.
+  void real(const Real& value) {
+    value.isExact() ? m_json.string(value.fraction()->toString()) : m_json.numberOrNull(value.number());
+  }
+  void member(std::string_view name, const Real& value) {
+    m_json.key(name);
+    real(value);
+  }
+  void member(std::string_view name, const std::optional<Real>& value) {
+    m_json.key(name);
+    value ? real(*value) : m_json.null();
+  }
+  void vector(std::string_view name, const Vector3& value) {
+    m_json.key(name);
+    m_json.beginArray(Layout::row);
+    for (const double component : value) m_json.numberOrNull(component);
+    m_json.endArray();
+  }
+  void numbers(std::string_view name, std::span<const int> joints) {
+    m_json.key(name);
+    m_json.beginArray(Layout::row);
+    for (const int joint : joints) m_json.number(static_cast<std::int64_t>(m_mechanism.jointLabel(joint)));
+    m_json.endArray();
+  }
+  [[nodiscard]] const Real& value(int unknown) const {
+    return m_solution.values[static_cast<std::size_t>(unknown)];
+  }
+  [[nodiscard]] int unknownOf(std::size_t part) const { return m_model.c() + static_cast<int>(part); }
+  /// null where it is not determined.
+  [[nodiscard]] std::optional<Real> determined(int unknown, const Real& number) const {
+    return m_solution.isDetermined(unknown) ? std::optional(number) : std::nullopt;
+  }
+  [[nodiscard]] std::string axisId(int axis) const {
+    return m_mechanism.axes[static_cast<std::size_t>(axis)].id.text();
+  }
+
+  void engaged() {
+    m_json.key("engaged");
+    m_json.beginArray(Layout::row);
+    for (const int coupling : m_report.problem.engaged)
+      m_json.string(m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text());
+    m_json.endArray();
+  }
+
+  void speeds() {
+    m_json.beginObject(Layout::row);
+    for (int joint = 0; joint < m_model.t(); ++joint)
+      m_json.member(std::to_string(m_mechanism.jointLabel(joint)),
+                    (*m_report.motion)[static_cast<std::size_t>(joint)].toString());
+    m_json.endObject();
+  }
+
+  void counts() {
+    m_json.beginObject(Layout::row);
+    m_json.member("unknowns", m_report.lossless.unknowns);
+    m_json.member("equations", m_report.lossless.equations);
+    m_json.member("rank", m_report.lossless.rank);
+    m_json.member("indeterminate", m_report.lossless.indeterminate());
+    m_json.endObject();
+  }
+
+  void loads() {
+    m_json.beginArray();
+    for (const LoadReport& report : m_report.loads) {
+      m_json.beginObject(Layout::row);
+      if (!report.load.id.empty()) m_json.member("id", report.load.id.text());
+      const auto triple = [&](std::string_view name, const NumberTriple& numbers) {
+        m_json.key(name);
+        m_json.beginArray(Layout::row);
+        for (const Number& number : numbers) m_json.string(number.exact().toString());
+        m_json.endArray();
+      };
+      if (const auto* inJoint = std::get_if<JointTorque>(&report.load.action)) {
+        m_json.member("joint", m_mechanism.jointLabel(m_joints.at(inJoint->joint)));
+        m_json.member("torque", inJoint->torque.exact().toString());
+      } else if (const auto* torque = std::get_if<LinkTorque>(&report.load.action)) {
+        const int link = m_links.at(torque->link);
+        m_json.member("link", m_mechanism.linkLabel(link));
+        m_json.member("axis", axisId(onLink(m_mechanism, m_placement, link, torque->axis).axis));
+        m_json.member("torque", torque->torque.exact().toString());
+      } else {
+        const auto& force = std::get<LinkForce>(report.load.action);
+        m_json.member("link", m_mechanism.linkLabel(m_links.at(force.link)));
+        triple("force", force.force);
+        triple("point", force.point);
+      }
+      if (report.watts) member("power", *report.watts);
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  void balances() {
+    m_json.beginArray();
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      if (held.balance < 0) continue;
+      const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(held.balance)];
+      m_json.beginObject(Layout::row);
+      if (place.inJoint()) {
+        m_json.member("joint", m_mechanism.jointLabel(place.joint));
+      } else {
+        m_json.member("link", m_mechanism.linkLabel(place.link));
+        m_json.member("axis", axisId(place.axis));
+      }
+      const int unknown = unknownOf(part);
+      member("torque", determined(unknown, value(unknown)));
+      if (m_report.motion) member("power", determined(unknown, m_report.powers.held[part]));
+      m_json.member("determinate", m_solution.isDetermined(unknown));
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  /// Loads and balances in each joint; joints without any are left out.
+  void jointTorques() {
+    std::vector<std::optional<Real>> torques(static_cast<std::size_t>(m_model.t()), Real());
+    std::vector<char> bears(torques.size(), 0);
+    for (const AppliedTorque& load : m_report.problem.torques) {
+      if (!load.place.inJoint()) continue;
+      const auto at = static_cast<std::size_t>(load.place.joint);
+      bears[at] = 1;
+      *torques[at] += Real(load.torque);
+    }
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int balance = m_report.held[part].balance;
+      if (balance < 0) continue;
+      const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(balance)];
+      if (!place.inJoint()) continue;
+      const auto at = static_cast<std::size_t>(place.joint);
+      bears[at] = 1;
+      if (!m_solution.isDetermined(unknownOf(part))) torques[at].reset();
+      if (torques[at]) *torques[at] += value(unknownOf(part));
+    }
+    m_json.beginObject(Layout::row);
+    for (std::size_t joint = 0; joint < torques.size(); ++joint)
+      if (bears[joint] != 0)
+        member(std::to_string(m_mechanism.jointLabel(static_cast<int>(joint))), torques[joint]);
+    m_json.endObject();
+  }
+
+  void couplings() {
+    m_json.beginObject();
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      if (held.coupling < 0 || !held.isMain) continue;
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(held.coupling)];
+      m_json.key(coupling.id.text());
+      m_json.beginObject(Layout::row);
+      m_json.member("kind", std::string_view(coupling.kind == CouplingKind::brake ? "brake" : "clutch"));
+      m_json.member("axis", axisId(held.axis));
+      const int unknown = unknownOf(part);
+      member("torque", determined(unknown, value(unknown)));
+      m_json.member("determinate", m_solution.isDetermined(unknown));
+      across(held.coupling);
+      m_json.endObject();
+    }
+    m_json.endObject();
+  }
+
+  /// The components of a coupling about further directions, by axis; left out where there are none.
+  void across(int coupling) {
+    bool isOpen = false;
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      if (held.coupling != coupling || held.isMain) continue;
+      if (!isOpen) {
+        m_json.key("across");
+        m_json.beginObject();
+        isOpen = true;
+      }
+      member(axisId(held.axis), determined(unknownOf(part), value(unknownOf(part))));
+    }
+    if (isOpen) m_json.endObject();
+  }
+
+  void meshes() {
+    m_json.beginArray();
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) writeMesh(mesh);
+    m_json.endArray();
+  }
+
+  void writeMesh(int mesh) {
+    const auto at = static_cast<std::size_t>(mesh);
+    const MeshGeometry& geometry = *m_placement.meshes[at];
+    const std::span<const MeshLoss> losses = m_report.losses();
+    const MeshLoss loss = losses.empty() ? MeshLoss{} : losses[at];
+    const Real driven = Real(loss.driver == MeshLoss::Driver::none ? Rational(1) : loss.efficiency);
+    const Real& mu = value(mesh);
+    const bool tailDrives = loss.driver != MeshLoss::Driver::head;
+    const Real tail = Real(-geometry.tailTeeth) * mu * (tailDrives ? Real(1) : driven);
+    const Real head = Real(geometry.sign * geometry.headTeeth) * mu * (tailDrives ? driven : Real(1));
+    m_json.beginObject(Layout::row);
+    m_json.member("mesh", m_mechanism.meshLabel(mesh));
+    m_json.member("tail", m_mechanism.linkLabel(geometry.tail));
+    m_json.member("head", m_mechanism.linkLabel(geometry.head));
+    m_json.member("carrier", m_mechanism.linkLabel(geometry.carrier));
+    m_json.member("determinate", m_solution.isDetermined(mesh));
+    member("tailTorque", determined(mesh, Real(senseAt(geometry.tail, geometry.tailClass)) * tail));
+    member("headTorque", determined(mesh, Real(senseAt(geometry.head, geometry.headClass)) * head));
+    if (m_report.forces.meshes.empty() || !m_solution.isDetermined(mesh)) {
+      m_json.key("tangentialForce");
+      m_json.null();
+      m_json.key("force");
+      m_json.null();
+    } else {
+      m_json.member("tangentialForce", m_report.forces.meshes[at].tangential);
+      vector("force", m_report.forces.meshes[at].force);
+    }
+    if (m_report.sums) writeMeshPower(mesh, loss, driven);
+    m_json.endObject();
+  }
+
+  /// +1 where the joint next to the gear on the way to the carrier points as its axis class does.
+  [[nodiscard]] int senseAt(int gear, int axisClass) const {
+    const JointTree& tree = *m_placement.tree;
+    const int own = tree.joint[static_cast<std::size_t>(gear)];
+    if (own >= 0 && m_placement.classes->classOf[static_cast<std::size_t>(own)] == axisClass)
+      return m_placement.classes->sense[static_cast<std::size_t>(own)];
+    return 1;  // the gear is on the class's link nearest the ground
+  }
+
+  void writeMeshPower(int mesh, const MeshLoss& loss, const Real& driven) {
+    const Real& power = m_report.powers.mesh[static_cast<std::size_t>(mesh)];
+    if (!m_report.losses().empty()) member("efficiency", driven);
+    m_json.key("driver");
+    if (!m_solution.isDetermined(mesh) || power.isZero()) {
+      m_json.null();
+    } else {
+      m_json.string(power.sign() > 0 ? "tail" : "head");
+    }
+    member("power", determined(mesh, power));
+    const Real lost = loss.driver == MeshLoss::Driver::none ? Real() : (Real(1) - driven) * power.abs();
+    member("loss", determined(mesh, lost));
+  }
+
+  void bearings() {
+    m_json.beginArray();
+    for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
+      const BearingReaction& bearing = m_report.forces.bearings[joint];
+      m_json.beginObject(Layout::row);
+      m_json.member("joint", m_mechanism.jointLabel(static_cast<int>(joint)));
+      vector("point", bearing.point);
+      if (bearing.isDetermined) {
+        vector("force", bearing.force);
+        vector("moment", bearing.moment);
+      } else {
+        m_json.key("force");
+        m_json.null();
+        m_json.key("moment");
+        m_json.null();
+      }
+      m_json.member("determinate", bearing.isDetermined);
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  void selfStresses() {
+    m_json.beginArray();
+    for (const auto& members : m_report.lossless.selfStresses) {
+      m_json.beginObject(Layout::row);
+      for (const auto& [unknown, weight] : members) m_json.member(nameOf(unknown), weight.toString());
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  /// A mesh by its label, a coupling by its id, a balance as on the command line.
+  [[nodiscard]] std::string nameOf(int unknown) const {
+    if (unknown < m_model.c()) return std::to_string(m_mechanism.meshLabel(unknown));
+    const HeldPart& part = m_report.held[static_cast<std::size_t>(unknown - m_model.c())];
+    if (part.coupling >= 0) {
+      const std::string id = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)].id.text();
+      return part.isMain ? id : id + "@" + axisId(part.axis);
+    }
+    const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(part.balance)];
+    if (place.inJoint()) return "joint:" + std::to_string(m_mechanism.jointLabel(place.joint));
+    return "link:" + std::to_string(m_mechanism.linkLabel(place.link)) + "@" + axisId(place.axis);
+  }
+
+  void power() {
+    const PowerSums& sums = *m_report.sums;
+    m_json.beginObject(Layout::row);
+    member("input", sums.fed);
+    member("output", sums.taken);
+    member("loss", sums.lost);
+    std::optional<Real> latent = Real();
+    for (int mesh = 0; mesh < m_model.c() && latent; ++mesh) {
+      if (!m_solution.isDetermined(mesh)) {
+        latent.reset();
+      } else {
+        *latent += m_report.powers.mesh[static_cast<std::size_t>(mesh)].abs();
+      }
+    }
+    if (latent && sums.fed.isZero()) latent.reset();
+    member("latentRatio", latent ? std::optional(*latent / sums.fed) : std::nullopt);
+    m_json.endObject();
+  }
+
+  void efficiency() {
+    const bool isSolved = m_report.lossy->outcome == LossySolution::Outcome::solved;
+    m_json.beginObject();
+    writeEfficiency(isSolved ? m_report.sums : std::nullopt);
+    m_json.key("drivers");
+    m_json.beginObject(Layout::row);
+    for (std::size_t mesh = 0; isSolved && mesh < m_report.lossy->losses.size(); ++mesh) {
+      const MeshLoss::Driver driver = m_report.lossy->losses[mesh].driver;
+      if (driver == MeshLoss::Driver::none) continue;
+      m_json.member(std::to_string(m_mechanism.meshLabel(static_cast<int>(mesh))),
+                    std::string_view(driver == MeshLoss::Driver::tail ? "tail" : "head"));
+    }
+    m_json.endObject();
+    m_json.member("selfLocking", m_report.lossy->outcome == LossySolution::Outcome::selfLocking);
+    m_json.key("backward");
+    if (m_report.backward) {
+      m_json.beginObject(Layout::row);
+      writeEfficiency(m_report.backwardSums);
+      m_json.member("selfLocking", m_report.backward->outcome == LossySolution::Outcome::selfLocking);
+      m_json.endObject();
+    } else {
+      m_json.null();
+    }
+    m_json.endObject();
+  }
+
+  void writeEfficiency(const std::optional<PowerSums>& sums) {
+    const auto value = sums ? sums->efficiency() : std::nullopt;
+    member("value", value);
+    m_json.key("numeric");
+    value ? m_json.numberOrNull(value->number()) : m_json.null();
+  }
+
+  void matrix() {
+    const TorqueMatrix& matrix = *m_report.matrix;
+    m_json.beginObject();
+    numbers("balanced", m_report.balancedJoints);
+    numbers("loaded", matrix.loaded);
+    const auto rows = [&](std::string_view name, const auto& entry) {
+      m_json.key(name);
+      m_json.beginArray();
+      for (std::size_t row = 0; row < m_report.balancedJoints.size(); ++row) {
+        m_json.beginArray(Layout::row);
+        for (std::size_t column = 0; column < matrix.loaded.size(); ++column)
+          entry(row * matrix.loaded.size() + column);
+        m_json.endArray();
+      }
+      m_json.endArray();
+    };
+    rows("exact", [&](std::size_t at) { m_json.string(matrix.entries[at].toString()); });
+    if (m_report.symbolic) {
+      rows("symbolic", [&](std::size_t at) {
+        const auto& entry = m_report.symbolic->matrix[at];
+        entry ? m_json.string(entry->toText()) : m_json.null();
+      });
+    } else {
+      m_json.key("symbolic");
+      m_json.null();
+    }
+    m_json.endObject();
+  }
+
+  void agreement() {
+    m_json.beginObject(Layout::row);
+    m_json.member("equal", m_report.agreement->equal);
+    member("largestDifference", m_report.agreement->largestDifference);
+    m_json.endObject();
+  }
+
+  JsonWriter& m_json;
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const StaticsReport& m_report;
+  const StaticsSolution& m_solution;
+  const StaticsOptions& m_options;
+  bool m_isBalanced;
+  PositionIndex<LinkTag> m_links{m_mechanism.links};
+  PositionIndex<JointTag> m_joints{m_mechanism.turningJoints};
+};
+
+}  // namespace
+
+void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const StaticsReport* report,
+                      int state, const StaticsOptions& options, const Diagnostics& diagnostics) {
+  json.beginObject();
+  json.member("format", "geargraph-statics");
+  json.member("version", 1);
+  json.key("state");
+  if (snapshot != nullptr && state >= 0) {
+    json.string(snapshot->mechanism->states[static_cast<std::size_t>(state)].name);
+  } else {
+    json.null();
+  }
+  if (report != nullptr) {
+    StaticsJson(json, *snapshot, *report, options).write();
+  } else {
+    for (const char* name :
+         {"engaged", "share", "speeds", "counts", "loads", "balances", "jointTorques", "couplings", "meshes",
+          "bearings", "selfStresses", "power", "efficiency", "solution", "agreement"}) {
+      json.key(name);
+      json.null();
+    }
+  }
+  json.key("diagnostics");
+  writeDiagnostics(json, diagnostics);
+  json.endObject();
+}
+
+}  // namespace geargraph::cli

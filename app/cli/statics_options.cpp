@@ -1,0 +1,148 @@
+#include "app/cli/statics_options.h"
+
+#include <algorithm>
+#include <array>
+
+namespace geargraph::cli {
+namespace {
+
+/// A joint, or a link with an axis: "joint:14", "link:3", "link:3@e".
+using Place = std::variant<JointId, Balance::OnLink>;
+
+UsageError noPlace(std::string_view option, std::string_view word) {
+  return UsageError{std::string(option) + " is on joint:LABEL, link:LABEL or link:LABEL@AXIS, not \"" +
+                    std::string(word) + "\"."};
+}
+
+std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::string_view option,
+                                          std::string_view word) {
+  constexpr std::string_view kJoint = "joint:";
+  constexpr std::string_view kLink = "link:";
+  if (word.starts_with(kJoint)) {
+    const auto label = numberFrom<int>(word.substr(kJoint.size()));
+    const int position = label ? *label - mechanism.jointLabel(0) : -1;
+    if (position < 0 || position >= mechanism.t())
+      return UsageError{"There is no turning joint \"" + std::string(word.substr(kJoint.size())) + "\"."};
+    return Place(mechanism.turningJoints[static_cast<std::size_t>(position)].id);
+  }
+  if (!word.starts_with(kLink)) return noPlace(option, word);
+  word.remove_prefix(kLink.size());
+  const std::size_t at = std::min(word.find('@'), word.size());
+  const auto label = numberFrom<int>(word.substr(0, at));
+  if (!label || *label < 0 || *label > mechanism.n())
+    return UsageError{"There is no link \"" + std::string(word.substr(0, at)) + "\"."};
+  if (*label == 0) return UsageError{"The ground takes any load: name a moving link."};
+  Balance::OnLink place{mechanism.links[static_cast<std::size_t>(*label)].id, {}};
+  if (at < word.size()) {
+    place.axis = AxisId(word.substr(at + 1));
+    if (mechanism.find(*place.axis) == nullptr)
+      return UsageError{"There is no axis \"" + std::string(word.substr(at + 1)) + "\"."};
+  }
+  return Place(place);
+}
+
+/// A torque with its unit, in N m.
+std::optional<Number> torqueFrom(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::int64_t>, 3> kUnits = {
+      {{"kNm", 1'000'000}, {"Nmm", 1}, {"Nm", 1'000}}};
+  for (const auto& [unit, millis] : kUnits) {
+    if (!text.ends_with(unit)) continue;
+    const auto number = Number::fromText(text.substr(0, text.size() - unit.size()));
+    if (!number) return std::nullopt;
+    return Number(number->exact() * Rational(millis, 1'000));
+  }
+  return std::nullopt;
+}
+
+std::optional<NumberTriple> tripleFrom(std::string_view text) {
+  NumberTriple triple;
+  for (std::size_t i = 0; i < triple.size(); ++i) {
+    const std::size_t comma = i + 1 < triple.size() ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto number = Number::fromText(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    triple[i] = *number;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return triple;
+}
+
+/// "10,-20,-50N@30,-60,130" on a link.
+std::optional<LinkForce> forceFrom(LinkId link, std::string_view text) {
+  const std::size_t at = text.find("N@");
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto force = tripleFrom(text.substr(0, at));
+  const auto point = tripleFrom(text.substr(at + 2));
+  if (!force || !point) return std::nullopt;
+  return LinkForce{link, *force, *point};
+}
+
+std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_view word) {
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const auto place = placeFrom(mechanism, "--load", word.substr(0, equals));
+  if (const auto* error = std::get_if<UsageError>(&place)) return *error;
+  const std::string_view size = word.substr(std::min(equals + 1, word.size()));
+  const auto& where = std::get<Place>(place);
+  const auto* link = std::get_if<Balance::OnLink>(&where);
+  if (const auto torque = torqueFrom(size)) {
+    if (link == nullptr) return Load{{}, JointTorque{std::get<JointId>(where), *torque}};
+    return Load{{}, LinkTorque{link->link, link->axis, *torque}};
+  }
+  if (link != nullptr && !link->axis) {
+    if (const auto force = forceFrom(link->link, size)) return Load{{}, *force};
+  }
+  return UsageError{
+      "\"" + std::string(size) +
+      "\" is no load: 10Nm, 1/2kNm and 500Nmm are torques, and 10,-20,-50N@30,-60,130 is a force "
+      "on a link at a point."};
+}
+
+}  // namespace
+
+std::variant<StaticsOptions, UsageError> staticsOptions(const Mechanism& mechanism,
+                                                        const Arguments& arguments) {
+  StaticsOptions options;
+  options.documentLoads = !arguments.has("--no-loads");
+  for (const std::string& word : arguments.values("--load")) {
+    auto load = loadFrom(mechanism, word);
+    if (const auto* error = std::get_if<UsageError>(&load)) return *error;
+    options.loads.push_back(std::get<Load>(std::move(load)));
+  }
+  for (const std::string& word : arguments.values("--balance")) {
+    const auto place = placeFrom(mechanism, "--balance", word);
+    if (const auto* error = std::get_if<UsageError>(&place)) return *error;
+    Balance balance;
+    std::visit([&](const auto& where) { balance.at = where; }, std::get<Place>(place));
+    if (std::find(options.balances.begin(), options.balances.end(), balance) != options.balances.end())
+      return UsageError{"--balance names \"" + word + "\" twice."};
+    options.balances.push_back(std::move(balance));
+  }
+  options.losses = arguments.has("--efficiency") || arguments.has("--eta");
+  if (const auto word = arguments.value("--eta")) {
+    const auto efficiency = Rational::fromText(*word);
+    if (!efficiency || efficiency->sign() <= 0 || *efficiency > Rational(1))
+      return UsageError{"--eta is an efficiency, above 0 and at most 1."};
+    options.efficiency = *efficiency;
+  }
+  const std::string share = arguments.value("--share").value_or("none");
+  if (share != "none" && share != "stiffness") return UsageError{"--share is one of none, stiffness."};
+  options.stiffness = share == "stiffness";
+  options.symbolic = !arguments.has("--no-symbolic");
+  return options;
+}
+
+std::variant<std::vector<int>, UsageError> statesAsked(const Mechanism& mechanism,
+                                                       const Arguments& arguments) {
+  const auto name = arguments.value("--state");
+  if (name && arguments.has("--all-states")) return UsageError{"Give --state NAME or --all-states."};
+  std::vector<int> states;
+  for (std::size_t i = 0; i < mechanism.states.size(); ++i) {
+    const bool isAsked = arguments.has("--all-states") || (name && mechanism.states[i].name == *name);
+    if (isAsked) states.push_back(static_cast<int>(i));
+  }
+  if (name && states.empty()) return UsageError{"There is no state \"" + *name + "\"."};
+  if (!name && !arguments.has("--all-states")) states.push_back(-1);
+  return states;
+}
+
+}  // namespace geargraph::cli

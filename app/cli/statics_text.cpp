@@ -1,0 +1,164 @@
+#include "app/cli/statics_text.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace geargraph::cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string decimal(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value == 0 ? 0.0 : value);
+  return buffer;
+}
+
+/// "80/27 (2.96296)", "10".
+std::string text(const Real& value) {
+  if (!value.isExact()) return decimal(value.number());
+  if (value.fraction()->isInteger()) return value.fraction()->toString();
+  return value.fraction()->toString() + " (" + decimal(value.number()) + ")";
+}
+
+std::string text(const Vector3& vector) {
+  return "(" + decimal(vector[0]) + ", " + decimal(vector[1]) + ", " + decimal(vector[2]) + ")";
+}
+
+std::string aligned(const std::string& title, const Rows& rows) {
+  if (rows.size() <= 1) return {};
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string result = title + "\n";
+  for (const auto& row : rows) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    result += line + '\n';
+  }
+  return result;
+}
+
+class StaticsText {
+ public:
+  StaticsText(const AnalysisSnapshot& snapshot, const StaticsReport& report)
+      : m_mechanism(*snapshot.mechanism),
+        m_model(*snapshot.kinematics->model),
+        m_report(report),
+        m_solution(report.solution()) {}
+
+  std::string held() const {
+    Rows rows{{"", "torque, N m", "power, W"}};
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int unknown = m_model.c() + static_cast<int>(part);
+      const bool isKnown = m_solution.isDetermined(unknown);
+      rows.push_back({nameOf(m_report.held[part]),
+                      isKnown ? text(m_solution.values[static_cast<std::size_t>(unknown)]) : "shared",
+                      m_report.motion && isKnown ? text(m_report.powers.held[part]) : ""});
+    }
+    return aligned("Balances and couplings", rows);
+  }
+
+  std::string meshes() const {
+    Rows rows{{"mesh", "torque on tail, N m", "on head, N m", "F, N", "force on head, N", "power, W"}};
+    const std::span<const MeshLoss> losses = m_report.losses();
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) {
+      const auto at = static_cast<std::size_t>(mesh);
+      const KinematicModel::MeshRow& row = m_model.meshRow(mesh);
+      std::vector<std::string> cells{std::to_string(m_mechanism.meshLabel(mesh))};
+      if (!m_solution.isDetermined(mesh)) {
+        cells.emplace_back("shared");
+      } else {
+        Real tail = Real(-row.tailTeeth) * m_solution.values[at];
+        Real head = Real(row.sign * row.headTeeth) * m_solution.values[at];
+        if (!losses.empty() && losses[at].driver == MeshLoss::Driver::tail)
+          head = head * Real(losses[at].efficiency);
+        if (!losses.empty() && losses[at].driver == MeshLoss::Driver::head)
+          tail = tail * Real(losses[at].efficiency);
+        cells.push_back(text(tail));
+        cells.push_back(text(head));
+        const bool hasForces = !m_report.forces.meshes.empty();
+        cells.push_back(hasForces ? decimal(m_report.forces.meshes[at].tangential) : "");
+        cells.push_back(hasForces ? text(m_report.forces.meshes[at].force) : "");
+        cells.push_back(m_report.motion ? text(m_report.powers.mesh[at]) : "");
+      }
+      rows.push_back(std::move(cells));
+    }
+    return aligned("Meshes (torques about the axes from the carrier)", rows);
+  }
+
+  std::string bearings() const {
+    Rows rows{{"joint", "force, N", "moment, N m", "at"}};
+    for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
+      const BearingReaction& bearing = m_report.forces.bearings[joint];
+      rows.push_back({std::to_string(m_mechanism.jointLabel(static_cast<int>(joint))),
+                      bearing.isDetermined ? text(bearing.force) : "shared",
+                      bearing.isDetermined ? text(bearing.moment) : "", text(bearing.point)});
+    }
+    return aligned("Bearings (tail on head, base frame)", rows);
+  }
+
+  std::string power() const {
+    if (!m_report.sums) return {};
+    const PowerSums& sums = *m_report.sums;
+    std::string line = "Power fed " + text(sums.fed) + " W, taken " + text(sums.taken) + " W, lost " +
+                       text(sums.lost) + " W\n";
+    if (!m_report.lossy) return line;
+    if (m_report.lossy->outcome == LossySolution::Outcome::solved) {
+      if (const auto efficiency = sums.efficiency()) line += "Efficiency " + text(*efficiency) + '\n';
+    }
+    if (m_report.backward) {
+      const auto backward = m_report.backwardSums ? m_report.backwardSums->efficiency() : std::nullopt;
+      if (backward) line += "Efficiency backward " + text(*backward) + '\n';
+      if (m_report.backward->outcome == LossySolution::Outcome::selfLocking)
+        line += "The output cannot drive it back: it locks itself.\n";
+    }
+    return line;
+  }
+
+  std::string agreement() const {
+    if (!m_report.agreement) return {};
+    return m_report.agreement->equal ? "Both methods agree.\n" : "The methods do NOT agree.\n";
+  }
+
+ private:
+  [[nodiscard]] std::string nameOf(const HeldPart& part) const {
+    if (part.coupling >= 0) {
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(part.coupling)];
+      const std::string about = " about " + m_mechanism.axes[static_cast<std::size_t>(part.axis)].id.text();
+      return (coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text() +
+             (part.isMain ? "" : about);
+    }
+    const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(part.balance)];
+    if (place.inJoint()) return "joint " + std::to_string(m_mechanism.jointLabel(place.joint));
+    return "link " + std::to_string(m_mechanism.linkLabel(place.link)) + " about " +
+           m_mechanism.axes[static_cast<std::size_t>(place.axis)].id.text();
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const StaticsReport& m_report;
+  const StaticsSolution& m_solution;
+};
+
+}  // namespace
+
+std::string staticsText(const AnalysisSnapshot& snapshot, const StaticsReport& report, int state) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  std::string heading = mechanism.name.empty() ? "Mechanism" : mechanism.name;
+  if (state >= 0) heading += ", state " + mechanism.states[static_cast<std::size_t>(state)].name;
+  heading += '\n';
+  if (!report.isSolved || !report.lossless.isBalanced()) return heading + "There is no equilibrium.\n";
+  const StaticsText parts(snapshot, report);
+  std::string result = heading;
+  for (const std::string& part :
+       {parts.held(), parts.meshes(), parts.bearings(), parts.power(), parts.agreement()}) {
+    if (!part.empty()) result += '\n' + part;
+  }
+  return result;
+}
+
+}  // namespace geargraph::cli

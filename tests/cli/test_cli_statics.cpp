@@ -1,0 +1,209 @@
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/load_edits.h"
+#include "tests/cli/cli_run.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/train_sketch.h"
+
+using namespace geargraph;
+using nlohmann::json;
+using test::Run;
+using test::run;
+
+namespace {
+
+const QString kRobot = QString::fromStdString(test::examplePath("robot"));
+
+json parsed(const Run& call) {
+  const json read = json::parse(call.output, nullptr, false);
+  if (read.is_discarded()) qFatal("no JSON: %s %s", call.output.c_str(), call.errors.c_str());
+  return read;
+}
+
+std::set<std::string> codesOf(const json& report) {
+  std::set<std::string> codes;
+  for (const json& diagnostic : report["diagnostics"]) codes.insert(diagnostic["code"].get<std::string>());
+  return codes;
+}
+
+}  // namespace
+
+class TestCliStatics : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aLoadOnTheRobotsHand() {
+    const Run call = run({"statics", kRobot, "--load", "joint:14=10Nm", "--json"});
+    QCOMPARE(call.status, 0);
+    const json report = parsed(call);
+    QCOMPARE(report["format"], "geargraph-statics");
+    QVERIFY(report["state"].is_null());
+    QCOMPARE(report["counts"],
+             json::parse(R"({"unknowns": 7, "equations": 7, "rank": 7, "indeterminate": 0})"));
+    QCOMPARE(report["balances"][0]["joint"], 8);
+    QCOMPARE(report["balances"][0]["torque"], "80/27");
+    QCOMPARE(report["balances"][1]["torque"], "160/27");
+    QCOMPARE(report["balances"][2]["torque"], "80/9");
+    QCOMPARE(report["jointTorques"],
+             json::parse(R"({"8": "80/27", "9": "160/27", "11": "80/9", "14": "10"})"));
+    QCOMPARE(report["solution"]["balanced"], json({8, 9, 11}));
+    QCOMPARE(report["solution"]["loaded"], json({10, 12, 13, 14}));
+    QCOMPARE(report["solution"]["symbolic"][0], json({"i15", "i16*i15", "i17*i16*i15", "i18*i17*i16*i15"}));
+    QCOMPARE(report["solution"]["exact"][2], json({"0", "0", "4/3", "8/9"}));
+    QCOMPARE(report["agreement"]["equal"], true);
+    QCOMPARE(report["meshes"].size(), std::size_t{4});
+    QCOMPARE(report["meshes"][3]["headTorque"], "-10");
+    QCOMPARE(report["bearings"].size(), std::size_t{7});
+    QCOMPARE(report["power"]["loss"], "0");
+    QCOMPARE(report["power"]["input"], report["power"]["output"]);
+    QVERIFY(report["efficiency"].is_null());
+    QVERIFY(codesOf(report).empty());
+  }
+
+  void loadsOfTheDocumentAndOfTheCall() {
+    Mechanism robot = test::example("robot");
+    robot = *withLoad(robot, {LoadId("hand"), JointTorque{JointId("14"), Number(10)}});
+    const QString file = saved(robot);
+    QCOMPARE(parsed(run({"statics", file, "--json"}))["balances"][0]["torque"], "80/27");
+    // The same in other units, from other places; loads add up.
+    const json twice = parsed(run({"statics", file, "--load", "joint:14=10000Nmm", "--json"}));
+    QCOMPARE(twice["balances"][0]["torque"], "160/27");
+    QCOMPARE(twice["loads"].size(), std::size_t{2});
+    const json other = parsed(run({"statics", file, "--no-loads", "--load", "link:3@e=1/100kNm", "--json"}));
+    QCOMPARE(other["loads"].size(), std::size_t{1});
+    QCOMPARE(other["loads"][0]["axis"], "e");
+    QCOMPARE(other["loads"][0]["torque"], "10");
+    const json force =
+        parsed(run({"statics", file, "--no-loads", "--load", "link:3=10,-20,-50N@30,-60,130", "--json"}));
+    QCOMPARE(force["loads"][0]["force"], json({"10", "-20", "-50"}));
+    QVERIFY(force["balances"][0]["torque"].is_string());
+    const json none = parsed(run({"statics", file, "--no-loads", "--json"}));
+    QVERIFY(codesOf(none).contains("no-load"));
+    QCOMPARE(none["balances"][0]["torque"], "0");
+  }
+
+  void loadsThatNothingHolds() {
+    const Run call = run({"statics", kRobot, "--load", "joint:14=10Nm", "--balance", "joint:8", "--balance",
+                          "joint:9", "--json"});
+    QCOMPARE(call.status, 1);
+    const json report = parsed(call);
+    QCOMPARE(codesOf(report), std::set<std::string>{"unbalanced"});
+    QVERIFY(report["balances"].is_null() && report["meshes"].is_null());
+    QCOMPARE(report["agreement"]["equal"], true);
+    QVERIFY(call.errors.find("joints 11, 13 and 14 turn freely under the load on joint 14. Add a balance at "
+                             "joint 11 or 13.") != std::string::npos);
+  }
+
+  void everyStateOfAGearbox() {
+    const QString file = saved(test::eightSpeed());
+    const Run call = run({"statics", file, "--all-states", "--eta", "0.98", "--json"});
+    QCOMPARE(call.status, 0);
+    const json report = parsed(call);
+    QCOMPARE(report["states"].size(), std::size_t{9});
+    const json& first = report["states"][0];
+    QCOMPARE(first["state"], "1");
+    QCOMPARE(first["engaged"], json({"A", "B", "C"}));
+    QVERIFY(codesOf(first).contains("unit-load"));
+    QCOMPARE(first["couplings"].size(), std::size_t{3});
+    QCOMPARE(first["couplings"]["C"]["kind"], "clutch");
+    for (const json& state : report["states"]) {
+      QVERIFY(state["agreement"]["equal"] == true);
+      QVERIFY(state["efficiency"]["numeric"].get<double>() <= 1);
+      QCOMPARE(state["efficiency"]["selfLocking"], false);
+    }
+    QCOMPARE(report["states"][5]["efficiency"]["value"], "1");  // direct drive
+    const json lossless = parsed(run({"statics", file, "--state", "1", "--json"}));
+    QCOMPARE(lossless["balances"][0]["torque"], "-108/23");
+    QVERIFY(lossless["efficiency"].is_null());
+  }
+
+  void sharesOfPlanets() {
+    const QString file = saved(test::planetary(24, 18, 3));
+    const QStringList call{"statics", file, "--inputs", "9,8", "--load", "joint:7=1Nm", "--json"};
+    const json open = parsed(run(call));
+    QVERIFY(codesOf(open).contains("statically-indeterminate"));
+    QCOMPARE(open["counts"]["indeterminate"], 2);
+    QVERIFY(open["meshes"][0]["tailTorque"].is_null());
+    QCOMPARE(open["selfStresses"].size(), std::size_t{2});
+    QCOMPARE(open["balances"][0]["determinate"], true);
+    const json shared = parsed(run(call + QStringList{"--share", "stiffness"}));
+    QCOMPARE(shared["share"], "stiffness");
+    QCOMPARE(shared["meshes"][0]["tailTorque"], shared["meshes"][2]["tailTorque"]);
+  }
+
+  void aSelfLockingTrain() {
+    Mechanism train = test::TrainSketch(3)
+                          .joint(0, 1, "a")
+                          .joint(0, 2, "a")
+                          .joint(1, 3, "b")
+                          .mesh(0, 3, 99, 101, MeshKind::external)
+                          .mesh(3, 2, 100, 100, MeshKind::external)
+                          .inputs({{4, "1"}})
+                          .build();
+    const QString file = saved(train);
+    const Run forward = run({"statics", file, "--load", "joint:5=-1Nm", "--eta", "0.98", "--json"});
+    QCOMPARE(forward.status, 0);
+    const json report = parsed(forward);
+    QVERIFY(std::abs(report["efficiency"]["numeric"].get<double>() - 0.3380) < 1e-3);
+    QCOMPARE(report["efficiency"]["backward"]["selfLocking"], true);
+    const Run backward =
+        run({"statics", file, "--load", "joint:4=-1Nm", "--balance", "joint:5", "--eta", "0.98"});
+    QCOMPARE(backward.status, 1);
+    QVERIFY(backward.errors.find("it begins below eta = 0.99)") != std::string::npos);
+    QVERIFY(backward.errors.find("[self-locking]") != std::string::npos);
+  }
+
+  void wordsThatAreNoLoads() {
+    for (const char* load : {"joint:99=10Nm", "link:9=10Nm", "link:0=10Nm", "link:3@q=10Nm", "joint:14=10",
+                             "joint:14=10lbf", "joint:14", "14=10Nm", "link:3=1,2N@0,0,0", "link:3=1,2,3N",
+                             "joint:14=1,2,3N@0,0,0", "joint:14=1/0Nm"}) {
+      const Run call = run({"statics", kRobot, "--load", load});
+      QVERIFY2(call.status == 2, load);
+      QVERIFY(call.errors.find("Usage") != std::string::npos);
+    }
+    for (const char* eta : {"0", "-1", "1.01", "much"})
+      QCOMPARE(run({"statics", kRobot, "--eta", eta}).status, 2);
+    QCOMPARE(run({"statics", kRobot, "--share", "evenly"}).status, 2);
+    QCOMPARE(run({"statics", kRobot, "--state", "1"}).status, 2);
+    QCOMPARE(run({"statics", kRobot, "--balance", "joint:8", "--balance", "joint:8"}).status, 2);
+    QCOMPARE(run({"statics"}).status, 2);
+  }
+
+  void textForPeople() {
+    const Run call = run({"statics", kRobot, "--load", "joint:14=10Nm"});
+    QCOMPARE(call.status, 0);
+    for (const char* part : {"joint 8", "80/27 (2.96296)", "Bearings", "Both methods agree."})
+      QVERIFY2(call.output.find(part) != std::string::npos, part);
+  }
+
+  void aDocumentWithErrorsHasNoNumbers() {
+    const Run call = run({"statics", QString::fromStdString(test::examplePath("robot-to-mend")), "--json"});
+    QCOMPARE(call.status, 1);
+    QVERIFY(parsed(call)["balances"].is_null());
+    // Inputs that cannot be, too; in a state they do not count.
+    const Run inputs = run({"statics", kRobot, "--inputs", "8,9", "--load", "joint:14=1Nm", "--json"});
+    QCOMPARE(inputs.status, 1);
+    QVERIFY(parsed(inputs)["balances"].is_null());
+  }
+
+ private:
+  QString saved(const Mechanism& mechanism) {
+    const QString path = m_folder.filePath(QString::number(m_next++) + ".geargraph");
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+    file.write(QByteArray::fromStdString(writeMechanism(mechanism)));
+    return path;
+  }
+
+  QTemporaryDir m_folder;
+  int m_next = 0;
+};
+
+QTEST_GUILESS_MAIN(TestCliStatics)
+#include "test_cli_statics.moc"
