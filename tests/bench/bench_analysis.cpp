@@ -6,6 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/forward_kinematics.h"
+#include "core/theory/statics/live_statics.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/trains.h"
 
@@ -57,6 +58,26 @@ void matroidRobot(benchmark::State& state) {
   matroidOf(state, shared(test::robot()));
 }
 BENCHMARK(matroidRobot);
+
+/// Torques beside the live analysis of the same train: a load on its last joint, held by the inputs.
+void liveStatics(benchmark::State& state, Family family) {
+  const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  const LiveKinematics& kinematics = *snapshot->kinematics;
+  StaticsProblem problem;
+  for (const int joint : snapshot->matroid()->choice.joints) problem.balances.push_back(TorquePlace{joint});
+  problem.torques = {{TorquePlace{mechanism->t() - 1}, Rational(10)}};
+  const FusedField field;
+  for (auto _ : state) {
+    const LoadPower power = LoadPower::of(*mechanism, *kinematics.model, kinematics.placement, problem);
+    const auto held = heldParts(*mechanism, *kinematics.model, kinematics.placement, problem);
+    const auto torques = solveStaticsLive(*kinematics.model, field, held, power.byLink);
+    GEARGRAPH_REQUIRE(torques && torques->isBalanced);
+    benchmark::DoNotOptimize(torques);
+  }
+}
+BENCHMARK_CAPTURE(liveStatics, tree, bench::drivenTree)->Arg(1'000)->Arg(10'000);
+BENCHMARK_CAPTURE(liveStatics, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'000);
 
 void exact(benchmark::State& state, Family family) {
   const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));

@@ -23,6 +23,8 @@ ROWS = [
      "Eigen dense, no rank, geometry given", 1, 2.5),
     ("rank, inputs, speeds, 10,000 links", "matroidOnly/{}/10000", "kluAlone/{}/10000", "KLU, the solve alone", 0.67, 1.67),
     ("live analysis, 10,000 links", "live/{}/10000", "kluAlone/{}/10000", "KLU, the solve alone", 0.67, 1.67),
+    ("live statics, 1,000 links", "liveStatics/{}/1000", "live/{}/1000", "the live analysis of the same train", 0.67, 1),
+    ("live statics, 10,000 links", "liveStatics/{}/10000", "live/{}/10000", "the live analysis of the same train", 0.67, 1),
     ("exact rates, 1,000 links", "exact/{}/1000", "flintDense/{}/1000/iterations:1", "FLINT dense rank + Dixon", 1000, 4000),
     ("symbolic, 7 links", "symbolic/{}/7", "sympy LUsolve {} 7", "SymPy LUsolve", 40, 80),
     ("symbolic, 20 links", "symbolic/{}/20", "sympy LUsolve {} 20", "SymPy LUsolve", 300, 800),
