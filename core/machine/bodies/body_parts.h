@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/machine/solids/shell_builder.h"
@@ -89,6 +91,38 @@ struct LathePlan {
   int axisClass = 0;
   int link = 0;
   std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
+};
+
+/// A housing about an axis, which joins bearings of the ground or holds one on the base.
+struct HousingPlan {
+  int axisClass = 0;
+  double low = 0;
+  double high = 0;
+  double inner = 0;
+  double outer = 0;
+};
+
+/// A round bar of the ground's frame.
+struct FrameBar {
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+  double radius = 0;
+};
+
+/// What joins the ground's bearings to one body.
+struct FramePlan {
+  /// Where a bar or a housing is fixed to the base.
+  struct Foot {
+    Eigen::Vector2d place;
+    double radius = 0;
+  };
+  std::vector<HousingPlan> housings;
+  std::vector<FrameBar> bars;
+  std::vector<Foot> feet;  ///< the base is the plate that they span; empty: there is none
+  double top = 0;          ///< of the base, along z
+  double thickness = 0;
+  /// Bearings (axis class, coordinate) that found no way to the others and have feet of their own.
+  std::vector<std::pair<int, double>> onFeet;
 };
 
 }  // namespace geargraph::inline bodies

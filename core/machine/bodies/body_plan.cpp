@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
-#include "core/machine/bodies/body_clashes.h"
 #include "core/machine/bodies/body_planner.h"
 #include "core/machine/bodies/coaxial_plan.h"
 #include "core/machine/bodies/coaxial_sections.h"
@@ -126,7 +126,7 @@ std::vector<std::vector<Bearing*>> BodyPlanner::roundsOf(int link, int home) {
     if (!parallel(home, c)) continue;
     const auto rounded = [&](double depth) { return std::round(depth / (kEqual * layout.module)); };
     const auto depth = [&](const Bearing* b) {
-      if (m_tries.roomFor.contains(b->child)) return 1e300;
+      if (m_tries.roomFor.contains(b->child) || m_tries.roundBearings.contains(b->child)) return 1e300;
       double nearest = -1e300;                 // a link without wheels has the inmost shaft
       for (const Stretch& s : layout.taken) {  // wheels and cups
         if (s.link == b->child) nearest = std::max(nearest, layout.bearingSide * (s.low + s.high) / 2);
@@ -438,41 +438,6 @@ void BodyPlanner::nestShafts(int axisClass) {
     shaft->inner *= scale;
     shaft->outer *= scale;
   }
-}
-
-BodyPlan planBodies(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                    const std::stop_token& stop) {
-  // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
-  // And the frame leaves room for carriers that find none.
-  PlanTries tries;
-  if (train.gears.size() > kMostRoutedGears)
-    return BodyPlanner(mechanism, placement, train, tries, stop).planSimply();
-  BodyPlan plan;
-  std::vector<BodyClash> clashes;
-  constexpr int kMostTries = 16;
-  bool isNew = true;
-  for (int i = 0; isNew && i < kMostTries; ++i) {
-    isNew = false;
-    BodyPlanner planner(mechanism, placement, train, tries, stop);
-    plan = planner.plan();
-    if (stop.stop_requested()) return plan;
-    clashes = bodyClashes(plan, train, stop);
-    for (const int link : planner.wantRoom()) isNew = tries.roomFor.insert(link).second || isNew;
-    for (const BodyClash& clash : clashes) {
-      for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;
-    }
-  }
-  const auto isSaid = [&](const std::vector<int>& pair) {
-    return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
-      return std::all_of(pair.begin(), pair.end(), [&](int link) {
-        return std::find(links.begin(), links.end(), link) != links.end();
-      });
-    });
-  };
-  for (const BodyClash& clash : clashes) {
-    if (!isSaid({clash.one, clash.other})) plan.blocked.push_back({clash.one, clash.other});
-  }
-  return plan;
 }
 
 }  // namespace geargraph::inline bodies

@@ -23,6 +23,7 @@ struct BodyPlan {
   std::vector<LathePlan> lathes;
   std::vector<CagePlan> cages;
   std::vector<StubPlan> stubs;
+  FramePlan frame;
   /// Links whose arms, shafts or discs have no way past the others: carrier and carried, or the links of one
   /// axis.
   std::vector<std::vector<int>> blocked;

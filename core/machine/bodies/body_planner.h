@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -16,6 +17,9 @@ namespace geargraph::inline bodies {
 struct PlanTries {
   std::set<int> onFeet;   ///< links whose bearings in the frame, across its other axes, get no arm
   std::set<int> roomFor;  ///< carriers that found no level for their arms
+  /// Carriers whose arms go round bearings of the frame, and the level of these arms: the frame cannot reach
+  /// what is between there and the wheels.
+  std::map<int, double> roundBearings;
 };
 
 /// How planBodies() goes: linked sets first, then rings' cups, bearings and arms link by link, shafts at

@@ -15,6 +15,7 @@ struct Maker {
   Solid operator()(const BarPart& b) const {
     return tubeSector(b.outer, b.inner, b.from, b.to, b.half, tolerance);
   }
+  Solid operator()(const PlatePart& p) const { return plate(p.corners, p.from, p.to, tolerance); }
 };
 
 /// Adds the numbers of a part to a hash.
@@ -42,6 +43,11 @@ struct Hasher {
   }
   void operator()(const BarPart& b) const {
     for (const double number : {b.outer, b.inner, b.from, b.to, b.half}) add(number);
+  }
+  void operator()(const PlatePart& p) const {
+    for (const Eye& corner : p.corners) add(corner);
+    add(p.from);
+    add(p.to);
   }
 };
 

@@ -47,8 +47,16 @@ struct BarPart {
   friend bool operator==(const BarPart&, const BarPart&) = default;
 };
 
+/// plate()
+struct PlatePart {
+  std::vector<Eye> corners;
+  double from = 0;
+  double to = 0;
+  friend bool operator==(const PlatePart&, const PlatePart&) = default;
+};
+
 struct BodyPart {
-  std::variant<TubePart, LathePart, SpiderPart, BarPart> shape;
+  std::variant<TubePart, LathePart, SpiderPart, BarPart, PlatePart> shape;
   double module = 1;                                         ///< the length that tolerances are counted in
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();  ///< its own frame to the body's
 

@@ -23,6 +23,10 @@ double holeFor(const BodyPlan& plan, int axisClass, double at, int parent) {
   return shaft > 0 ? shaft + eyePlay(axis(plan, axisClass)) : 0;
 }
 
+double eyeRadius(const BodyPlan& plan, int axisClass, const Bearing& bearing) {
+  return holeFor(plan, axisClass, bearing.at, bearing.parent) + bearing.wall * eyeWall(axis(plan, axisClass));
+}
+
 Eye footOf(const BodyPlan& plan, const ArmPlan& arm) {
   const ShaftSegment* own = plan.shaftOf(arm.from, arm.link, arm.level);
   Eye eye;

@@ -19,6 +19,9 @@ namespace geargraph::inline bodies {
 /// Radius of the hole of the parent's eye about the child's shaft; 0: nothing is there.
 [[nodiscard]] double holeFor(const BodyPlan& plan, int axisClass, double at, int parent);
 
+/// Outer radius of a bearing's eye.
+[[nodiscard]] double eyeRadius(const BodyPlan& plan, int axisClass, const Bearing& bearing);
+
 /// The eye of an arm about its link's own axis. Its hole lies within the wall of the link's shaft, so that
 /// both hold together and no face of one lies on one of the other.
 [[nodiscard]] Eye footOf(const BodyPlan& plan, const ArmPlan& arm);

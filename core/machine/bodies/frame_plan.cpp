@@ -29,9 +29,25 @@ int BodyPlanner::homeOf(int link) const {
   return home;
 }
 
-/// Keeps places beside the wheels free for carriers that found none the last time; on these axes.
+/// Keeps places beside the wheels free for carriers that found none the last time, and what their arms go
+/// round; on these axes.
 std::vector<int> BodyPlanner::reserveRoom() {
   std::vector<int> axes;
+  for (const auto& [link, level] : m_tries.roundBearings) {
+    if (m_tries.roomFor.contains(link)) continue;  // that did not help
+    const int home = m_placement.classes->classOfLink(link);
+    AxisLayout& own = axis(home);
+    Stretch room{level - own.width() / 2, level + own.width() / 2, kReserved};
+    double low = 1e300, high = -1e300;  // of the wheels
+    for (const Stretch& s : own.wheels) {
+      low = std::min(low, s.low);
+      high = std::max(high, s.high);
+    }
+    if (own.isBelow(high, level)) room.low = std::min(room.low, high);
+    if (own.isBelow(level, low)) room.high = std::max(room.high, low);
+    own.taken.push_back(room);
+    axes.push_back(home);
+  }
   for (const int link : m_tries.roomFor) {
     const int home = m_placement.classes->classOfLink(link);
     if (home < 0) continue;

@@ -38,6 +38,7 @@ class BodyBuilder {
     for (const LathePlan& plan : m_plan.lathes) addLathe(plan);
     for (const CagePlan& plan : m_plan.cages) addCage(plan);
     for (const StubPlan& stub : m_plan.stubs) addStub(stub);
+    addFrame(m_plan.frame);
     for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
       for (const Bearing& b : m_plan.axes[c].bearings) {
         if (b.form == BearingForm::pin) {
@@ -101,7 +102,7 @@ class BodyBuilder {
     const double half = layout.width() / 2;
     const double outer = hole + bearing.wall * eyeWall(layout);
     add(bearing.parent, TubePart{outer, hole, bearing.at - half, bearing.at + half}, layout, line(layout));
-    if (bearing.parent == 0) addFlange(c, bearing.at, hole, outer);
+    if (bearing.parent == 0 && isOnFeet(c, bearing.at)) addFlange(c, bearing.at, hole, outer);
   }
 
   void addFlange(int c, double at, double hole, double outer);
@@ -113,6 +114,14 @@ class BodyBuilder {
   void addCup(const CupPlan& cup);
   void addLathe(const LathePlan& plan);
   void addCage(const CagePlan& plan);
+  void addFrame(const FramePlan& frame);
+  /// Has a bearing of the ground feet of its own?
+  [[nodiscard]] bool isOnFeet(int c, double at) const {
+    return m_plan.isSimple ||
+           std::any_of(m_plan.frame.onFeet.begin(), m_plan.frame.onFeet.end(), [&](const auto& place) {
+             return place.first == c && std::abs(place.second - at) < 1e-6 * axis(c).module;
+           });
+  }
 
   const BodyPlan& m_plan;
   const GearTrain& m_train;
@@ -153,7 +162,7 @@ void BodyBuilder::addStub(const StubPlan& stub) {
   const double hole = 0.5 * (shaft->inner + shaft->outer);
   const double outer = shaft->outer + eyeWall(layout);
   add(0, TubePart{outer, hole, stub.at - half, stub.at + half}, layout, line(layout));
-  addFlange(stub.axisClass, stub.at, hole, outer);
+  if (isOnFeet(stub.axisClass, stub.at)) addFlange(stub.axisClass, stub.at, hole, outer);
 }
 
 /// Does no gear of another axis come nearer to this one, beside the coordinate?
@@ -244,6 +253,22 @@ void BodyBuilder::addCage(const CagePlan& plan) {
     const Eigen::AngleAxisd turn(2 * std::numbers::pi * i / kCageBars, Vector3d::UnitZ());
     add(plan.link, bar, layout, line(layout) * turn);
   }
+}
+
+/// Housings, bars, and the base.
+void BodyBuilder::addFrame(const FramePlan& frame) {
+  for (const HousingPlan& h : frame.housings)
+    add(0, TubePart{h.outer, h.inner, h.low, h.high}, axis(h.axisClass), line(axis(h.axisClass)));
+  for (const FrameBar& bar : frame.bars) {
+    const Vector3d way = bar.to - bar.from;
+    add(0, TubePart{bar.radius, 0, 0, way.norm()}, m_plan.axes.front(),
+        frameAlong(bar.from, way.normalized()));
+  }
+  if (frame.feet.empty()) return;
+  std::vector<Eye> corners;
+  for (const FramePlan::Foot& foot : frame.feet) corners.push_back({foot.place, foot.radius, 0});
+  add(0, PlatePart{std::move(corners), frame.top - frame.thickness, frame.top}, m_plan.axes.front(),
+      Eigen::Isometry3d::Identity());
 }
 
 /// The bore about the link's own shaft, or with play about what passes.

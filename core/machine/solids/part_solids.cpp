@@ -204,6 +204,31 @@ class SpiderMaker {
   ShellBuilder m_builder{m_solid};
 };
 
+/// The nodes on the convex hull, counter-clockwise (A. M. Andrew, Information Processing Letters 9(5), 1979,
+/// 216-219).
+std::vector<OutlineNode> hullOf(std::vector<OutlineNode> nodes) {
+  std::sort(nodes.begin(), nodes.end(), [](const OutlineNode& a, const OutlineNode& b) {
+    return a.position.x() != b.position.x() ? a.position.x() < b.position.x()
+                                            : a.position.y() < b.position.y();
+  });
+  const auto turnsLeft = [](const OutlineNode& a, const OutlineNode& b, const OutlineNode& c) {
+    const Vector2d u = b.position - a.position, v = c.position - b.position;
+    return u.x() * v.y() - u.y() * v.x() > 1e-9 * (u.norm() * v.norm());
+  };
+  std::vector<OutlineNode> hull;
+  for (const bool upper : {false, true}) {
+    const std::size_t start = hull.size();
+    for (const OutlineNode& node : nodes) {
+      while (hull.size() >= start + 2 && !turnsLeft(hull[hull.size() - 2], hull.back(), node))
+        hull.pop_back();
+      hull.push_back(node);
+    }
+    hull.pop_back();  // the next half begins with it
+    if (!upper) std::reverse(nodes.begin(), nodes.end());
+  }
+  return hull;
+}
+
 }  // namespace
 
 Eigen::Isometry3d frameAlong(const Vector3d& origin, const Vector3d& axis, const Vector3d& towards) {
@@ -342,6 +367,38 @@ Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to, 
     part *= 0.985;
   }
   return pieces;
+}
+
+Solid plate(std::span<const Eye> corners, double from, double to, double tolerance) {
+  GEARGRAPH_REQUIRE(!corners.empty());
+  std::vector<OutlineNode> nodes;
+  for (const Eye& corner : corners) {
+    const int n = circleCount(corner.radius, tolerance);
+    for (int i = 0; i < n; ++i) {
+      const Vector2d out = onCircle(2 * pi * i / n);
+      nodes.push_back({corner.centre + corner.radius * out, out});
+    }
+  }
+  const std::vector<OutlineNode> outline = hullOf(std::move(nodes));
+  Solid solid;
+  ShellBuilder builder(solid);
+  for (const double z : {from, to}) {
+    const double up = z == to ? 1 : -1;
+    std::vector<std::uint32_t> rim;
+    for (const OutlineNode& node : outline)
+      rim.push_back(builder.addVertex({node.position.x(), node.position.y(), z}, {0, 0, up}));
+    for (std::size_t i = 1; i + 1 < rim.size(); ++i) {
+      if (up > 0) {
+        builder.addTriangle(rim[0], rim[i], rim[i + 1]);
+      } else {
+        builder.addTriangle(rim[0], rim[i + 1], rim[i]);
+      }
+    }
+  }
+  std::vector<OutlineNode> wall = outline;
+  wall.push_back(outline.front());
+  addWall(builder, wall, from, to);
+  return solid;
 }
 
 }  // namespace geargraph::inline solids

@@ -42,4 +42,8 @@ struct Eye {
 [[nodiscard]] Solid spider(const Eye& hub, std::span<const Eye> ends, double from, double to,
                            double tolerance);
 
+/// A flat plate with rounded corners: the convex hull of discs, from z = `from` to `to`. Holes are not cut.
+/// @pre there is a corner
+[[nodiscard]] Solid plate(std::span<const Eye> corners, double from, double to, double tolerance);
+
 }  // namespace geargraph::inline solids

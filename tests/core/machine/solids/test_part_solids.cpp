@@ -36,6 +36,20 @@ class TestPartSolids : public QObject {
     QVERIFY(std::abs(signedVolume(bar) / (0.3 * (100 - 81) * 7) - 1) < 0.01);
   }
 
+  /// Hull of two equal discs and of a square of discs, one of them inside.
+  void platesAreClosedAndHaveTheirVolume() {
+    const Eye near{{0, 0}, 3, 0}, far{{20, 0}, 3, 0};
+    const Solid bar = plate(std::vector{near, far}, -1, 2, 1e-3);
+    compareShell(bar, 0);
+    QVERIFY(std::abs(signedVolume(bar) / (3 * (9 * pi + 120)) - 1) < 0.01);
+    const Solid square = plate(
+        std::vector<Eye>{{{0, 0}, 2, 0}, {{10, 0}, 2, 0}, {{0, 10}, 2, 0}, {{5, 5}, 1, 0}, {{10, 10}, 2, 0}},
+        0, 1, 1e-3);
+    compareShell(square, 0);
+    QVERIFY(std::abs(signedVolume(square) / (100 + 4 * 20 + 4 * pi) - 1) < 0.01);
+    compareShell(plate(std::vector{near}, 0, 1, 0.01), 0);
+  }
+
   void tubesHaveTheirVolume() {
     const double plain = pi * (16 - 6.25) * 30;
     QVERIFY(std::abs(signedVolume(tube(4, 2.5, 0, 30, 1e-4)) / plain - 1) < 0.01);  // but for the chamfers
