@@ -6,7 +6,6 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
-#include "core/machine/bodies/body_plan.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/train_stage/train_stage.h"
 

@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "core/machine/bodies/body_clashes.h"
-#include "core/machine/bodies/body_plan.h"
+#include "core/machine/arrangement/arrangement.h"
+#include "core/machine/arrangement/body_clashes.h"
+#include "core/machine/arrangement/body_shapes.h"
 #include "core/machine/bodies/body_recipe.h"
-#include "core/machine/bodies/body_shapes.h"
 #include "core/machine/solids/gear_body.h"
 #include "core/machine/solids/gear_solid.h"
 #include "core/machine/train/train_findings.h"
@@ -25,7 +25,7 @@ constexpr int kCageBars = 5;
 
 class BodyBuilder {
  public:
-  BodyBuilder(const BodyPlan& plan, const GearTrain& train, std::size_t links)
+  BodyBuilder(const Arrangement& plan, const GearTrain& train, std::size_t links)
       : m_plan(plan), m_train(train), m_recipes(links), m_armsOf(links) {
     for (const ArmPlan& arm : plan.arms) m_armsOf[static_cast<std::size_t>(arm.link)].push_back(&arm);
   }
@@ -123,7 +123,7 @@ class BodyBuilder {
            });
   }
 
-  const BodyPlan& m_plan;
+  const Arrangement& m_plan;
   const GearTrain& m_train;
   std::vector<BodyRecipe> m_recipes;
   std::vector<std::vector<const ArmPlan*>> m_armsOf;  ///< by link
@@ -272,7 +272,7 @@ void BodyBuilder::addFrame(const FramePlan& frame) {
 }
 
 /// The bore about the link's own shaft, or with play about what passes.
-void fitBore(const BodyPlan& plan, TrainGear& gear) {
+void fitBore(const Arrangement& plan, TrainGear& gear) {
   if (gear.spec.kind == GearKind::internal || gear.spec.bore != 0) return;
   const AxisLayout& layout = plan.axes[static_cast<std::size_t>(gear.axisClass)];
   const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
@@ -322,7 +322,7 @@ LinkBody bodyOf(int link, BodyRecipe recipe) {
 
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
                const std::stop_token& stop) {
-  const BodyPlan plan = planBodies(mechanism, placement, train, stop);
+  const Arrangement plan = arrangementOf(mechanism, placement, train, stop);
   if (stop.stop_requested()) return;
   train.hasSimpleBodies = plan.isSimple;
   train.blocked = plan.blocked;

@@ -10,7 +10,7 @@ namespace geargraph::inline bodies {
 
 /// Adds shafts, arms, bearings and the cups of rings for every link, and bores its gears for the shafts;
 /// their solids are made on demand. Adds none, or some, when `stop` was requested meanwhile. Cost:
-/// planBodies().
+/// arrangementOf().
 void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
                const std::stop_token& stop = {});
 

@@ -53,7 +53,7 @@ struct LinkBody {
   [[nodiscard]] const Solid& solid() const { return *fine->solid(); }
 };
 
-/// Larger trains get straight bodies that are not routed past each other (BodyPlan::isSimple), and bevels
+/// Larger trains get straight bodies that are not routed past each other (Arrangement::isSimple), and bevels
 /// keep their faces: to look for ways costs more than the square of the wheels, and it would take minutes.
 constexpr std::size_t kMostRoutedGears = 400;
 

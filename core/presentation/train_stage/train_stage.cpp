@@ -5,7 +5,6 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "core/machine/bodies/body_plan.h"
 #include "core/machine/bodies/body_recipe.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/solids/spec_findings.h"

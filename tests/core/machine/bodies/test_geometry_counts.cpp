@@ -4,7 +4,7 @@
 #include <barrier>
 #include <thread>
 
-#include "core/machine/bodies/body_plan.h"
+#include "core/machine/arrangement/arrangement.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/fitting/axis_drag.h"
@@ -48,18 +48,18 @@ void countedShaping(const Mechanism& mechanism, TrainWheels& train, const std::s
   realShaping(mechanism, train, stop);
 }
 
-BodyPlan
+Arrangement
 countedPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train, const std::stop_token& stop) asm(
-    "__wrap__ZN9geargraph6bodies10planBodiesERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
+    "__wrap__ZN9geargraph11arrangement13arrangementOfERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
     "5train9GearTrai"
     "nERKSt10stop_token");
-BodyPlan
+Arrangement
 realPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train, const std::stop_token& stop) asm(
-    "__real__ZN9geargraph6bodies10planBodiesERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
+    "__real__ZN9geargraph11arrangement13arrangementOfERKNS_5model9MechanismERKNS_9placement9PlacementERKNS_"
     "5train9GearTrai"
     "nERKSt10stop_token");
-BodyPlan countedPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
-                     const std::stop_token& stop) {
+Arrangement countedPlan(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                        const std::stop_token& stop) {
   ++plans;
   return realPlan(mechanism, placement, train, stop);
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/machine/bodies/body_plan.h"
+#include "core/machine/arrangement/arrangement.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/machine/train/wheel_rooms.h"
 #include "tests/core/machine/solids/topology.h"

@@ -1,0 +1,129 @@
+#include "core/machine/arrangement/arrangement.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/machine/arrangement/body_clashes.h"
+#include "core/machine/arrangement/body_planner.h"
+#include "core/machine/arrangement/ground_frame.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+/// Carriers that turn about the axes of bearings which the frame cannot reach, and the levels of their arms.
+std::map<int, double> armsRound(const Arrangement& plan) {
+  std::map<int, double> arms;
+  for (const auto& place : plan.frame.onFeet) {
+    for (const ArmPlan& arm : plan.arms) {
+      if (arm.link != 0 && arm.from == place.first) arms.try_emplace(arm.link, arm.level);
+    }
+  }
+  return arms;
+}
+
+}  // namespace
+
+Arrangement arrangementOf(const Mechanism& mechanism, const Placement& placement, const GearTrain& train,
+                          const std::stop_token& stop) {
+  // Arms of the frame across the train that run into something go: their bearings stand on feet of their own.
+  // And the frame leaves room for carriers that find none, or that go round bearings it cannot reach.
+  PlanTries tries;
+  if (train.gears.size() > kMostRoutedGears)
+    return BodyPlanner(mechanism, placement, train, tries, stop).planSimply();
+  struct Tried {
+    Arrangement plan;
+    std::vector<BodyClash> clashes;
+
+    /// The fewer, the better: first what passes through others, then what the frame cannot reach.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> faults() const {
+      return {plan.blocked.size() + clashes.size(), plan.frame.onFeet.size()};
+    }
+  };
+  std::optional<Tried> best;
+  constexpr int kMostTries = 16;
+  bool isNew = true;
+  for (int i = 0; isNew && i < kMostTries; ++i) {
+    isNew = false;
+    BodyPlanner planner(mechanism, placement, train, tries, stop);
+    Tried tried{planner.plan(), {}};
+    if (stop.stop_requested()) return std::move(tried.plan);
+    tried.clashes = bodyClashes(tried.plan, train, stop);
+    tried.plan.frame = planFrame(tried.plan, train, placement);
+    for (const int link : planner.wantRoom()) isNew = tries.roomFor.insert(link).second || isNew;
+    for (const BodyClash& clash : tried.clashes) {
+      for (const int child : clash.heldByFrame) isNew = tries.onFeet.insert(child).second || isNew;
+    }
+    for (const auto& [link, level] : armsRound(tried.plan)) {
+      const bool isFirst = tries.roundBearings.try_emplace(link, level).second;
+      isNew = isFirst || tries.roomFor.insert(link).second || isNew;
+    }
+    if (!best || tried.faults() < best->faults()) best = std::move(tried);
+  }
+  Arrangement& plan = best->plan;
+  const auto isReported = [&](const std::vector<int>& pair) {
+    return std::any_of(plan.blocked.begin(), plan.blocked.end(), [&](const std::vector<int>& links) {
+      return std::all_of(pair.begin(), pair.end(), [&](int link) {
+        return std::find(links.begin(), links.end(), link) != links.end();
+      });
+    });
+  };
+  for (const BodyClash& clash : best->clashes) {
+    if (!isReported({clash.one, clash.other})) plan.blocked.push_back({clash.one, clash.other});
+  }
+  return std::move(plan);
+}
+
+std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTrain& train, int axisClass) {
+  const AxisLayout& axis = arrangement.axes[static_cast<std::size_t>(axisClass)];
+  std::vector<AxisPlace> places;
+  using Kind = AxisPlace::Kind;
+  for (std::size_t g = 0; g < train.gears.size(); ++g) {
+    const TrainGear& gear = train.gears[g];
+    if (gear.axisClass != axisClass) continue;
+    const AxialSpan span = axialSpan(gear.spec);
+    const double sense = gear.pose.linear().col(2).dot(axis.direction) < 0 ? -1 : 1;
+    const double middle = axis.coordinate(gear.pose.translation()) + sense * (span.low + span.high) / 2;
+    places.push_back({Kind::wheel, middle, gear.link, static_cast<int>(g)});
+  }
+  for (const Bearing& b : axis.bearings) {
+    if (b.isEye()) places.push_back({Kind::bearing, b.at, b.child, b.joint});
+  }
+  for (std::size_t a = 0; a < arrangement.arms.size(); ++a) {
+    const ArmPlan& arm = arrangement.arms[a];
+    if (arm.from == axisClass) places.push_back({Kind::arm, arm.level, arm.link, static_cast<int>(a)});
+  }
+  for (const CupPlan& cup : arrangement.cups) {
+    const TrainGear& ring = train.gears[static_cast<std::size_t>(cup.gear)];
+    if (ring.axisClass == axisClass) places.push_back({Kind::ringCarrier, cup.plate, ring.link, cup.gear});
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const AxisPlace& a, const AxisPlace& b) { return a.at < b.at; });
+  return places;
+}
+
+int nestingDepth(const Arrangement& arrangement, int axisClass, int link) {
+  const AxisLayout& axis = arrangement.axes[static_cast<std::size_t>(axisClass)];
+  std::vector<const ShaftSegment*> shafts;
+  for (const std::size_t s : arrangement.shaftsOn[static_cast<std::size_t>(axisClass)])
+    shafts.push_back(&arrangement.shafts[s]);
+  std::stable_sort(shafts.begin(), shafts.end(),
+                   [](const ShaftSegment* a, const ShaftSegment* b) { return a->outer < b->outer; });
+  std::map<int, int> depths;  // by link
+  for (const ShaftSegment* outer : shafts) {
+    int depth = 0;
+    for (const ShaftSegment* inner : shafts) {
+      const bool isWithin = inner->outer < outer->outer && inner->link != outer->link &&
+                            axis.overlap(inner->low, inner->high, outer->low, outer->high);
+      if (isWithin) depth = std::max(depth, depths.at(inner->link) + 1);
+    }
+    int& own = depths.try_emplace(outer->link, 0).first->second;
+    own = std::max(own, depth);
+  }
+  const auto found = depths.find(link);
+  return found == depths.end() ? -1 : found->second;
+}
+
+}  // namespace geargraph::inline arrangement

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <set>
+#include <stop_token>
+#include <vector>
+
+#include "core/machine/arrangement/arrangement.h"
+
+namespace geargraph::inline arrangement {
+
+/// Two links whose bodies are in each other's way.
+struct BodyClash {
+  int one = 0;  ///< the smaller
+  int other = 0;
+  std::set<int> heldByFrame;  ///< links whose bearings are held by arms of the frame that are in the way
+};
+
+/// Pairs of links whose planned bodies run into each other or into the gears of the other, but for what
+/// stands on one axis, which levels and sleeves keep apart. In the reference pose, as hulls of discs
+/// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Incomplete when `stop` was requested
+/// meanwhile. Cost: O(parts^2), most of them by their balls.
+[[nodiscard]] std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& train,
+                                                 const std::stop_token& stop = {});
+
+}  // namespace geargraph::inline arrangement

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "core/machine/arrangement/arrangement.h"
+#include "core/mechanism/placement/disc_hull.h"
+
+namespace geargraph::inline arrangement {
+
+enum class HullKind { gear, shaft, bearing, arm, post };
+
+/// A gear or a planned part of a body as the convex hull of discs.
+struct BodyHull {
+  HullKind kind = HullKind::gear;
+  int link = 0;
+  int axisClass = -1;  ///< that it is placed on; -1: a post
+  int other = -1;      ///< of an arm: at its other end, where that is parallel; of a post: that it reaches
+  DiscHull discs;
+  int held = -1;  ///< of an arm across to another axis, and of its post: the link that it holds
+
+  [[nodiscard]] bool isOn(int c) const { return axisClass == c || other == c; }
+};
+
+/// Which parts get hulls, and how large.
+struct HullOptions {
+  double inset = 0;      ///< modules by which shafts, bearings and arms are reduced
+  bool isWhole = false;  ///< hollow parts too (rings, their carriers, drums, flat bevels), as if filled
+};
+
+/// Hulls of the gears and of the planned shafts, bearings and arms. Cost: O(parts).
+[[nodiscard]] std::vector<BodyHull> bodyHulls(const Arrangement& plan, const GearTrain& train,
+                                              const HullOptions& options);
+
+}  // namespace geargraph::inline arrangement

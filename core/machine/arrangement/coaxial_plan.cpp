@@ -1,0 +1,410 @@
+#include "core/machine/arrangement/coaxial_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/machine/arrangement/coaxial_sections.h"
+#include "core/machine/arrangement/meridian_outline.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Makes bodies of the ways that were found.
+class CoaxialMaker {
+ public:
+  CoaxialMaker(int axisClass, std::span<const AxisLayout> axes, const Placement& placement,
+               const GearTrain& train, const CoaxialSections& sections, std::vector<MeridianRoute> routes)
+      : m_class(axisClass),
+        m_axes(axes),
+        m_placement(placement),
+        m_train(train),
+        m_sections(sections),
+        m_grid(sections.grid),
+        m_routes(std::move(routes)),
+        m_owner(sections.grid.owner.size(), -1),
+        m_isBody(sections.grid.owner.size(), false),
+        m_margin(0.4 * sections.module) {}
+
+  CoaxialPlan make() {
+    for (std::size_t n = 0; n < m_routes.size(); ++n) {
+      for (const int c : m_routes[n].cells) m_owner[at(c)] = static_cast<int>(n);
+    }
+    for (std::size_t n = 0; n < m_routes.size(); ++n) addSleeves(static_cast<int>(n));
+    nestSleeves();
+    joinSleeves();
+    setWidth();
+    for (std::size_t n = 0; n < m_routes.size(); ++n) {
+      markBodies(static_cast<int>(n));
+      carryPlanets(static_cast<int>(n));
+      openDrums(static_cast<int>(n));
+      addLathes(static_cast<int>(n));
+      placeBearing(static_cast<int>(n));
+    }
+    setHubs();
+    return std::move(m_plan);
+  }
+
+ private:
+  struct Sleeve {
+    int net = 0, row = 0, first = 0, last = 0;
+    std::size_t shaft = 0;
+  };
+  void addSleeves(int net);
+  void nestSleeves();
+  void joinSleeves();
+  void setWidth();
+  void markBodies(int net);
+  void carryPlanets(int net);
+  [[nodiscard]] bool isSpider(int net, const MeridianLanding& landing) const;
+  void openDrums(int net);
+  void addLathes(int net);
+  void placeBearing(int net);
+  void setHubs();
+
+  [[nodiscard]] int link(int net) const { return m_sections.linkOf[at(net)]; }
+  [[nodiscard]] const CoaxialColumn& column(int c) const { return m_sections.columns[at(c)]; }
+  [[nodiscard]] double middleOf(int c) const { return (column(c).low + column(c).high) / 2; }
+  [[nodiscard]] bool owns(int net, int c, int r) const {
+    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_owner[at(m_grid.cell(c, r))] == net;
+  }
+  [[nodiscard]] bool isWheel(int cell) const { return m_grid.owner[at(cell)] >= 0; }
+  [[nodiscard]] bool hasWheel(int net, int c) const {
+    for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
+      if (m_grid.owner[at(m_grid.cell(c, r))] == net) return true;
+    }
+    return false;
+  }
+  /// The net's inmost sleeve in a column; nothing: it has none.
+  [[nodiscard]] const Sleeve* sleeveIn(int net, int c) const {
+    for (const Sleeve& s : m_sleeves) {
+      if (s.net == net && s.first <= c && c <= s.last) return &s;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] double wallMiddle(const Sleeve& s) const {
+    const ShaftSegment& shaft = m_plan.shafts[s.shaft];
+    return shaft.inner > 0 ? (shaft.inner + shaft.outer) / 2 : shaft.outer / 2;
+  }
+
+  int m_class;
+  std::span<const AxisLayout> m_axes;
+  const Placement& m_placement;
+  const GearTrain& m_train;
+  const CoaxialSections& m_sections;
+  const MeridianGrid& m_grid;
+  std::vector<MeridianRoute> m_routes;
+  std::vector<int> m_owner;       ///< net by cell
+  std::vector<bool> m_isBody;     ///< of the net at hand: cells that become bodies of revolution
+  double m_margin;                ///< between cells and what fills them, along the axis
+  std::vector<Sleeve> m_sleeves;  ///< by net, then row
+  CoaxialPlan m_plan;
+};
+
+/// Runs along a row within the wheels; a row that is only crossed has none.
+void CoaxialMaker::addSleeves(int net) {
+  const auto add = [&](int row, int first, int last) {
+    ShaftSegment shaft;
+    shaft.axisClass = m_class;
+    shaft.link = link(net);
+    shaft.include(column(first).low, column(last).high);
+    const double module = m_sections.module;
+    // Out of the own hub, but not as far as the next sleeve comes.
+    shaft.low += hasWheel(net, first) ? -0.16 * module : 0.2 * module;
+    shaft.high += hasWheel(net, last) ? 0.16 * module : -0.2 * module;
+    m_sleeves.push_back({net, row, first, last, m_plan.shafts.size()});
+    m_plan.shafts.push_back(shaft);
+  };
+  for (int row = 0; row < m_sections.innerRows; ++row) {
+    for (int c = 0; c < m_grid.columns; ++c) {
+      if (!owns(net, c, row)) continue;
+      int last = c;
+      while (owns(net, last + 1, row)) ++last;
+      const bool crossed = owns(net, c, row - 1) || owns(net, c, row + 1);
+      if (last > c || !crossed) add(row, c, last);
+      c = last;
+    }
+  }
+  // Crossed rows without a run beside: the inmost of the column.
+  for (int c = 0; c < m_grid.columns; ++c) {
+    if (sleeveIn(net, c) != nullptr) continue;
+    for (int row = 0; row < m_sections.innerRows; ++row) {
+      if (!owns(net, c, row)) continue;
+      add(row, c, c);
+      break;
+    }
+  }
+}
+
+/// Sleeves about what lies inside; all shrink together until every wheel holds its own.
+void CoaxialMaker::nestSleeves() {
+  const double module = m_sections.module;
+  std::vector<const Sleeve*> order;
+  for (const Sleeve& s : m_sleeves) order.push_back(&s);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Sleeve* a, const Sleeve* b) { return a->row < b->row; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    ShaftSegment& shaft = m_plan.shafts[order[i]->shaft];
+    double inside = 0;
+    for (std::size_t k = 0; k < i; ++k) {
+      const ShaftSegment& other = m_plan.shafts[order[k]->shaft];
+      const bool over = order[k]->first <= order[i]->last && order[i]->first <= order[k]->last;
+      if (over && order[k]->net != order[i]->net) inside = std::max(inside, other.outer);
+    }
+    shaft.wrap(inside, module);
+  }
+  double scale = 1;
+  for (const ShaftSegment& shaft : m_plan.shafts)
+    scale = std::min(scale, m_sections.innerRadius / shaft.outer);
+  for (ShaftSegment& shaft : m_plan.shafts) {
+    shaft.inner *= scale;
+    shaft.outer *= scale;
+  }
+}
+
+/// Sleeves of a net that lie over each other and came out equally wide are one.
+void CoaxialMaker::joinSleeves() {
+  const auto shaftOf = [&](const Sleeve& s) -> ShaftSegment& { return m_plan.shafts[s.shaft]; };
+  const auto isOne = [&](const Sleeve& a, const Sleeve& b) {
+    return a.net == b.net && a.first <= b.last && b.first <= a.last &&
+           std::abs(shaftOf(a).outer - shaftOf(b).outer) < 1e-9 * m_sections.module &&
+           std::abs(shaftOf(a).inner - shaftOf(b).inner) < 1e-9 * m_sections.module;
+  };
+  for (std::size_t i = 0; i < m_sleeves.size(); ++i) {
+    for (std::size_t k = i + 1; k < m_sleeves.size();) {
+      Sleeve& one = m_sleeves[i];
+      const Sleeve other = m_sleeves[k];
+      if (!isOne(one, other)) {
+        ++k;
+        continue;
+      }
+      shaftOf(one).include(shaftOf(other).low, shaftOf(other).high);
+      one.first = std::min(one.first, other.first);
+      one.last = std::max(one.last, other.last);
+      m_sleeves.erase(m_sleeves.begin() + static_cast<std::ptrdiff_t>(k));
+      k = i + 1;  // the longer one may reach others
+    }
+  }
+  std::vector<ShaftSegment> kept;
+  for (Sleeve& s : m_sleeves) {
+    kept.push_back(shaftOf(s));
+    s.shaft = kept.size() - 1;
+  }
+  m_plan.shafts = std::move(kept);
+}
+
+/// Arms are as wide as the narrowest slot that one stands in.
+void CoaxialMaker::setWidth() {
+  double width = m_axes[at(m_class)].width();
+  for (std::size_t n = 0; n < m_routes.size(); ++n) {
+    for (std::size_t g = 0; g < m_routes[n].landing.size(); ++g) {
+      if (m_sections.planetsOf[n][g].empty()) continue;
+      const auto& landing = m_sections.nets[n].groups[g][at(m_routes[n].landing[g])];
+      const CoaxialColumn& c = column(m_grid.columnOf(landing.cells.front()));
+      width = std::min(width, c.high - c.low - 1.5 * m_margin);
+    }
+  }
+  m_plan.width = width / m_sections.module;
+}
+
+void CoaxialMaker::markBodies(int net) {
+  m_isBody.assign(m_isBody.size(), false);
+  for (const int c : m_routes[at(net)].cells) {
+    if (m_grid.rowOf(c) >= m_sections.innerRows && !isWheel(c)) m_isBody[at(c)] = true;
+  }
+}
+
+/// Do only arms lead from the landing straight to the link's sleeve?
+bool CoaxialMaker::isSpider(int net, const MeridianLanding& landing) const {
+  const int c = m_grid.columnOf(landing.cells.front());
+  const int top = m_grid.rowOf(landing.cells.back());
+  const Sleeve* sleeve = sleeveIn(net, c);
+  if (sleeve == nullptr) return false;
+  for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
+    const bool own = owns(net, c, r);
+    if (own != (r <= top)) return false;
+    if (own && (owns(net, c - 1, r) || owns(net, c + 1, r))) return false;
+  }
+  return true;
+}
+
+void CoaxialMaker::carryPlanets(int net) {
+  for (std::size_t g = 0; g < m_routes[at(net)].landing.size(); ++g) {
+    const auto& carried = m_sections.planetsOf[at(net)][g];
+    if (carried.empty()) continue;
+    const MeridianLanding& landing = m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].landing[g])];
+    const int c = m_grid.columnOf(landing.cells.front());
+    const double level = middleOf(c);
+    const bool spider = isSpider(net, landing);
+    for (const std::size_t i : carried) {
+      const CoaxialPlanets& planets = m_sections.planets[i];
+      const AxisLayout& there = m_axes[at(planets.axisClass)];
+      const double sense = there.direction.dot(m_axes[at(m_class)].direction) < 0 ? -1 : 1;
+      const auto carriedTo = [&](double x) { return there.coordinate(m_axes[at(m_class)].at(x)); };
+      for (const Bearing& b : there.bearings) {
+        if (spider) {
+          m_plan.arms.push_back({link(net), m_class, level, planets.axisClass, carriedTo(level), b.child});
+          m_plan.bearings.push_back({b.joint, carriedTo(level), BearingForm::eye});
+          continue;
+        }
+        const bool below = level < planets.wheels.front().low;
+        const double end = below ? planets.wheels.back().high : planets.wheels.front().low;
+        const double to = carriedTo(end) + (below ? 1 : -1) * sense * 0.1 * m_sections.module;
+        if (&b == &there.bearings.front())
+          m_plan.pins.push_back({link(net), -1, level, planets.axisClass, carriedTo(level), to});
+        m_plan.bearings.push_back({b.joint, to, BearingForm::hidden});
+      }
+    }
+    if (!spider) continue;
+    for (int r = m_sections.innerRows; r < m_grid.rows; ++r) m_isBody[at(m_grid.cell(c, r))] = false;
+  }
+}
+
+/// Longer walls of drums become bars, which overlap what stands at their ends.
+void CoaxialMaker::openDrums(int net) {
+  const double module = m_sections.module;
+  const auto body = [&](int c, int r) {
+    return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_isBody[at(m_grid.cell(c, r))];
+  };
+  const auto isWall = [&](int c, int r) {
+    return body(c, r) && owns(net, c - 1, r) && owns(net, c + 1, r) && !body(c, r - 1) && !body(c, r + 1);
+  };
+  const std::vector<bool> before = m_isBody;
+  for (int r = m_sections.innerRows + 1; r + 1 < m_grid.rows; ++r) {
+    for (int c = 0; c < m_grid.columns; ++c) {
+      if (!isWall(c, r)) continue;
+      int last = c;
+      while (isWall(last + 1, r)) ++last;
+      const double length = column(last).high - column(c).low;
+      if (length > 5 * module && m_sections.rowLow(r) > 6 * module) {
+        const auto into = [&](int beside) {
+          return hasWheel(net, beside) ? 0.2 * module : m_margin + 0.2 * module;
+        };
+        m_plan.cages.push_back({m_class, link(net), m_sections.rowLow(r) + 0.25 * module,
+                                m_sections.rowLow(r + 1) - 0.25 * module, column(c).low - into(c - 1),
+                                column(last).high + into(last + 1)});
+        for (int k = c; k <= last; ++k) m_isBody[at(m_grid.cell(k, r))] = false;
+      }
+      c = last;
+    }
+  }
+}
+
+void CoaxialMaker::addLathes(int net) {
+  const double module = m_sections.module;
+  OutlinePlaces places;
+  places.height = [&](int cell, int side) {
+    const int c = m_grid.columnOf(cell);
+    const double edge = side < 0 ? column(c).low : column(c).high;
+    const int beside = c + side;
+    const bool wheel = beside >= 0 && beside < m_grid.columns && owns(net, beside, m_grid.rowOf(cell)) &&
+                       isWheel(m_grid.cell(beside, m_grid.rowOf(cell)));
+    return edge + side * (wheel ? 0.2 * module : -m_margin);  // into the own wheel, off the neighbours
+  };
+  places.radius = [&](int cell, int side) {
+    const int r = m_grid.rowOf(cell);
+    const int c = m_grid.columnOf(cell);
+    const double inset = 0.2 * module;
+    if (side > 0) return m_sections.rowLow(r + 1) - inset;
+    const bool joined = r == m_sections.innerRows && owns(net, c, r - 1);
+    const Sleeve* sleeve = joined ? sleeveIn(net, c) : nullptr;
+    return sleeve != nullptr ? wallMiddle(*sleeve) : m_sections.rowLow(r) + inset;
+  };
+  LathePlan plan{m_class, link(net), outlinesOf(m_grid, m_isBody, places)};
+  // Where a link changes from one sleeve to another, a disc joins them.
+  for (int c = 0; c < m_grid.columns; ++c) {
+    const Sleeve* low = nullptr;
+    const Sleeve* high = nullptr;
+    for (const Sleeve& s : m_sleeves) {
+      if (s.net != net || s.first > c || s.last < c) continue;
+      if (low == nullptr) low = &s;
+      high = &s;
+    }
+    if (low == high) continue;
+    const double from = wallMiddle(*low), to = m_plan.shafts[high->shaft].outer - 0.05 * module;
+    const double bottom = column(c).low + m_margin, top = column(c).high - m_margin;
+    plan.meridians.push_back({{to, top}, {from, top}, {from, bottom}, {to, bottom}});
+  }
+  if (!plan.meridians.empty()) m_plan.lathes.push_back(std::move(plan));
+}
+
+/// The bearing of the net's link on this axis: at the end where it comes out.
+void CoaxialMaker::placeBearing(int net) {
+  if (link(net) == 0) return;
+  const JointTree& tree = *m_placement.tree;
+  const MeridianRoute& route = m_routes[at(net)];
+  CoaxialBearing bearing{tree.joint[at(link(net))], 0, BearingForm::hidden};
+  if (route.support >= 0) {
+    const MeridianLanding& landing = m_sections.nets[at(net)].supports[at(route.support)];
+    const int c = m_grid.columnOf(landing.cells.front());
+    bearing.at = middleOf(c);
+    if (column(c).end != 0) bearing.form = BearingForm::eye;
+  }
+  m_plan.bearings.push_back(bearing);
+}
+
+/// Hubs reach as far out as the discs that stand on them.
+void CoaxialMaker::setHubs() {
+  for (std::size_t g = 0; g < m_sections.netsOfGear.size(); ++g) {
+    const GearSpec& spec = m_train.gears[g].spec;
+    if (m_sections.netsOfGear[g].empty() || spec.kind == GearKind::internal) continue;
+    const int net = m_sections.netsOfGear[g].front();
+    const int row = m_sections.innerRows;
+    for (const int cell : m_routes[at(net)].cells) {
+      const int c = m_grid.columnOf(cell);
+      if (m_grid.rowOf(cell) != row || isWheel(cell)) continue;
+      const bool beside = (c > 0 && m_grid.owner[at(m_grid.cell(c - 1, row))] == net) ||
+                          (c + 1 < m_grid.columns && m_grid.owner[at(m_grid.cell(c + 1, row))] == net);
+      const double hub = 2 * (m_sections.rowLow(row + 1) + 0.2 * m_sections.module);
+      if (beside && (m_plan.hubs.empty() || m_plan.hubs.back().first != g)) m_plan.hubs.push_back({g, hub});
+    }
+  }
+}
+
+}  // namespace
+
+bool needsCoaxialPlan(int axisClass, const Placement& placement, const GearTrain& train) {
+  const AxisClasses& classes = *placement.classes;
+  const JointTree& tree = *placement.tree;
+  const auto isOf = [&](int link) { return classes.classOfLink(link) == axisClass; };
+  if (classes.classes[at(axisClass)].top != 0) return false;
+  int rings = 0;
+  for (const TrainGear& gear : train.gears) {
+    if (gear.axisClass == axisClass && gear.spec.kind == GearKind::internal) ++rings;
+    if (gear.axisClass == axisClass && gear.spec.kind == GearKind::bevel) return false;
+    if (gear.axisClass == axisClass && gear.link != 0 && !isOf(gear.link)) return false;
+    const int top = classes.classes[at(gear.axisClass)].top;
+    if (gear.axisClass == axisClass || !isOf(top)) continue;
+    if (gear.spec.kind == GearKind::internal || !(classes.classOfLink(gear.link) == gear.axisClass))
+      return false;
+  }
+  if (rings < 2) return false;
+  for (std::size_t c = 0; c < classes.classes.size(); ++c) {
+    const int top = classes.classes[c].top;
+    if (isOf(top)) {  // planets: on parallel axes, and nothing on them
+      const auto own = placement.lineOfClass(axisClass).direction;
+      const auto other = placement.lineOfClass(static_cast<int>(c)).direction;
+      if (std::abs(std::abs(dot(own, other)) - 1) > 1e-9) return false;
+    } else if (top != 0 && isOf(tree.parent[at(top)])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<CoaxialPlan> coaxialPlan(int axisClass, std::span<const AxisLayout> axes,
+                                       const Placement& placement, const GearTrain& train,
+                                       const std::stop_token& stop) {
+  for (const bool runOn : {false, true}) {
+    const CoaxialSections sections = coaxialSections(axisClass, axes, placement, train, runOn);
+    auto routes = routeMeridian(sections.grid, sections.nets, kMostRouteRounds, stop);
+    if (routes) return CoaxialMaker(axisClass, axes, placement, train, sections, std::move(*routes)).make();
+  }
+  return std::nullopt;
+}
+
+}  // namespace geargraph::inline arrangement

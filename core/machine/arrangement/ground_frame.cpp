@@ -1,0 +1,449 @@
+#include "core/machine/arrangement/ground_frame.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/machine/arrangement/body_shapes.h"
+#include "core/machine/arrangement/swept_envelope.h"
+#include "core/machine/solids/gear_body.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+using Eigen::Vector3d;
+
+// In modules.
+constexpr double kBar = 1.0;             ///< radius of a bar across an axis
+constexpr double kColumn = 1.3;          ///< radius of a column
+constexpr double kPlay = 0.4;            ///< between the frame and what sweeps past it
+constexpr double kLongestHousing = 8.0;  ///< between two bearings
+constexpr double kBaseThickness = 2.0;
+constexpr double kAboveBase = 1.0;  ///< what sweeps over the base
+constexpr int kDirections = 16;
+constexpr std::size_t kMostReaches = 16;
+
+/// A part of the ground on an axis: an interval of it.
+struct Piece {
+  int axisClass = 0;
+  double low = 0, high = 0;
+  double outer = 0;
+  bool isBearing = false;
+};
+
+/// A ring of the ground, on whose rim a bar may stand.
+struct Rim {
+  int axisClass = 0;
+  double low = 0, high = 0;
+  double inner = 0, outer = 0;
+  int piece = -1;  ///< that holds the ring
+};
+
+/// One or two bars from a bearing.
+struct Bracket {
+  double length = 1e300;
+  std::vector<FrameBar> bars;
+  std::optional<HousingPlan> housing;
+  std::optional<FramePlan::Foot> foot;
+  int onto = -1;  ///< the piece that it stands on; -1: the base
+};
+
+class FrameMaker {
+ public:
+  FrameMaker(const Arrangement& plan, const GearTrain& train, const Placement& placement)
+      : m_plan(plan), m_train(train), m_envelopes(sweptEnvelopes(plan, train, placement)) {}
+
+  FramePlan make() {
+    findPieces();
+    if (m_pieces.empty()) return m_made;
+    joinTouching();
+    addHousings();
+    std::vector<std::size_t> open = separatePieces();
+    for (const std::size_t group : open) {
+      if (separatePieces().size() < 2) break;
+      if (const Bracket bracket = bestBracket(group, true); bracket.onto >= 0) use(group, bracket);
+    }
+    open = separatePieces();
+    if (open.size() > 1) standOnBase(open);
+    return std::move(m_made);
+  }
+
+ private:
+  [[nodiscard]] const AxisLayout& axis(int c) const { return m_plan.axes[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] double module() const { return m_plan.axes.front().module; }
+
+  void findPieces();
+  void findRims();
+  void joinTouching();
+  void addHousings();
+  [[nodiscard]] std::optional<HousingPlan> housingBetween(const Piece& a, const Piece& b) const;
+  void standOnBase(const std::vector<std::size_t>& open);
+  [[nodiscard]] double baseTop() const;
+  [[nodiscard]] Bracket bestBracket(std::size_t group, bool onRims) const;
+  void considerRims(const Piece& piece, Bracket& best) const;
+  void considerBase(const Piece& piece, Bracket& best) const;
+  void considerPedestal(const Piece& piece, Bracket& best) const;
+  void use(std::size_t group, const Bracket& bracket);
+  [[nodiscard]] bool isClear(const Vector3d& from, const Vector3d& to, double radius, const Piece* own) const;
+  [[nodiscard]] std::vector<double> reachesFrom(const Piece& piece, const Vector3d& way) const;
+
+  // Pieces that hang together.
+  [[nodiscard]] std::size_t rootOf(std::size_t piece) const {
+    while (m_joined[piece] != piece) piece = m_joined[piece];
+    return piece;
+  }
+  void join(std::size_t a, std::size_t b) {
+    m_joined[std::max(rootOf(a), rootOf(b))] = std::min(rootOf(a), rootOf(b));
+  }
+  [[nodiscard]] std::vector<std::size_t> separatePieces() const {
+    std::vector<std::size_t> roots;
+    for (std::size_t p = 0; p < m_pieces.size(); ++p) {
+      if (rootOf(p) == p) roots.push_back(p);
+    }
+    return roots;
+  }
+  /// The first piece on the axis that holds the coordinate; -1: none.
+  [[nodiscard]] int pieceAt(int c, double coordinate) const {
+    for (std::size_t p = 0; p < m_pieces.size(); ++p) {
+      const double off = 1e-6 * module();
+      if (m_pieces[p].axisClass == c && m_pieces[p].low - off <= coordinate &&
+          coordinate <= m_pieces[p].high + off)
+        return static_cast<int>(p);
+    }
+    return -1;
+  }
+
+  const Arrangement& m_plan;
+  const GearTrain& m_train;
+  std::vector<SweptEnvelope> m_envelopes;
+  std::vector<Piece> m_pieces;
+  std::vector<std::size_t> m_joined;  ///< by piece: another of its group; itself: the group's first
+  std::vector<Rim> m_rims;
+  FramePlan m_made;
+};
+
+void FrameMaker::findPieces() {
+  for (std::size_t c = 0; c < m_plan.axes.size(); ++c) {
+    const double half = m_plan.axes[c].width() / 2;
+    for (const Bearing& b : m_plan.axes[c].bearings) {
+      if (b.parent != 0 || !b.isEye()) continue;
+      const int on = static_cast<int>(c);
+      m_pieces.push_back({on, b.at - half, b.at + half, eyeRadius(m_plan, on, b), true});
+    }
+  }
+  for (const ShaftSegment& s : m_plan.shafts) {
+    if (s.link == 0) m_pieces.push_back({s.axisClass, s.low, s.high, s.outer, false});
+  }
+  for (const StubPlan& stub : m_plan.stubs) {
+    const ShaftSegment* shaft = m_plan.shaftOf(stub.axisClass, 0, stub.at);
+    const double half = 0.45 * axis(stub.axisClass).width();
+    if (shaft != nullptr)
+      m_pieces.push_back({stub.axisClass, stub.at - half, stub.at + half,
+                          shaft->outer + eyeWall(axis(stub.axisClass)), true});
+  }
+  for (const LathePlan& lathe : m_plan.lathes) {
+    if (lathe.link != 0) continue;
+    for (const auto& meridian : lathe.meridians) {
+      Piece piece{lathe.axisClass, 1e300, -1e300, 0, false};
+      for (const ProfileVertex& vertex : meridian) {
+        piece.low = std::min(piece.low, vertex.height);
+        piece.high = std::max(piece.high, vertex.height);
+        piece.outer = std::max(piece.outer, vertex.radius);
+      }
+      m_pieces.push_back(piece);
+    }
+  }
+  m_joined.resize(m_pieces.size());
+  std::iota(m_joined.begin(), m_joined.end(), std::size_t{0});
+  findRims();
+}
+
+/// Rings of the ground, and rings without anything else, as pieces of their own.
+void FrameMaker::findRims() {
+  for (const TrainGear& gear : m_train.gears) {
+    if (gear.link != 0 || gear.spec.kind != GearKind::internal) continue;
+    const AxisLayout& on = axis(gear.axisClass);
+    const double middle = on.coordinate(gear.pose.translation()), half = gear.spec.faceWidth / 2;
+    Rim rim{gear.axisClass, middle - half, middle + half,
+            nominalRootRadius(gear.spec) + 0.4 * gear.spec.module, rimDiameter(gear.spec) / 2};
+    for (const CupPlan& cup : m_plan.cups) {
+      if (&m_train.gears[static_cast<std::size_t>(cup.gear)] == &gear)
+        rim.piece = pieceAt(gear.axisClass, cup.plate);
+    }
+    if (rim.piece < 0) {
+      rim.piece = static_cast<int>(m_pieces.size());
+      m_joined.push_back(m_pieces.size());
+      m_pieces.push_back({gear.axisClass, rim.low, rim.high, rim.outer, false});
+    }
+    m_rims.push_back(rim);
+  }
+}
+
+/// What overlaps on one axis, and what the ground's arms join.
+void FrameMaker::joinTouching() {
+  for (std::size_t a = 0; a < m_pieces.size(); ++a) {
+    for (std::size_t b = a + 1; b < m_pieces.size(); ++b) {
+      const Piece& one = m_pieces[a];
+      const Piece& other = m_pieces[b];
+      if (one.axisClass == other.axisClass &&
+          axis(one.axisClass).overlap(one.low, one.high, other.low, other.high))
+        join(a, b);
+    }
+  }
+  for (const ArmPlan& arm : m_plan.arms) {
+    if (arm.link != 0) continue;
+    const int from = pieceAt(arm.from, arm.level), to = pieceAt(arm.to, arm.at);
+    if (from >= 0 && to >= 0) join(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+  }
+}
+
+/// A tube about the shafts between two bearings, where nothing else is in its room.
+std::optional<HousingPlan> FrameMaker::housingBetween(const Piece& a, const Piece& b) const {
+  const AxisLayout& on = axis(a.axisClass);
+  const double low = a.high, high = b.low;
+  if (high - low > kLongestHousing * on.module) return std::nullopt;
+  double inside = 0;
+  for (const ShaftSegment& s : m_plan.shafts) {
+    if (s.axisClass == a.axisClass && s.link != 0 && on.overlap(s.low, s.high, a.low, b.high))
+      inside = std::max(inside, s.outer);
+  }
+  HousingPlan housing{a.axisClass, (a.low + a.high) / 2, (b.low + b.high) / 2, inside + eyePlay(on),
+                      std::max({a.outer, b.outer, inside + eyePlay(on) + 0.6 * eyeWall(on)})};
+  housing.outer -= 0.1 * on.module;
+  const double margin = housing.outer + kPlay * on.module;
+  const bool areNeighbours = !on.isBelow(2 * on.gap(), high - low);  // no room for anything but shafts
+  const bool isTaken = std::any_of(m_envelopes.begin(), m_envelopes.end(), [&](const SweptEnvelope& e) {
+    const bool isShaft = e.isOnAxis && e.kind == HullKind::shaft;
+    if (e.axisClass == a.axisClass && (e.isOnAxis || !areNeighbours))
+      return on.overlap(e.low, e.high, low, high) && e.inner < margin && !isShaft;
+    if (areNeighbours) return false;
+    return e.isNear(on.at(low), on.at(high), margin);
+  });
+  return isTaken ? std::nullopt : std::optional(housing);
+}
+
+void FrameMaker::addHousings() {
+  std::vector<std::size_t> order;
+  for (std::size_t p = 0; p < m_pieces.size(); ++p) {
+    if (m_pieces[p].isBearing) order.push_back(p);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Piece& x = m_pieces[a];
+    const Piece& y = m_pieces[b];
+    return x.axisClass != y.axisClass ? x.axisClass < y.axisClass : x.low < y.low;
+  });
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    const Piece& one = m_pieces[order[i]];
+    const Piece& next = m_pieces[order[i + 1]];
+    if (one.axisClass != next.axisClass || rootOf(order[i]) == rootOf(order[i + 1])) continue;
+    const auto housing = housingBetween(one, next);
+    if (!housing) continue;
+    m_made.housings.push_back(*housing);
+    join(order[i], order[i + 1]);
+  }
+}
+
+double FrameMaker::baseTop() const {
+  const Vector3d up = Vector3d::UnitZ();
+  double top = 1e300;
+  for (const SweptEnvelope& e : m_envelopes) top = std::min(top, e.lowestAlong(up));
+  for (const Piece& piece : m_pieces) {
+    const AxisLayout& on = axis(piece.axisClass);
+    SweptEnvelope own;
+    own.point = on.point;
+    own.direction = on.direction;
+    own.low = piece.low;
+    own.high = piece.high;
+    own.outer = piece.outer;
+    top = std::min(top, own.lowestAlong(up));
+  }
+  return top - kAboveBase * module();
+}
+
+/// Does a bar stay clear of everything that moves? `own`: the bearing that it starts at, whose shafts run
+/// inside of it.
+bool FrameMaker::isClear(const Vector3d& from, const Vector3d& to, double radius, const Piece* own) const {
+  const double margin = radius + kPlay * module();
+  return std::none_of(m_envelopes.begin(), m_envelopes.end(), [&](const SweptEnvelope& e) {
+    if (own != nullptr && e.isOnAxis && e.axisClass == own->axisClass && e.kind == HullKind::shaft &&
+        e.outer < own->outer)
+      return false;
+    return e.isNear(from, to, margin);
+  });
+}
+
+/// How far out a column may be to pass what sweeps about parallel axes, ascending.
+std::vector<double> FrameMaker::reachesFrom(const Piece& piece, const Vector3d& way) const {
+  const AxisLayout& on = axis(piece.axisClass);
+  const double margin = (kColumn + kPlay + 0.1) * module();
+  std::vector<double> reaches{piece.outer + 3 * module()};
+  for (const SweptEnvelope& e : m_envelopes) {
+    Vector3d apart = e.point - on.point;
+    apart -= apart.dot(e.direction) * e.direction;
+    const Vector3d along = way - way.dot(e.direction) * e.direction;
+    const double square = along.squaredNorm();
+    if (square < 0.01) continue;
+    // |reach * along - apart| = outer + margin
+    const double half = along.dot(apart) / square;
+    const double rest =
+        half * half - (apart.squaredNorm() - (e.outer + margin) * (e.outer + margin)) / square;
+    if (rest >= 0 && half + std::sqrt(rest) > reaches.front()) reaches.push_back(half + std::sqrt(rest));
+  }
+  std::sort(reaches.begin(), reaches.end());
+  const auto same = [&](double a, double b) { return std::abs(a - b) < 0.5 * module(); };
+  reaches.erase(std::unique(reaches.begin(), reaches.end(), same), reaches.end());
+  if (reaches.size() > kMostReaches) reaches.erase(reaches.begin(), reaches.end() - kMostReaches);
+  return reaches;
+}
+
+/// Over the face of a ring about the same axis, and onto its rim.
+void FrameMaker::considerRims(const Piece& piece, Bracket& best) const {
+  const AxisLayout& on = axis(piece.axisClass);
+  const double at = (piece.low + piece.high) / 2;
+  const Eigen::Isometry3d frame = frameAlong(on.at(at), on.direction, Vector3d::UnitY());
+  for (const Rim& rim : m_rims) {
+    if (rim.axisClass != piece.axisClass || rootOf(static_cast<std::size_t>(rim.piece)) ==
+                                                rootOf(static_cast<std::size_t>(&piece - m_pieces.data())))
+      continue;
+    const double radius = std::min(kColumn * module(), (rim.outer - rim.inner) / 2);
+    const double reach = (rim.inner + rim.outer) / 2;
+    const double end = (rim.low + rim.high) / 2, face = at < end ? rim.low : rim.high;
+    const double length = reach + std::abs(end - at);
+    if (length >= best.length || (rim.low < at && at < rim.high)) continue;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const Vector3d way = frame.linear() * Vector3d(std::cos(angle), std::sin(angle), 0);
+      const Vector3d start = on.at(at) + (piece.outer - 0.5 * eyeWall(on)) * way;
+      const Vector3d corner = on.at(at) + reach * way;
+      const double beyond = (at < end ? -1 : 1) * 1.2 * radius;
+      if (!isClear(start, corner, kBar * module(), &piece) ||
+          !isClear(on.at(at + beyond) + reach * way, on.at(face) + reach * way, radius, nullptr))
+        continue;
+      best = {length,
+              {{start, corner, kBar * module()},
+               {on.at(at + beyond) + reach * way, on.at(end) + reach * way, radius}},
+              {},
+              {},
+              rim.piece};
+      break;
+    }
+  }
+}
+
+/// A housing from a bearing on an upright axis down to the base.
+void FrameMaker::considerPedestal(const Piece& piece, Bracket& best) const {
+  const AxisLayout& on = axis(piece.axisClass);
+  if (std::abs(on.direction.z()) < 1 - 1e-9) return;
+  const double sense = on.direction.z() < 0 ? -1 : 1;
+  const double near = (piece.low + piece.high) / 2;
+  const double far = on.coordinate({on.point.x(), on.point.y(), m_made.top - 0.5 * m_made.thickness});
+  const double length = std::abs(near - far);
+  if (length >= best.length) return;
+  double inside = 0;
+  for (const ShaftSegment& s : m_plan.shafts) {
+    if (s.axisClass == piece.axisClass && on.overlap(s.low, s.high, std::min(near, far), std::max(near, far)))
+      inside = std::max(inside, s.outer);
+  }
+  HousingPlan housing{piece.axisClass, std::min(near, far), std::max(near, far), inside + eyePlay(on),
+                      piece.outer - 0.1 * on.module};
+  if (housing.inner + 0.4 * eyeWall(on) > housing.outer) return;
+  const Vector3d start = on.at(sense > 0 ? piece.low : piece.high), end = on.at(far);
+  const double margin = housing.outer + kPlay * on.module;
+  for (const SweptEnvelope& e : m_envelopes) {
+    if (e.isOnAxis && e.axisClass == piece.axisClass && e.kind == HullKind::shaft) continue;
+    if (e.isNear(start, end, margin)) return;
+  }
+  best = {length, {}, housing, FramePlan::Foot{end.head<2>(), housing.outer + 2 * on.module}, -1};
+}
+
+/// Outward at right angles to the axis, then down; or straight down.
+void FrameMaker::considerBase(const Piece& piece, Bracket& best) const {
+  const AxisLayout& on = axis(piece.axisClass);
+  const double at = (piece.low + piece.high) / 2;
+  const Vector3d centre = on.at(at);
+  const double floor = m_made.top - 0.5 * m_made.thickness;
+  const Vector3d towards =
+      std::abs(on.direction.z()) > 1 - 1e-9 ? Vector3d::UnitY() : Vector3d(-Vector3d::UnitZ());
+  const Eigen::Isometry3d frame = frameAlong(centre, on.direction, towards);
+  const double column = kColumn * module();
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDirections;
+    const Vector3d way = frame.linear() * Vector3d(std::cos(angle), std::sin(angle), 0);
+    const Vector3d start = centre + (piece.outer - 0.5 * eyeWall(on)) * way;
+    if (way.z() < -0.999) {
+      const double length = centre.z() - floor;
+      const Vector3d end(centre.x(), centre.y(), floor);
+      const Vector3d below(centre.x(), centre.y(), m_made.top);
+      if (length < best.length && isClear(start, below, column, &piece))
+        best = {length, {{start, end, column}}, {}, FramePlan::Foot{end.head<2>(), 2.2 * column}, -1};
+      continue;
+    }
+    if (way.z() < -0.5) continue;  // no room for the column
+    for (const double reach : reachesFrom(piece, way)) {
+      const Vector3d corner = centre + reach * way;
+      const Vector3d top = corner + Vector3d(0, 0, 1.2 * column);
+      const Vector3d end(corner.x(), corner.y(), floor);
+      const double length = reach + corner.z() - floor + 2 * module();  // straight ones rather
+      if (length >= best.length) break;
+      if (!isClear(start, corner, kBar * module(), &piece)) break;
+      if (!isClear(top, {corner.x(), corner.y(), m_made.top}, column, nullptr)) continue;
+      best = {length,
+              {{start, corner, kBar * module()}, {top, end, column}},
+              {},
+              FramePlan::Foot{end.head<2>(), 2.2 * column},
+              -1};
+      break;
+    }
+  }
+}
+
+Bracket FrameMaker::bestBracket(std::size_t group, bool onRims) const {
+  Bracket best;
+  for (std::size_t p = 0; p < m_pieces.size(); ++p) {
+    if (rootOf(p) != rootOf(group)) continue;
+    if (onRims) {
+      if (m_pieces[p].isBearing) considerRims(m_pieces[p], best);
+      continue;
+    }
+    considerPedestal(m_pieces[p], best);
+    considerBase(m_pieces[p], best);
+  }
+  return best;
+}
+
+void FrameMaker::use(std::size_t group, const Bracket& bracket) {
+  m_made.bars.insert(m_made.bars.end(), bracket.bars.begin(), bracket.bars.end());
+  if (bracket.housing) m_made.housings.push_back(*bracket.housing);
+  if (bracket.foot) m_made.feet.push_back(*bracket.foot);
+  if (bracket.onto >= 0) join(group, static_cast<std::size_t>(bracket.onto));
+}
+
+void FrameMaker::standOnBase(const std::vector<std::size_t>& open) {
+  m_made.thickness = kBaseThickness * module();
+  m_made.top = baseTop();
+  for (const std::size_t group : open) {
+    const Bracket bracket = bestBracket(group, false);
+    if (!bracket.foot) {
+      for (const Piece& piece : m_pieces) {
+        const bool isOfGroup = rootOf(static_cast<std::size_t>(&piece - m_pieces.data())) == group;
+        if (isOfGroup && piece.isBearing)
+          m_made.onFeet.emplace_back(piece.axisClass, (piece.low + piece.high) / 2);
+      }
+      continue;
+    }
+    use(group, bracket);
+  }
+}
+
+}  // namespace
+
+FramePlan planFrame(const Arrangement& plan, const GearTrain& train, const Placement& placement) {
+  if (plan.axes.empty() || plan.isSimple) return {};
+  return FrameMaker(plan, train, placement).make();
+}
+
+}  // namespace geargraph::inline arrangement

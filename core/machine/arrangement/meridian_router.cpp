@@ -1,0 +1,335 @@
+#include "core/machine/arrangement/meridian_router.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "core/machine/arrangement/meridian_search.h"
+
+namespace geargraph::inline arrangement {
+namespace {
+
+constexpr double kOfOthers = 20;  // shared by the landings of a group: what their cells cost other nets
+constexpr double kWished = 10;    // the same of a cell that stood in a net's way, for every time it did
+constexpr double kTaken = 50;     // a cell that another net lies in, where a net looks for what is in its way
+
+using Places = MeridianSearch::Places;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// What cells cost a net in addition.
+class Extras {
+ public:
+  explicit Extras(std::size_t cells) : m_costs(cells, 0), m_sums(cells + 1, 0) {}
+
+  [[nodiscard]] const std::vector<double>& costs() const { return m_costs; }
+  [[nodiscard]] double of(const MeridianLanding& landing) const {
+    double sum = m_sums[at(landing.keptFree.end)] - m_sums[at(landing.keptFree.first)];
+    for (const int c : landing.cells) sum += m_costs[at(c)];
+    return sum;
+  }
+  void add(int cell, double cost) { m_costs[at(cell)] += cost; }
+  /// To be called after the last add().
+  void sumUp() { std::partial_sum(m_costs.begin(), m_costs.end(), m_sums.begin() + 1); }
+
+ private:
+  std::vector<double> m_costs;
+  std::vector<double> m_sums;  ///< of all cells before this one
+};
+
+/// What nets want others to leave free: where wheels and pins can be reached, and what stood in their way.
+class Wishes {
+ public:
+  Wishes(const MeridianGrid& grid, const std::vector<MeridianNet>& nets)
+      : m_grid(grid), m_extras(nets.size(), Extras(grid.owner.size())) {
+    for (std::size_t net = 0; net < nets.size(); ++net) {
+      for (const auto& landings : nets[net].groups) {
+        for (const MeridianLanding& landing : landings)
+          add(net, landing.cells, kOfOthers / static_cast<double>(landings.size()));
+      }
+    }
+    sumUp();
+  }
+
+  [[nodiscard]] const std::vector<Extras>& ofOthers() const { return m_extras; }
+  void add(int net, const std::vector<int>& inTheWay) {
+    add(at(net), inTheWay, kWished);
+    sumUp();
+  }
+
+ private:
+  void add(std::size_t net, const std::vector<int>& cells, double cost) {
+    for (std::size_t other = 0; other < m_extras.size(); ++other) {
+      for (const int c : cells) {
+        if (other != net && m_grid.owner[at(c)] == MeridianGrid::kFree) m_extras[other].add(c, cost);
+      }
+    }
+  }
+  void sumUp() {
+    for (Extras& extras : m_extras) extras.sumUp();
+  }
+
+  const MeridianGrid& m_grid;
+  std::vector<Extras> m_extras;  ///< by net
+};
+
+/// One round: nets are laid in an order, each by cheapest ways among what is left.
+class Round {
+ public:
+  /// `extras`: by net. What is given outlives it. Finds no more ways once `stop` is requested.
+  Round(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, const MeridianOwners& owners,
+        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
+        const std::vector<Extras>& extras, const std::stop_token& stop)
+      : m_grid(grid),
+        m_nets(nets),
+        m_owners(owners),
+        m_wheels(wheels),
+        m_routes(nets.size()),
+        m_search(search),
+        m_extras(extras),
+        m_stop(stop),
+        m_endAt(grid.owner.size(), -1) {}
+
+  /// The net that found no way; -1: all did.
+  int lay(const std::vector<int>& order) {
+    for (const int net : order) {
+      if (!layNet(net)) return net;
+    }
+    for (const int net : order) {
+      if (!m_nets[at(net)].needsSupport) support(net);
+    }
+    return -1;
+  }
+  bool layNet(int net);
+  bool support(int net);
+  /// Lays a net as it was laid before.
+  void lay(int net, const MeridianRoute& route);
+  [[nodiscard]] MeridianRoute& route(int net) { return m_routes[at(net)]; }
+  std::vector<MeridianRoute> take() { return std::move(m_routes); }
+  /// Does somebody lie there, or keep it free, that did not before?
+  [[nodiscard]] bool isTaken(int cell) const { return m_owners.of(cell) != m_grid.owner[at(cell)]; }
+
+ private:
+  /// Joins what the net has with the nearest landing; the landing's position, -1: no way.
+  int reach(int net, const std::vector<MeridianLanding>& landings, Places& sources);
+  void findEnds(int net, const std::vector<MeridianLanding>& landings);
+  /// Does the way that ends there keep out of the room that the landing itself needs?
+  [[nodiscard]] bool isClear(int end, const MeridianLanding& landing) const;
+  /// What it costs to end there.
+  [[nodiscard]] double price(int net, const MeridianLanding& landing) const {
+    return landing.cost + m_extras[at(net)].of(landing);
+  }
+  [[nodiscard]] Places laid(int net) const {
+    Places sources;
+    for (const int c : m_routes[at(net)].cells) sources.emplace_back(c, 0);
+    return sources;
+  }
+  void claim(int net, int cell) {
+    if (m_owners.of(cell) == net && m_grid.owner[at(cell)] != net) return;
+    m_owners.give(cell, net);
+    m_routes[at(net)].cells.push_back(cell);
+  }
+  void take(int net, const MeridianLanding& landing) {
+    for (const int c : landing.cells) claim(net, c);
+    m_owners.block(landing.keptFree);
+  }
+  [[nodiscard]] bool open(int net, const MeridianLanding& landing) const {
+    return std::all_of(landing.cells.begin(), landing.cells.end(),
+                       [&](int c) { return m_owners.isOpen(c, net); }) &&
+           m_owners.isFree(landing.keptFree);
+  }
+
+  const MeridianGrid& m_grid;
+  const std::vector<MeridianNet>& m_nets;
+  MeridianOwners m_owners;
+  const std::vector<std::vector<int>>& m_wheels;  ///< by net: cells where its wheels lie
+  std::vector<MeridianRoute> m_routes;
+  MeridianSearch& m_search;
+  const std::vector<Extras>& m_extras;
+  const std::stop_token& m_stop;
+  struct End {
+    int landing, next;
+  };
+  std::vector<End> m_ends;   ///< of the search at hand
+  Places m_places;           ///< of these ends
+  std::vector<int> m_endAt;  ///< by cell: the last end that lies there, -1
+};
+
+bool Round::isClear(int end, const MeridianLanding& landing) const {
+  for (int c = end; c >= 0; c = m_search.from(c)) {
+    if (landing.keptFree.contains(c)) return false;
+  }
+  return true;
+}
+
+void Round::findEnds(int net, const std::vector<MeridianLanding>& landings) {
+  for (const auto& [cell, extra] : m_places) m_endAt[at(cell)] = -1;
+  m_ends.clear();
+  m_places.clear();
+  for (std::size_t l = 0; l < landings.size(); ++l) {
+    if (!open(net, landings[l])) continue;
+    const double extra = price(net, landings[l]);
+    for (const int c : landings[l].cells) {
+      const int end = static_cast<int>(m_ends.size());
+      m_ends.push_back({static_cast<int>(l), std::exchange(m_endAt[at(c)], end)});
+      m_places.emplace_back(c, extra);
+    }
+  }
+}
+
+// Ways are tried from the cheapest on, and the search goes only as far as that needs: once its front is
+// dearer than a way, no cheaper one will come.
+int Round::reach(int net, const std::vector<MeridianLanding>& landings, Places& sources) {
+  if (m_stop.stop_requested()) return -1;
+  findEnds(net, landings);
+  if (m_ends.empty()) return -1;
+  const bool canBeFound = m_search.begin(m_owners, {m_wheels[at(net)], m_routes[at(net)].cells},
+                                         m_extras[at(net)].costs(), sources, m_places);
+  if (!canBeFound) return -1;
+  using Way = std::pair<double, int>;  // what it costs, its end
+  std::priority_queue<Way, std::vector<Way>, std::greater<>> ways;
+  while (!m_search.isDone() || !ways.empty()) {
+    if (m_stop.stop_requested()) return -1;
+    if (ways.empty() || (!m_search.isDone() && !m_search.isBeyond(ways.top().first))) {
+      for (const int cell : m_search.settleLot()) {
+        for (int e = m_endAt[at(cell)]; e >= 0; e = m_ends[at(e)].next)
+          ways.push({m_search.cost(cell) + m_places[at(e)].second, e});
+      }
+      continue;
+    }
+    const int way = ways.top().second;
+    ways.pop();
+    const int end = m_places[at(way)].first, l = m_ends[at(way)].landing;
+    const MeridianLanding& landing = landings[at(l)];
+    if (!isClear(end, landing)) continue;
+    for (int c = end; c >= 0; c = m_search.from(c)) claim(net, c);
+    take(net, landing);
+    sources = laid(net);
+    return l;
+  }
+  return -1;
+}
+
+bool Round::support(int net) {
+  Places sources = laid(net);
+  m_routes[at(net)].support = reach(net, m_nets[at(net)].supports, sources);
+  return m_routes[at(net)].support >= 0;
+}
+
+void Round::lay(int net, const MeridianRoute& route) {
+  const MeridianNet& wanted = m_nets[at(net)];
+  for (const int c : route.cells) claim(net, c);
+  for (std::size_t g = 0; g < wanted.groups.size(); ++g)
+    m_owners.block(wanted.groups[g][at(route.landing[g])].keptFree);
+  if (route.support >= 0) m_owners.block(wanted.supports[at(route.support)].keptFree);
+}
+
+bool Round::layNet(int net) {
+  const MeridianNet& wanted = m_nets[at(net)];
+  MeridianRoute& route = m_routes[at(net)];
+  route.landing.assign(wanted.groups.size(), -1);
+  if (wanted.groups.empty()) return true;
+  // The first landing is whichever the way to the next leads from.
+  Places sources;
+  for (const MeridianLanding& landing : wanted.groups.front()) {
+    if (!open(net, landing)) continue;
+    const double extra = price(net, landing);
+    for (const int c : landing.cells) sources.emplace_back(c, extra);
+  }
+  if (sources.empty()) return false;
+  const auto start = [&] {
+    const auto& landings = wanted.groups.front();
+    const auto touched = [&](const MeridianLanding& l) {
+      return std::any_of(l.cells.begin(), l.cells.end(), [&](int c) {
+        return std::find(route.cells.begin(), route.cells.end(), c) != route.cells.end();
+      });
+    };
+    const auto found = std::find_if(landings.begin(), landings.end(), [&](const MeridianLanding& l) {
+      return open(net, l) && (route.cells.empty() || touched(l));
+    });
+    if (found == landings.end()) return false;
+    route.landing.front() = static_cast<int>(found - landings.begin());
+    take(net, *found);
+    sources = laid(net);
+    return true;
+  };
+  for (std::size_t g = 1; g < wanted.groups.size(); ++g) {
+    route.landing[g] = reach(net, wanted.groups[g], sources);
+    if (route.landing[g] < 0) return false;
+    if (route.landing.front() < 0 && !start()) return false;
+  }
+  if (wanted.needsSupport) {
+    route.support = reach(net, wanted.supports, sources);
+    if (route.support < 0) return false;
+  }
+  return route.landing.front() >= 0 || start();
+}
+
+using Routes = std::optional<std::vector<MeridianRoute>>;
+
+/// Each net again, among the others as they lie: what it went round for their sake it need not any more.
+std::vector<MeridianRoute> straightened(const MeridianGrid& grid, const std::vector<MeridianNet>& nets,
+                                        const MeridianOwners& owners,
+                                        const std::vector<std::vector<int>>& wheels, MeridianSearch& search,
+                                        std::vector<MeridianRoute> routes, const std::stop_token& stop) {
+  const int count = static_cast<int>(nets.size());
+  const std::vector<Extras> none(nets.size(), Extras(grid.owner.size()));
+  for (int net = 0; net < count; ++net) {
+    if (stop.stop_requested()) break;
+    Round round(grid, nets, owners, wheels, search, none, stop);
+    for (int other = 0; other < count; ++other) {
+      if (other != net) round.lay(other, routes[at(other)]);
+    }
+    if (!round.layNet(net)) continue;
+    if (!nets[at(net)].needsSupport && !round.support(net) && routes[at(net)].support >= 0) continue;
+    routes[at(net)] = std::move(round.route(net));
+  }
+  return routes;
+}
+
+}  // namespace
+
+Routes routeMeridian(const MeridianGrid& grid, const std::vector<MeridianNet>& nets, int tries,
+                     const std::stop_token& stop) {
+  if (nets.size() * grid.owner.size() > kMostRoutedCells) return std::nullopt;
+  std::vector<int> order(nets.size());
+  std::iota(order.begin(), order.end(), 0);
+  MeridianSearch search(grid);
+  const MeridianBits bits(grid);
+  const MeridianOwners owners(grid, bits);
+  std::vector<std::vector<int>> wheels(nets.size());
+  for (std::size_t cell = 0; cell < grid.owner.size(); ++cell) {
+    if (grid.owner[cell] >= 0) wheels[at(grid.owner[cell])].push_back(static_cast<int>(cell));
+  }
+  Wishes wishes(grid, nets);
+  for (int i = 0; i < tries; ++i) {
+    Round round(grid, nets, owners, wheels, search, wishes.ofOthers(), stop);
+    const int failed = round.lay(order);
+    if (stop.stop_requested()) return std::nullopt;
+    if (failed < 0) return straightened(grid, nets, owners, wheels, search, round.take(), stop);
+    // What is in its way? It would cross as little of others as it can, and they should leave that free.
+    std::vector<Extras> taken(nets.size(), Extras(grid.owner.size()));
+    Extras& crossed = taken[at(failed)];
+    for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
+      if (round.isTaken(c)) crossed.add(c, kTaken);
+    }
+    crossed.sumUp();
+    Round alone(grid, nets, owners, wheels, search, taken, stop);
+    if (!alone.layNet(failed)) return std::nullopt;  // not even where no other net is
+    std::vector<int> inTheWay;
+    for (int c = 0; c < static_cast<int>(grid.owner.size()); ++c) {
+      if (round.isTaken(c) && alone.isTaken(c)) inTheWay.push_back(c);
+    }
+    wishes.add(failed, inTheWay);
+    const auto place = std::find(order.begin(), order.end(), failed);
+    std::rotate(order.begin(), place, place + 1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace geargraph::inline arrangement

@@ -1,0 +1,160 @@
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/machine/arrangement/arrangement.h"
+#include "core/machine/bodies/complete_train.h"
+#include "tests/core/support/example_files.h"
+#include "tests/core/support/train_sketch.h"
+
+using namespace geargraph;
+
+namespace {
+
+struct Arranged {
+  explicit Arranged(const Mechanism& mechanism)
+      : placement(placementOf(mechanism)),
+        train(trainOf(mechanism, placement)),
+        plan(arrangementOf(mechanism, placement, train)) {}
+
+  Placement placement;
+  GearTrain train;
+  Arrangement plan;
+};
+
+/// All examples with a train, and 200 random trains.
+std::vector<std::pair<std::string, Mechanism>> allTrains() {
+  std::vector<std::pair<std::string, Mechanism>> trains;
+  for (const std::string& name : test::exampleNames()) {
+    Mechanism mechanism = test::example(name);
+    if (placementOf(mechanism).tree) trains.emplace_back(name, std::move(mechanism));
+  }
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    trains.emplace_back(
+        "seed " + std::to_string(seed),
+        test::randomTrain(seed, 3 + static_cast<int>(seed % 6), 2 + static_cast<int>(seed % 5)));
+  return trains;
+}
+
+bool covers(const ShaftSegment& shaft, double coordinate, double slack) {
+  return shaft.low - slack <= coordinate && coordinate <= shaft.high + slack;
+}
+
+}  // namespace
+
+/// What the header of arrangement.h promises.
+class TestArrangement : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyJointHasOneBearingOnItsAxis() {
+    for (const auto& [name, mechanism] : allTrains()) {
+      const Arranged arranged(mechanism);
+      std::multiset<int> joints;
+      for (std::size_t c = 0; c < arranged.plan.axes.size(); ++c) {
+        for (const Bearing& b : arranged.plan.axes[c].bearings) {
+          joints.insert(b.joint);
+          QCOMPARE(arranged.placement.classes->classOf[static_cast<std::size_t>(b.joint)],
+                   static_cast<int>(c));
+          QVERIFY2(b.placed && std::isfinite(b.at), name.c_str());
+        }
+      }
+      QCOMPARE(joints.size(), mechanism.turningJoints.size());
+      for (int j = 0; j < static_cast<int>(joints.size()); ++j) QCOMPARE(joints.count(j), std::size_t{1});
+    }
+  }
+
+  void shaftsHoldWheelsArmsAndBearings() {
+    int held = 0;
+    for (const auto& [name, mechanism] : allTrains()) {
+      const Arranged arranged(mechanism);
+      for (std::size_t c = 0; c < arranged.plan.axes.size(); ++c) {
+        const int axisClass = static_cast<int>(c);
+        const double slack = arranged.plan.axes[c].width();
+        for (const AxisPlace& place : placesAlong(arranged.plan, arranged.train, axisClass)) {
+          if (place.link == 0) continue;
+          const ShaftSegment* shaft = arranged.plan.shaftOf(axisClass, place.link, place.at);
+          const bool isRing =
+              place.kind == AxisPlace::Kind::wheel &&
+              arranged.train.gears[static_cast<std::size_t>(place.index)].spec.kind == GearKind::internal;
+          if (isRing || shaft == nullptr) continue;
+          ++held;
+          QVERIFY2(covers(*shaft, place.at, slack),
+                   qPrintable(QString("%1: link %2 at %3, its shaft [%4, %5]")
+                                  .arg(name.c_str())
+                                  .arg(place.link)
+                                  .arg(place.at)
+                                  .arg(shaft->low)
+                                  .arg(shaft->high)));
+        }
+      }
+    }
+    QVERIFY(held > 2000);
+  }
+
+  void shaftsThatOverlapAreNested() {
+    int nested = 0;
+    for (const auto& [name, mechanism] : allTrains()) {
+      const Arranged arranged(mechanism);
+      for (const ShaftSegment& a : arranged.plan.shafts) {
+        for (const ShaftSegment& b : arranged.plan.shafts) {
+          if (&a == &b || a.axisClass != b.axisClass || a.link == b.link) continue;
+          const AxisLayout& axis = arranged.plan.axes[static_cast<std::size_t>(a.axisClass)];
+          if (!axis.overlap(a.low, a.high, b.low, b.high)) continue;
+          QVERIFY2(a.outer <= b.inner || b.outer <= a.inner,
+                   qPrintable(QString("%1: links %2 [%3, %4] and %5 [%6, %7], radii %8 and %9")
+                                  .arg(name.c_str())
+                                  .arg(a.link)
+                                  .arg(a.low)
+                                  .arg(a.high)
+                                  .arg(b.link)
+                                  .arg(b.low)
+                                  .arg(b.high)
+                                  .arg(a.outer)
+                                  .arg(b.outer)));
+          const int depthA = nestingDepth(arranged.plan, a.axisClass, a.link);
+          const int depthB = nestingDepth(arranged.plan, a.axisClass, b.link);
+          QCOMPARE(a.outer < b.outer, depthA < depthB);
+          ++nested;
+        }
+      }
+    }
+    QVERIFY(nested > 200);
+  }
+
+  void equalTrainsHaveEqualArrangements() {
+    for (const char* name : {"robot", "simpson", "bevel-wrist"}) {
+      const Arranged one(test::example(name)), other(test::example(name));
+      QCOMPARE(one.plan.shafts.size(), other.plan.shafts.size());
+      for (std::size_t s = 0; s < one.plan.shafts.size(); ++s) {
+        QCOMPARE(one.plan.shafts[s].low, other.plan.shafts[s].low);
+        QCOMPARE(one.plan.shafts[s].outer, other.plan.shafts[s].outer);
+      }
+    }
+  }
+
+  /// In no example is anything in the way of anything.
+  void examplesAreNotBlocked() {
+    for (const std::string& name : test::exampleNames()) {
+      const Mechanism mechanism = test::example(name);
+      if (!placementOf(mechanism).tree) continue;
+      QVERIFY2(Arranged(mechanism).plan.blocked.empty(), name.c_str());
+    }
+  }
+
+  /// The sun's shaft runs within the carrier's, the bearing of the carrier is nearer to its arm.
+  void aDifferentialIsCarriedByAHollowShaft() {
+    const Arranged arranged(test::example("bevel-differential"));
+    QCOMPARE(nestingDepth(arranged.plan, 0, 2), 0);
+    QCOMPARE(nestingDepth(arranged.plan, 0, 1), 1);
+    QCOMPARE(nestingDepth(arranged.plan, 1, 1), -1);
+    std::vector<int> bearings;
+    for (const AxisPlace& place : placesAlong(arranged.plan, arranged.train, 0)) {
+      if (place.kind == AxisPlace::Kind::bearing) bearings.push_back(place.link);
+    }
+    QCOMPARE(bearings, (std::vector<int>{2, 1, 3}));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestArrangement)
+#include "test_arrangement.moc"
