@@ -31,7 +31,7 @@ void SchematicView::rebuild() {
 }
 
 void SchematicView::catchUp() {
-  constexpr std::chrono::milliseconds kMoment{100};
+  constexpr std::chrono::milliseconds kMoment{30};
   if (std::exchange(m_behind, false)) m_service->request(document().geometry());
   m_service->await(kMoment);
 }

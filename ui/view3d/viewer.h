@@ -161,8 +161,8 @@ class Viewer : public QObject {
   std::optional<double> m_floor;  ///< where it is not that of the scene
   // Both look at every vertex: worked out where they are needed, not at every step of a drag.
   std::vector<Eigen::Vector3d> m_separations;  ///< of the stage once it has been pulled apart; else empty
-  std::optional<SolidOutlines> m_outlines;     ///< of the stage once it has been fitted
-  mutable std::optional<Bounds> m_bounds;      ///< of the scene once it has been cut
+  std::shared_ptr<const SolidOutlines> m_outlines;  ///< of the stage once it has been fitted
+  mutable std::optional<Bounds> m_bounds;           ///< of the scene once it has been cut
   ViewOptions m_options;
   std::vector<Highlight> m_emphasis;
   std::vector<Showing> m_showing;

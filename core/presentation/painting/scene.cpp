@@ -62,8 +62,17 @@ struct Directions {
   }
 };
 
-/// The vertices of a solid that reach farthest in directions all round, of about `samples` of them.
-std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples) {
+}  // namespace
+
+std::size_t outlineSamples(const Scene& scene) {
+  // Among hundreds of solids each is a small part of the picture.
+  constexpr std::size_t kMostSamples = std::size_t{1} << 18U;
+  return std::clamp(kMostSamples / std::max(scene.solids.size(), std::size_t{1}), std::size_t{64},
+                    std::size_t{4096});
+}
+
+std::vector<Eigen::Vector3d> outlineOf(const Solid& solid, std::size_t samples) {
+  if (solid.positions.empty()) return {};
   static const Directions directions;
   PerDirection reach = PerDirection::Constant(-std::numeric_limits<float>::infinity());
   std::vector<std::size_t> farthest(kDirections, 0);
@@ -89,25 +98,20 @@ std::vector<Eigen::Vector3d> farthestOf(const Solid& solid, std::size_t samples)
   return points;
 }
 
-}  // namespace
-
-SolidOutlines solidOutlines(const Scene& scene, const std::stop_token& stop) {
-  // Among hundreds of solids each is a small part of the picture, and the window waits for the answer.
-  constexpr std::size_t kMostSamples = std::size_t{1} << 18U;
-  const std::size_t samples = std::clamp(kMostSamples / std::max(scene.solids.size(), std::size_t{1}),
-                                         std::size_t{64}, std::size_t{4096});
-  SolidOutlines outlines(scene.solids.size());
-  for (std::size_t i = 0; i < outlines.size() && !stop.stop_requested(); ++i) {
-    if (!scene.solids[i]->positions.empty()) outlines[i] = farthestOf(*scene.solids[i], samples);
-  }
+std::shared_ptr<const SolidOutlines> solidOutlines(const Scene& scene, const std::stop_token& stop) {
+  if (scene.outlines != nullptr && scene.outlines->size() == scene.solids.size()) return scene.outlines;
+  const std::size_t samples = outlineSamples(scene);
+  auto outlines = std::make_shared<SolidOutlines>(scene.solids.size());
+  for (std::size_t i = 0; i < outlines->size() && !stop.stop_requested(); ++i)
+    (*outlines)[i] = outlineOf(*scene.solids[i], samples);
   return outlines;
 }
 
 std::vector<Eigen::Vector3d> outlineOf(const Scene& scene) {
-  const SolidOutlines outlines = solidOutlines(scene);
+  const auto outlines = solidOutlines(scene);
   std::vector<Eigen::Vector3d> points;
   for (const Instance& instance : scene.instances) {
-    for (const Eigen::Vector3d& point : outlines[instance.solid]) points.push_back(instance.pose * point);
+    for (const Eigen::Vector3d& point : (*outlines)[instance.solid]) points.push_back(instance.pose * point);
   }
   return points;
 }

@@ -62,6 +62,9 @@ struct DetailLevels {
   friend bool operator==(const DetailLevels&, const DetailLevels&) = default;
 };
 
+/// By solid: those of its vertices that reach farthest in many directions, in its own frame.
+using SolidOutlines = std::vector<std::vector<Eigen::Vector3d>>;
+
 /// What is to be seen. Solids are immutable and shared: equal gears are stored once, and a renderer that has
 /// seen a solid does not take it up again.
 struct Scene {
@@ -72,6 +75,8 @@ struct Scene {
   std::unordered_map<const Solid*, std::shared_ptr<const std::vector<std::uint32_t>>> edges = {};
   /// Boxes about the solids in their own frames, found ahead too: by solid, as far as there are any.
   std::vector<Eigen::AlignedBox3d> boxes = {};
+  /// Their solidOutlines(), found ahead as well; null: not yet.
+  std::shared_ptr<const SolidOutlines> outlines = {};
 
   /// The solid in the coarsest detail whose chords stay within `most` units of its levels.
   [[nodiscard]] const std::shared_ptr<const Solid>& solidWithin(double most, std::size_t solid) const {
@@ -97,12 +102,15 @@ struct Bounds {
 /// The eight corners of every instance's box, for Camera::fitted.
 [[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Scene& scene);
 
-/// By solid: those of its vertices that reach farthest in many directions, in its own frame.
-using SolidOutlines = std::vector<std::vector<Eigen::Vector3d>>;
+/// How many vertices of each solid of such a scene its outline is chosen among: 2^18 of all, 64 to 4096 each.
+[[nodiscard]] std::size_t outlineSamples(const Scene& scene);
+/// The outline of one solid, chosen among about so many of its vertices.
+[[nodiscard]] std::vector<Eigen::Vector3d> outlineOf(const Solid& solid, std::size_t samples);
 
-/// The outlines of all solids of the scene. Incomplete when `stop` was requested. Cost: O(vertices of the
-/// solids), of which it takes at most 2^18 or 64 a solid.
-[[nodiscard]] SolidOutlines solidOutlines(const Scene& scene, const std::stop_token& stop = {});
+/// The outlines of all solids of the scene: those found ahead, else they are found now. Incomplete when
+/// `stop` was requested. Cost: O(outlineSamples() * solids) where they have to be found.
+[[nodiscard]] std::shared_ptr<const SolidOutlines> solidOutlines(const Scene& scene,
+                                                                 const std::stop_token& stop = {});
 
 /// The outlines of all instances in the scene's own poses: what a picture has to hold, much tighter than the
 /// corners of boxes about round wheels. Cost: that of solidOutlines(), and O(instances).

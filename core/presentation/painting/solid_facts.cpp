@@ -1,5 +1,7 @@
 #include "core/presentation/painting/solid_facts.h"
 
+#include <utility>
+
 namespace geargraph::inline painting {
 
 void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
@@ -9,6 +11,18 @@ void SolidFacts::addBoxesTo(Scene& scene, const std::stop_token& stop) {
     if (stop.stop_requested()) return;
     scene.boxes.push_back(*m_boxes.of(solid, box));
   }
+}
+
+void SolidFacts::addOutlinesTo(Scene& scene, const std::stop_token& stop) {
+  scene.outlines.reset();
+  const std::size_t samples = outlineSamples(scene);
+  if (std::exchange(m_samples, samples) != samples) m_outlines = {};
+  auto outlines = std::make_shared<SolidOutlines>();
+  for (const auto& solid : scene.solids) {
+    if (stop.stop_requested()) return;
+    outlines->push_back(*m_outlines.of(solid, [&](const Solid& found) { return outlineOf(found, samples); }));
+  }
+  scene.outlines = std::move(outlines);
 }
 
 void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
@@ -28,6 +42,7 @@ void SolidFacts::addEdgesTo(Scene& scene, const std::stop_token& stop) {
 void SolidFacts::forgetOthers() {
   m_edges.forgetOthers();
   m_boxes.forgetOthers();
+  m_outlines.forgetOthers();
 }
 
 }  // namespace geargraph::inline painting

@@ -41,6 +41,8 @@ class SolidFacts {
  public:
   /// Finds the boxes of the scene's solids.
   void addBoxesTo(Scene& scene, const std::stop_token& stop = {});
+  /// Finds the outlines of the scene's solids; none are added when `stop` was requested.
+  void addOutlinesTo(Scene& scene, const std::stop_token& stop = {});
   /// Makes the details that a window shows of a train as a whole, and finds their feature edges: where the
   /// window itself paints, it would stand still for them.
   void addEdgesTo(Scene& scene, const std::stop_token& stop = {});
@@ -50,6 +52,8 @@ class SolidFacts {
  private:
   KeptFact<std::vector<std::uint32_t>> m_edges;
   KeptFact<Eigen::AlignedBox3d> m_boxes;
+  KeptFact<std::vector<Eigen::Vector3d>> m_outlines;  ///< by m_samples vertices
+  std::size_t m_samples = 0;
 };
 
 }  // namespace geargraph::inline painting

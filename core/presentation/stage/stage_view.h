@@ -94,7 +94,7 @@ class SeenStage {
  private:
   StagePtr m_stage;
   std::vector<Eigen::Vector3d> m_separations;  ///< empty until a view pulls apart
-  std::optional<SolidOutlines> m_outlines;
+  std::shared_ptr<const SolidOutlines> m_outlines;
   Bounds m_bounds;
   std::optional<double> m_floor;
   StageView m_view;

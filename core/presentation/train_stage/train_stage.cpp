@@ -300,6 +300,7 @@ StageMemory::~StageMemory() = default;
 
 void StageMemory::addFactsTo(Scene& scene, const std::stop_token& stop) {
   m_facts.addBoxesTo(scene, stop);
+  m_facts.addOutlinesTo(scene, stop);
   if (m_findsEdges) m_facts.addEdgesTo(scene, stop);
   m_facts.forgetOthers();
 }

@@ -53,6 +53,24 @@ class ViewerTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void aStageBringsTheOutlinesItIsFittedBy() {
+    Selection selection;
+    Viewer viewer(&selection);
+    viewer.setViewport({640, 420}, 1);
+    auto stage = std::make_shared<Stage>(*test::toyStage());
+    SolidOutlines larger = *solidOutlines(stage->scene);
+    for (auto& outline : larger) {
+      for (Eigen::Vector3d& point : outline) point *= 3;
+    }
+    viewer.setStage(stage);
+    const double fitted = viewer.camera().distance();
+    auto known = std::make_shared<Stage>(*stage);
+    known->scene.outlines = std::make_shared<const SolidOutlines>(std::move(larger));
+    viewer.startAnew(std::nullopt);
+    viewer.setStage(known);
+    QVERIFY(viewer.camera().distance() > 1.2 * fitted);
+  }
+
   void whatIsPointedAtElsewhereLightsUpAtOnce() {
     Selection selection;
     Viewer viewer(&selection);

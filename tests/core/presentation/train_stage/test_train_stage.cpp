@@ -173,6 +173,10 @@ class TestTrainStage : public QObject {
     QCOMPARE(first->scene.boxes.size(), first->scene.solids.size());
     for (std::size_t i = 0; i < first->scene.solids.size(); ++i)
       QVERIFY(first->scene.boxes[i].isApprox(boundsOf(*first->scene.solids[i]), 0));
+    Scene bare = first->scene;
+    bare.outlines.reset();
+    QVERIFY(first->scene.outlines != nullptr && *first->scene.outlines == *solidOutlines(bare));
+    QVERIFY(solidOutlines(first->scene) == first->scene.outlines);
     QCOMPARE(second->scene.solids, first->scene.solids);  // bodies too
     known.setFindsEdges(false);
     const StagePtr third = trainStage(*snapshot, cache, nullptr, &known);
