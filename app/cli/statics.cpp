@@ -89,7 +89,7 @@ int solveAll(Solved& solved, const Arguments& arguments) {
     StaticsOptions options = solved.options;
     options.state = state;
     auto report =
-        analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement,
+        analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
                        *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, arguments.stop);
     if (!report) return outOfTime(arguments, "the torques");
     solved.reports.push_back(std::move(*report));

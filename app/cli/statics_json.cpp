@@ -19,7 +19,7 @@ class StaticsJson {
       : m_json(json),
         m_mechanism(*snapshot.mechanism),
         m_model(*snapshot.kinematics->model),
-        m_placement(snapshot.kinematics->placement),
+        m_placement(snapshot.kinematics->placement()),
         m_report(report),
         m_solution(report.solution()),
         m_options(options),
