@@ -137,9 +137,7 @@ class ExamplesTest : public QObject {
     Diagnostics promised;
     for (const Code code : promise.findings) promised.push_back({code, {}, {}, {}, 0, 0});
     Diagnostics findings = snapshot->diagnostics;
-    for (const Diagnostic& finding : trainOf(*read, snapshot->kinematics->placement()).diagnostics) {
-      findings.push_back(finding);
-    }
+    append(findings, trainDiagnostics(*read, snapshot->kinematics->placement()));
     QCOMPARE(codesOf(findings), codesOf(promised));
 
     const test::TtCase found(*read);
