@@ -69,7 +69,7 @@ std::string asJson(const Solved& solved, bool asList) {
   return sink.take();
 }
 
-/// Of a file that is no document.
+/// The error of a file that is no document.
 std::string asJson(const Diagnostics& diagnostics) {
   TextSink sink;
   {

@@ -21,7 +21,7 @@ class TtGraphView final : public GraphView {
   ~TtGraphView() override;
 
   void setSnapshot(const SnapshotPtr& snapshot) override;
-  /// Is the newest drawing that was asked for on the scene? One that nobody sees is not asked for.
+  /// Is the newest drawing that was asked for on the scene? A hidden one is not asked for.
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_wanted; }
   [[nodiscard]] QString whyNoPicture() const override;
 
@@ -70,7 +70,7 @@ class TtGraphView final : public GraphView {
   quint64 m_wanted = 0;             ///< the newest drawing asked for
   quint64 m_shown = 0;              ///< the newest one that is on the scene
   bool m_toFit = true;              ///< another document has come and is not drawn yet
-  bool m_behind = false;            ///< the drawing is out of date, as nobody sees it
+  bool m_behind = false;            ///< the drawing is out of date, as it is hidden
   std::stop_source m_stop;          ///< of the requests of this document
   RequestWorker<Request> m_worker;  ///< last: it is stopped before what it uses goes
 };

@@ -18,7 +18,7 @@ namespace {
 
 const QString kMimeType = QStringLiteral("application/x-geargraph+json");
 
-/// A place of a text that is a document in the making is told without its pointer: nobody sees the text.
+/// A place of a text that is a document in the making is told without its pointer, as the text is not shown.
 QString whyUnreadable(const Diagnostics& problems) {
   return EditCommands::tr("The clipboard holds no links: %1").arg(shownText(problems.front().message));
 }

@@ -37,7 +37,7 @@ Expected<PlacedMechanism> fitted(const PlacedMechanism& placed, const MeshChange
   return unlessBroken(placed, fitAxes(before, placement, std::move(edited), fit->scales));
 }
 
-/// Of an axis its class, of a mesh those of its wheels; none where they have no place.
+/// The class of an axis, the classes of the wheels of a mesh; none where they have no place.
 std::vector<int> classesOf(const Mechanism& mechanism, const Placement& placement, const ElementId& element) {
   if (element.kind == ElementKind::gearMesh) {
     const auto& mesh = placement.meshes[static_cast<std::size_t>(positionOf(mechanism, MeshId(element.id)))];

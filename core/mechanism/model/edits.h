@@ -31,7 +31,7 @@ namespace geargraph::inline model {
                                                    std::optional<SheetPoint> at);
 
 /// Without these elements and all that needs them: a link takes its joints, meshes, wheels, couplings and
-/// loads with it, a joint its input and its loads, an axis nobody uses any more goes too. Refuses to remove
+/// loads with it, a joint its input and its loads, an axis without use goes too. Refuses to remove
 /// the ground.
 [[nodiscard]] Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const ElementId> elements);
 
@@ -63,7 +63,7 @@ namespace geargraph::inline model {
                                                  std::optional<NumberTriple> point,
                                                  std::optional<NumberTriple> direction);
 
-/// The joint turns about another axis; an axis nobody uses any more goes.
+/// The joint turns about another axis; an axis without use goes.
 [[nodiscard]] Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axis);
 
 /// The joints turn about one new axis, which lies where that of the first of them does; axes nobody uses any

@@ -94,7 +94,8 @@ struct GearMesh {
   std::optional<WheelId> tailWheel;
   std::optional<WheelId> headWheel;
   bool pinned = false;  ///< it keeps its module (pins.h)
-  /// Of the power that crosses the teeth, seen from the carrier: above 0, at most 1. At most one of the two.
+  /// The share of the power across the teeth, seen from the carrier, that is not lost: above 0, at most 1. At
+  /// most one of the two.
   std::optional<Number> efficiency = {};
   std::optional<Number> friction = {};  ///< coefficient of friction of the teeth, 0 to 1
   UnknownMembers unknown = {};

@@ -104,7 +104,7 @@ struct Bounds {
 
 /// How many vertices of each solid of such a scene its outline is chosen among: 2^18 of all, 64 to 4096 each.
 [[nodiscard]] std::size_t outlineSamples(const Scene& scene);
-/// The outline of one solid, chosen among about so many of its vertices.
+/// The outline of one solid, chosen among about `samples` of its vertices.
 [[nodiscard]] std::vector<Eigen::Vector3d> outlineOf(const Solid& solid, std::size_t samples);
 
 /// The outlines of all solids of the scene: those found ahead, else they are found now. Incomplete when

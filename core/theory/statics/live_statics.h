@@ -20,7 +20,7 @@ struct LiveStatics {
   std::vector<char> determined;  ///< by unknown
 };
 
-/// Nothing where `stop` was requested. Cost: one live elimination, near linear in n + c.
+/// Returns nothing where `stop` was requested. Cost: one live elimination, near linear in n + c.
 [[nodiscard]] std::optional<LiveStatics> solveStaticsLive(const KinematicModel& model,
                                                           const FusedField& field,
                                                           std::span<const HeldPart> held,

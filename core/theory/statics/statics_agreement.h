@@ -17,7 +17,8 @@ struct StaticsAgreement {
   std::vector<int> held;    ///< held parts that differ, ascending
 };
 
-/// Of the torques that are determined; what is held and what is determined has to be the same for both.
+/// Both solutions of the torques that are determined compared; what is held and what is determined has to be
+/// the same for both.
 /// @pre the solution is one without losses
 [[nodiscard]] StaticsAgreement staticsAgreement(const KinematicModel& model, const StaticsSolution& matroid,
                                                 const TtTorques& ttGraph);

@@ -65,7 +65,7 @@ struct StaticsReport {
   }
 };
 
-/// Nothing where `stop` was requested.
+/// Returns nothing where `stop` was requested.
 /// Cost: two exact eliminations by the Matroid method and the T-T graph, more with losses and symbols.
 /// @pre all of one mechanism without errors; the state exists
 [[nodiscard]] std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism,

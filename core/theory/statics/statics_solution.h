@@ -55,7 +55,7 @@ struct StaticsSolution {
   }
 };
 
-/// Nothing where `stop` was requested. `losses` by mesh, or empty: none.
+/// Returns nothing where `stop` was requested. `losses` by mesh, or empty: none.
 /// Cost: one exact elimination, near linear in n + c; the self-stresses; where the loads are not held,
 /// another elimination for the motion.
 [[nodiscard]] std::optional<StaticsSolution> solveStatics(const KinematicModel& model,

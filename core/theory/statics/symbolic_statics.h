@@ -40,7 +40,7 @@ struct SymbolicStatics {
   int skipped = 0;  ///< entries over the budget
 };
 
-/// Nothing where `stop` was requested, the coupled core of the equations went over its budget, or the
+/// Returns nothing where `stop` was requested, the coupled core of the equations went over its budget, or the
 /// balances do not determine the meshes. `meshes`: independent ones, r of them. `loaded`: the joints that
 /// bear loads, none of them balanced. Cost: as solveSymbolic().
 [[nodiscard]] std::optional<SymbolicStatics> solveStaticsSymbolic(

@@ -44,7 +44,7 @@ class FileWindows {
     for (int i = 0; i < links; ++i) mechanism = withLink(mechanism, {100.0 * (i + 1), 90}).value();
     return mechanism;
   }
-  /// The path of a document with so many links besides the ground.
+  /// The path of a document with this number of links besides the ground.
   QString written(const QString& name, int links) {
     const QString path = pathOf(name);
     if (const auto why = writeDocument(withLinks(emptyMechanism(), links), path))

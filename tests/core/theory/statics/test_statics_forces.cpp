@@ -237,7 +237,7 @@ class TestStaticsForces : public QObject {
   // --- losses
   // -----------------------------------------------------------------------------------------------
 
-  /// Of a planetary set with the ring held, basic efficiency e of both meshes together, i = Nr / Ns: the sun
+  /// A planetary set with the ring held, basic efficiency e of both meshes together, i = Nr / Ns: the sun
   /// drives (1 + e i) / (1 + i), the carrier drives (1 + i) / (1 + i / e). Müller, Epicyclic Drive Trains,
   /// 1982.
   void aPlanetarySetWithItsRingHeld() {
