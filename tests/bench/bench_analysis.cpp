@@ -69,8 +69,8 @@ void liveStatics(benchmark::State& state, Family family) {
   problem.torques = {{TorquePlace{mechanism->t() - 1}, Rational(10)}};
   const FusedField field;
   for (auto _ : state) {
-    const LoadPower power = LoadPower::of(*mechanism, *kinematics.model, kinematics.placement, problem);
-    const auto held = heldParts(*mechanism, *kinematics.model, kinematics.placement, problem);
+    const LoadPower power = LoadPower::of(*mechanism, *kinematics.model, kinematics.placement(), problem);
+    const auto held = heldParts(*mechanism, *kinematics.model, kinematics.placement(), problem);
     const auto torques = solveStaticsLive(*kinematics.model, field, held, power.byLink);
     GEARGRAPH_REQUIRE(torques && torques->isBalanced);
     benchmark::DoNotOptimize(torques);

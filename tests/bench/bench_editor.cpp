@@ -269,9 +269,9 @@ void dragTeeth(benchmark::State& state, const QString& path, const MeshId& mesh,
     seen.start();
     clock.start();
     window.document().apply({QStringLiteral("Change teeth"),
-                             [&](const PlacedMechanism& before) {
-                               const int other = before.mechanism().find(mesh)->tailTeeth;
-                               return withTeethFitted(before, mesh, other, teeth);
+                             [&](const PlacedMechanism& placed) {
+                               const int other = placed.mechanism().find(mesh)->tailTeeth;
+                               return withTeethFitted(placed, mesh, other, teeth);
                              },
                              0});
     lap("edit_ms");
