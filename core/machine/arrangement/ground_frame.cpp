@@ -81,6 +81,7 @@ class FrameMaker {
   void joinTouching();
   void addHousings();
   [[nodiscard]] std::optional<HousingPlan> housingBetween(const Piece& a, const Piece& b) const;
+  void addHousing(HousingPlan housing);
   void standOnBase(const std::vector<std::size_t>& open);
   [[nodiscard]] double baseTop() const;
   [[nodiscard]] Bracket bestBracket(std::size_t group, bool onRims) const;
@@ -226,6 +227,22 @@ std::optional<HousingPlan> FrameMaker::housingBetween(const Piece& a, const Piec
   return isTaken ? std::nullopt : std::optional(housing);
 }
 
+/// Housings that would meet in the middle of a bearing are one, or reach into each other: solids of one body
+/// that share an edge are no closed surface.
+void FrameMaker::addHousing(HousingPlan housing) {
+  if (!m_made.housings.empty()) {
+    HousingPlan& last = m_made.housings.back();
+    if (last.axisClass == housing.axisClass && last.high == housing.low) {
+      if (last.inner == housing.inner && last.outer == housing.outer) {
+        last.high = housing.high;
+        return;
+      }
+      housing.low -= 0.1 * axis(housing.axisClass).module;
+    }
+  }
+  m_made.housings.push_back(housing);
+}
+
 void FrameMaker::addHousings() {
   std::vector<std::size_t> order;
   for (std::size_t p = 0; p < m_pieces.size(); ++p) {
@@ -242,7 +259,7 @@ void FrameMaker::addHousings() {
     if (one.axisClass != next.axisClass || rootOf(order[i]) == rootOf(order[i + 1])) continue;
     const auto housing = housingBetween(one, next);
     if (!housing) continue;
-    m_made.housings.push_back(*housing);
+    addHousing(*housing);
     join(order[i], order[i + 1]);
   }
 }
