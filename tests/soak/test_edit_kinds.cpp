@@ -15,13 +15,13 @@ const std::set<QString> kNoEdits = {
     "emptyMechanism",                              // the first document
     "fragmentOf",                                  // what withFragment takes
     "readMechanism",  "readDocument", "readView",  // how documents come in
-    "unlessBroken",   "fitAxes",                   // parts of the fitted edits
+    "unlessBroken",   "fitAxes",      "unplaced",  // parts of the fitted edits
 };
 
 /// The names of all functions of headers that return a mechanism or its view.
 std::set<QString> editFunctions() {
   static const QRegularExpression kFunction(
-      QStringLiteral(R"(^\[\[nodiscard\]\]\s+(?:Expected<Mechanism>|Mechanism|View)\s+(\w+)\()"),
+      QStringLiteral(R"(^\[\[nodiscard\]\]\s+(?:Expected<(?:Placed)?Mechanism>|Mechanism|View)\s+(\w+)\()"),
       QRegularExpression::MultilineOption);
   std::set<QString> names;
   for (const char* folder : {"core", "ui"}) {
