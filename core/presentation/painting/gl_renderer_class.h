@@ -143,7 +143,7 @@ void GlRenderer::eachInstance(const Frame& frame, const Eigen::Matrix4d& clip, S
 
 /// A picture that may be stopped waits for the driver after this many indices: what the driver has queued
 /// cannot be stopped, and a rasterizer in software takes some 50 ms for them.
-constexpr std::size_t kMostQueuedIndices = 600'000;
+constexpr std::size_t kMostQueuedIndices = 250'000;
 
 // The order of the scene decides, not that of addresses: the same scene gives the same picture.
 template <class Look>

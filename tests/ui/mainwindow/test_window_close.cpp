@@ -95,7 +95,8 @@ class WindowCloseTest : public QObject {
       QTest::qWait(after);
       if (isDone) return;  // faster than the test
       const double more = secondsOfClosing(std::move(window));
-      QVERIFY2(more < kMostSeconds, qPrintable(QStringLiteral("%1 s more after %2 ms").arg(more).arg(after)));
+      QVERIFY2(more < kMostSeconds + 0.1,  // the export is one more worker
+               qPrintable(QStringLiteral("%1 s more after %2 ms").arg(more).arg(after)));
       const auto all = QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot;
       QCOMPARE(QDir(folder.path()).entryList(all), QStringList());
     }
