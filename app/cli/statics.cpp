@@ -40,8 +40,7 @@ Diagnostics findingsOf(const AnalysisSnapshot& snapshot, int state) {
 /// These, and those of its statics.
 Diagnostics allFindings(const Solved& solved, std::size_t place) {
   Diagnostics all = findingsOf(*solved.snapshot, solved.states[place]);
-  if (const auto& report = solved.reports[place])
-    all.insert(all.end(), report->diagnostics.begin(), report->diagnostics.end());
+  if (const auto& report = solved.reports[place]) append(all, report->diagnostics);
   return all;
 }
 

@@ -39,12 +39,11 @@ std::optional<Diagnostics> diagnosticsOf(const Mechanism& mechanism, std::option
   Diagnostics diagnostics = live->diagnostics;
   const Diagnostics teeth = toothFindings(*live, stop);
   if (stop.stop_requested()) return std::nullopt;
-  diagnostics.insert(diagnostics.end(), teeth.begin(), teeth.end());
+  append(diagnostics, teeth);
   if (motion != nullptr) {
     *motion = checkMotion(*live, stop);
     if (stop.stop_requested()) return std::nullopt;
-    if (*motion)
-      diagnostics.insert(diagnostics.end(), (*motion)->diagnostics.begin(), (*motion)->diagnostics.end());
+    if (*motion) append(diagnostics, (*motion)->diagnostics);
   }
   return diagnostics;
 }

@@ -11,7 +11,7 @@ TrainParts trainParts(const Mechanism& mechanism, const GearTrain& train, GearCa
     if (solid) {
       result.parts.push_back({gear.link, gear.name, gear.pose, *std::move(solid), static_cast<int>(g)});
     } else {
-      result.diagnostics.insert(result.diagnostics.end(), solid.error().begin(), solid.error().end());
+      append(result.diagnostics, solid.error());
     }
   }
   for (const LinkBody& body : train.bodies) {

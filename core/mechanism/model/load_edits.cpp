@@ -24,7 +24,7 @@ Expected<Mechanism> checked(Mechanism mechanism, std::string_view pointer) {
     for (const Diagnostic& finding : findings) {
       if (!finding.pointer.starts_with(pointer)) continue;
       Diagnostic refusal = finding;
-      refusal.pointer.clear();  // of a file that does not exist yet
+      refusal.pointer.clear();  // the file does not exist yet
       return refusal;
     }
   }

@@ -235,8 +235,7 @@ std::optional<Rational> stepBetween(const StateSolution& from, const StateSoluti
 
 Diagnostics stateDiagnostics(std::span<const StateSolution> states) {
   Diagnostics all;
-  for (const StateSolution& state : states)
-    all.insert(all.end(), state.diagnostics.begin(), state.diagnostics.end());
+  for (const StateSolution& state : states) append(all, state.diagnostics);
   return all;
 }
 

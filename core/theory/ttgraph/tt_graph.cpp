@@ -31,7 +31,7 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
 
 Diagnostics TtGraph::diagnostics() const {
   Diagnostics all = m_levels.diagnostics;
-  all.insert(all.end(), m_vertices.diagnostics.begin(), m_vertices.diagnostics.end());
+  append(all, m_vertices.diagnostics);
   return all;
 }
 
