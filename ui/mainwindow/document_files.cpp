@@ -13,7 +13,6 @@
 #include <QTimer>
 
 #include "core/foundations/files/file.h"
-#include "core/foundations/files/matrix_csv.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 
 namespace geargraph::inline mainwindow {
@@ -86,16 +85,6 @@ std::optional<Expected<Mechanism>> readDocument(const QString& path, QWidget* wi
 
 std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path) {
   return reason(writeFile(nativePath(path), writeMechanism(mechanism)));
-}
-
-std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path) {
-  AtomicFile file(nativePath(path));
-  writeMatrixCsv<MatrixEntry, UniformRow>(file, matrix);
-  return reason(file.commit());
-}
-
-std::optional<QString> writeText(const std::string& text, const QString& path) {
-  return reason(writeFile(nativePath(path), text));
 }
 
 QStringList examplePaths() {

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/foundations/base/expected.h"
-#include "core/mechanism/graph/integer_matrix.h"
 #include "core/mechanism/model/mechanism.h"
 
 class QWidget;
@@ -28,13 +27,6 @@ namespace geargraph::inline mainwindow {
 
 /// Writes whole or not at all. Nothing where all went well, else why not.
 [[nodiscard]] std::optional<QString> writeDocument(const Mechanism& mechanism, const QString& path);
-
-/// A matrix with its labels as CSV, whole or not at all. Nothing where all went well, else why not.
-/// Cost: O(rows · columns).
-[[nodiscard]] std::optional<QString> exportMatrixCsv(const IntegerMatrix& matrix, const QString& path);
-
-/// A text as a file, whole or not at all. Nothing where all went well, else why not.
-[[nodiscard]] std::optional<QString> writeText(const std::string& text, const QString& path);
 
 /// The examples that come with the program, as paths of its resources: the paper's robot first, then
 /// from the simple to the strange.

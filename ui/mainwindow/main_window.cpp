@@ -15,8 +15,8 @@
 #include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/edit_commands.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
-#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
@@ -79,7 +79,7 @@ MainWindow::MainWindow(QWidget* parent)
   setStatusBar(m_status);
   m_recent = new RecentFiles(this);
   m_notices = new NoticeBar(this);
-  m_pictures = new PictureJobs(m_notices, this);
+  m_exportJobs = new ExportJobs(m_notices, this);
   m_files = std::make_unique<WindowFiles>(*m_workbench, this, m_notices, m_recent,
                                           [this] { return documentToSave(); });
   m_titles = new DockTitles(this);
@@ -165,7 +165,7 @@ void MainWindow::makeCommands() {
   connect(m_commands, &EditCommands::refused, m_status, &StatusLine::showRefusal);
   connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
   m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},
-                                m_pictures, this);
+                                m_exportJobs, this);
   connect(m_exports, &WindowExports::refused, m_status, &StatusLine::showRefusal);
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
   connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);

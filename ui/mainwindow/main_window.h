@@ -40,7 +40,7 @@ namespace geargraph::inline mainwindow {
 class DockTitles;
 class EditCommands;
 class NoticeBar;
-class PictureJobs;
+class ExportJobs;
 class Presentation;
 class RecentFiles;
 class StatusLine;
@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
   [[nodiscard]] WindowFiles& files() { return *m_files; }
   [[nodiscard]] NoticeBar& notices() { return *m_notices; }
-  [[nodiscard]] PictureJobs& pictures() { return *m_pictures; }
+  [[nodiscard]] ExportJobs& exportJobs() { return *m_exportJobs; }
   [[nodiscard]] StartPage& startPage() { return *m_start; }
 
   /// Opens a file or an example. A broken one is listed in the problems with its places, and the document
@@ -187,7 +187,7 @@ class MainWindow : public QMainWindow {
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
   bool m_isOpened = false;    ///< since the last complete snapshot
-  PictureJobs* m_pictures = nullptr;
+  ExportJobs* m_exportJobs = nullptr;
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
 };

@@ -7,8 +7,8 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/picture_dialog.h"
-#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/schematic/schematic_view.h"
@@ -20,9 +20,9 @@ namespace geargraph::inline mainwindow {
 namespace {
 
 /// The view's picture or film, with its labels, as a job for another thread.
-PictureJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool dark, SolidForm form,
-                         const QString& path) {
-  const auto run = [=](const PictureJobs::Progress& progress, const std::stop_token& stop) {
+ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool dark, SolidForm form,
+                        const QString& path) {
+  const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
     ShotRun how;
     how.progress = progress;
     how.stop = stop;
@@ -39,8 +39,8 @@ PictureJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool
   return {path, shot.film.has_value(), run};
 }
 
-PictureJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
-  const auto run = [=](const PictureJobs::Progress&, const std::stop_token& stop) {
+ExportJobs::Job solidsJob(const StagePtr& stage, const StageView& view, const QString& path) {
+  const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
     MeshWriteOptions how;
     how.stop = stop;
     const auto failure =

@@ -8,7 +8,7 @@
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/report/report.h"
 #include "ui/canvas/drawing_view.h"
-#include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/schematic/schematic_view.h"
@@ -62,7 +62,7 @@ void WindowExports::exportDerivation(const QString& path) {
     const QString why = each->whyNoPicture();
     if (!why.isEmpty()) return emit refused(why);
   }
-  const auto run = [=](const PictureJobs::Progress&, const std::stop_token& stop) {
+  const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
     Report report = derivationReport(snapshot, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     if (QFileInfo(path).suffix().toLower() == QLatin1String("pdf")) {

@@ -2,11 +2,13 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <functional>
 
 #include "core/foundations/files/file.h"
+#include "core/foundations/files/matrix_csv.h"
+#include "core/foundations/files/stoppable_sink.h"
 #include "core/teaching/derivation/matrix_text.h"
-#include "ui/mainwindow/document_files.h"
-#include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/models/term_tips.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
@@ -19,9 +21,30 @@ QString withSuffix(QString path, const QString& suffix) {
   return path;
 }
 
+/// More of them take longer than a glance, so that a notice tells of them.
+constexpr qint64 kManyEntries = 1'000'000;
+
+template <class Table>
+qint64 entriesOf(const Table& table) {
+  return qint64{table.rows()} * table.columns();
+}
+
+/// @param write writes until the sink fails
+ExportJobs::Job tableJob(const QString& path, qint64 entries, const std::function<void(ByteSink&)>& write) {
+  const auto run = [path, write](const ExportJobs::Progress&, const std::stop_token& stop) {
+    AtomicFile file(QFile::encodeName(path).toStdString());
+    StoppableSink sink(file, stop);
+    write(sink);
+    if (stop.stop_requested()) return WindowExports::tr("The export was stopped.");
+    const auto error = file.commit();
+    return error ? QString::fromStdString(error->message) : QString();
+  };
+  return {path, entries > kManyEntries, run};
+}
+
 }  // namespace
 
-WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Views views, PictureJobs* jobs,
+WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
                              QWidget* window)
     : QObject(window),
       m_workbench(workbench),
@@ -29,17 +52,17 @@ WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Vie
       m_views(std::move(views)),
       m_jobs(jobs),
       m_window(window) {
-  connect(m_jobs, &PictureJobs::finished, this, &WindowExports::onWritten);
-  connect(m_jobs, &PictureJobs::failed, this, &WindowExports::refused);
+  connect(m_jobs, &ExportJobs::finished, this, &WindowExports::onWritten);
+  connect(m_jobs, &ExportJobs::failed, this, &WindowExports::refused);
 }
 
-bool WindowExports::exportCsv(const IntegerMatrix& matrix, const QString& path) {
-  if (const auto why = exportMatrixCsv(matrix, path)) {
-    emit refused(*why);
-    return false;
-  }
-  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
-  return true;
+void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path) {
+  m_jobs->add(tableJob(path, entriesOf(*matrix),
+                       [matrix](ByteSink& sink) { writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix); }));
+}
+
+void WindowExports::exportCsv(const QuantityTablePtr& table, const QString& path) {
+  m_jobs->add(tableJob(path, entriesOf(*table), [table](ByteSink& sink) { writeQuantityCsv(sink, *table); }));
 }
 
 void WindowExports::chooseAndExport(const IntegerMatrixPtr& matrix) {
@@ -47,17 +70,14 @@ void WindowExports::chooseAndExport(const IntegerMatrixPtr& matrix) {
   const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
   const QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
                                                     tr("CSV files (*.csv);;All files (*)"));
-  if (!path.isEmpty()) exportCsv(*matrix, withSuffix(path, QStringLiteral(".csv")));
+  if (!path.isEmpty()) exportCsv(matrix, withSuffix(path, QStringLiteral(".csv")));
 }
 
 void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
   const QString proposed = shownText(quantityAsciiName(table->kind())) + QStringLiteral(".csv");
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
-                                              tr("CSV files (*.csv);;All files (*)"));
-  if (path.isEmpty()) return;
-  path = withSuffix(path, QStringLiteral(".csv"));
-  if (const auto why = writeText(quantityCsv(*table), path)) return emit refused(*why);
-  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  const QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
+                                                    tr("CSV files (*.csv);;All files (*)"));
+  if (!path.isEmpty()) exportCsv(table, withSuffix(path, QStringLiteral(".csv")));
 }
 
 void WindowExports::chooseAndSaveTrace() {

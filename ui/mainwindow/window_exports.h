@@ -27,7 +27,7 @@ class Workbench;
 namespace geargraph::inline mainwindow {
 
 struct PictureWish;
-class PictureJobs;
+class ExportJobs;
 class WindowFiles;
 
 /// What a window writes besides its document: matrices and tables as CSV, drawings, 3D pictures and
@@ -46,10 +46,13 @@ class WindowExports : public QObject {
   };
 
   /// `window`: the parent of its dialogs, and of this.
-  WindowExports(Workbench& workbench, const WindowFiles& files, Views views, PictureJobs* jobs,
+  WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
                 QWidget* window);
 
-  bool exportCsv(const IntegerMatrix& matrix, const QString& path);
+  /// A matrix with its labels as CSV; written() follows, and a large one can be stopped. Cost: O(rows ·
+  /// columns).
+  void exportCsv(const IntegerMatrixPtr& matrix, const QString& path);
+  void exportCsv(const QuantityTablePtr& table, const QString& path);
   /// A picture of a view; written() follows, at once for a drawing, later for the 3D view.
   void exportPicture(const PictureWish& wish, const QString& path);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
@@ -73,7 +76,7 @@ class WindowExports : public QObject {
  signals:
   void refused(const QString& why);
   void noted(const QString& note);
-  /// A picture or a derivation.
+  /// A table, a picture or a derivation.
   void written(const QString& path);
 
  private:
@@ -84,7 +87,7 @@ class WindowExports : public QObject {
   Workbench& m_workbench;
   const WindowFiles& m_files;
   Views m_views;
-  PictureJobs* m_jobs;
+  ExportJobs* m_jobs;
   QWidget* m_window;
 };
 

@@ -3,10 +3,12 @@
 #include <QApplication>
 #include <QFont>
 #include <QSettings>
-#include <QStyleFactory>
+#include <QToolTip>
 #include <utility>
 
+#include "ui/theme/program_style.h"
 #include "ui/theme/style_sheet.h"
+#include "ui/theme/theme_sheets.h"
 
 namespace geargraph::inline theme {
 namespace {
@@ -36,15 +38,17 @@ void applyTheme(QApplication& application, Theme theme, double typeScale) {
   setTypeScale(typeScale);
   // Each of these polishes all widgets of the program again, so what stays as it is is not set.
   if (!application.property(kStyledProperty).toBool()) {
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new ProgramStyle);
     application.setProperty(kStyledProperty, true);
   }
   if (QFont font = application.font(); font.pixelSize() != bodyPixels()) {
     font.setPixelSize(bodyPixels());
     application.setFont(font);
   }
-  application.setPalette(paletteOf(theme));
-  application.setStyleSheet(styleSheetOf(theme));
+  const QPalette palette = paletteOf(theme);
+  application.setPalette(palette);
+  QToolTip::setPalette(palette);
+  ThemeSheets::instance().setSheet(styleSheetOf(theme));
 }
 
 }  // namespace geargraph::inline theme

@@ -7,11 +7,6 @@ namespace {
 
 /// @role@ stands for a colour of the palette.
 const char* const kSheet = R"(
-QMainWindow, QMainWindow::separator { background: @panel@; }
-QMainWindow::separator { width: 4px; height: 4px; background: @panel@; }
-QMainWindow::separator:vertical { border-left: 1px solid @hairline@; }
-QMainWindow::separator:horizontal { border-top: 1px solid @hairline@; }
-QMainWindow::separator:hover { background: @halo@; }
 QMenuBar { background: @panel@; padding: 1px 4px; }
 QMenuBar::item { padding: 4px 10px; border-radius: 4px; }
 QMenuBar::item:selected { background: @halo@; color: @ink@; }
@@ -20,7 +15,6 @@ QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: @halo@; color: @ink@; }
 QMenu::item:disabled { color: @secondary@; }
 QMenu::separator { height: 1px; background: @hairline@; margin: 4px 6px; }
-QToolTip { background: @sheet@; color: @ink@; border: 1px solid @hairline@; padding: 5px 7px; }
 
 QToolBar { background: @sheet@; border: none; border-bottom: 1px solid @hairline@; padding: 2px 8px;
            spacing: 4px; }

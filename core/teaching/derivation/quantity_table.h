@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/foundations/files/byte_sink.h"
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -85,6 +86,8 @@ using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
 // Cost: O(rows * columns).
 [[nodiscard]] std::string quantityTsv(const QuantityTable& table);
 [[nodiscard]] std::string quantityCsv(const QuantityTable& table);
+/// The same row by row, until the sink fails.
+void writeQuantityCsv(ByteSink& sink, const QuantityTable& table);
 [[nodiscard]] std::string quantityLatex(const QuantityTable& table);
 [[nodiscard]] std::string quantityMatlab(const QuantityTable& table);
 [[nodiscard]] std::string quantityNumpy(const QuantityTable& table);

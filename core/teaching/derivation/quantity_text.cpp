@@ -39,15 +39,22 @@ std::string plainLabel(std::string label) {
   return label;
 }
 
-std::string separated(const QuantityTable& table, const std::string& separator) {
-  std::string text(quantityAsciiName(table.kind()));
-  for (int j = 0; j < table.columns(); ++j) text += separator + table.columnHeading(j).text;
-  text += "\n";
-  for (int i = 0; i < table.rows(); ++i) {
-    text += plainLabel(table.rowHeading(i).text) + separator + rowText(table, i, separator, Spelling::plain) +
-            "\n";
+void writeSeparated(ByteSink& sink, const QuantityTable& table, const std::string& separator) {
+  BufferedSink text(sink);
+  text.write(quantityAsciiName(table.kind()));
+  for (int j = 0; j < table.columns(); ++j) text.write(separator + table.columnHeading(j).text);
+  text.put('\n');
+  for (int i = 0; i < table.rows() && !text.failed(); ++i) {
+    text.write(plainLabel(table.rowHeading(i).text) + separator);
+    text.write(rowText(table, i, separator, Spelling::plain));
+    text.put('\n');
   }
-  return text;
+}
+
+std::string separated(const QuantityTable& table, const std::string& separator) {
+  TextSink text;
+  writeSeparated(text, table, separator);
+  return text.take();
 }
 
 std::string comment(const QuantityTable& table, const std::string& mark) {
@@ -75,6 +82,10 @@ std::string quantityTsv(const QuantityTable& table) {
 
 std::string quantityCsv(const QuantityTable& table) {
   return separated(table, ",");
+}
+
+void writeQuantityCsv(ByteSink& sink, const QuantityTable& table) {
+  writeSeparated(sink, table, ",");
 }
 
 std::string quantityLatex(const QuantityTable& table) {

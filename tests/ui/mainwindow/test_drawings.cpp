@@ -7,14 +7,15 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/core/support/train_sketch.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/picture_dialog.h"
-#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
@@ -167,14 +168,31 @@ class DrawingsTest : public QObject {
     PictureWish film = wish("3d", PictureForm::png);
     film.picture.look.size = SheetLook::Size{64, 48};
     film.film = Film{FilmKind::turntable, kMostFilmFrames, 24, 0};
-    QSignalSpy failed(&window->pictures(), &PictureJobs::failed);
+    QSignalSpy failed(&window->exportJobs(), &ExportJobs::failed);
     window->exports().exportPicture(film, folder.filePath("long.png"));
     auto answers = window->notices().current()->answers;
     QCOMPARE(answers.front().text, QString("Stop"));
     answers.front().run();
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), qsizetype{1}, 60'000);
     QVERIFY(!QFile::exists(folder.filePath("long.png")));
-    QVERIFY(!window->pictures().isBusy());
+    QVERIFY(!window->exportJobs().isBusy());
+  }
+
+  void aLargeMatrixIsExportedBesideTheWindowAndCanBeStopped() {
+    const auto large = analyze(std::make_shared<const Mechanism>(test::randomTrain(7, 3000, 1200)));
+    const IntegerMatrixPtr matrix = large->matrix(MatrixKind::incidence);
+    QSignalSpy failed(&window->exports(), &WindowExports::refused);
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportCsv(matrix, folder.filePath("stopped.csv"));
+    QVERIFY(window->notices().current() != nullptr);
+    window->notices().current()->answers.front().run();
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), qsizetype{1}, 60'000);
+    QVERIFY(!QFile::exists(folder.filePath("stopped.csv")));
+    window->exports().exportCsv(matrix, folder.filePath("whole.csv"));
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), qsizetype{1}, 60'000);
+    QFile file(folder.filePath("whole.csv"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll().count('\n'), qsizetype{matrix->rows() + 1});
   }
 
   void anExportShowsWhatTheWindowShows() {

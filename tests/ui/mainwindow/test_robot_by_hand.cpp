@@ -1,4 +1,5 @@
 #include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -101,7 +102,9 @@ class RobotByHandTest : public QObject {
   void exportedTableReadsBack() {
     const QStringList rows = test::shownRows(*window, MatrixKind::cycleBasis);
     const QString path = folder.filePath(QStringLiteral("C.csv"));
-    QVERIFY(window->exports().exportCsv(*window->matrices().model().matrix(), path));
+    QSignalSpy written(&window->exports(), &WindowExports::written);
+    window->exports().exportCsv(window->matrices().model().matrix(), path);
+    QVERIFY(written.wait());
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split(QLatin1Char('\n'));

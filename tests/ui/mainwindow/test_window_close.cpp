@@ -8,8 +8,8 @@
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/extreme_documents.h"
 #include "tests/ui/mainwindow/hand.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/picture_dialog.h"
-#include "ui/mainwindow/picture_jobs.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
@@ -91,7 +91,7 @@ class WindowCloseTest : public QObject {
       bool isDone = false;
       connect(&window->exports(), &WindowExports::written, window.get(), [&] { isDone = true; });
       window->exports().exportPicture(wish, folder.filePath("export"));
-      QVERIFY(window->pictures().isBusy());
+      QVERIFY(window->exportJobs().isBusy());
       QTest::qWait(after);
       if (isDone) return;  // faster than the test
       const double more = secondsOfClosing(std::move(window));

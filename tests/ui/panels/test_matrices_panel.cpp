@@ -9,6 +9,7 @@
 
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/mechanisms.h"
+#include "tests/core/support/train_sketch.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_header.h"
 #include "ui/panels/matrix_view.h"
@@ -187,6 +188,17 @@ class MatricesPanelTest : public QObject {
     QTest::mouseClick(panel->findChild<QToolButton*>("exportCsv"), Qt::LeftButton);
     QCOMPARE(quantity.count(), 1);
     QCOMPARE(whole.count(), 0);
+  }
+
+  void aMatrixThatIsTooLargeForTheClipboardIsNotCopied() {
+    QApplication::clipboard()->setText(QStringLiteral("before"));
+    panel->setSnapshot(snapshotOf(test::randomTrain(7, 2000, 800)));
+    QTest::mouseClick(panel->findChild<QToolButton*>("chip.incidence"), Qt::LeftButton);
+    QSignalSpy refused(panel.get(), &MatricesPanel::refused);
+    panel->findChild<QToolButton*>("copyMatrix")->menu()->actions().front()->trigger();
+    QCOMPARE(refused.size(), qsizetype{1});
+    QVERIFY(refused.front().front().toString().contains("Export it as CSV"));
+    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("before"));
   }
 
   void problemsLightTheirCulprits() {

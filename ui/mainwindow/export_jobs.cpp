@@ -1,4 +1,4 @@
-#include "ui/mainwindow/picture_jobs.h"
+#include "ui/mainwindow/export_jobs.h"
 
 #include <QFileInfo>
 
@@ -7,27 +7,27 @@
 namespace geargraph::inline mainwindow {
 namespace {
 
-const QString kKey = QStringLiteral("pictures");
+const QString kKey = QStringLiteral("exports");
 
 }  // namespace
 
-PictureJobs::PictureJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
+ExportJobs::ExportJobs(NoticeBar* notices, QObject* parent) : QObject(parent), m_notices(notices) {}
 
-PictureJobs::~PictureJobs() {
+ExportJobs::~ExportJobs() {
   m_waiting.clear();
   m_thread.request_stop();
 }
 
-void PictureJobs::add(Job job) {
+void ExportJobs::add(Job job) {
   m_waiting.push_back(std::move(job));
   if (!m_isBusy) startNext();
 }
 
-void PictureJobs::stop() {
+void ExportJobs::stop() {
   m_thread.request_stop();
 }
 
-void PictureJobs::startNext() {
+void ExportJobs::startNext() {
   if (m_waiting.empty()) return;
   const Job job = std::move(m_waiting.front());
   m_waiting.pop_front();
@@ -36,7 +36,7 @@ void PictureJobs::startNext() {
   if (job.isLong) {
     m_notices->post({kKey,
                      Severity::info,
-                     tr("Painting %1.").arg(name),
+                     tr("Exporting %1.").arg(name),
                      {{tr("Stop"), tr("Give up this export; nothing is written"), [this] { stop(); }}}});
   }
   // The one before has said its last word, so joining it waits for nothing.
@@ -45,7 +45,7 @@ void PictureJobs::startNext() {
       QMetaObject::invokeMethod(
           this,
           [this, name, done, all] {
-            m_notices->setText(kKey, tr("Painting %1: %2 of %3 pictures.").arg(name).arg(done).arg(all));
+            m_notices->setText(kKey, tr("Exporting %1: %2 of %3 pictures.").arg(name).arg(done).arg(all));
           },
           Qt::QueuedConnection);
     };
@@ -56,7 +56,7 @@ void PictureJobs::startNext() {
   });
 }
 
-void PictureJobs::onDone(const Job& job, const QString& why, bool stopped) {
+void ExportJobs::onDone(const Job& job, const QString& why, bool stopped) {
   m_isBusy = false;
   if (job.isLong) m_notices->withdraw(kKey);
   if (why.isEmpty()) {

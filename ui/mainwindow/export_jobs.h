@@ -11,9 +11,9 @@ namespace geargraph::inline mainwindow {
 
 class NoticeBar;
 
-/// Files that take a while to be made: painted on a thread, one after the other, so that no second one waits
+/// Files that take a while to be made: made on a thread, one after the other, so that no second one waits
 /// for the first in the window. A notice shows how far the one of several pictures is, and stops it.
-class PictureJobs : public QObject {
+class ExportJobs : public QObject {
   Q_OBJECT
 
  public:
@@ -26,8 +26,8 @@ class PictureJobs : public QObject {
     std::function<QString(const Progress& progress, const std::stop_token& stop)> run;
   };
 
-  explicit PictureJobs(NoticeBar* notices, QObject* parent = nullptr);
-  ~PictureJobs() override;
+  explicit ExportJobs(NoticeBar* notices, QObject* parent = nullptr);
+  ~ExportJobs() override;
 
   void add(Job job);
   void stop();  ///< the one that runs

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stop_token>
+#include <utility>
+
+#include "core/foundations/files/byte_sink.h"
+
+namespace geargraph::inline files {
+
+/// Passes bytes on to another sink until the work is to stop. The one that owns the other sink throws away
+/// what was written.
+class StoppableSink final : public ByteSink {
+ public:
+  StoppableSink(ByteSink& sink, std::stop_token stop) : m_sink(sink), m_stop(std::move(stop)) {}
+  void write(std::string_view bytes) override {
+    if (!failed()) m_sink.write(bytes);
+  }
+  [[nodiscard]] bool failed() const override { return m_stop.stop_requested() || m_sink.failed(); }
+
+ private:
+  ByteSink& m_sink;
+  std::stop_token m_stop;
+};
+
+}  // namespace geargraph::inline files

@@ -1,0 +1,92 @@
+#include "ui/theme/theme_sheets.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QMainWindow>
+#include <QWidget>
+
+#include "ui/theme/style_sheet.h"
+
+namespace geargraph::inline theme {
+namespace {
+
+bool isMainWindow(const QWidget* widget) {
+  return qobject_cast<const QMainWindow*>(widget) != nullptr;
+}
+
+/// A widget that has a sheet of its own for all that is in it. A main window has none: its parts would be
+/// polished with it, all at once. Qt gives tips the sheet of what they are about.
+bool isPart(const QWidget* widget) {
+  if (isMainWindow(widget) || widget->inherits("QTipLabel")) return false;
+  const QWidget* parent = widget->parentWidget();
+  return parent == nullptr || isMainWindow(parent);
+}
+
+}  // namespace
+
+ThemeSheets& ThemeSheets::instance() {
+  static QPointer<ThemeSheets> sheets;
+  if (sheets == nullptr) sheets = new ThemeSheets(qApp);
+  return *sheets;
+}
+
+ThemeSheets::ThemeSheets(QObject* application) : QObject(application) {
+  m_turn.setInterval(0);
+  connect(&m_turn, &QTimer::timeout, this, &ThemeSheets::renewNext);
+  application->installEventFilter(this);
+}
+
+void ThemeSheets::setSheet(const QString& sheet) {
+  if (sheet == m_sheet) return;
+  m_sheet = sheet;
+  m_outdated.clear();
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (isPart(widget) && widget->isVisible()) m_outdated.emplace_back(widget);
+  }
+  if (m_outdated.empty()) return;
+  holdPainting(true);
+  m_turn.start();
+}
+
+void ThemeSheets::renewNext() {
+  while (!m_outdated.empty()) {
+    const QPointer<QWidget> widget = m_outdated.back();
+    m_outdated.pop_back();
+    if (widget == nullptr) continue;
+    theme::setSheet(*widget, m_sheet);
+    break;
+  }
+  if (!m_outdated.empty()) return;
+  m_turn.stop();
+  holdPainting(false);
+  emit settled();
+}
+
+/// Else a window would show some parts in the old colours and some in the new.
+void ThemeSheets::holdPainting(bool hold) {
+  if (hold) {
+    for (QWidget* window : QApplication::topLevelWidgets()) {
+      if (!isMainWindow(window) || !window->isVisible() || !window->updatesEnabled()) continue;
+      window->setUpdatesEnabled(false);
+      m_held.emplace_back(window);
+    }
+    return;
+  }
+  for (const QPointer<QWidget>& window : m_held) {
+    if (window != nullptr) window->setUpdatesEnabled(true);
+  }
+  m_held.clear();
+}
+
+bool ThemeSheets::eventFilter(QObject* watched, QEvent* event) {
+  // A part of a window before its first layout; a window without parent when it is shown, because before that
+  // it may be a widget that has not been put into its place.
+  const bool isPolish = event->type() == QEvent::Polish;
+  if ((isPolish || event->type() == QEvent::Show) && watched->isWidgetType()) {
+    auto* widget = static_cast<QWidget*>(watched);
+    if (isPart(widget) && !(isPolish && widget->parentWidget() == nullptr)) theme::setSheet(*widget, m_sheet);
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace geargraph::inline theme
