@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QStyle>
 #include <QToolButton>
 
 #include "ui/models/freedom_text.h"
@@ -71,15 +72,17 @@ QString StatusLine::text() const {
 
 void StatusLine::renewMessage() {
   const bool refused = !m_refusal.isEmpty();
-  QPalette colors = palette();
-  const Theme theme = themeOf(colors);
+  const Theme theme = themeOf(palette());
   const std::tuple message(text(), refused, theme);
   if (m_shown == message) return;
   m_shown = message;
   m_message->setText(text());
   m_message->setToolTip(refused ? text() : QString());
-  colors.setColor(QPalette::WindowText, qColor(refused ? ColorRole::error : ColorRole::secondary, theme));
-  m_message->setPalette(colors);
+  const QString look = refused ? QStringLiteral("problem") : QStringLiteral("hint");
+  if (m_message->property("look") != look) {
+    m_message->setProperty("look", look);
+    m_message->style()->polish(m_message);  // which a changed property alone does not
+  }
   m_icon->setVisible(refused);
   m_icon->setPixmap(
       iconPixmap(severityIconName(Severity::error), ColorRole::error, theme, 16, devicePixelRatioF()));

@@ -73,7 +73,11 @@ void ThemeSheets::holdPainting(bool hold) {
     return;
   }
   for (const QPointer<QWidget>& window : m_held) {
-    if (window != nullptr) window->setUpdatesEnabled(true);
+    if (window == nullptr) continue;
+    window->setUpdatesEnabled(true);
+    // A request that came in between was dropped, and Qt waits for it where a widget was waiting to be
+    // painted.
+    QCoreApplication::postEvent(window, new QEvent(QEvent::UpdateRequest), Qt::LowEventPriority);
   }
   m_held.clear();
 }

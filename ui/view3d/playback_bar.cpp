@@ -49,6 +49,7 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   m_scrub->setFocusPolicy(Qt::NoFocus);
   m_scrub->setToolTip(tr("Drag through one period of the motion"));
   m_time->setObjectName("view3dTime");
+  m_time->setProperty("look", "hint");
   m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 2, 6, 6);
@@ -117,15 +118,6 @@ double PlaybackBar::start() const {
 }
 
 void PlaybackBar::setDark(bool dark) {
-  QPalette palette = m_time->palette();
-  palette.setColor(QPalette::WindowText, dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
-  m_time->setPalette(palette);
-  for (QWidget* quiet : {findChild<QWidget*>("view3dStepBack"), findChild<QWidget*>("view3dStep"),
-                         static_cast<QWidget*>(m_speed)}) {
-    QPalette ink = quiet->palette();
-    ink.setColor(QPalette::ButtonText, dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E));
-    quiet->setPalette(ink);
-  }
   m_dark = dark;
   refresh();
 }

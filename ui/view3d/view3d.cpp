@@ -229,6 +229,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   d->note->setAttribute(Qt::WA_TransparentForMouseEvents);
   d->note->hide();
   d->painter->setObjectName("view3dPainter");
+  d->painter->setProperty("look", "hint");
   d->painter->move(12, 10);
   d->painter->hide();
   d->makeButtons();
@@ -338,9 +339,6 @@ void View3D::setDark(bool dark) {
   if (d->gl != nullptr) d->gl->setDark(dark);
   if (d->image != nullptr) d->image->setDark(dark);
   d->bar->setDark(dark);
-  QPalette quiet = d->painter->palette();
-  quiet.setColor(QPalette::WindowText, dark ? QColor(0x98, 0xA1, 0xAE) : QColor(0x6B, 0x73, 0x80));
-  d->painter->setPalette(quiet);
   d->viewer.setLook(dark ? Look::dark() : Look::light());
 }
 
@@ -459,6 +457,7 @@ void View3D::keyPressEvent(QKeyEvent* event) {
 }
 
 void View3D::resizeEvent(QResizeEvent* event) {
+  d->painter->adjustSize();
   const QSize wanted = d->buttons->sizeHint();
   d->buttons->setGeometry(width() - wanted.width() - 6, 4, wanted.width(), wanted.height());
   d->placeStrip();

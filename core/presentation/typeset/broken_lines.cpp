@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 #include "core/presentation/typeset/formula_setter.h"
 #include "core/presentation/typeset/typeset.h"
@@ -109,6 +111,18 @@ FormulaNode partOf(const FormulaNode& table, std::size_t begin, std::size_t end)
   return part;
 }
 
+/// What a matrix is certainly wider than, where it becomes parts of so many columns each: its widest part
+/// without brackets and without the room between columns. Much cheaper than setting the parts.
+double leastWidth(const std::vector<double>& columns, std::size_t each) {
+  double widest = 0;
+  for (std::size_t begin = 1; begin < columns.size(); begin += each) {
+    const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(each, columns.size() - begin));
+    widest = std::max(widest, std::accumulate(first, first + count, columns.front()));
+  }
+  return widest;
+}
+
 /// In as few parts as fit, or none where not even single columns do.
 std::vector<FormulaLine> matrixParts(const FormulaNode& formula, double width) {
   const FormulaNode& table = formula.parts.back();
@@ -116,9 +130,11 @@ std::vector<FormulaLine> matrixParts(const FormulaNode& formula, double width) {
   FormulaNode before{FormulaKind::row, {}, 0, formula.parts};
   before.parts.back() = {};
   const double start = setRow(before, kOwnLine).width + kBesideMatrix;
+  const std::vector<double> widths = columnWidths(table, kOwnLine);
   for (std::size_t parts = 2; parts <= columns; ++parts) {
     std::vector<FormulaLine> lines;
     const std::size_t each = (columns + parts - 1) / parts;
+    if (start + leastWidth(widths, each) > width) continue;
     for (std::size_t begin = 1; begin <= columns; begin += each) {
       FormulaLine line;
       if (begin == 1) line.box = setRow(before, kOwnLine);

