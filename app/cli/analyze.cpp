@@ -56,7 +56,7 @@ int run(const Arguments& arguments) {
 
 constexpr std::array kOptions = {
     Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
-    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be said again"},
+    Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated"},
     Option{"--symbolic", "", "with the solution in gear ratios (the default)"},
     Option{"--no-symbolic", "", "without it"},
     Option{"--json", "", "as JSON"},

@@ -21,7 +21,7 @@ std::string counted(int count, std::string_view one, std::string_view many) {
 }
 
 std::string heading(const Mechanism& m) {
-  return (m.name.empty() ? std::string("Mechanism without a name") : m.name) +
+  return (m.name.empty() ? std::string("Untitled mechanism") : m.name) +
          "\nn = " + counted(m.n(), "moving link", "moving links") +
          ", t = " + counted(m.t(), "turning joint", "turning joints") +
          ", c = " + counted(m.c(), "gear mesh", "gear meshes") + '\n';

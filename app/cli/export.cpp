@@ -83,7 +83,7 @@ constexpr std::array kExportOptions = {
                  kPicture | kAnimation},
     ExportOption{{"--time", "SECONDS", "how far the inputs have turned (0); also with glb", kOf3D},
                  kPicture | kAnimation | kSeenSolids},
-    ExportOption{{"--section", "AXIS:PART", "cut open square to x, y or z, so far along (y:0.5)", kOf3D},
+    ExportOption{{"--section", "AXIS:PART", "section perpendicular to x, y or z at this fraction of the length (y:0.5)", kOf3D},
                  kPicture | kAnimation},
     ExportOption{{"--explode", "PART", "exploded view along the axes, 0 to 1; also with glb", kOf3D},
                  kPicture | kAnimation | kSeenSolids},

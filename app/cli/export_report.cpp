@@ -31,7 +31,7 @@ int exportDerivation(const Arguments& arguments,
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kExport, error->message);
   if (std::get<Mechanism>(mechanism).n() > kMostReportLinks) {
     std::cerr << "geargraph-cli: A derivation of more than " << kMostReportLinks
-              << " links is not written: nobody could read it. The matrices are exported as CSV.\n";
+              << " links is not written: it would be too long to read. The matrices are exported as CSV.\n";
     return kResourceLimit;
   }
   const SnapshotPtr snapshot = analyze(

@@ -149,7 +149,7 @@ std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Argumen
   const auto* error = std::get_if<MeshFileError>(&scene);
   if (error != nullptr && seconds > 0) return failure(arguments, *error);
   if (error != nullptr) {
-    std::cerr << "geargraph-cli: " << error->message << " The file stands still.\n";
+    std::cerr << "geargraph-cli: " << error->message << " Nothing in the file moves.\n";
     scene = linkScene(source, std::nullopt);
   }
   return std::get<MeshScene>(std::move(scene));

@@ -55,7 +55,7 @@ std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
   if (loaded.train.hasSimpleBodies) {
     std::cerr
         << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over " << kMostRoutedGears
-        << "): wheels are plain discs, shafts and arms are straight and pass through what is in their way.\n";
+        << "): wheels are plain discs, shafts and arms are straight and pass through other parts.\n";
   }
   loaded.motions = motionsOf(snapshot, arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");

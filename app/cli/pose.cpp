@@ -206,7 +206,7 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--angle", "8=30deg", "the angle of an input (deg or rad; without it 0); may be said again"},
+    Option{"--angle", "8=30deg", "the angle of an input (deg or rad; without it 0); may be repeated"},
     Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
     Option{"--json", "", "as JSON"},
 };

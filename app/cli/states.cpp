@@ -159,7 +159,7 @@ std::string remarks(const AnalysisSnapshot& snapshot) {
     if (!state.drive || !state.driven) {
       text += "it names no drive and driven link, so it has no ratio.\n";
     } else {
-      text += solution.drivenStands ? "the driven link stands still.\n"
+      text += solution.drivenStands ? "the driven link does not move.\n"
                                     : "the driven link turns about several directions at once.\n";
     }
   }

@@ -46,7 +46,7 @@ void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const Co
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
   } else {
     add(menu, tr("Hold it with a brake"), {}, actions.hold,
-        ground ? tr("the ground stands still") : QString());
+        ground ? tr("the ground does not move") : QString());
   }
 }
 

@@ -37,19 +37,19 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
       m_sized(new QCheckBox(tr("Of this size:"), this)),
       m_width(pixels(1600, this)),
       m_height(pixels(1000, this)),
-      m_transparent(new QCheckBox(tr("Transparent ground"), this)),
+      m_transparent(new QCheckBox(tr("Transparent background"), this)),
       m_dark(new QCheckBox(tr("Light on dark"), this)),
       m_film(new QComboBox(this)),
       m_frames(new QSpinBox(this)),
       m_rate(new QDoubleSpinBox(this)),
-      m_fitted(new QCheckBox(tr("Nearer or farther until all is in view"), this)) {
+      m_fitted(new QCheckBox(tr("Fit everything into the picture"), this)) {
   setWindowTitle(tr("Export picture"));
   for (const auto& [name, title] : views) {
     m_view->addItem(title, name);
     if (name == inFront) m_view->setCurrentIndex(m_view->count() - 1);
   }
   m_form->addItems({tr("SVG, lines and text"), tr("PDF, lines and text"), tr("PNG, pixels"),
-                    tr("PNG, a folder of pictures"), tr("GLB, the solids as they stand")});
+                    tr("PNG, a folder of pictures"), tr("GLB, the solids in their present pose")});
   m_sized->setToolTip(tr("Without it the picture is as large as the drawing."));
   m_dark->setChecked(dark);
 
@@ -66,9 +66,9 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
   form->addRow(tr("View"), m_view);
   form->addRow(tr("File"), m_form);
   form->addRow(tr("Size"), size);
-  form->addRow(tr("Film"), makeFilm());
+  form->addRow(tr("Animation"), makeFilm());
   form->addRow(tr("Camera"), m_fitted);
-  form->addRow(tr("Ground"), m_transparent);
+  form->addRow(tr("Background"), m_transparent);
   form->addRow(QString(), m_dark);
   form->addRow(buttons);
 

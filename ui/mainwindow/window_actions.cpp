@@ -121,7 +121,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
 
   flip = make("mechanism.flip", words("&Flip"), words("Exchange tail and head of the selected arrows"),
               {QKeySequence(QStringLiteral("X"))}, QStringLiteral("flip"));
-  makeGround = make("mechanism.ground", words("Make &ground"), words("The selected link stands still"), {});
+  makeGround = make("mechanism.ground", words("Make &ground"), words("Makes the selected link the ground"), {});
   attachGear = make("mechanism.attachGear", words("&Attach a gear"),
                     words("A new gear in mesh with the selected one, on the same carrier"),
                     {QKeySequence(QStringLiteral("Ctrl+G"))});

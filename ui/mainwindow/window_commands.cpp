@@ -226,7 +226,7 @@ void MainWindow::renewActions() {
     WindowActions::setAvailable(planets, links == 1 && !onlyGround, tr("Select one planet."));
   const bool oneLink = links == 1 && arrows == 0;
   const QString whyNoGear =
-      oneLink ? drawing().whyNoGear() : tr("Select the link that the gear shall mesh with.");
+      oneLink ? drawing().whyNoGear() : tr("Select the link that the gear should mesh with.");
   WindowActions::setAvailable(a.attachGear, whyNoGear.isEmpty(), whyNoGear);
   WindowActions::setAvailable(a.fitSelected, !selected.empty(), nothing);
   WindowActions::setAvailable(a.makeGround, links == 1 && !selected.contains(ground),

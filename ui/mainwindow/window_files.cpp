@@ -154,7 +154,7 @@ void WindowFiles::setRestoresSession(bool restores) {
 }
 
 void WindowFiles::renewActions(const WindowActions& actions) const {
-  const QString alone = tr("This window stands alone.");
+  const QString alone = tr("This window is not connected to others.");
   WindowActions::setAvailable(actions.newWindow, m_windows != nullptr, alone);
   WindowActions::setAvailable(actions.restoreSession, m_windows != nullptr, alone);
   actions.restoreSession->setChecked(m_windows != nullptr && m_windows->restoresSession());

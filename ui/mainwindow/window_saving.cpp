@@ -135,7 +135,7 @@ void WindowFiles::onForeignChange() {
 
 void WindowFiles::postForeignChange(const Expected<Mechanism>& now, bool isSaving) {
   const QString path = m_document->filePath();
-  const QString what = now ? textOf(differenceOf(*m_onDisk, *now)) : tr("it cannot be read any more");
+  const QString what = now ? textOf(differenceOf(*m_onDisk, *now)) : tr("it can no longer be read");
   const QString text =
       isSaving ? tr("%1 was not saved: another program has changed it (%2). Reloading can be undone.")
                      .arg(title(), what)

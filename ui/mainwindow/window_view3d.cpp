@@ -36,7 +36,7 @@ void MainWindow::wireView3DCommands() {
     if (!element) return;
     menu->addSeparator();
     menu->addActions({m_actions->drive, m_actions->makeGround, m_actions->rename});
-    menu->addAction(tr("3D files that it wears…"), this, [this, link = LinkId(element->id)] {
+    menu->addAction(tr("Attached 3D files…"), this, [this, link = LinkId(element->id)] {
       (new ShapesDialog(m_document, link, this))->show();
     });
     menu->addAction(tr("Properties"), this, [this] {

@@ -130,7 +130,7 @@ void LinkForm::refresh() {
   showText(m_name, shownText(mechanism().find(LinkId(link.id))->name));
   m_ground->setEnabled(!isGround);
   m_ground->setToolTip(isGround ? tr("This link is the ground already.")
-                                : tr("This link stands still, and the labels follow: it becomes 0."));
+                                : tr("Makes this link the ground: it becomes 0, and the other labels follow."));
 }
 
 JointForm::JointForm(Document* document, std::vector<ElementId> joints)

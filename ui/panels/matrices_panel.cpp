@@ -202,7 +202,7 @@ void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString&
 }
 
 QToolButton* MatricesPanel::makeFormButton() {
-  auto* button = panelButton({}, tr("In which numbers the entries are told"), this);
+  auto* button = panelButton({}, tr("How the entries are shown: decimals, fractions or symbols"), this);
   button->setObjectName(QStringLiteral("entryForm"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);

@@ -167,7 +167,7 @@ QLayout* ResultsPanel::makeStrip() {
   m_unit->setToolTip(tr("The unit of the speeds, or the member they are taken as ratio to"));
   m_motors->setText(tr("Read the motors ▾"));
   m_motors->setToolTip(
-      tr("Give the speeds of a link's own chain of joints and read what the motors have to do"));
+      tr("Enter the speeds of a link relative to its own chain of joints, and read those of the motors"));
   for (QToolButton* button : {m_unit, m_motors}) {
     button->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(button);
@@ -342,7 +342,7 @@ void ResultsPanel::renewNote() {
     for (int i = 0; i < std::min(m_model->inputCount(), kMostNamed); ++i)
       joints << m_model->headerData(i + 1, Qt::Horizontal).toString();
     if (m_model->inputCount() > kMostNamed) joints << tr("… (%1 in all)").arg(m_model->inputCount());
-    note = tr("No joint is driven, so %1 stands for the inputs, at 1 rad/s each.")
+    note = tr("No joint is driven: %1 as input, at 1 rad/s each.")
                .arg(joints.size() == 1 ? tr("joint %1").arg(joints.first())
                                        : tr("the set of joints %1").arg(joints.join(QStringLiteral(", "))));
   }

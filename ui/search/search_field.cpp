@@ -68,7 +68,7 @@ void SearchField::gather() {
 
 void SearchField::query() {
   m_model->setQuery(text());
-  m_popup->showList(tr("Nothing is called “%1”.").arg(text()));
+  m_popup->showList(tr("No command or term matches “%1”.").arg(text()));
   place();
   m_popup->show();
   m_popup->raise();

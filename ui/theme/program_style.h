@@ -4,8 +4,9 @@
 
 namespace geargraph::inline theme {
 
-/// Fusion, and what no part of a window owns in the program's look: the lines between docks and the frames of
-/// tips. They follow the palette, so that a main window needs no style sheet (ThemeSheets).
+/// Fusion with what follows the palette better than a style sheet: the lines between docks and the frames of
+/// tips, so that a main window needs no sheet (ThemeSheets), and the indicators of check boxes and radio
+/// buttons, which Fusion shades until they cannot be seen on a dark ground.
 class ProgramStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -14,6 +15,8 @@ class ProgramStyle : public QProxyStyle {
 
   [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option,
                                 const QWidget* widget) const override;
+  [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                              QStyleHintReturn* answer) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
 };

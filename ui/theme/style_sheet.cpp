@@ -70,7 +70,7 @@ QLabel#view3dPainter { padding: 2px 6px; }
 QToolButton#view3dMore::menu-indicator { image: none; width: 0px; }
 QToolButton[look="flat"]::menu-indicator, QToolButton[look="control"]::menu-indicator { image: none; width: 0px; }
 
-QLineEdit, QAbstractSpinBox[look="number"] { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px;
+QLineEdit, QAbstractSpinBox[look="number"] { background: @sheet@; border: 1px solid @control@; border-radius: 4px;
             padding: 3px 6px; selection-background-color: @accent@; selection-color: @sheet@; }
 QLineEdit:focus, QAbstractSpinBox[look="number"]:focus { border-color: @accent@; }
 QLineEdit:disabled, QAbstractSpinBox[look="number"]:disabled { background: @panel@; color: @secondary@; }
@@ -89,8 +89,7 @@ QPushButton:pressed, QPushButton:default { background: @chosen@; }
 QPushButton:disabled { background: @panel@; color: @secondary@; }
 QPushButton[look="fix"] { padding: 1px 11px; border-radius: 11px; }
 QPushButton[look="fix"]:focus { border-color: @accent@; color: @accent@; }
-QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QComboBox { background: @sheet@; border: 1px solid @hairline@; border-radius: 4px; padding: 3px 6px; }
+QComboBox { background: @sheet@; border: 1px solid @control@; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: @accent@; }
 QComboBox:disabled { background: @panel@; color: @secondary@; }
 QComboBox::drop-down { border: none; width: 20px; }
@@ -105,9 +104,17 @@ QToolBar#noticeBar { background: @chosen@; }
 QHeaderView { background: @sheet@; border: none; }
 QTableCornerButton::section { background: @sheet@; border: none; }
 
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @control@; }
+QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent@; }
+QSlider::sub-page:horizontal:disabled { background: @control@; }
+QSlider::handle:horizontal { width: 12px; margin: -6px 0px; border: 2px solid @accent@; border-radius: 8px;
+                             background: @sheet@; }
+QSlider::handle:horizontal:hover, QSlider::handle:horizontal:focus { background: @accent@; }
+QSlider::handle:horizontal:disabled { border-color: @control@; }
+
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0px; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0px; }
-QScrollBar::handle { background: @hairline@; border-radius: 4px; margin: 1px; }
+QScrollBar::handle { background: @control@; border-radius: 4px; margin: 1px; }
 QScrollBar::handle:vertical { min-height: 24px; }
 QScrollBar::handle:horizontal { min-width: 24px; }
 QScrollBar::handle:hover { background: @secondary@; }
@@ -122,9 +129,11 @@ struct NamedColor {
 };
 
 constexpr NamedColor kNames[] = {
-    {"@sheet@", ColorRole::sheet},       {"@ink@", ColorRole::ink},     {"@secondary@", ColorRole::secondary},
-    {"@hairline@", ColorRole::hairline}, {"@panel@", ColorRole::panel}, {"@accent@", ColorRole::accent},
-    {"@halo@", ColorRole::halo},         {"@error@", ColorRole::error}, {"@warning@", ColorRole::warning},
+    {"@sheet@", ColorRole::sheet},         {"@ink@", ColorRole::ink},
+    {"@secondary@", ColorRole::secondary}, {"@hairline@", ColorRole::hairline},
+    {"@control@", ColorRole::control},     {"@panel@", ColorRole::panel},
+    {"@accent@", ColorRole::accent},       {"@halo@", ColorRole::halo},
+    {"@error@", ColorRole::error},         {"@warning@", ColorRole::warning},
 };
 
 }  // namespace
@@ -138,8 +147,9 @@ QString styleSheetOf(Theme theme) {
   // What is chosen stands on the halo, thinned with the sheet so that type on it stays readable.
   const QColor sheetColor = qColor(ColorRole::sheet, theme);
   const QColor halo = qColor(ColorRole::halo, theme);
-  const QColor chosen((sheetColor.red() + halo.red()) / 2, (sheetColor.green() + halo.green()) / 2,
-                      (sheetColor.blue() + halo.blue()) / 2);
+  const auto thinned = [](int sheetPart, int haloPart) { return (3 * sheetPart + haloPart) / 4; };
+  const QColor chosen(thinned(sheetColor.red(), halo.red()), thinned(sheetColor.green(), halo.green()),
+                      thinned(sheetColor.blue(), halo.blue()));
   // Over the 3D picture: type stays readable whatever turns behind it.
   sheet.replace(QLatin1String("@veil@"), QStringLiteral("rgba(%1, %2, %3, 72%)")
                                              .arg(sheetColor.red())

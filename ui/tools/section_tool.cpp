@@ -82,11 +82,11 @@ std::string_view hint(const State& state, ToolKind tool) {
   const bool idle = std::holds_alternative<Idle>(state);
   switch (tool) {
     case ToolKind::link:
-      return idle ? "Shaft: drag along an axis, or on empty ground for a new axis"
+      return idle ? "Shaft: drag along an axis, or on an empty area for a new axis"
                   : "Shaft: release where it ends. Esc cancels";
     case ToolKind::turningJoint:
-      return idle ? "Carried shaft: drag from the link that carries it to where it shall be"
-                  : "Carried shaft: release where its axis shall be. Esc cancels";
+      return idle ? "Carried shaft: drag from the link that carries it to its place"
+                  : "Carried shaft: release at the place of its axis. Esc cancels";
     case ToolKind::gearMesh:
       return idle ? "Gear mesh: drag from a shaft to the one it drives"
                   : "Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels";

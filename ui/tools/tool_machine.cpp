@@ -28,7 +28,7 @@ std::string_view jointHint(const joint_tool::State& state, ToolKind tool) {
 std::string_view selectHint(const select_tool::State& state) {
   if (std::holds_alternative<select_tool::Moving>(state)) return "Alt places freely. Esc puts back";
   if (std::holds_alternative<select_tool::Banding>(state)) return "Release to select what is inside";
-  return "Click to select, drag to move, drag on empty ground to select several";
+  return "Click to select, drag to move, drag on an empty area to select several";
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ std::string_view ToolMachine::hint() const {
     case ToolKind::select:
       return selectHint(std::get<select_tool::State>(m_state));
     case ToolKind::link:
-      return "Link: click on empty ground";
+      return "Link: click on an empty area";
     case ToolKind::turningJoint:
     case ToolKind::gearMesh:
       return jointHint(std::get<joint_tool::State>(m_state), m_tool);

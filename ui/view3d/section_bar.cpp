@@ -91,8 +91,8 @@ QWidget* SectionBar::makeSectionRow() {
 
 QWidget* SectionBar::makeExplodedRow() {
   auto* widget = new QWidget(this);
-  QHBoxLayout* row = rowOf(widget, tr("Pulled apart"));
-  m_apart = slider(widget, "view3dApart", tr("How far the parts are pulled apart along their axes"));
+  QHBoxLayout* row = rowOf(widget, tr("Exploded view"));
+  m_apart = slider(widget, "view3dApart", tr("How far the parts are moved apart along their axes"));
   row->addWidget(m_apart, 1);
   connect(m_apart, &QSlider::valueChanged, this, [this](int step) {
     ViewOptions options = m_viewer->options();

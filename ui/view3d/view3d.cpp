@@ -114,7 +114,7 @@ void View3D::Private::useImage(const QString& why) {
 void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
   painter->setVisible(isSoftware);
   painter->setText(tr("Software 3D"));
-  painter->setToolTip(tr("%1 Painted by the processor (%2): finer when it stands still.")
+  painter->setToolTip(tr("%1 Painted by the processor (%2): finer when nothing moves.")
                           .arg(why, q->rendererName())
                           .trimmed());
   painter->adjustSize();

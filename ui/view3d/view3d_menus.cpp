@@ -122,9 +122,9 @@ void View3D::fillViewMenu(QMenu& menu) {
            [](ViewOptions& options, bool on) {
              options.section = on ? std::optional(SectionChoice{}) : std::nullopt;
            });
-  addCheck(menu, view, "view3dExploded", tr("Pulled apart along the axes"), now.pulledApart > 0,
+  addCheck(menu, view, "view3dExploded", tr("Exploded view"), now.pulledApart > 0,
            [](ViewOptions& options, bool on) { options.pulledApart = on ? 1 : 0; });
-  addCheck(menu, view, "view3dGhosts", tr("Veil what is not selected"), now.ghostOthers,
+  addCheck(menu, view, "view3dGhosts", tr("Dim what is not selected"), now.ghostOthers,
            [](ViewOptions& options, bool on) { options.ghostOthers = on; });
   addLabels(menu, view);
   addMarks(menu, view);
@@ -137,7 +137,7 @@ void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
   if (hit) {
     const ElementId link = hit->element;
     const bool moves = view.stage()->place != nullptr;
-    QAction* ride = menu.addAction(tr("Ride along with %1").arg(nameOf(view, link)), &view,
+    QAction* ride = menu.addAction(tr("Follow %1").arg(nameOf(view, link)), &view,
                                    [&view, link] { view.rideAlong(link); });
     ride->setObjectName("view3dRide");
     ride->setEnabled(moves && view.ridden() != std::optional(link));

@@ -55,7 +55,7 @@ std::string wordFor(const Mechanism& mechanism, const ElementId& element) {
 }
 
 Fix removalOf(const AnalysisSnapshot& snapshot, const ElementId& element, const std::string& why) {
-  return {"Drop " + wordFor(*snapshot.mechanism, element) + why,
+  return {"Delete " + wordFor(*snapshot.mechanism, element) + why,
           [element](const Mechanism& before) { return withoutElements(before, std::array{element}); }};
 }
 

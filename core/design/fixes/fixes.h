@@ -9,7 +9,7 @@
 
 namespace geargraph::inline fixes {
 
-/// A way to mend a finding: what a button says, "Drop joint 15", and the edit behind it.
+/// A way to mend a finding: what a button says, "Delete joint 15", and the edit behind it.
 struct Fix {
   std::string text;
   std::function<Expected<Mechanism>(const Mechanism&)> edit;

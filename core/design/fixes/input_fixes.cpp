@@ -54,8 +54,8 @@ std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot) {
     fixes.push_back({textFor(mechanism, matroid->choice),
                      [inputs](const Mechanism& before) { return withInputs(before, inputs); }});
   }
-  fixes.push_back({"Let the program choose the inputs",
-                   [](const Mechanism& before) { return withInputs(before, std::nullopt); }});
+  fixes.push_back(
+      {"Choose the inputs for me", [](const Mechanism& before) { return withInputs(before, std::nullopt); }});
   return fixes;
 }
 

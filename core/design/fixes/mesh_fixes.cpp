@@ -55,7 +55,7 @@ void addKinds(const Mechanism& mechanism, const GearMesh& mesh, std::vector<Fix>
   for (const MeshKind kind : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
     if (mesh.kind == kind || !mesh.kind) continue;
     fixes.push_back(
-        {"Call " + name + " " + std::string(meshKindName(kind)),
+        {"Make " + name + " " + std::string(meshKindName(kind)),
          [id = mesh.id, kind](const Mechanism& before) { return withMeshKind(before, id, kind); }});
   }
 }

@@ -56,8 +56,9 @@ std::vector<Fix> connectionFixes(const Diagnostic& diagnostic, const AnalysisSna
   fixes.push_back({"Tie " + std::string(one ? "link " : "links ") + names + " to the ground",
                    [parts](const Mechanism& before) { return withLinksTied(before, parts); }});
   const std::vector<ElementId> loose = diagnostic.elements;
-  fixes.push_back({loose.size() == 1 ? "Drop " + wordFor(mechanism, loose.front()) : "Drop the loose links",
-                   [loose](const Mechanism& before) { return withoutElements(before, loose); }});
+  fixes.push_back(
+      {loose.size() == 1 ? "Delete " + wordFor(mechanism, loose.front()) : "Delete the loose links",
+       [loose](const Mechanism& before) { return withoutElements(before, loose); }});
   return fixes;
 }
 

@@ -82,7 +82,7 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
   if (teeth.largeSun - teeth.smallSun < 4) {
     return refusal(
         Code::teethGeometry,
-        "The long planets, which run through both planes, run into the small sun. What fits: a large "
+        "The long planets, which extend through both planes, interfere with the small sun. What fits: a large "
         "sun with at least 4 teeth more than the small one.");
   }
   if (!pairsClear(teeth, *places, pairs))

@@ -295,11 +295,12 @@ Diagnostic blockedFinding(const Mechanism& mechanism, const std::vector<int>& li
     who += before + std::to_string(links[i]);
     elements.emplace_back(mechanism.links[static_cast<std::size_t>(links[i])].id);
   }
-  return finding(Detail::bodiesOverlap,
-                 "Found no way for the bodies of links " + who +
-                     " past each other: in three dimensions some are shown through others. Leave more room "
-                     "along the axes, or leave pitch points open.",
-                 std::move(elements));
+  return finding(
+      Detail::bodiesOverlap,
+      "Links " + who +
+          " overlap in 3D: move their joints along the axes, leave pitch points open, or change the "
+          "tooth counts.",
+      std::move(elements));
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ void NeighbourFinder::check(const TrainGear& centre, std::vector<Planet>& planet
 void NeighbourFinder::report(const TrainGear& centre, const TrainGear& a, const TrainGear& b, double depth) {
   const auto label = [&](const TrainGear& g) { return std::to_string(m_mechanism.linkLabel(g.link)); };
   std::string message = "The wheels of links " + label(a) + " and " + label(b) + " beside gear " +
-                        centre.name + " run into each other: their tips overlap by " + fixedText(depth, 2) +
+                        centre.name + " interfere: their tips overlap by " + fixedText(depth, 2) +
                         " modules.";
   const double orbit =
       (a.pose.translation() - centre.pose.translation()).cross(Vector3d(centre.pose.linear().col(2))).norm();

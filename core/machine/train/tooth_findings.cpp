@@ -155,7 +155,7 @@ void ToothFinder::addRing(const GearSpec& pinion, const GearSpec& ring, double d
   const double standard = ring.teeth / 2.0 - ring.addendum + ring.profileShift;
   if (ring.tipRadius > standard + kNoticedShortening) {
     add(Detail::ringTipsLowered,
-        pair + ": the ring's tips would run into the pinion's fillets and were lowered by " +
+        pair + ": the ring's tips would interfere with the pinion's fillets and were lowered by " +
             fixedText(ring.tipRadius - standard, 2) +
             " modules. Use a pinion of more teeth, or with a larger profile shift.",
         {mesh});

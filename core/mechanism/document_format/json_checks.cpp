@@ -99,7 +99,7 @@ class Walk {
         }
         twice = !names.insert(key.string()).second;
       }
-      if (twice) add("The member stands twice in its object; only one may stay.", key);
+      if (twice) add("The member occurs twice in its object; only one may stay.", key);
       visit(member);
       m_way.pop_back();
     });

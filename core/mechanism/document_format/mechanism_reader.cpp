@@ -95,7 +95,7 @@ class MechanismReader {
 
   bool notThisFormat(JsonValue at) {
     m_findings.add(Code::format,
-                   "This is no GearGraph document: the member \"format\" has to be \"geargraph\".", {},
+                   "This is not a GearGraph document: the member \"format\" has to be \"geargraph\".", {},
                    "/format", at);
     return false;
   }

@@ -68,7 +68,7 @@ Expected<PlacedMechanism> withModule(const PlacedMechanism& before, MeshId mesh,
   if (!canBeFitted(placement))
     return refusal(mesh, "Modules can be set where every mesh has its place, in trains of up to " +
                              std::to_string(kMostFittedMeshes) +
-                             " meshes. What fits: mend the findings first.");
+                             " meshes. Resolve the reported problems first.");
   const int position = static_cast<int>(found - mechanism.gearMeshes.data());
   const Rational factor = module / plainDecimal(*moduleOf(mechanism, placement, position));
   const std::vector<int> along =

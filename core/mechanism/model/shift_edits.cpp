@@ -60,7 +60,7 @@ Expected<Mechanism> withEnd(Mechanism mechanism, int state, LinkId link,
 
 Expected<Mechanism> withBrake(Mechanism mechanism, LinkId link, const std::string& id) {
   if (link == mechanism.links.front().id)
-    return refusal(Code::schema, "The ground stands still already: a brake is for a moving link.", {link});
+    return refusal(Code::schema, "The ground does not move: a brake is for a moving link.", {link});
   return withCoupling(std::move(mechanism), CouplingKind::brake, {link}, id);
 }
 

@@ -64,7 +64,7 @@ class WellFormedCheck {
         add(Code::schema, "An id may not be empty.", {}, pointerTo(kind, i) + "/id");
       } else if (!known.insert(id).second) {
         add(Code::duplicateId,
-            "The id \"" + id.text() + "\" stands twice in " + std::string(listName(kind)) + ".", {{kind, id}},
+            "The id \"" + id.text() + "\" occurs twice in " + std::string(listName(kind)) + ".", {{kind, id}},
             pointerTo(kind, i) + "/id");
       }
     }
@@ -185,7 +185,7 @@ class WellFormedCheck {
         add(Code::unknownId, "inputs names \"" + joint.text() + "\", but turningJoints has no such id.",
             {joint}, at);
       } else if (!seen.insert(joint.atom()).second) {
-        add(Code::duplicateId, "The joint \"" + joint.text() + "\" stands twice in inputs.", {joint}, at);
+        add(Code::duplicateId, "The joint \"" + joint.text() + "\" occurs twice in inputs.", {joint}, at);
       }
     }
   }
@@ -218,7 +218,7 @@ class WellFormedCheck {
       const ElementId owner(ElementKind::state, Atom(state.name));
       const std::string at = pointerTo(ElementKind::state, i);
       if (!names.insert(owner.id).second) {
-        add(Code::duplicateId, "The name \"" + state.name + "\" stands twice in states.", {owner},
+        add(Code::duplicateId, "The name \"" + state.name + "\" occurs twice in states.", {owner},
             at + "/name");
       }
       for (std::size_t k = 0; k < state.engaged.size(); ++k) {

@@ -100,7 +100,7 @@ std::optional<MeshWord> meshWord(const Mechanism& mechanism, const AxisClasses& 
   } else {
     finding.code = Code::noTransferVertex;
     finding.message = pair + " has no carrier: the path between its gears changes axis more than once, " +
-                      word + ". One link has to carry both axes, so that their distance is constant.";
+                      word + ". One link must carry both axes, so that their distance is constant.";
   }
   diagnostics.push_back(std::move(finding));
   return std::nullopt;

@@ -23,6 +23,7 @@ enum class ColorRole {
   ink,           ///< text and lines
   secondary,     ///< what may be overlooked: axes, hints, hatching
   hairline,      ///< borders and rules
+  control,       ///< borders of what is filled in, ticked or dragged
   panel,         ///< the ground of tool bars and docks
   accent,        ///< selection and highlight
   halo,          ///< the soft band around what is selected or hovered

@@ -387,7 +387,7 @@ Expected<std::unique_ptr<Renderer>> makeGlRenderer(const GetProcAddress& getProc
     return refused("the driver offers OpenGL " + std::to_string(major) + "." + std::to_string(minor));
   }
   auto renderer = std::make_unique<GlRenderer>(std::move(gl));
-  if (!renderer->log().empty()) return refused("the driver refuses a shader: " + renderer->log());
+  if (!renderer->log().empty()) return refused("the driver rejects a shader: " + renderer->log());
   return std::unique_ptr<Renderer>(std::move(renderer));
 }
 

@@ -59,8 +59,7 @@ class DigraphPart : private ReportPart {
     }
     matrix(MatrixKind::path, "Z",
            "The turning joints are a spanning tree. The path matrix holds, for each link, the joints on its "
-           "way to "
-           "the ground: $1$ where the way runs along the arrow, $-1$ where it runs against it.");
+           "path to the ground: $1$ where the path follows the arrow, $-1$ where it runs against it.");
     matrix(
         MatrixKind::spanningTree, "T = G^{*T} Z^T",
         "Each mesh closes a fundamental cycle with the joints between its two links. They follow from both "

@@ -149,7 +149,7 @@ class MatroidPart : private ReportPart {
     if (solution.outputs.empty()) return;
     const bool symbols = m_snapshot.solved && m_snapshot.solved->symbolic;
     if (!solution.inputs.empty() && symbols) {
-      paragraph("With the inputs first, and in ratios, the equations read");
+      paragraph("With the inputs first, and in gear ratios, the equations are");
       std::vector<int> joints = solution.inputs;
       joints.insert(joints.end(), solution.outputs.begin(), solution.outputs.end());
       addTable(quantityTable(m_pointer, QuantityKind::coefficients, EntryForm::symbols), "",

@@ -9,7 +9,7 @@ namespace {
 
 void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
   if (snapshot.diagnostics.empty()) return;
-  report.blocks.emplace_back(ReportHeading{1, "What to mind"});
+  report.blocks.emplace_back(ReportHeading{1, "Warnings"});
   ReportList findings;
   for (const Diagnostic& finding : snapshot.diagnostics)
     findings.items.push_back(plainWords(finding.message));
@@ -26,8 +26,8 @@ void addAgreement(Report& report, const AnalysisSnapshot& snapshot) {
     return;
   }
   report.blocks.emplace_back(
-      ReportParagraph{plainWords("Joint by joint, both methods give the same fractions: " +
-                                 std::to_string(agreement.compared) + " compared, none differs.")});
+      ReportParagraph{plainWords("Both methods give the same fractions: all " +
+                                 std::to_string(agreement.compared) + " entries agree.")});
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   GEARGRAPH_REQUIRE(snapshot->isComplete);
   GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
   Report report;
-  report.title = snapshot->mechanism->name.empty() ? "Mechanism without a name" : snapshot->mechanism->name;
+  report.title = snapshot->mechanism->name.empty() ? "Untitled mechanism" : snapshot->mechanism->name;
   addFindings(report, *snapshot);
   addDigraphPart(report, *snapshot);
   addMatroidPart(report, snapshot, stop);

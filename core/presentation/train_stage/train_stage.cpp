@@ -130,7 +130,7 @@ void StageBuilder::addGear(const TrainGear& gear, std::size_t position) {
 void StageBuilder::noteToothless(const TrainGear& gear) {
   m_stage->notes.push_back({m_mechanism.links[static_cast<std::size_t>(gear.link)].id,
                             "Gear " + gear.name + " has " + std::to_string(gear.spec.teeth) +
-                                " teeth, too fine to be told apart: it is shown without them."});
+                                " teeth, too fine to be distinguished: it is shown without them."});
 }
 
 void StageBuilder::addBody(const LinkBody& body) {
@@ -198,7 +198,7 @@ std::shared_ptr<Stage> StageBuilder::build() {
         {m_mechanism.links.front().id,
          "A train of " + std::to_string(train.gears.size()) +
              " gears: its wheels are plain discs, its shafts and arms are straight and pass "
-             "through what is in their way (up to " +
+             "through what they meet (up to " +
              std::to_string(kMostRoutedGears) + " gears they are routed past it)."});
   }
   m_cache.makeRoomFor(kLevelsOfGear * train.gears.size());

@@ -248,7 +248,7 @@ class TexReader {
         table.bars.push_back(bar ? 1 : 0);
         bar = false;
       } else {
-        fail("a column stands l, c or r");
+        fail("the alignment of a column is l, c or r");
       }
     }
   }

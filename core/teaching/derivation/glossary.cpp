@@ -54,7 +54,7 @@ const std::vector<Definition>& glossary() {
        0},
       {Term::link, "", "Link", "A rigid body: a gear, a carrier arm, a shaft, or several of them in one.", 0},
       {Term::ground, "0", "Ground",
-       "The link that stands still. All others are tied to it by turning joints.", 0},
+       "The fixed link. All others are connected to it by turning joints.", 0},
       {Term::turningJoint, "", "Turning joint",
        "Two links that turn relative to each other about an axis. Positive speed turns the head about the "
        "axis' direction relative to the tail.",
@@ -130,7 +130,7 @@ const std::vector<Definition>& glossary() {
        "number of primes. Chords are no part of the tree: each closes one f-circuit.",
        0},
       {Term::terminalEquation, "", "Terminal equation",
-       "What the teeth say about the two chords of a mesh: the velocity of gear i relative to the carrier "
+       "The relation between the two chords of a mesh: the velocity of gear i relative to the carrier "
        "arm "
        "is that of gear j times ± N(j) / N(i), plus where both gears turn the same way, seen from the arm.",
        26},

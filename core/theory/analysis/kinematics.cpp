@@ -22,7 +22,7 @@ class SymbolicPass {
     const std::size_t entries = exact.inputs.size() * exact.outputs.size();
     if (entries > SolvedKinematics::kMostSymbolicEntries) {
       m_result.diagnostics.push_back(skipped("The symbolic solution has " + std::to_string(entries) +
-                                             " entries, which nobody reads; it was left out."));
+                                             " entries; it was left out."));
       return true;
     }
     return byMatroid() && byTtGraph();

@@ -55,10 +55,11 @@ Diagnostic manyAxes(const Digraph& graph, const SpanningTree& tree, const AxisLe
     const DigraphEdge& branch = graph.turningEdge(step.joint);
     node = branch.tail == node ? branch.head : branch.tail;
   }
-  finding.message = meshName(graph, mesh) + " holds gears on " + countInWords(static_cast<int>(walk.size())) +
-                    " axes (" + wordText(levels, walk, ", ") + "): its path reads " + wordText(levels, walk) +
-                    ". A carrier must hold both axes: attach gear " + label(walk.front().from) + " to link " +
-                    listed(carriers, kMostNames, "or") + ".";
+  finding.message = "The path between the gears of mesh " +
+                    std::to_string(graph.edgeLabel(graph.t() + mesh)) + " runs over " +
+                    countInWords(static_cast<int>(walk.size())) + " axes (" + wordText(levels, walk, ", ") +
+                    "), and no carrier holds both of theirs: attach gear " + label(walk.front().from) +
+                    " to link " + listed(carriers, kMostNames, "or") + ".";
   return finding;
 }
 

@@ -48,7 +48,7 @@ bool meshesFollowFromOrder(Code code) {
 /// Routing of bodies prefers the positive end of an axis and the earlier of equal choices: a train some of
 /// whose axes point the other way, or that is listed in another order, may get other bodies.
 bool isOfBodies(const Diagnostic& finding) {
-  return finding.message.starts_with("Found no way for the bodies");
+  return finding.detail == Detail::bodiesOverlap;
 }
 
 class Names {

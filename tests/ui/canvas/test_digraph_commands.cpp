@@ -227,7 +227,7 @@ class TestDigraphCommands : public QObject {
         entries(*menuAt(d, d.center(0))),
         (QStringList{"Rename", "[Drive it (the ground does not move)]",
                      "[Make it the ground (it is the ground)]", "[Attach a gear (the ground does not move)]",
-                     "[Hold it with a brake (the ground stands still)]",
+                     "[Hold it with a brake (the ground does not move)]",
                      "[Tie it to another link with a clutch (select two links)]", "Teeth of its gears pinned",
                      "[Delete (the ground cannot be deleted)]"}));
     QCOMPARE(d.selected(), QString("0"));

@@ -74,7 +74,7 @@ class FixesTest : public QObject {
  private slots:
   void aLooseLinkIsTiedToTheGround() {
     provoke(*withLink(test::example("robot"), {0, 0}));
-    QCOMPARE(offered(Code::disconnected), (QStringList{"Tie link 8 to the ground", "Drop link 8"}));
+    QCOMPARE(offered(Code::disconnected), (QStringList{"Tie link 8 to the ground", "Delete link 8"}));
     eachMends(Code::disconnected);
     QCOMPARE(snapshot->mechanism->t(), 8);
     QVERIFY(snapshot->tree != nullptr);
@@ -94,8 +94,8 @@ class FixesTest : public QObject {
     Mechanism robot = test::example("robot");
     robot.turningJoints.push_back({JointId("x"), LinkId("0"), LinkId("1"), AxisId("b"), Number(90), {}});
     provoke(robot);
-    QCOMPARE(offered(Code::turningLoop), (QStringList{"Drop joint 15, a second bearing on axis b",
-                                                      "Drop joint 10, a second bearing on axis b"}));
+    QCOMPARE(offered(Code::turningLoop), (QStringList{"Delete joint 15, a second bearing on axis b",
+                                                      "Delete joint 10, a second bearing on axis b"}));
     eachMends(Code::turningLoop);
     QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
@@ -104,7 +104,7 @@ class FixesTest : public QObject {
     Mechanism robot = test::example("robot");
     robot.turningJoints.push_back({JointId("x"), LinkId("3"), LinkId("6"), AxisId("a"), Number(0), {}});
     provoke(robot);
-    QCOMPARE(offered(Code::turningLoop).first(), QString("Drop joint 15"));
+    QCOMPARE(offered(Code::turningLoop).first(), QString("Delete joint 15"));
     eachMends(Code::turningLoop);
   }
 
@@ -118,10 +118,10 @@ class FixesTest : public QObject {
 
   void aWrongKindIsFlipped() {
     provoke(*withMeshKind(test::example("robot"), MeshId("15"), MeshKind::internal));
-    QCOMPARE(offered(Code::teethGeometry).first(), QString("Call mesh 15 external"));
+    QCOMPARE(offered(Code::teethGeometry).first(), QString("Make mesh 15 external"));
     eachMends(Code::teethGeometry);
     provoke(*withMeshKind(test::example("robot"), MeshId("16"), MeshKind::external));
-    QCOMPARE(offered(Code::pitchGeometry).first(), QString("Call mesh 16 bevel"));
+    QCOMPARE(offered(Code::pitchGeometry).first(), QString("Make mesh 16 bevel"));
     eachMends(Code::pitchGeometry);
     QVERIFY(*snapshot->mechanism == test::example("robot"));
   }
@@ -143,16 +143,16 @@ class FixesTest : public QObject {
     mesh.kind = MeshKind::internal;
     mesh.pitchPoint.reset();
     provoke(robot);
-    QCOMPARE(offered(Code::teethGeometry).first(), QString("Call mesh 15 external"));
+    QCOMPARE(offered(Code::teethGeometry).first(), QString("Make mesh 15 external"));
     eachMends(Code::teethGeometry);
   }
 
   void aMeshThatCannotBeIsDropped() {
     provoke(*withGearMesh(test::example("robot"), LinkId("5"), LinkId("1")));
-    QCOMPARE(offered(Code::coaxialMesh), QStringList{"Drop mesh 19"});
+    QCOMPARE(offered(Code::coaxialMesh), QStringList{"Delete mesh 19"});
     eachMends(Code::coaxialMesh);
     provoke(*withGearMesh(test::example("robot"), LinkId("4"), LinkId("3")));
-    QCOMPARE(offered(Code::noTransferVertex), QStringList{"Drop mesh 19"});
+    QCOMPARE(offered(Code::noTransferVertex), QStringList{"Delete mesh 19"});
     eachMends(Code::noTransferVertex);
   }
 
@@ -160,7 +160,7 @@ class FixesTest : public QObject {
     provoke(test::example("redundant-planetary"));
     const int rank = snapshot->matroid()->rank;
     const auto redundant = snapshot->matroid()->redundancies.size();
-    QVERIFY(offered(Code::redundantMesh).first().startsWith("Drop mesh "));
+    QVERIFY(offered(Code::redundantMesh).first().startsWith("Delete mesh "));
     eachMends(Code::redundantMesh);
     QCOMPARE(snapshot->matroid()->rank, rank);
     QCOMPARE(snapshot->matroid()->redundancies.size(), redundant - 1);
@@ -181,7 +181,7 @@ class FixesTest : public QObject {
     };
     provoke(driven({"8", "10", "11"}));
     QCOMPARE(offered(Code::invalidInputs),
-             (QStringList{"Exchange input 10 for 9", "Let the program choose the inputs"}));
+             (QStringList{"Exchange input 10 for 9", "Choose the inputs for me"}));
     eachMends(Code::invalidInputs);
     QCOMPARE(speeds(), QString("8=3 9=3 11=3"));
     provoke(driven({"8", "11"}));
@@ -274,7 +274,7 @@ class FixesTest : public QObject {
     QVERIFY(found && found->detail == Detail::couplingLinkage);
     const std::vector<Fix> fixes = fixesFor(*found, *snapshot);
     QCOMPARE(fixes.size(), std::size_t{1});
-    QCOMPARE(QString::fromStdString(fixes.front().text), QString("Drop brake B"));
+    QCOMPARE(QString::fromStdString(fixes.front().text), QString("Delete brake B"));
     snapshot = analyze(std::make_shared<const Mechanism>(fixes.front().edit(arm).value()));
     QVERIFY(!finding(Code::turningLoop));
   }

@@ -1,6 +1,8 @@
 #include <QtTest>
 #include <cmath>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "core/presentation/drawing/palette.h"
 
@@ -27,22 +29,24 @@ double contrast(Color a, Color b) {
 class TestPalette : public QObject {
   Q_OBJECT
  private slots:
-  void textIsReadableInBothThemes() {
+  /// WCAG 2.2: 4.5 for text, 3 for what makes a control visible.
+  void textAndControlsAreVisibleInAllThemes() {
     using R = ColorRole;
-    const std::vector<std::pair<R, R>> pairs{{R::ink, R::sheet},
-                                             {R::ink, R::panel},
-                                             {R::secondary, R::sheet},
-                                             {R::accent, R::sheet},
-                                             {R::error, R::sheet},
-                                             {R::fine, R::sheet},
-                                             {R::inputInk, R::inputFill},
-                                             {R::positiveInk, R::positiveFill},
-                                             {R::negativeInk, R::negativeFill}};
-    for (const Theme theme : {Theme::light, Theme::dark}) {
-      for (const auto& [text, ground] : pairs) {
+    std::vector<std::tuple<R, R, double>> pairs{{R::inputInk, R::inputFill, 4.5},
+                                                {R::positiveInk, R::positiveFill, 4.5},
+                                                {R::negativeInk, R::negativeFill, 4.5},
+                                                {R::ink, R::halo, 4.5}};
+    for (const R ground : {R::sheet, R::panel}) {
+      for (const R text : {R::ink, R::secondary, R::accent, R::error, R::warning, R::fine})
+        pairs.emplace_back(text, ground, 4.5);
+      pairs.emplace_back(R::control, ground, 3);
+    }
+    for (const Theme theme : {Theme::light, Theme::dark, Theme::highContrast}) {
+      for (const auto& [text, ground, least] : pairs) {
         const double ratio = contrast(colorOf(text, theme), colorOf(ground, theme));
-        QVERIFY2(ratio >= 4.2,
-                 qPrintable(QString::number(ratio) + " " + QString::fromStdString(nameOf(text))));
+        QVERIFY2(ratio >= least,
+                 qPrintable(QString::number(ratio) + " " + QString::fromStdString(nameOf(text)) + " on " +
+                            QString::fromStdString(nameOf(ground))));
       }
     }
   }
