@@ -38,6 +38,7 @@ class StaticsJson {
     part("bearings", m_isBalanced && !m_report.forces.bearings.empty(), &StaticsJson::bearings);
     part("selfStresses", m_report.isSolved, &StaticsJson::selfStresses);
     part("power", m_report.sums.has_value(), &StaticsJson::power);
+    part("jointPowers", m_report.flow.has_value(), &StaticsJson::jointPowers);
     part("efficiency", m_report.lossy && m_report.lossy->outcome != LossySolution::Outcome::undecided,
          &StaticsJson::efficiency);
     part("solution", m_report.matrix.has_value(), &StaticsJson::matrix);
@@ -68,10 +69,10 @@ class StaticsJson {
     for (const double component : value) m_json.numberOrNull(component);
     m_json.endArray();
   }
-  void numbers(std::string_view name, std::span<const int> joints) {
+  void labels(std::string_view name, std::span<const int> ordinals, int (Mechanism::*label)(int) const) {
     m_json.key(name);
     m_json.beginArray(Layout::row);
-    for (const int joint : joints) m_json.number(static_cast<std::int64_t>(m_mechanism.jointLabel(joint)));
+    for (const int each : ordinals) m_json.number(static_cast<std::int64_t>((m_mechanism.*label)(each)));
     m_json.endArray();
   }
   [[nodiscard]] const Real& value(int unknown) const {
@@ -204,6 +205,7 @@ class StaticsJson {
       const int unknown = unknownOf(part);
       member("torque", determined(unknown, value(unknown)));
       m_json.member("determinate", m_solution.isDetermined(unknown));
+      if (m_report.flow) groundPower(ElementPower::Kind::coupling, held.coupling, {"link", "against"});
       across(held.coupling);
       m_json.endObject();
     }
@@ -238,18 +240,17 @@ class StaticsJson {
     const std::span<const MeshLoss> losses = m_report.losses();
     const MeshLoss loss = losses.empty() ? MeshLoss{} : losses[at];
     const Real driven = Real(loss.driver == MeshLoss::Driver::none ? Rational(1) : loss.efficiency);
-    const Real& mu = value(mesh);
-    const bool tailDrives = loss.driver != MeshLoss::Driver::head;
-    const Real tail = Real(-geometry.tailTeeth) * mu * (tailDrives ? Real(1) : driven);
-    const Real head = Real(geometry.sign * geometry.headTeeth) * mu * (tailDrives ? driven : Real(1));
+    const PortTorques ports = portTorques(m_model, m_solution, losses, mesh);
     m_json.beginObject(Layout::row);
     m_json.member("mesh", m_mechanism.meshLabel(mesh));
     m_json.member("tail", m_mechanism.linkLabel(geometry.tail));
     m_json.member("head", m_mechanism.linkLabel(geometry.head));
     m_json.member("carrier", m_mechanism.linkLabel(geometry.carrier));
     m_json.member("determinate", m_solution.isDetermined(mesh));
-    member("tailTorque", determined(mesh, Real(senseAt(geometry.tail, geometry.tailClass)) * tail));
-    member("headTorque", determined(mesh, Real(senseAt(geometry.head, geometry.headClass)) * head));
+    member("tailTorque",
+           determined(mesh, Real(senseAt(m_placement, geometry.tail, geometry.tailClass)) * ports.tail));
+    member("headTorque",
+           determined(mesh, Real(senseAt(m_placement, geometry.head, geometry.headClass)) * ports.head));
     if (m_report.forces.meshes.empty() || !m_solution.isDetermined(mesh)) {
       m_json.key("tangentialForce");
       m_json.null();
@@ -261,15 +262,6 @@ class StaticsJson {
     }
     if (m_report.sums) writeMeshPower(mesh, loss, driven);
     m_json.endObject();
-  }
-
-  /// +1 where the joint next to the gear on the way to the carrier points as its axis class does.
-  [[nodiscard]] int senseAt(int gear, int axisClass) const {
-    const JointTree& tree = *m_placement.tree;
-    const int own = tree.joint[static_cast<std::size_t>(gear)];
-    if (own >= 0 && m_placement.classes->classOf[static_cast<std::size_t>(own)] == axisClass)
-      return m_placement.classes->sense[static_cast<std::size_t>(own)];
-    return 1;  // the gear is on the class's link nearest the ground
   }
 
   void writeMeshPower(int mesh, const MeshLoss& loss, const Real& driven) {
@@ -284,6 +276,31 @@ class StaticsJson {
     member("power", determined(mesh, power));
     const Real lost = loss.driver == MeshLoss::Driver::none ? Real() : (Real(1) - driven) * power.abs();
     member("loss", determined(mesh, lost));
+    groundPower(ElementPower::Kind::mesh, mesh, {"tail", "head", "carrier"});
+  }
+
+  /// What the element delivers to each link, seen from the ground.
+  void groundPower(ElementPower::Kind kind, int position, std::initializer_list<std::string_view> names) {
+    const ElementPower& element = m_report.flow->of(kind, position);
+    m_json.key("groundPower");
+    m_json.beginObject(Layout::row);
+    auto port = element.ports.begin();
+    for (const std::string_view name : names)
+      member(name, element.isDetermined ? std::optional(port++->power) : std::nullopt);
+    m_json.endObject();
+  }
+
+  void jointPowers() {
+    m_json.beginObject();
+    for (int joint = 0; joint < m_model.t(); ++joint) {
+      m_json.key(std::to_string(m_mechanism.jointLabel(joint)));
+      m_json.beginObject(Layout::row);
+      const ElementPower& element = m_report.flow->of(ElementPower::Kind::joint, joint);
+      member("fed", element.isDetermined ? std::optional(element.fed()) : std::nullopt);
+      groundPower(ElementPower::Kind::joint, joint, {"tail", "head"});
+      m_json.endObject();
+    }
+    m_json.endObject();
   }
 
   void bearings() {
@@ -337,16 +354,23 @@ class StaticsJson {
     member("input", sums.fed);
     member("output", sums.taken);
     member("loss", sums.lost);
-    std::optional<Real> latent = Real();
-    for (int mesh = 0; mesh < m_model.c() && latent; ++mesh) {
-      if (!m_solution.isDetermined(mesh)) {
-        latent.reset();
-      } else {
-        *latent += m_report.powers.mesh[static_cast<std::size_t>(mesh)].abs();
-      }
+    member("latentRatio", m_report.latentRatio);
+    m_json.key("circulations");
+    if (m_report.circulations) {
+      m_json.beginArray();
+      for (const Circulation& each : *m_report.circulations) writeCirculation(each);
+      m_json.endArray();
+    } else {
+      m_json.null();
     }
-    if (latent && sums.fed.isZero()) latent.reset();
-    member("latentRatio", latent ? std::optional(*latent / sums.fed) : std::nullopt);
+    m_json.endObject();
+  }
+
+  void writeCirculation(const Circulation& circulation) {
+    m_json.beginObject(Layout::row);
+    member("power", circulation.power);
+    labels("links", circulation.links, &Mechanism::linkLabel);
+    labels("meshes", circulation.meshes, &Mechanism::meshLabel);
     m_json.endObject();
   }
 
@@ -386,8 +410,8 @@ class StaticsJson {
   void matrix() {
     const TorqueMatrix& matrix = *m_report.matrix;
     m_json.beginObject();
-    numbers("balanced", m_report.balancedJoints);
-    numbers("loaded", matrix.loaded);
+    labels("balanced", m_report.balancedJoints, &Mechanism::jointLabel);
+    labels("loaded", matrix.loaded, &Mechanism::jointLabel);
     const auto rows = [&](std::string_view name, const auto& entry) {
       m_json.key(name);
       m_json.beginArray();
@@ -449,7 +473,7 @@ void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const 
   } else {
     for (const char* name :
          {"engaged", "share", "speeds", "counts", "loads", "balances", "jointTorques", "couplings", "meshes",
-          "bearings", "selfStresses", "power", "efficiency", "solution", "agreement"}) {
+          "bearings", "selfStresses", "power", "jointPowers", "efficiency", "solution", "agreement"}) {
       json.key(name);
       json.null();
     }

@@ -67,19 +67,13 @@ class StaticsText {
     const std::span<const MeshLoss> losses = m_report.losses();
     for (int mesh = 0; mesh < m_model.c(); ++mesh) {
       const auto at = static_cast<std::size_t>(mesh);
-      const KinematicModel::MeshRow& row = m_model.meshRow(mesh);
       std::vector<std::string> cells{std::to_string(m_mechanism.meshLabel(mesh))};
       if (!m_solution.isDetermined(mesh)) {
         cells.emplace_back("shared");
       } else {
-        Real tail = Real(-row.tailTeeth) * m_solution.values[at];
-        Real head = Real(row.sign * row.headTeeth) * m_solution.values[at];
-        if (!losses.empty() && losses[at].driver == MeshLoss::Driver::tail)
-          head = head * Real(losses[at].efficiency);
-        if (!losses.empty() && losses[at].driver == MeshLoss::Driver::head)
-          tail = tail * Real(losses[at].efficiency);
-        cells.push_back(text(tail));
-        cells.push_back(text(head));
+        const PortTorques ports = portTorques(m_model, m_solution, losses, mesh);
+        cells.push_back(text(ports.tail));
+        cells.push_back(text(ports.head));
         const bool hasForces = !m_report.forces.meshes.empty();
         cells.push_back(hasForces ? decimal(m_report.forces.meshes[at].tangential) : "");
         cells.push_back(hasForces ? text(m_report.forces.meshes[at].force) : "");
@@ -106,6 +100,9 @@ class StaticsText {
     const PowerSums& sums = *m_report.sums;
     std::string line = "Power fed " + text(sums.fed) + " W, taken " + text(sums.taken) + " W, lost " +
                        text(sums.lost) + " W\n";
+    if (m_report.latentRatio)
+      line += "Passed by the meshes, seen from their carriers, over the power fed: " +
+              text(*m_report.latentRatio) + '\n';
     if (!m_report.lossy) return line;
     if (m_report.lossy->outcome == LossySolution::Outcome::solved) {
       if (const auto efficiency = sums.efficiency()) line += "Efficiency " + text(*efficiency) + '\n';

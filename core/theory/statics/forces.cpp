@@ -58,23 +58,6 @@ class LinkWrenches {
   std::vector<Vector3> m_moments;
 };
 
-/// The vector of least length that has these components along the directions, which are independent: by
-/// orthogonalisation (Gram and Schmidt).
-Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components) {
-  Vector3 sum{0, 0, 0};
-  std::vector<Vector3> basis;
-  for (const auto& [direction, value] : components) {
-    Vector3 rest = direction;
-    for (const Vector3& known : basis) rest = rest - dot(rest, known) * known;
-    const double left = length(rest);
-    if (left < 1e-9) continue;
-    const Vector3 across = (1 / left) * rest;
-    sum = sum + ((value - dot(sum, direction)) / left) * across;
-    basis.push_back(across);
-  }
-  return sum;
-}
-
 class ForceSum {
  public:
   ForceSum(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement, double metres,
@@ -192,6 +175,21 @@ class ForceSum {
 };
 
 }  // namespace
+
+Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components) {
+  Vector3 sum{0, 0, 0};
+  std::vector<Vector3> basis;
+  for (const auto& [direction, value] : components) {
+    Vector3 rest = direction;
+    for (const Vector3& known : basis) rest = rest - dot(rest, known) * known;
+    const double left = length(rest);
+    if (left < 1e-9) continue;
+    const Vector3 across = (1 / left) * rest;
+    sum = sum + ((value - dot(sum, direction)) / left) * across;
+    basis.push_back(across);
+  }
+  return sum;
+}
 
 std::vector<ToothForce> toothForces(const Mechanism& mechanism, const KinematicModel& model,
                                     const Placement& placement, std::span<const double> values,

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/theory/statics/statics_solution.h"
@@ -63,5 +64,9 @@ struct StaticsForces {
                                      std::span<const HeldPart> held, std::span<const double> values,
                                      std::span<const char> determined, std::span<const MeshLoss> losses,
                                      std::span<const double> pressureAngles);
+
+/// The vector of least length that has these components along the directions (of length 1), by
+/// orthogonalisation (Gram and Schmidt); a direction that depends on those before it counts for nothing.
+[[nodiscard]] Vector3 vectorOf(const std::vector<std::pair<Vector3, double>>& components);
 
 }  // namespace geargraph::inline statics

@@ -149,6 +149,26 @@ std::vector<MeshEfficiency> efficienciesOf(const Mechanism& mechanism,
   return efficiencies;
 }
 
+PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solution,
+                        std::span<const MeshLoss> losses, int mesh) {
+  const auto at = static_cast<std::size_t>(mesh);
+  const KinematicModel::MeshRow& row = model.meshRow(mesh);
+  PortTorques torques{Real(-row.tailTeeth) * solution.values[at],
+                      Real(row.sign * row.headTeeth) * solution.values[at]};
+  if (losses.empty()) return torques;
+  const Real efficiency = losses[at].efficiency;
+  if (losses[at].driver == MeshLoss::Driver::tail) torques.head = torques.head * efficiency;
+  if (losses[at].driver == MeshLoss::Driver::head) torques.tail = torques.tail * efficiency;
+  return torques;
+}
+
+int senseAt(const Placement& placement, int gear, int axisClass) {
+  const int own = placement.tree->joint[static_cast<std::size_t>(gear)];
+  if (own >= 0 && placement.classes->classOf[static_cast<std::size_t>(own)] == axisClass)
+    return placement.classes->sense[static_cast<std::size_t>(own)];
+  return 1;  // the gear is the class's link nearest the ground
+}
+
 MeshPowers powersOf(const KinematicModel& model, const StaticsSolution& solution, const Motion& motion) {
   const std::vector<Rational> phi = phiOf<Rational>(model, motion);
   const auto at = [&](int link) -> const Rational& { return phi[static_cast<std::size_t>(link)]; };

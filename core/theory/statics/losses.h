@@ -26,6 +26,20 @@ struct MeshEfficiency {
 /// Does the document state a coefficient of friction for some mesh?
 [[nodiscard]] bool hasFriction(const Mechanism& mechanism);
 
+/// The torques of one mesh at its ports, N m: on the tail's gear and on the head's, each about the line of
+/// its axis class, seen from the carrier, which has the reactions of both.
+struct PortTorques {
+  Real tail;  ///< M_ik = -mu_c N_i, times the efficiency where the head's gear drives
+  Real head;  ///< M_jk = s mu_c N_j, times the efficiency where the tail's gear drives
+};
+/// `losses` by mesh, or empty.
+[[nodiscard]] PortTorques portTorques(const KinematicModel& model, const StaticsSolution& solution,
+                                      std::span<const MeshLoss> losses, int mesh);
+
+/// +1 where the joint next to the gear on the way to the carrier points as the class's line does, -1 against
+/// it: the sense in which port torques are shown.
+[[nodiscard]] int senseAt(const Placement& placement, int gear, int axisClass);
+
 /// A steady motion: the rates of all joints, by joint.
 using Motion = std::vector<Rational>;
 

@@ -215,4 +215,18 @@ Diagnostic recirculation(const Mechanism& mechanism, int mesh, double times) {
                  {meshId(mechanism, mesh)});
 }
 
+Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation, double part) {
+  std::vector<std::string> links;
+  std::vector<ElementId> elements;
+  for (const int link : circulation.links) {
+    links.push_back(std::to_string(mechanism.linkLabel(link)));
+    elements.emplace_back(mechanism.links[static_cast<std::size_t>(link)].id);
+  }
+  for (const int mesh : circulation.meshes) elements.push_back(meshId(mechanism, mesh));
+  return finding(Code::recirculation,
+                 decimal(part) + " W of each W fed circulate through " + counted("link", "links", links) +
+                     " and " + counted("mesh", "meshes", meshLabels(mechanism, circulation.meshes)) + '.',
+                 std::move(elements));
+}
+
 }  // namespace geargraph::inline statics

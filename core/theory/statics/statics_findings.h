@@ -26,5 +26,8 @@ namespace geargraph::inline statics {
 [[nodiscard]] Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& meshes);
 /// A mesh that passes more than the power fed, seen from its carrier.
 [[nodiscard]] Diagnostic recirculation(const Mechanism& mechanism, int mesh, double times);
+/// Power in a loop, as a part of the power fed.
+[[nodiscard]] Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation,
+                                          double part);
 
 }  // namespace geargraph::inline statics

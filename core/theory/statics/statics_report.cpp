@@ -242,6 +242,20 @@ class Analysis {
       const double passed = std::abs(shown.powers.mesh[static_cast<std::size_t>(mesh)].number());
       if (passed > kNoticeably * fed) add(recirculation(m_mechanism, mesh, passed / fed));
     }
+    takeFlow();
+  }
+
+  void takeFlow() {
+    const double fed = m_report.sums->fed.number();
+    m_report.latentRatio = latentRatio(m_report.solution(), m_report.powers, m_report.sums->fed);
+    m_report.flow = powerFlowSeenFrom(m_mechanism, m_model, m_placement, m_report, 0);
+    m_report.circulations = circulationsOf(m_mechanism, m_model, m_placement, m_report.problem,
+                                           m_report.lossless, *m_report.flow);
+    if (!m_report.circulations || fed <= 0) return;
+    constexpr double kNoticeable = 1e-3;
+    for (const Circulation& each : *m_report.circulations)
+      if (each.power.number() > kNoticeable * fed)
+        add(circulatingPower(m_mechanism, each, each.power.number() / fed));
   }
 
   void takeForces() {
@@ -302,6 +316,12 @@ std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism, const Ki
                                             const MatroidAnalysis& analysis, const StaticsOptions& options,
                                             const std::stop_token& stop) {
   return Analysis(mechanism, model, placement, ttGraph, analysis, options, stop).run();
+}
+
+PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
+                            const Placement& placement, const StaticsReport& report, int observer) {
+  return powerFlow(mechanism, model, placement, report.problem, report.solution(), report.losses(),
+                   *report.motion, observer);
 }
 
 std::vector<double> numbersOf(const StaticsSolution& solution) {

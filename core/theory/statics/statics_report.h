@@ -7,8 +7,8 @@
 
 #include "core/foundations/base/diagnostic.h"
 #include "core/theory/matroid/matroid_analysis.h"
+#include "core/theory/statics/circulation.h"
 #include "core/theory/statics/forces.h"
-#include "core/theory/statics/losses.h"
 #include "core/theory/statics/statics_agreement.h"
 #include "core/theory/statics/symbolic_statics.h"
 
@@ -46,8 +46,11 @@ struct StaticsReport {
   std::optional<PowerSums> sums;              ///< with a motion, where the loads are held
   std::optional<LossySolution> backward;      ///< the known torques reversed; with `lossy`
   std::optional<PowerSums> backwardSums;
-  bool isShared = false;  ///< self-stresses were decided by stiffness
-  MeshPowers powers;      ///< with a motion; of the train with losses where these are solved
+  bool isShared = false;            ///< self-stresses were decided by stiffness
+  MeshPowers powers;                ///< with a motion; of the train with losses where these are solved
+  std::optional<Real> latentRatio;  ///< as latentRatio()
+  std::optional<PowerFlow> flow;    ///< with a motion, seen from the ground; of the same train
+  std::optional<std::vector<Circulation>> circulations;  ///< as circulationsOf()
   StaticsForces forces;
   std::vector<int> balancedJoints;  ///< where all balances are in joints, of the transposed kinematics
   std::optional<TorqueMatrix> matrix;
@@ -74,6 +77,11 @@ struct StaticsReport {
                                                           const MatroidAnalysis& analysis,
                                                           const StaticsOptions& options = {},
                                                           const std::stop_token& stop = {});
+
+/// The flow of a solved report as another link sees it. @pre report.flow
+[[nodiscard]] PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,
+                                          const Placement& placement, const StaticsReport& report,
+                                          int observer);
 
 /// The values of a solution as doubles, for forces.
 [[nodiscard]] std::vector<double> numbersOf(const StaticsSolution& solution);

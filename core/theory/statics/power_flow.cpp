@@ -1,0 +1,405 @@
+#include "core/theory/statics/power_flow.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/base/position_index.h"
+#include "core/theory/states/relative_speed.h"
+#include "core/theory/statics/forces.h"
+
+namespace geargraph::inline statics {
+namespace {
+
+/// A vector as a sum over the directions of a train, by ascending direction.
+template <class Value>
+using Components = std::vector<std::pair<int, Value>>;
+
+template <class Value>
+void addTo(Components<Value>& sum, int direction, const Value& value) {
+  const auto at = std::lower_bound(sum.begin(), sum.end(), direction,
+                                   [](const auto& one, int other) { return one.first < other; });
+  if (at != sum.end() && at->first == direction) {
+    at->second += value;
+  } else {
+    sum.insert(at, {direction, value});
+  }
+}
+
+/// The directions of the axes of a train: parallel ones are one, as in the kinematics.
+class Directions {
+ public:
+  Directions(const Mechanism& mechanism, const Placement& placement) {
+    const int classes = static_cast<int>(placement.classes->classes.size());
+    for (int axisClass = 0; axisClass < classes; ++axisClass) {
+      std::pair<int, int> known{-1, 1};
+      for (std::size_t at = 0; at < m_classOf.size() && known.first < 0; ++at)
+        if (const int sign = directionSign(placement, axisClass, m_classOf[at]); sign != 0)
+          known = {static_cast<int>(at), sign};
+      if (known.first < 0) {
+        known.first = static_cast<int>(m_vectors.size());
+        m_classOf.push_back(axisClass);
+        m_vectors.push_back(exactLineOfClass(mechanism, placement, axisClass).direction);
+      }
+      m_ofClass.push_back(known);
+    }
+  }
+
+  /// The direction of a class's line, and the sign.
+  [[nodiscard]] std::pair<int, int> ofClass(int axisClass) const {
+    return m_ofClass[static_cast<std::size_t>(axisClass)];
+  }
+  /// Of the classes' lines, all.
+  [[nodiscard]] bool areParallel() const { return m_classOf.size() == 1; }
+  /// Any other, one that is known where it is parallel to it in fractions.
+  int of(const ExactVector3& vector) {
+    for (std::size_t at = 0; at < m_vectors.size(); ++at) {
+      const ExactVector3 product = cross(m_vectors[at], vector);
+      if (dot(product, product).isZero() && dot(m_vectors[at], vector).sign() > 0)
+        return static_cast<int>(at);
+    }
+    m_vectors.push_back(vector);
+    return static_cast<int>(m_vectors.size()) - 1;
+  }
+
+  template <class One, class Other>
+  [[nodiscard]] Real product(const Components<One>& one, const Components<Other>& other) {
+    Real sum;
+    for (const auto& [first, a] : one)
+      for (const auto& [second, b] : other) sum += Real(a) * Real(b) * cosine(first, second);
+    return sum;
+  }
+
+ private:
+  const Real& cosine(int one, int other) {
+    if (one == other) return m_one;
+    const auto [at, isNew] = m_cosines.try_emplace(std::minmax(one, other));
+    if (isNew)
+      at->second =
+          cosineBetween(m_vectors[static_cast<std::size_t>(one)], m_vectors[static_cast<std::size_t>(other)]);
+    return at->second;
+  }
+
+  std::vector<int> m_classOf;  ///< by direction of classes, the first class that has it
+  std::vector<ExactVector3> m_vectors;
+  std::vector<std::pair<int, int>> m_ofClass;
+  std::map<std::pair<int, int>, Real> m_cosines;
+  Real m_one = 1;
+};
+
+class Flow {
+ public:
+  Flow(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+       const StaticsProblem& problem, const StaticsSolution& solution, std::span<const MeshLoss> losses,
+       const Motion& motion, int observer)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_problem(problem),
+        m_solution(solution),
+        m_losses(losses),
+        m_motion(motion),
+        m_directions(mechanism, placement),
+        m_couples(static_cast<std::size_t>(model.n()) + 1),
+        m_fed(static_cast<std::size_t>(model.t())),
+        m_throughForces(static_cast<std::size_t>(model.n()) + 1),
+        m_keys(static_cast<std::size_t>(model.n()) + 1, 0) {
+    m_flow.observer = observer;
+    takeSpeeds();
+  }
+
+  PowerFlow run() {
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+    const std::size_t meshes = m_flow.elements.size();
+    addCouplings();
+    addLoads();
+    addBalances();
+    addJoints(meshes);
+    return std::move(m_flow);
+  }
+
+ private:
+  using Torque = Components<Real>;
+
+  [[nodiscard]] const Real& value(int unknown) const {
+    return m_solution.values[static_cast<std::size_t>(unknown)];
+  }
+
+  /// The angular velocities of all links against the observer.
+  void takeSpeeds() {
+    const SpanningTree& tree = m_model.tree();
+    m_speeds.resize(static_cast<std::size_t>(m_model.n()) + 1);
+    for (const int link : tree.preorder()) {
+      if (link == 0) continue;
+      const auto joint = static_cast<std::size_t>(tree.jointToParent(link));
+      auto& speed = m_speeds[static_cast<std::size_t>(link)];
+      speed = m_speeds[static_cast<std::size_t>(tree.parent(link))];
+      const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
+      const int along =
+          sign * m_placement.classes->sense[joint] * -tree.directionToGround(static_cast<int>(joint));
+      addTo(speed, direction, Rational(along) * m_motion[joint]);
+    }
+    const auto observer = m_speeds[static_cast<std::size_t>(m_flow.observer)];
+    for (auto& speed : m_speeds)
+      for (const auto& [direction, part] : observer) addTo(speed, direction, -part);
+  }
+
+  [[nodiscard]] Real power(const Torque& torque, int link) {
+    return m_directions.product(torque, m_speeds[static_cast<std::size_t>(link)]);
+  }
+  [[nodiscard]] static Torque opposite(Torque torque) {
+    for (auto& [direction, part] : torque) part = -part;
+    return torque;
+  }
+
+  /// A port of the element, whose torque also becomes part of what the joints before the link pass.
+  void act(ElementPower& element, int link, const Torque& torque) {
+    element.ports.push_back({link, power(torque, link)});
+    auto& sum = m_couples[static_cast<std::size_t>(link)];
+    for (const auto& [direction, part] : torque) addTo(sum, direction, part);
+  }
+
+  ElementPower& add(ElementPower::Kind kind, int position) {
+    ElementPower& element = m_flow.elements.emplace_back();
+    element.kind = kind;
+    element.position = position;
+    return element;
+  }
+
+  void addMesh(int mesh) {
+    const MeshGeometry& geometry = *m_placement.meshes[static_cast<std::size_t>(mesh)];
+    const PortTorques ports = portTorques(m_model, m_solution, m_losses, mesh);
+    const auto along = [&](int axisClass, const Real& size) {
+      const auto [direction, sign] = m_directions.ofClass(axisClass);
+      return Torque{{direction, Real(sign) * size}};
+    };
+    const Torque onTail = along(geometry.tailClass, ports.tail);
+    const Torque onHead = along(geometry.headClass, ports.head);
+    Torque onCarrier = opposite(onTail);
+    for (const auto& [direction, part] : onHead) addTo(onCarrier, direction, -part);
+    ElementPower& element = add(ElementPower::Kind::mesh, mesh);
+    act(element, geometry.tail, onTail);
+    act(element, geometry.head, onHead);
+    act(element, geometry.carrier, onCarrier);
+    element.isDetermined = m_solution.isDetermined(mesh);
+    if (!element.isDetermined) mark({geometry.tail, geometry.head, geometry.carrier});
+  }
+
+  void addCouplings() {
+    const PositionIndex<LinkTag> links(m_mechanism.links);
+    const std::vector<HeldPart>& held = m_solution.held;
+    for (std::size_t part = 0; part < held.size() && held[part].coupling >= 0;) {
+      const int position = held[part].coupling;
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
+      const int link = links.at(coupling.links.front());
+      const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+      const std::size_t first = part;
+      bool isDetermined = true;
+      for (; part < held.size() && held[part].coupling == position; ++part)
+        isDetermined = isDetermined && m_solution.isDetermined(m_model.c() + static_cast<int>(part));
+      const Torque torque = torqueOf(first, part);
+      ElementPower& element = add(ElementPower::Kind::coupling, position);
+      act(element, link, torque);
+      act(element, against, opposite(torque));
+      element.isDetermined = isDetermined;
+      if (!isDetermined) mark({link, against});
+    }
+  }
+
+  /// The torque of a coupling from its held parts: along one direction as it is, else from its components.
+  Torque torqueOf(std::size_t first, std::size_t last) {
+    const auto unknown = [&](std::size_t part) { return value(m_model.c() + static_cast<int>(part)); };
+    const auto axis = [&](std::size_t part) { return m_solution.held[part].axis; };
+    if (last == first + 1) {
+      const auto joint = firstJointOn(axis(first));
+      const auto [direction, sign] = m_directions.ofClass(m_placement.classes->classOf[joint]);
+      return {{direction, Real(sign * m_placement.classes->sense[joint]) * unknown(first)}};
+    }
+    std::vector<std::pair<Vector3, double>> components;
+    for (std::size_t part = first; part < last; ++part)
+      components.emplace_back(m_placement.axes[static_cast<std::size_t>(axis(part))].direction,
+                              unknown(part).number());
+    const Vector3 vector = vectorOf(components);
+    Torque torque;
+    for (std::size_t i = 0; i < 3; ++i) {
+      ExactVector3 base{};
+      base[i] = Rational(1);
+      addTo(torque, m_directions.of(base), Real::inexact(vector[i]));
+    }
+    return torque;
+  }
+  [[nodiscard]] std::size_t firstJointOn(int axis) const {
+    const std::span<const int> axes = m_placement.tree->axisOf;
+    return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
+  }
+
+  void addLoads() {
+    int position = 0;
+    for (const AppliedTorque& load : m_problem.torques) {
+      const int own = position++;
+      if (load.place.inJoint()) {
+        const auto joint = static_cast<std::size_t>(load.place.joint);
+        m_fed[joint] += Real(load.torque) * Real(m_motion[joint]);
+        continue;
+      }
+      addOnLink(ElementPower::Kind::load, own, load.place, Real(load.torque));
+    }
+    if (!metresPerUnit(m_mechanism)) return;  // then forces are no part of the equilibrium
+    for (const AppliedForce& load : m_problem.forces) addForce(position++, load);
+  }
+
+  void addBalances() {
+    for (std::size_t part = 0; part < m_solution.held.size(); ++part) {
+      const int balance = m_solution.held[part].balance;
+      if (balance < 0) continue;
+      const TorquePlace& place = m_problem.balances[static_cast<std::size_t>(balance)];
+      const int unknown = m_model.c() + static_cast<int>(part);
+      if (place.inJoint()) {
+        const auto joint = static_cast<std::size_t>(place.joint);
+        m_fed[joint] += value(unknown) * Real(m_motion[joint]);
+        if (!m_solution.isDetermined(unknown)) m_openJoints.push_back(place.joint);
+        continue;
+      }
+      addOnLink(ElementPower::Kind::balance, balance, place, value(unknown));
+      if (m_solution.isDetermined(unknown)) continue;
+      m_flow.elements.back().isDetermined = false;
+      mark({place.link, 0});
+    }
+  }
+
+  void addOnLink(ElementPower::Kind kind, int position, const TorquePlace& place, const Real& size) {
+    Torque torque{{m_directions.of(place.direction), size}};
+    ElementPower& element = add(kind, position);
+    act(element, place.link, torque);
+    act(element, 0, opposite(std::move(torque)));
+  }
+
+  /// By the same force on the links before it: the sum over the joints from each to the ground.
+  void addForce(int position, const AppliedForce& load) {
+    const auto powerOn = [&](int link) {
+      if (link == 0) return Real();
+      StaticsProblem only;
+      only.forces = {{link, load.force, load.point}};
+      return powerOf(m_model, LoadPower::of(m_mechanism, m_model, m_placement, only).byLink, m_motion);
+    };
+    const Real onObserver = powerOn(m_flow.observer);
+    const SpanningTree& tree = m_model.tree();
+    ElementPower& element = add(ElementPower::Kind::load, position);
+    element.ports.push_back({load.link, powerOn(load.link) - onObserver});
+    element.ports.push_back({0, onObserver});
+    StaticsProblem only;
+    only.forces = {load};
+    const LoadPower shared = LoadPower::of(m_mechanism, m_model, m_placement, only);
+    // What the force would do on each link before its own, from the ground up.
+    std::vector<int> path;
+    for (int link = load.link; link != 0; link = tree.parent(link)) path.push_back(link);
+    Real onParent = -onObserver;
+    for (auto link = path.rbegin(); link != path.rend(); ++link) {
+      m_throughForces[static_cast<std::size_t>(*link)] += onParent;
+      const int joint = tree.jointToParent(*link);
+      onParent += shared.byJoint.at(joint) * Real(m_motion[static_cast<std::size_t>(joint)]);
+    }
+  }
+
+  /// From the leaves towards the ground: each joint passes what acts beyond it, times its parent's twist.
+  void addJoints(std::size_t place) {
+    std::vector<ElementPower> joints(static_cast<std::size_t>(m_model.t()));
+    const SpanningTree& tree = m_model.tree();
+    const auto order = tree.preorder();
+    for (auto link = order.rbegin(); link != order.rend(); ++link) {
+      if (*link == 0) continue;
+      const auto at = static_cast<std::size_t>(*link);
+      const int joint = tree.jointToParent(*link);
+      const int parent = tree.parent(*link);
+      const Real toParent = power(m_couples[at], parent) + m_throughForces[at];
+      const Real toChild = m_fed[static_cast<std::size_t>(joint)] - toParent;
+      ElementPower& element = joints[static_cast<std::size_t>(joint)];
+      element.kind = ElementPower::Kind::joint;
+      element.position = joint;
+      element.ports = {{parent, toParent}, {*link, toChild}};
+      if (m_model.graph().turningEdge(joint).tail == *link) std::swap(element.ports[0], element.ports[1]);
+      element.isDetermined = m_keys[at] == 0;
+      for (const auto& [direction, part] : m_couples[at])
+        addTo(m_couples[static_cast<std::size_t>(parent)], direction, part);
+      m_couples[at] = {};
+      m_keys[static_cast<std::size_t>(parent)] ^= m_keys[at];
+    }
+    for (const int joint : m_openJoints) joints[static_cast<std::size_t>(joint)].isDetermined = false;
+    m_flow.elements.insert(m_flow.elements.begin() + static_cast<std::ptrdiff_t>(place),
+                           std::make_move_iterator(joints.begin()), std::make_move_iterator(joints.end()));
+  }
+
+  /// What acts among these links is not determined: nor is what joints between them pass. Keys as in forces:
+  /// those of one element cancel beyond all of its links. Where all axes are parallel, joints pass nothing of
+  /// it.
+  void mark(std::initializer_list<int> links) {
+    if (m_directions.areParallel()) return;
+    std::uint64_t sum = 0;
+    std::size_t left = links.size();
+    for (const int link : links) {
+      m_next = (m_next ^ (m_next >> 27U)) * 0x94d049bb133111ebU + 0x9e3779b97f4a7c15U;
+      const std::uint64_t key = --left == 0 ? sum : m_next;
+      sum ^= key;
+      m_keys[static_cast<std::size_t>(link)] ^= key;
+    }
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const StaticsProblem& m_problem;
+  const StaticsSolution& m_solution;
+  std::span<const MeshLoss> m_losses;
+  const Motion& m_motion;
+  Directions m_directions;
+  std::vector<Components<Rational>> m_speeds;  ///< by link, against the observer
+  std::vector<Torque> m_couples;               ///< by link: the sum of those on it and beyond
+  std::vector<Real> m_fed;                     ///< by joint: by the loads and balances in it
+  std::vector<Real> m_throughForces;           ///< by link: what forces beyond would do on its parent
+  std::vector<std::uint64_t> m_keys;           ///< by link
+  std::vector<int> m_openJoints;
+  std::uint64_t m_next = 1;
+  PowerFlow m_flow;
+};
+
+}  // namespace
+
+Real ElementPower::fed() const {
+  Real sum;
+  for (const PowerPort& port : ports) sum += port.power;
+  return sum;
+}
+
+std::vector<Real> PowerFlow::sums(int links) const {
+  std::vector<Real> sums(static_cast<std::size_t>(links));
+  for (const ElementPower& element : elements)
+    for (const PowerPort& port : element.ports) sums[static_cast<std::size_t>(port.link)] += port.power;
+  return sums;
+}
+
+const ElementPower& PowerFlow::of(ElementPower::Kind kind, int position) const {
+  const auto found = std::lower_bound(elements.begin(), elements.end(), std::pair(kind, position),
+                                      [](const ElementPower& each, const auto& asked) {
+                                        return std::pair(each.kind, each.position) < asked;
+                                      });
+  GEARGRAPH_REQUIRE(found != elements.end() && found->kind == kind && found->position == position);
+  return *found;
+}
+
+PowerFlow powerFlow(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+                    const StaticsProblem& problem, const StaticsSolution& solution,
+                    std::span<const MeshLoss> losses, const Motion& motion, int observer) {
+  return Flow(mechanism, model, placement, problem, solution, losses, motion, observer).run();
+}
+
+std::optional<Real> latentRatio(const StaticsSolution& solution, const MeshPowers& powers, const Real& fed) {
+  if (fed.isZero()) return std::nullopt;
+  Real sum;
+  for (std::size_t mesh = 0; mesh < powers.mesh.size(); ++mesh) {
+    if (!solution.isDetermined(static_cast<int>(mesh))) return std::nullopt;
+    sum += powers.mesh[mesh].abs();
+  }
+  return sum / fed;
+}
+
+}  // namespace geargraph::inline statics

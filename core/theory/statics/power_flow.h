@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/theory/statics/losses.h"
+
+namespace geargraph::inline statics {
+
+/// What one element delivers to a link, W; below 0: what it takes from it.
+struct PowerPort {
+  int link = 0;
+  Real power;
+};
+
+/// The power of one element at all links that it acts on. The sum over its ports is what it feeds into the
+/// train: minus the loss for a mesh, torque times rate for a joint (0 where it is free), 0 for an engaged
+/// coupling, the power of a load or a balance on a link. That sum is the same for every observer.
+struct ElementPower {
+  enum class Kind { mesh, joint, coupling, load, balance };
+  Kind kind = Kind::mesh;
+  /// The mesh, the joint or the coupling; a load on a link: its position in StaticsProblem::torques, that of
+  /// a force behind those; a balance on a link: in StaticsProblem::balances. Loads and balances in joints are
+  /// part of their joint.
+  int position = 0;
+  /// A mesh: tail's gear, head's gear, carrier. A joint: tail, head. A coupling: the link that it acts on,
+  /// then the other one or the ground. A load, a balance: its link, then the ground, which has the reaction.
+  std::vector<PowerPort> ports;
+  bool isDetermined = true;
+
+  [[nodiscard]] Real fed() const;
+};
+
+/// Where power goes in a steady motion, seen from one link, the observer: all speeds are relative to it. What
+/// enters a link leaves it: the ports at every link sum to 0 (Kirchhoff's law), the ground's included.
+///
+/// A mesh is an element with three terminals: its port torque times the speed of the gear about its own axis,
+/// for either gear, and the reactions of both on the carrier (Chen and Angeles, Mech. Mach. Theory 42(1),
+/// 2007). A joint passes the wrench of its cutset, the meshes taken as port torques, times the twist of its
+/// links; between parallel axes, without forces, that is its own torque alone.
+struct PowerFlow {
+  int observer = 0;                    ///< a link; 0: the ground
+  std::vector<ElementPower> elements;  ///< ascending by kind, then by position
+
+  /// By link, the sum over all ports: 0 in fractions where all directions have rational cosines and all
+  /// forces rational moments, else within rounding.
+  [[nodiscard]] std::vector<Real> sums(int links) const;
+  /// Cost: O(log elements). @pre the element is in the flow
+  [[nodiscard]] const ElementPower& of(ElementPower::Kind kind, int position) const;
+};
+
+/// The flow of a solved problem. `losses` by mesh, or empty. A mesh that shares its load in unknown parts,
+/// and the joints that pass a part of it, are not determined. Cost: O(n + c) times the number of directions
+/// of axes, and O(depth) a force.
+/// @pre all of one mechanism; the solution has values
+[[nodiscard]] PowerFlow powerFlow(const Mechanism& mechanism, const KinematicModel& model,
+                                  const Placement& placement, const StaticsProblem& problem,
+                                  const StaticsSolution& solution, std::span<const MeshLoss> losses,
+                                  const Motion& motion, int observer = 0);
+
+/// The sum of what all meshes pass, seen from their carriers, over the power fed: the latent ratio. None
+/// where nothing is fed or a mesh is not determined.
+[[nodiscard]] std::optional<Real> latentRatio(const StaticsSolution& solution, const MeshPowers& powers,
+                                              const Real& fed);
+
+}  // namespace geargraph::inline statics
