@@ -1,7 +1,10 @@
 #include "app/cli/csv_tables.h"
 
+#include <algorithm>
+
 #include "core/foundations/files/matrix_csv.h"
 #include "core/teaching/derivation/quantity_table.h"
+#include "core/teaching/force_tables/force_table.h"
 
 namespace geargraph::cli {
 namespace {
@@ -37,9 +40,85 @@ std::string_view needsOf(QuantityKind kind) {
                                         : "a geometry of every mesh";
 }
 
+constexpr std::string_view kStaticsMatrix = "statics";
+constexpr std::string_view kCutsetEquations = "cutset-equations";
+
+struct Sparse {
+  int column = 0;
+  double value = 0;
+};
+
+void writeTorqueMatrix(ByteSink& sink, const CsvOptions& options, const Mechanism& mechanism,
+                       const StaticsReport& report) {
+  const TorqueMatrix& matrix = *report.matrix;
+  std::vector<std::string> columns;
+  for (const int joint : matrix.loaded) columns.push_back(std::to_string(mechanism.jointLabel(joint)));
+  CsvWriter csv(sink, columns, options);
+  std::vector<double> values(matrix.loaded.size());
+  for (std::size_t row = 0; row < report.balancedJoints.size() && !csv.failed(); ++row) {
+    for (std::size_t column = 0; column < values.size(); ++column)
+      values[column] = matrix.entries[row * values.size() + column].toDouble();
+    csv.row(std::to_string(mechanism.jointLabel(report.balancedJoints[row])), values);
+  }
+}
+
+void writeCutsets(ByteSink& sink, const CsvOptions& options, const AnalysisSnapshot& snapshot) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const CutsetEquations cutsets(
+      CoefficientMatrix(mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement()));
+  std::vector<std::string> columns;
+  for (int mesh = 0; mesh < mechanism.c(); ++mesh)
+    columns.push_back(std::to_string(mechanism.meshLabel(mesh)));
+  CsvWriter csv(sink, columns, options);
+  std::vector<Sparse> entries;
+  for (int joint = 0; joint < cutsets.count() && !csv.failed(); ++joint) {
+    entries.clear();
+    for (const CutsetEquations::Term& term : cutsets.terms(joint))
+      entries.push_back({term.mesh, term.length});
+    csv.sparseRow(std::to_string(mechanism.jointLabel(joint)), std::span<const Sparse>(entries));
+  }
+}
+
+void addStaticsTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics,
+                      std::vector<CsvTable>& tables) {
+  CsvTable& matrix = tables.emplace_back(
+      CsvTable{kStaticsMatrix, "balances in joints that hold all loads, and at most 250,000 entries", {}});
+  matrix.ofLoads = true;
+  if (statics && statics->matrix)
+    matrix.write = [snapshot, statics](ByteSink& sink, const CsvOptions& options) {
+      writeTorqueMatrix(sink, options, *snapshot->mechanism, *statics);
+    };
+  CsvTable& cutsets = tables.emplace_back(CsvTable{kCutsetEquations, "a geometry of every mesh", {}});
+  if (snapshot->matroid() != nullptr)
+    cutsets.write = [snapshot](ByteSink& sink, const CsvOptions& options) {
+      writeCutsets(sink, options, *snapshot);
+    };
+  const bool isHeld =
+      statics && statics->isSolved && statics->lossless.isBalanced() && statics->problem.hasLoads();
+  for (const ForceTableKind kind : allForceTableKinds()) {
+    CsvTable& table =
+        tables.emplace_back(CsvTable{forceTableCommandName(kind), "loads, and balances that hold them", {}});
+    table.ofLoads = true;
+    if (!isHeld) continue;
+    table.write = [snapshot, statics, kind](ByteSink& sink, const CsvOptions& options) {
+      const auto& kinematics = *snapshot->kinematics;
+      writeForceCsv(
+          sink, forceTable(*snapshot->mechanism, *kinematics.model, kinematics.placement(), *statics, kind),
+          options);
+    };
+  }
+}
+
 }  // namespace
 
-std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot) {
+bool isOfStatics(std::string_view name) {
+  if (name == kStaticsMatrix) return true;
+  const auto& kinds = allForceTableKinds();
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](ForceTableKind kind) { return forceTableCommandName(kind) == name; });
+}
+
+std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics) {
   std::vector<CsvTable> tables;
   for (const MatrixKind kind : allMatrixKinds()) {
     CsvTable& table = tables.emplace_back(CsvTable{matrixCommandName(kind), "a spanning tree", {}});
@@ -57,6 +136,7 @@ std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot) {
       };
     }
   }
+  addStaticsTables(snapshot, statics, tables);
   return tables;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/foundations/files/csv.h"
 #include "core/theory/analysis/analysis.h"
+#include "core/theory/statics/statics_report.h"
 
 namespace geargraph::cli {
 
@@ -16,11 +18,19 @@ struct CsvTable {
   std::string_view needs;  ///< what a mechanism must have for it, for a sentence
   /// Nothing where the mechanism leaves the table undefined.
   std::function<void(ByteSink&, const CsvOptions&)> write;
+  bool ofLoads = false;  ///< a mechanism without loads lacks nothing without it
 };
+
+/// The torques of a mechanism, for its tables.
+using StaticsReportPtr = std::shared_ptr<const StaticsReport>;
 
 /// Every table of a snapshot; `solution` is defined only after analyzeFully(). The integer matrices; `screw`,
 /// the screws (L M N P Q R) of Eq. (6) for each joint of each cycle; `p`, the coefficient matrix of Eqs.
-/// (18), (19) in the document's unit; `solution`, Eq. (23), in decimals.
-[[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot);
+/// (18), (19) in the document's unit; `solution`, Eq. (23), in decimals. Of statics, null where it is not
+/// solved: `statics`, the balanced torques over the loaded ones, (23*); `cutset-equations`, (17*), a row for
+/// each joint and a column for each mesh: P transposed; and the tables of force_table.h.
+[[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics);
+/// Is the table with this name one of statics?
+[[nodiscard]] bool isOfStatics(std::string_view name);
 
 }  // namespace geargraph::cli

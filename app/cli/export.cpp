@@ -57,7 +57,9 @@ constexpr std::array kExportOptions = {
                  kMatrices | kAnimation | kAssembly},
     ExportOption{
         {"--matrix", "NAME",
-         "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p or solution",
+         "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution; of "
+         "statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers "
+         "or circulations",
          kOfMatrices},
         kMatrices},
     ExportOption{{"--no-labels", "", "without the header row and the first column", kOfMatrices}, kMatrices},

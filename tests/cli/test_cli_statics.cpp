@@ -159,6 +159,117 @@ class TestCliStatics : public QObject {
     QVERIFY(backward.errors.find("[self-locking]") != std::string::npos);
   }
 
+  void whereThePowerGoes() {
+    Mechanism set = test::planetary(24, 18);
+    set.inputs = std::vector<Input>{{set.turningJoints[0].id, Number(100), {}},
+                                    {set.turningJoints[1].id, Number(0), {}}};
+    const json report = parsed(run({"statics", saved(set), "--load", "joint:5=10Nm", "--balance", "joint:6",
+                                    "--balance", "joint:7", "--eta", "0.98", "--json"}));
+    QCOMPARE(report["power"]["latentRatio"], "99/70");
+    QCOMPARE(report["power"]["circulations"], json::array());
+    QCOMPARE(report["meshes"][0]["groundPower"]["tail"], "-1000");
+    QCOMPARE(report["jointPowers"]["5"],
+             json::parse(R"({"fed": "1000", "groundPower": {"tail": "0", "head": "1000"}})"));
+    QCOMPARE(report["jointPowers"]["7"]["fed"], "-6802/7");
+    // Of a wrist the loops are no property of the train.
+    const json wrist = parsed(run({"statics", kRobot, "--load", "joint:14=10Nm", "--json"}));
+    QVERIFY(wrist["power"]["circulations"].is_null());
+    QVERIFY(wrist["meshes"][3]["groundPower"]["carrier"].is_string());
+  }
+
+  void tablesAsCsv() {
+    Mechanism robot = test::example("robot");
+    robot = *withLoad(robot, {LoadId("hand"), JointTorque{JointId("14"), Number(10)}});
+    const QString file = saved(robot);
+    const auto table = [&](const char* name) {
+      const Run call = run({"export", file, "--to", "csv", "--matrix", name, "-o", "-"});
+      if (call.status != 0) qFatal("%s: %s", name, call.errors.c_str());
+      return call.output;
+    };
+    // The solution matrix of the kinematics, transposed and negated: (25*), its columns 10, 12, 13 and 14.
+    QCOMPARE(table("statics").substr(0, table("statics").find('\n', 20)),
+             std::string(",10,12,13,14\n8,0.5,0.3333333333333333,0.4444444444444444,0.2962962962962963"));
+    // The columns of P: row 14 has the mesh 18 alone.
+    const std::string cutsets = table("cutset-equations");
+    QVERIFY(cutsets.starts_with(",15,16,17,18\n8,"));
+    QVERIFY(cutsets.find("\n14,0,0,0,") != std::string::npos);
+    QVERIFY(table("joint-torques").find("\n14,") != std::string::npos);
+    QVERIFY(table("mesh-forces")
+                .starts_with("mesh,tail,head,carrier,on tail [N m],on head [N m],tangential [N]"));
+    QVERIFY(table("bearings").find("x [mm]") != std::string::npos);
+    QVERIFY(table("powers").find("joint 14") != std::string::npos);
+    const QString folder = m_folder.filePath("tables");
+    QCOMPARE(run({"export", file, "--to", "csv", "--all", "-o", folder}).status, 0);
+    for (const char* name : {"statics", "cutset-equations", "joint-torques", "coupling-torques",
+                             "mesh-forces", "bearings", "powers", "circulations"})
+      QVERIFY2(QFile::exists(folder + "/" + name + ".csv"), name);
+    // Without a load there is nothing to hold.
+    const Run none = run({"export", kRobot, "--to", "csv", "--matrix", "bearings", "-o", "-"});
+    QVERIFY(none.status != 0 && none.output.empty());
+    QVERIFY(none.errors.find("needs loads, and balances that hold them") != std::string::npos);
+  }
+
+  /// What a document may not say: each is rejected with the place, none crashes or is read as something else.
+  void documentsThatCannotBe() {
+    const json robot = json::parse(writeMechanism(test::example("robot")));
+    const auto rejected = [&](const json& document, const char* why) {
+      const QString path = m_folder.filePath(QString::number(m_next++) + ".geargraph");
+      QFile file(path);
+      if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+      file.write(QByteArray::fromStdString(document.dump()));
+      file.close();
+      const Run call = run({"statics", path, "--json"});
+      QVERIFY2(call.status == 1, why);
+      const json report = parsed(call);
+      QVERIFY2(report["meshes"].is_null() && !codesOf(report).empty(), why);
+      QVERIFY2(codesOf(report).contains("schema") || codesOf(report).contains("unknown-id"), why);
+    };
+    const auto withLoad = [&](const json& load) {
+      json document = robot;
+      document["loads"] = json::array({load});
+      return document;
+    };
+    rejected(withLoad({{"link", "0"}, {"torque", 1}}), "a torque on the ground");
+    rejected(withLoad({{"link", "0"}, {"force", {1, 2, 3}}, {"point", {0, 0, 0}}}), "a force on the ground");
+    rejected(withLoad({{"link", "99"}, {"torque", 1}}), "a link that is not there");
+    rejected(withLoad({{"joint", "99"}, {"torque", 1}}), "a joint that is not there");
+    rejected(withLoad({{"joint", "14"}}), "nothing");
+    rejected(withLoad({{"joint", "14"}, {"torque", "much"}}), "no number");
+    rejected(withLoad({{"link", "3"}, {"force", {1, 2}}, {"point", {0, 0, 0}}}), "two components");
+    rejected(withLoad({{"joint", "14"}, {"link", "3"}, {"torque", 1}}), "two places");
+    for (const json& eta : {json(0), json(-1), json("101/100"), json("none"), json(nullptr)}) {
+      json document = robot;
+      document["gearMeshes"][0]["efficiency"] = eta;
+      rejected(document, eta.dump().c_str());
+      document = robot;
+      document["gearDefaults"]["efficiency"] = eta;
+      rejected(document, eta.dump().c_str());
+    }
+    json document = robot;
+    document["gearMeshes"][0]["friction"] = 2;
+    rejected(document, "friction above 1");
+    document["gearMeshes"][0]["friction"] = "1/10";
+    document["gearMeshes"][0]["efficiency"] = "9/10";
+    rejected(document, "both");
+    document = robot;
+    document["balances"] = json::array({{{"link", "0"}}});
+    rejected(document, "a balance on the ground");
+  }
+
+  /// A unit without a size: torques are there, forces are not.
+  void aUnitThatDoesNotExist() {
+    Mechanism robot = test::example("robot");
+    robot.unit = "furlong";
+    const Run call = run({"statics", saved(robot), "--load", "joint:14=10Nm", "--json"});
+    QCOMPARE(call.status, 0);
+    const json report = parsed(call);
+    QVERIFY(codesOf(report).contains("unknown-unit"));
+    QCOMPARE(report["balances"][0]["torque"], "80/27");
+    QVERIFY(report["bearings"].is_null());
+    QVERIFY(report["meshes"][0]["tangentialForce"].is_null());
+    QVERIFY(report["meshes"][0]["groundPower"]["tail"].is_string());
+  }
+
   void wordsThatAreNoLoads() {
     for (const char* load : {"joint:99=10Nm", "link:9=10Nm", "link:0=10Nm", "link:3@q=10Nm", "joint:14=10",
                              "joint:14=10lbf", "joint:14", "14=10Nm", "link:3=1,2N@0,0,0", "link:3=1,2,3N",

@@ -1,0 +1,428 @@
+// What the tables of statics hold.
+
+#include <algorithm>
+
+#include "core/foundations/base/contract.h"
+#include "core/foundations/base/position_index.h"
+#include "core/foundations/base/wording.h"
+#include "core/mechanism/model/load_edits.h"
+#include "core/teaching/force_tables/force_table.h"
+
+namespace geargraph::inline force_tables {
+namespace {
+
+constexpr const char* kShared = "shared";  // by several, in proportions that statics does not decide
+
+ForceColumn words(const char* head, const char* meaning) {
+  return {head, "", meaning, false, false};
+}
+/// As a fraction where it is one; `decimalFollows`: the next column has it as a decimal.
+ForceColumn exact(const char* head, const char* unit, const char* meaning, bool decimalFollows = true) {
+  return {head, unit, meaning, true, decimalFollows};
+}
+ForceColumn number(const char* head, const char* unit, const char* meaning) {
+  return {head, unit, meaning, true, false};
+}
+
+class Rows {
+ public:
+  Rows(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+       const StaticsReport& report)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_report(report),
+        m_isBalanced(report.isSolved && report.lossless.isBalanced()) {}
+
+  void fill(ForceTable& table) {
+    m_table = &table;
+    switch (table.kind) {
+      case ForceTableKind::joints:
+        return joints();
+      case ForceTableKind::couplings:
+        return couplings();
+      case ForceTableKind::meshes:
+        return meshes();
+      case ForceTableKind::bearings:
+        return bearings();
+      case ForceTableKind::powers:
+        return powers();
+      case ForceTableKind::circulations:
+        return circulations();
+      case ForceTableKind::states:
+        break;
+    }
+    GEARGRAPH_REQUIRE(false);
+  }
+
+ private:
+  ForceRow& row(std::vector<ElementId> elements) {
+    ForceRow& row = m_table->rows.emplace_back();
+    row.elements = std::move(elements);
+    return row;
+  }
+  static ForceCell cell(std::string text) { return {std::move(text), std::nullopt}; }
+  static ForceCell cell(double value) { return {shownNumber(value), value}; }
+  static ForceCell exactCell(const std::optional<Real>& value) {
+    return value ? ForceCell{shownReal(*value), value->number()} : cell(kShared);
+  }
+  static ForceCell decimalCell(const std::optional<Real>& value) {
+    return value ? cell(value->number()) : cell(kShared);
+  }
+
+  [[nodiscard]] ElementId jointId(int joint) const {
+    return m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
+  }
+  [[nodiscard]] ElementId linkId(int link) const {
+    return m_mechanism.links[static_cast<std::size_t>(link)].id;
+  }
+  [[nodiscard]] ElementId meshId(int mesh) const {
+    return m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id;
+  }
+  /// "1 sun", "0".
+  [[nodiscard]] std::string linkName(int link) const {
+    const std::string& name = m_mechanism.links[static_cast<std::size_t>(link)].name;
+    return std::to_string(m_mechanism.linkLabel(link)) + (name.empty() ? "" : " " + name);
+  }
+
+  /// The value of an unknown in a solution; none where it is not determined.
+  static std::optional<Real> valueIn(const StaticsSolution& solution, int unknown) {
+    if (!solution.isDetermined(unknown)) return std::nullopt;
+    return solution.values[static_cast<std::size_t>(unknown)];
+  }
+
+  /// What loads and balances put into each joint in a solution; none where a balance is not determined.
+  [[nodiscard]] std::vector<std::optional<Real>> torquesIn(const StaticsSolution& solution) const {
+    std::vector<std::optional<Real>> torques(static_cast<std::size_t>(m_model.t()), Real());
+    for (const AppliedTorque& load : m_report.problem.torques)
+      if (load.place.inJoint()) *torques[static_cast<std::size_t>(load.place.joint)] += Real(load.torque);
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int balance = m_report.held[part].balance;
+      if (balance < 0) continue;
+      const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(balance)];
+      if (!place.inJoint()) continue;
+      auto& torque = torques[static_cast<std::size_t>(place.joint)];
+      const auto found = valueIn(solution, m_model.c() + static_cast<int>(part));
+      if (!found) {
+        torque.reset();
+      } else if (torque) {
+        *torque += *found;
+      }
+    }
+    return torques;
+  }
+
+  void joints() {
+    m_table->columns = {
+        words("joint", "The turning joint, by its label."),
+        words("turns", "The link beyond the joint, seen from the ground."),
+        words("carried by",
+              "What puts a torque into the joint: a load that is given, a balance that is "
+              "found, or nothing: a free joint."),
+        exact("lossless", "N m",
+              "The torque that the joint's tail exerts on its head about the axis, of a "
+              "train without losses.",
+              false),
+        exact("exact torque", "N m", "The same with the losses of the meshes, where they are given."),
+        number("torque", "N m", "The same as a decimal."),
+        number("rate", "rad/s", "How fast the head turns against the tail."),
+        number("power", "W",
+               "Torque times rate: what load or balance feed into the train here; below 0: "
+               "what they take."),
+    };
+    if (!m_isBalanced) return;
+    std::vector<std::pair<bool, bool>> carried(static_cast<std::size_t>(m_model.t()));  // load, balance
+    for (const AppliedTorque& load : m_report.problem.torques)
+      if (load.place.inJoint()) carried[static_cast<std::size_t>(load.place.joint)].first = true;
+    for (const TorquePlace& place : m_report.problem.balances)
+      if (place.inJoint()) carried[static_cast<std::size_t>(place.joint)].second = true;
+    const auto lossless = torquesIn(m_report.lossless);
+    const auto torques = torquesIn(m_report.solution());
+    for (int joint = 0; joint < m_model.t(); ++joint) {
+      const auto at = static_cast<std::size_t>(joint);
+      const int child = m_model.tree().child(joint);
+      ForceRow& line = row({jointId(joint), linkId(child)});
+      const auto [load, balance] = carried[at];
+      line.cells = {cell(std::to_string(m_mechanism.jointLabel(joint))),
+                    cell(linkName(child)),
+                    cell(load ? (balance ? "load and balance" : "load") : (balance ? "balance" : "free")),
+                    exactCell(lossless[at]),
+                    exactCell(torques[at]),
+                    decimalCell(torques[at])};
+      if (m_report.motion) {
+        line.cells.push_back(cell((*m_report.motion)[at].toDouble()));
+        line.cells.push_back(torques[at] ? cell((*torques[at] * Real((*m_report.motion)[at])).number())
+                                         : cell(kShared));
+      } else {
+        line.cells.resize(m_table->columns.size());
+      }
+    }
+  }
+
+  void couplings() {
+    m_table->columns = {
+        words("coupling", "A brake or clutch that is engaged."),
+        words("holds",
+              "The link that a brake holds; the two links that a clutch joins, the torque acts on "
+              "the first one."),
+        words("about", "The axis that the torque is about, the first one on the way to the ground."),
+        exact("exact torque", "N m", "The torque on that link, with the losses where they are given."),
+        number("torque", "N m", "The same as a decimal."),
+        number("passed", "W", "The power that a clutch delivers to the first link; a brake passes none."),
+    };
+    if (!m_isBalanced) return;
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      if (held.coupling < 0) continue;
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(held.coupling)];
+      std::vector<ElementId> elements{ElementId(coupling.id)};
+      std::string links;
+      for (const LinkId& link : coupling.links) {
+        elements.emplace_back(link);
+        links += (links.empty() ? "" : ", ") + linkName(m_links.at(link));
+      }
+      const auto torque = valueIn(m_report.solution(), m_model.c() + static_cast<int>(part));
+      ForceRow& line = row(std::move(elements));
+      line.cells = {cell((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text()),
+                    cell(links), cell(m_mechanism.axes[static_cast<std::size_t>(held.axis)].id.text()),
+                    exactCell(torque), decimalCell(torque)};
+      line.cells.push_back(held.isMain && m_report.flow
+                               ? flowCell(m_report.flow->of(ElementPower::Kind::coupling, held.coupling), 0)
+                               : ForceCell());
+    }
+  }
+
+  static ForceCell flowCell(const ElementPower& element, std::size_t port) {
+    return element.isDetermined ? cell(element.ports[port].power.number()) : cell(kShared);
+  }
+
+  void meshes() {
+    m_table->columns = {
+        words("mesh", "The gear mesh, by its label."),
+        words("tail", "The link of the tail's gear."),
+        words("head", "The link of the head's gear."),
+        words("carrier", "The link that holds both gears' axes, from which the mesh is seen."),
+        exact("on tail", "N m",
+              "The torque of the mesh on the tail's gear about its own axis, seen from the "
+              "carrier.",
+              false),
+        exact("on head", "N m",
+              "The torque of the mesh on the head's gear about its own axis, seen from the "
+              "carrier.",
+              false),
+        number("tangential", "N",
+               "The force along the pitch circles' tangent, of the tail's gear on the "
+               "head's."),
+        number("separating", "N",
+               "The force that presses the gears apart: the tangential one times the "
+               "tangent of the operating pressure angle."),
+        number("Fx", "N", "The whole tooth force on the head's gear, in the base frame."),
+        number("Fy", "N", "The whole tooth force on the head's gear, in the base frame."),
+        number("Fz", "N", "The whole tooth force on the head's gear, in the base frame."),
+        number("efficiency", "", "Power delivered over power taken, seen from the carrier."),
+        words("drives", "The gear that delivers the power to the teeth, seen from the carrier."),
+        number("rolling power", "W",
+               "What the teeth pass from tail to head, seen from the carrier: the "
+               "latent power."),
+        number("lost", "W", "One minus the efficiency, times the rolling power."),
+        number("to tail", "W", "What the mesh delivers to the tail's gear, seen from the ground."),
+        number("to head", "W", "What the mesh delivers to the head's gear, seen from the ground."),
+        number("to carrier", "W", "What the mesh delivers to the carrier, seen from the ground."),
+    };
+    if (!m_isBalanced) return;
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+  }
+
+  void addMesh(int mesh) {
+    const auto at = static_cast<std::size_t>(mesh);
+    const MeshGeometry& geometry = *m_placement.meshes[at];
+    ForceRow& line = row({meshId(mesh), linkId(geometry.tail), linkId(geometry.head)});
+    const bool isDetermined = m_report.solution().isDetermined(mesh);
+    const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
+    const auto torque = [&](const Real& size, int gear, int axisClass) {
+      if (!isDetermined) return cell(kShared);
+      return exactCell(Real(senseAt(m_placement, gear, axisClass)) * size);
+    };
+    line.cells = {cell(std::to_string(m_mechanism.meshLabel(mesh))),
+                  cell(linkName(geometry.tail)),
+                  cell(linkName(geometry.head)),
+                  cell(linkName(geometry.carrier)),
+                  torque(ports.tail, geometry.tail, geometry.tailClass),
+                  torque(ports.head, geometry.head, geometry.headClass)};
+    if (m_report.forces.meshes.empty()) {
+      line.cells.resize(line.cells.size() + 5);
+    } else {
+      const ToothForce& force = m_report.forces.meshes[at];
+      for (const double size :
+           {force.tangential, force.separating, force.force[0], force.force[1], force.force[2]})
+        line.cells.push_back(isDetermined ? cell(size) : cell(kShared));
+    }
+    addMeshPower(mesh, isDetermined, line);
+    line.cells.resize(m_table->columns.size());
+  }
+
+  void addMeshPower(int mesh, bool isDetermined, ForceRow& line) {
+    const auto at = static_cast<std::size_t>(mesh);
+    if (!m_report.flow) return;
+    if (!isDetermined) {
+      for (int i = 0; i < 7; ++i) line.cells.push_back(cell(kShared));
+      return;
+    }
+    const MeshGeometry& geometry = *m_placement.meshes[at];
+    const MeshLoss loss = m_report.losses().empty() ? MeshLoss{} : m_report.losses()[at];
+    const bool loses = loss.driver != MeshLoss::Driver::none;
+    const Real& power = m_report.powers.mesh[at];
+    const ElementPower& flow = m_report.flow->of(ElementPower::Kind::mesh, mesh);
+    line.cells.push_back(m_report.losses().empty() ? ForceCell()
+                                                   : cell(loses ? loss.efficiency.toDouble() : 1.0));
+    line.cells.push_back(power.isZero() ? cell("")
+                                        : cell(linkName(power.sign() > 0 ? geometry.tail : geometry.head)));
+    line.cells.push_back(cell(power.number()));
+    line.cells.push_back(cell((-flow.fed()).number()));
+    for (std::size_t port = 0; port < 3; ++port) line.cells.push_back(flowCell(flow, port));
+  }
+
+  void bearings() {
+    m_table->columns = {
+        words("joint", "The turning joint, whose bearing holds its head on its tail."),
+        number("force", "N", "The size of the force of the tail on the head."),
+        number("Fx", "N", "The force of the tail on the head, in the base frame."),
+        number("Fy", "N", "The force of the tail on the head, in the base frame."),
+        number("Fz", "N", "The force of the tail on the head, in the base frame."),
+        number("Mx", "N m",
+               "The moment of the tail on the head about the point, with the joint's own "
+               "torque."),
+        number("My", "N m",
+               "The moment of the tail on the head about the point, with the joint's own "
+               "torque."),
+        number("Mz", "N m",
+               "The moment of the tail on the head about the point, with the joint's own "
+               "torque."),
+        number("x", "",
+               "Where the joint is drawn: the point that the moment is about, in the document's "
+               "unit."),
+        number("y", "", "Where the joint is drawn, in the document's unit."),
+        number("z", "", "Where the joint is drawn, in the document's unit."),
+    };
+    for (std::size_t i = 8; i < 11; ++i) m_table->columns[i].unit = m_mechanism.unit;
+    if (!m_isBalanced) return;
+    for (std::size_t joint = 0; joint < m_report.forces.bearings.size(); ++joint) {
+      const BearingReaction& bearing = m_report.forces.bearings[joint];
+      ForceRow& line = row({jointId(static_cast<int>(joint))});
+      line.cells = {cell(std::to_string(m_mechanism.jointLabel(static_cast<int>(joint)))),
+                    bearing.isDetermined ? cell(length(bearing.force)) : cell(kShared)};
+      for (const Vector3& vector : {bearing.force, bearing.moment})
+        for (const double component : vector)
+          line.cells.push_back(bearing.isDetermined ? cell(component) : cell(kShared));
+      for (const double component : bearing.point) line.cells.push_back(cell(component));
+    }
+  }
+
+  void powers() {
+    m_table->columns = {
+        words("element", "A mesh, a joint, an engaged coupling, a load or a balance."),
+        words("link", "The link that it acts on."),
+        exact("exact power", "W",
+              "What the element delivers to the link, seen from the ground; below 0: what it "
+              "takes from it. The sum at every link is 0."),
+        number("power", "W", "The same as a decimal."),
+        number("part", "%", "Of the power fed into the train."),
+    };
+    if (!m_isBalanced || !m_report.flow) return;
+    const double fed = m_report.sums ? m_report.sums->fed.number() : 0;
+    for (const ElementPower& element : m_report.flow->elements) {
+      if (element.isDetermined && std::all_of(element.ports.begin(), element.ports.end(),
+                                              [](const PowerPort& port) { return port.power.isZero(); }))
+        continue;  // a free joint that passes nothing, a brake
+      for (const PowerPort& port : element.ports) {
+        std::vector<ElementId> elements = elementsOf(element);
+        elements.push_back(linkId(port.link));
+        ForceRow& line = row(std::move(elements));
+        const auto power = element.isDetermined ? std::optional(port.power) : std::nullopt;
+        line.cells = {cell(nameOf(element)), cell(linkName(port.link)), exactCell(power), decimalCell(power),
+                      power && fed > 0 ? cell(100 * power->number() / fed) : cell("")};
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<ElementId> elementsOf(const ElementPower& element) const {
+    switch (element.kind) {
+      case ElementPower::Kind::mesh:
+        return {meshId(element.position)};
+      case ElementPower::Kind::joint:
+        return {jointId(element.position)};
+      case ElementPower::Kind::coupling:
+        return {ElementId(m_mechanism.couplings[static_cast<std::size_t>(element.position)].id)};
+      case ElementPower::Kind::load:
+      case ElementPower::Kind::balance:
+        break;
+    }
+    return {};
+  }
+  [[nodiscard]] std::string nameOf(const ElementPower& element) const {
+    switch (element.kind) {
+      case ElementPower::Kind::mesh:
+        return "mesh " + std::to_string(m_mechanism.meshLabel(element.position));
+      case ElementPower::Kind::joint:
+        return "joint " + std::to_string(m_mechanism.jointLabel(element.position));
+      case ElementPower::Kind::coupling: {
+        const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(element.position)];
+        return (coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text();
+      }
+      case ElementPower::Kind::load:
+        return "load on link " + std::to_string(m_mechanism.linkLabel(element.ports.front().link));
+      case ElementPower::Kind::balance:
+        return "balance on link " + std::to_string(m_mechanism.linkLabel(element.ports.front().link));
+    }
+    return {};
+  }
+
+  void circulations() {
+    m_table->columns = {
+        exact("exact power", "W", "The least power on the loop: what goes round beside what goes through."),
+        number("power", "W", "The same as a decimal."),
+        number("part", "%", "Of the power fed into the train."),
+        words("links", "The shafts of the loop."),
+        words("meshes", "The meshes of the gear sets of the loop."),
+    };
+    if (!m_report.circulations) return;
+    const double fed = m_report.sums ? m_report.sums->fed.number() : 0;
+    for (const Circulation& each : *m_report.circulations) {
+      std::vector<ElementId> elements;
+      std::vector<std::string> links;
+      std::vector<std::string> labels;
+      for (const int link : each.links) {
+        elements.push_back(linkId(link));
+        links.push_back(linkName(link));
+      }
+      for (const int mesh : each.meshes) {
+        elements.push_back(meshId(mesh));
+        labels.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
+      }
+      ForceRow& line = row(std::move(elements));
+      line.cells = {exactCell(each.power), decimalCell(each.power),
+                    fed > 0 ? cell(100 * each.power.number() / fed) : cell(""),
+                    cell(listed(links, kAllNames)), cell(listed(labels, kAllNames))};
+    }
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const StaticsReport& m_report;
+  bool m_isBalanced;
+  PositionIndex<LinkTag> m_links{m_mechanism.links};
+  ForceTable* m_table = nullptr;
+};
+
+}  // namespace
+
+ForceTable forceTable(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+                      const StaticsReport& report, ForceTableKind kind) {
+  ForceTable table;
+  table.kind = kind;
+  Rows(mechanism, model, placement, report).fill(table);
+  return table;
+}
+
+}  // namespace geargraph::inline force_tables

@@ -1,0 +1,107 @@
+#include "core/teaching/force_tables/force_table.h"
+
+#include <charconv>
+#include <cstdio>
+
+#include "core/foundations/base/contract.h"
+
+namespace geargraph::inline force_tables {
+namespace {
+
+struct Names {
+  ForceTableKind kind;
+  std::string_view title;
+  std::string_view command;
+};
+
+constexpr Names kNames[] = {
+    {ForceTableKind::joints, "Joints", "joint-torques"},
+    {ForceTableKind::couplings, "Couplings", "coupling-torques"},
+    {ForceTableKind::meshes, "Meshes", "mesh-forces"},
+    {ForceTableKind::bearings, "Bearings", "bearings"},
+    {ForceTableKind::powers, "Power", "powers"},
+    {ForceTableKind::circulations, "Circulating power", "circulations"},
+    {ForceTableKind::states, "Gears", "shift-torques"},
+};
+
+const Names& namesOf(ForceTableKind kind) {
+  for (const Names& names : kNames)
+    if (names.kind == kind) return names;
+  GEARGRAPH_REQUIRE(false);
+  return kNames[0];
+}
+
+std::string csvNumber(double number, const CsvOptions& options) {
+  char buffer[32];
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+  const auto point = text.find('.');
+  if (options.decimalPoint == '.' || point == std::string::npos) return text;
+  text[point] = options.decimalPoint;
+  return options.decimalPoint == options.separator ? '"' + text + '"' : text;
+}
+
+}  // namespace
+
+const std::vector<ForceTableKind>& allForceTableKinds() {
+  static const std::vector<ForceTableKind> kinds = [] {
+    std::vector<ForceTableKind> all;
+    for (const Names& names : kNames)
+      if (names.kind != ForceTableKind::states) all.push_back(names.kind);
+    return all;
+  }();
+  return kinds;
+}
+
+std::string_view forceTableTitle(ForceTableKind kind) {
+  return namesOf(kind).title;
+}
+
+std::string_view forceTableCommandName(ForceTableKind kind) {
+  return namesOf(kind).command;
+}
+
+void writeForceCsv(ByteSink& sink, const ForceTable& table, const CsvOptions& options) {
+  std::string text = options.byteOrderMark ? "\xEF\xBB\xBF" : "";
+  const auto endLine = [&] {
+    text.back() = '\n';  // in place of the last separator
+    sink.write(text);
+    text.clear();
+  };
+  if (options.labels) {
+    for (const ForceColumn& column : table.columns) {
+      if (column.isFraction) continue;
+      text += csvLabel(column.unit.empty() ? column.head : column.head + " [" + column.unit + ']',
+                       options.separator) +
+              options.separator;
+    }
+    endLine();
+  }
+  for (const ForceRow& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      if (table.columns[i].isFraction) continue;
+      const ForceCell& cell = row.cells[i];
+      if (cell.number) {
+        text += csvNumber(*cell.number, options);
+      } else {
+        text += csvLabel(cell.text, options.separator);
+      }
+      text += options.separator;
+    }
+    endLine();
+  }
+}
+
+std::string shownNumber(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", number == 0 ? 0.0 : number);
+  return buffer;
+}
+
+std::string shownReal(const Real& value) {
+  constexpr std::size_t kLongest = 24;
+  if (!value.isExact()) return shownNumber(value.number());
+  std::string text = value.fraction()->toString();
+  return text.size() <= kLongest ? text : shownNumber(value.number());
+}
+
+}  // namespace geargraph::inline force_tables

@@ -1,0 +1,86 @@
+// The torques of a gearbox, a row a state.
+
+#include "core/foundations/base/position_index.h"
+#include "core/teaching/force_tables/force_table.h"
+
+namespace geargraph::inline force_tables {
+namespace {
+
+ForceCell numberCell(double value) {
+  return {shownNumber(value), value};
+}
+
+std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
+  std::vector<ForceColumn> columns{{"state", "", "The state of the gearbox, by its name.", false, false}};
+  for (const Coupling& coupling : mechanism.couplings) {
+    const bool isBrake = coupling.kind == CouplingKind::brake;
+    columns.push_back({coupling.id.text(), "N m",
+                       isBrake ? "The torque that the brake exerts on its link while it is engaged."
+                               : "The torque that the clutch exerts on the first of its links while it is "
+                                 "engaged; the second one has the reaction.",
+                       true, false});
+  }
+  columns.push_back({"found", "N m",
+                     "The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where "
+                     "the document has no load there.",
+                     true, false});
+  columns.push_back({"efficiency", "", "Power taken over power fed, with the drive driving.", true, false});
+  columns.push_back(
+      {"backward", "", "The same with all known torques reversed: the output drives.", true, false});
+  columns.push_back({"latent", "",
+                     "The power that all meshes pass, seen from their carriers, over the power fed.", true,
+                     false});
+  columns.push_back({"circulating", "",
+                     "The greatest power that goes round in a loop, for each watt that is fed.", true,
+                     false});
+  return columns;
+}
+
+ForceCell efficiencyCell(const std::optional<LossySolution>& solution, const std::optional<PowerSums>& sums) {
+  if (!solution || solution->outcome == LossySolution::Outcome::undecided) return {};
+  if (solution->outcome == LossySolution::Outcome::selfLocking) return {"locks", std::nullopt};
+  const auto value = sums ? sums->efficiency() : std::nullopt;
+  return value ? numberCell(value->number()) : ForceCell();
+}
+
+void fillRow(const StaticsReport& report, ForceRow& row) {
+  const StaticsSolution& solution = report.solution();
+  const auto found = row.cells.size() - 5;
+  const auto meshes = static_cast<std::size_t>(solution.unknowns) - report.held.size();
+  for (std::size_t part = 0; part < report.held.size(); ++part) {
+    const HeldPart& held = report.held[part];
+    if (held.coupling >= 0 && !held.isMain) continue;
+    ForceCell& cell = row.cells[held.coupling >= 0 ? 1 + static_cast<std::size_t>(held.coupling) : found];
+    const auto unknown = meshes + part;
+    cell = solution.determined[unknown] != 0 ? numberCell(solution.values[unknown].number())
+                                             : ForceCell{"shared", std::nullopt};
+  }
+  row.cells[found + 1] = efficiencyCell(report.lossy, report.sums);
+  row.cells[found + 2] = efficiencyCell(report.backward, report.backwardSums);
+  if (report.latentRatio) row.cells[found + 3] = numberCell(report.latentRatio->number());
+  const double fed = report.sums ? report.sums->fed.number() : 0;
+  if (!report.circulations || fed <= 0) return;
+  const double most = report.circulations->empty() ? 0 : report.circulations->front().power.number();
+  row.cells[found + 4] = numberCell(most / fed);
+}
+
+}  // namespace
+
+ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states) {
+  ForceTable table;
+  table.kind = ForceTableKind::states;
+  table.columns = shiftColumns(mechanism);
+  for (const StateForces& each : states) {
+    const ShiftState& state = mechanism.states[static_cast<std::size_t>(each.state)];
+    ForceRow& row = table.rows.emplace_back();
+    for (const auto& end : {state.drive, state.driven})
+      if (end) row.elements.emplace_back(*end);
+    row.cells.resize(table.columns.size());
+    row.cells.front().text = state.name;
+    const bool isHeld = each.report && each.report->isSolved && each.report->lossless.isBalanced();
+    if (isHeld) fillRow(*each.report, row);
+  }
+  return table;
+}
+
+}  // namespace geargraph::inline force_tables

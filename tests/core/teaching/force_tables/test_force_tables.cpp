@@ -1,0 +1,175 @@
+#include <QtTest>
+
+#include "core/teaching/force_tables/force_table.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/statics_case.h"
+#include "tests/core/support/train_sketch.h"
+
+using namespace geargraph;
+using namespace geargraph::test;
+
+namespace {
+
+StaticsReport reportOf(const StaticsCase& train, const StaticsOptions& options) {
+  return *analyzeStatics(train.mechanism, train.model, train.placement, train.tt, train.analysis, options);
+}
+
+ForceTable tableOf(const StaticsCase& train, const StaticsReport& report, ForceTableKind kind) {
+  return forceTable(train.mechanism, train.model, train.placement, report, kind);
+}
+
+/// The texts of one column.
+std::vector<std::string> column(const ForceTable& table, const std::string& head) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].head == head)
+      for (const ForceRow& row : table.rows) texts.push_back(row.cells[i].text);
+  return texts;
+}
+
+/// Sun 5 driven at 100 rad/s with 10 N m, ring held, carrier out, as the picture of the window has it.
+struct Picture {
+  Mechanism mechanism;
+  StaticsOptions options;
+  explicit Picture(int planets = 1) : mechanism(planetary(24, 18, planets)) {
+    const auto& joints = mechanism.turningJoints;
+    mechanism.links[1].name = "sun";
+    mechanism.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
+    options.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
+    options.balances = {{joints[1].id}, {joints[2].id}};
+    options.losses = true;
+    options.efficiency = Rational(98, 100);
+  }
+};
+
+}  // namespace
+
+class TestForceTables : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void jointsOfAPlanetarySet() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const ForceTable table = tableOf(train, reportOf(train, picture.options), ForceTableKind::joints);
+    QCOMPARE(column(table, "joint"), (std::vector<std::string>{"5", "6", "7", "8"}));
+    QCOMPARE(column(table, "turns").front(), std::string("1 sun"));
+    QCOMPARE(column(table, "carried by"), (std::vector<std::string>{"load", "balance", "balance", "free"}));
+    QCOMPARE(column(table, "lossless"), (std::vector<std::string>{"10", "25", "-35", "0"}));
+    QCOMPARE(column(table, "exact torque"), (std::vector<std::string>{"10", "2401/100", "-3401/100", "0"}));
+    QCOMPARE(column(table, "torque"), (std::vector<std::string>{"10", "24.01", "-34.01", "0"}));
+    QCOMPARE(column(table, "rate"), (std::vector<std::string>{"100", "0", "28.5714", "-95.2381"}));
+    QCOMPARE(column(table, "power"), (std::vector<std::string>{"1000", "0", "-971.714", "0"}));
+    QVERIFY(table.rows[0].elements.front() == ElementId(train.mechanism.turningJoints[0].id));
+  }
+
+  void everyCellBelongsToAColumnThatIsExplained() {
+    const StaticsCase set(Picture().mechanism);
+    const StaticsCase gearbox(eightSpeed());
+    StaticsOptions state;
+    state.state = 0;
+    const std::pair<const StaticsCase*, StaticsReport> cases[] = {
+        {&set, reportOf(set, Picture().options)},
+        {&set, reportOf(set, {})},
+        {&gearbox, reportOf(gearbox, state)},
+    };
+    for (const auto& [train, report] : cases) {
+      for (const ForceTableKind kind : allForceTableKinds()) {
+        const ForceTable table = tableOf(*train, report, kind);
+        QVERIFY(!table.columns.empty() && table.kind == kind);
+        for (const ForceColumn& each : table.columns)
+          QVERIFY2(each.meaning.size() > 10 && each.meaning.back() == '.', each.head.c_str());
+        for (const ForceRow& row : table.rows) QCOMPARE(row.cells.size(), table.columns.size());
+      }
+    }
+    QVERIFY(!tableOf(gearbox, cases[2].second, ForceTableKind::couplings).rows.empty());
+    QVERIFY(!tableOf(gearbox, cases[2].second, ForceTableKind::powers).rows.empty());
+  }
+
+  /// The powers at each link sum to 0 in the table, too.
+  void powersOfALinkSumToZero() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const ForceTable table = tableOf(train, reportOf(train, picture.options), ForceTableKind::powers);
+    std::map<std::string, double> sums;
+    for (const ForceRow& row : table.rows) sums[row.cells[1].text] += row.cells[3].number.value();
+    QVERIFY(sums.size() > 3);
+    for (const auto& [link, sum] : sums) QVERIFY2(std::abs(sum) < 1e-9, link.c_str());
+  }
+
+  void sharedLoadsHaveNoNumber() {
+    const Picture picture(3);
+    const StaticsCase train(picture.mechanism);
+    const StaticsReport report = reportOf(train, picture.options);
+    const ForceTable meshes = tableOf(train, report, ForceTableKind::meshes);
+    QCOMPARE(column(meshes, "on tail").front(), std::string("shared"));
+    QCOMPARE(column(meshes, "tangential").front(), std::string("shared"));
+    QVERIFY(!meshes.rows[0].cells[4].number.has_value());
+    QCOMPARE(column(tableOf(train, report, ForceTableKind::joints), "lossless")[1], std::string("25"));
+  }
+
+  void csvHasUnitsAndDecimals() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const ForceTable table = tableOf(train, reportOf(train, picture.options), ForceTableKind::joints);
+    TextSink sink;
+    writeForceCsv(sink, table);
+    const std::string csv = sink.take();
+    QCOMPARE(csv.substr(0, csv.find("\n8,")),
+             std::string("joint,turns,carried by,lossless [N m],torque [N m],rate [rad/s],power [W]\n"
+                         "5,1 sun,load,10,10,100,1000\n"
+                         "6,2,balance,25,24.01,0,0\n"
+                         "7,3,balance,-35,-34.01,28.571428571428573,-971.7142857142857"));
+    TextSink german;
+    writeForceCsv(german, table, CsvOptions{';', ',', false, false});
+    QVERIFY(german.text().starts_with("5;1 sun;load;10;10;100;1000\n6;2;balance;25;24,01;0;0\n"));
+    TextSink quoted;
+    writeForceCsv(quoted, table, CsvOptions{',', ',', false, false});
+    QVERIFY(quoted.text().find("25,\"24,01\",0,0") != std::string::npos);
+  }
+
+  /// The torques of a gearbox's couplings as multiples of the input torque; what is open has none.
+  void theShiftTable() {
+    const StaticsCase train(eightSpeed());
+    std::vector<StateForces> states;
+    for (int state = 0; state < static_cast<int>(train.mechanism.states.size()); ++state) {
+      StaticsOptions options;
+      options.state = state;
+      options.losses = true;
+      options.efficiency = Rational(98, 100);
+      states.push_back({state, reportOf(train, options)});
+    }
+    states.push_back({0, std::nullopt});  // nothing was solved
+    const ForceTable table = shiftTable(train.mechanism, states);
+    QCOMPARE(table.rows.size(), std::size_t{10});
+    QCOMPARE(table.columns.size(), std::size_t{11});
+    QCOMPARE(column(table, "state")[5], std::string("6"));
+    QCOMPARE(column(table, "efficiency")[5], std::string("1"));  // direct drive
+    QCOMPARE(column(table, "circulating")[5], std::string("0"));
+    for (std::size_t row = 0; row < 9; ++row) {
+      const auto& engaged = states[row].report->problem.engaged;
+      for (int coupling = 0; coupling < 5; ++coupling) {
+        const bool isEngaged = std::find(engaged.begin(), engaged.end(), coupling) != engaged.end();
+        QCOMPARE(table.rows[row].cells[1 + static_cast<std::size_t>(coupling)].number.has_value(), isEngaged);
+      }
+      // Torques from outside add up to 0: the input's, the output's, those of the brakes A and B.
+      double sum = 1 + table.rows[row].cells[6].number.value();
+      for (const std::size_t brake : {1U, 2U}) sum += table.rows[row].cells[brake].number.value_or(0);
+      QVERIFY(std::abs(sum) < 1e-12);
+    }
+    QVERIFY(column(table, "efficiency").back().empty());
+    for (const ForceColumn& each : table.columns) QVERIFY(each.meaning.back() == '.');
+  }
+
+  void withoutEquilibriumThereAreNoRows() {
+    const StaticsCase train(Picture().mechanism);
+    StaticsOptions options = Picture().options;
+    options.balances.pop_back();
+    const StaticsReport report = reportOf(train, options);
+    QVERIFY(!report.lossless.isBalanced());
+    for (const ForceTableKind kind : allForceTableKinds()) QVERIFY(tableOf(train, report, kind).rows.empty());
+  }
+};
+
+QTEST_APPLESS_MAIN(TestForceTables)
+#include "test_force_tables.moc"
