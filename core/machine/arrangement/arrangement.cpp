@@ -104,26 +104,34 @@ std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTra
   return places;
 }
 
-int nestingDepth(const Arrangement& arrangement, int axisClass, int link) {
-  const AxisLayout& axis = arrangement.axes[static_cast<std::size_t>(axisClass)];
-  std::vector<const ShaftSegment*> shafts;
-  for (const std::size_t s : arrangement.shaftsOn[static_cast<std::size_t>(axisClass)])
-    shafts.push_back(&arrangement.shafts[s]);
-  std::stable_sort(shafts.begin(), shafts.end(),
-                   [](const ShaftSegment* a, const ShaftSegment* b) { return a->outer < b->outer; });
-  std::map<int, int> depths;  // by link
-  for (const ShaftSegment* outer : shafts) {
-    int depth = 0;
-    for (const ShaftSegment* inner : shafts) {
-      const bool isWithin = inner->outer < outer->outer && inner->link != outer->link &&
-                            axis.overlap(inner->low, inner->high, outer->low, outer->high);
-      if (isWithin) depth = std::max(depth, depths.at(inner->link) + 1);
+std::vector<int> nestingDepths(const Arrangement& arrangement) {
+  std::vector<int> depths(arrangement.shafts.size(), 0);
+  for (std::size_t c = 0; c < arrangement.axes.size(); ++c) {
+    const AxisLayout& axis = arrangement.axes[c];
+    std::vector<std::size_t> byRadius = arrangement.shaftsOn[c];
+    std::stable_sort(byRadius.begin(), byRadius.end(), [&](std::size_t a, std::size_t b) {
+      return arrangement.shafts[a].outer < arrangement.shafts[b].outer;
+    });
+    for (const std::size_t o : byRadius) {
+      const ShaftSegment& outer = arrangement.shafts[o];
+      for (const std::size_t i : byRadius) {
+        const ShaftSegment& inner = arrangement.shafts[i];
+        const bool isWithin = inner.outer < outer.outer && inner.link != outer.link &&
+                              axis.overlap(inner.low, inner.high, outer.low, outer.high);
+        if (isWithin) depths[o] = std::max(depths[o], depths[i] + 1);
+      }
     }
-    int& own = depths.try_emplace(outer->link, 0).first->second;
-    own = std::max(own, depth);
   }
-  const auto found = depths.find(link);
-  return found == depths.end() ? -1 : found->second;
+  return depths;
+}
+
+int nestingDepth(const Arrangement& arrangement, int axisClass, int link) {
+  const std::vector<int> depths = nestingDepths(arrangement);
+  int deepest = -1;
+  for (const std::size_t s : arrangement.shaftsOn[static_cast<std::size_t>(axisClass)]) {
+    if (arrangement.shafts[s].link == link) deepest = std::max(deepest, depths[s]);
+  }
+  return deepest;
 }
 
 }  // namespace geargraph::inline arrangement

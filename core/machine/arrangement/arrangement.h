@@ -13,7 +13,7 @@
 namespace geargraph::inline arrangement {
 
 /// What is placed where on each axis of a train: bearings, shafts and their nesting, ring-gear carriers,
-/// arms, and the frame of the ground. What is drawn of a train's bodies is drawn from it.
+/// arms, and the frame of the ground. The bodies in 3D and the schematic are drawn from it.
 ///
 /// Always, of every train:
 /// * A pure function of mechanism, placement and train; every joint has one bearing, on its axis class.
@@ -36,6 +36,7 @@ struct Arrangement {
   std::vector<PinPlan> pins;
   std::vector<TeePlan> tees;
   std::vector<LathePlan> lathes;
+  std::vector<WallPlan> walls;  ///< what the lathes and cages show, by its middle
   std::vector<CagePlan> cages;
   std::vector<StubPlan> stubs;
   FramePlan frame;
@@ -82,7 +83,11 @@ struct AxisPlace {
 [[nodiscard]] std::vector<AxisPlace> placesAlong(const Arrangement& arrangement, const GearTrain& train,
                                                  int axisClass);
 
-/// How many shafts of other links lie within a link's shaft on an axis, one in the other; -1: it has none.
+/// By shaft of the arrangement: how many shafts of other links are nested within it. Cost: O(shafts^2) an
+/// axis.
+[[nodiscard]] std::vector<int> nestingDepths(const Arrangement& arrangement);
+
+/// The greatest of a link's shafts on an axis; -1: it has none.
 [[nodiscard]] int nestingDepth(const Arrangement& arrangement, int axisClass, int link);
 
 /// The arrangement of a train. Deterministic. Cost: O(links * things on an axis) a try, 16 at most; some

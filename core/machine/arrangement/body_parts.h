@@ -93,6 +93,18 @@ struct LathePlan {
   std::vector<std::vector<ProfileVertex>> meridians;  ///< heights are coordinates along the axis
 };
 
+/// A disc or the wall of a drum in the half plane through its axis, by its middle: upright or level. Walls
+/// join the wheels, shafts and pins of a link whose bodies are routed in that plane (coaxial_plan.h).
+struct WallPlan {
+  int axisClass = 0;
+  int link = 0;
+  double fromAt = 0;  ///< coordinates along the axis; level: ascending
+  double toAt = 0;
+  double fromRadius = 0;  ///< distances from the axis; upright: ascending
+  double toRadius = 0;
+  bool isOnShaft = false;  ///< upright: begins at the link's own shaft
+};
+
 /// A housing about an axis, which joins bearings of the ground or holds one on the base.
 struct HousingPlan {
   int axisClass = 0;

@@ -48,6 +48,7 @@ void BodyPlanner::planCoaxial(int axisClass) {
   for (const ArmPlan& arm : plan->arms) addArm(arm);
   m_plan.pins.insert(m_plan.pins.end(), plan->pins.begin(), plan->pins.end());
   m_plan.lathes.insert(m_plan.lathes.end(), plan->lathes.begin(), plan->lathes.end());
+  m_plan.walls.insert(m_plan.walls.end(), plan->walls.begin(), plan->walls.end());
   m_plan.cages.insert(m_plan.cages.end(), plan->cages.begin(), plan->cages.end());
   m_plan.hubs.insert(m_plan.hubs.end(), plan->hubs.begin(), plan->hubs.end());
 }

@@ -41,6 +41,7 @@ class CoaxialMaker {
     for (std::size_t n = 0; n < m_routes.size(); ++n) {
       markBodies(static_cast<int>(n));
       carryPlanets(static_cast<int>(n));
+      addWalls(static_cast<int>(n));
       openDrums(static_cast<int>(n));
       addLathes(static_cast<int>(n));
       placeBearing(static_cast<int>(n));
@@ -61,6 +62,7 @@ class CoaxialMaker {
   void markBodies(int net);
   void carryPlanets(int net);
   [[nodiscard]] bool isSpider(int net, const MeridianLanding& landing) const;
+  void addWalls(int net);
   void openDrums(int net);
   void addLathes(int net);
   void placeBearing(int net);
@@ -73,6 +75,14 @@ class CoaxialMaker {
     return c >= 0 && c < m_grid.columns && r >= 0 && r < m_grid.rows && m_owner[at(m_grid.cell(c, r))] == net;
   }
   [[nodiscard]] bool isWheel(int cell) const { return m_grid.owner[at(cell)] >= 0; }
+  /// Is the cell a wall of the net at hand, or the place of its wheel that one joins?
+  [[nodiscard]] bool isWall(int net, int c, int r) const {
+    if (c < 0 || c >= m_grid.columns || r < m_sections.innerRows || r >= m_grid.rows) return false;
+    const int cell = m_grid.cell(c, r);
+    return m_isBody[at(cell)] || m_grid.owner[at(cell)] == net;
+  }
+  [[nodiscard]] int jointRow(int net, int c, int r) const;
+  [[nodiscard]] double wallPlace(int net, int c) const;
   [[nodiscard]] bool hasWheel(int net, int c) const {
     for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
       if (m_grid.owner[at(m_grid.cell(c, r))] == net) return true;
@@ -261,6 +271,73 @@ void CoaxialMaker::carryPlanets(int net) {
     }
     if (!spider) continue;
     for (int r = m_sections.innerRows; r < m_grid.rows; ++r) m_isBody[at(m_grid.cell(c, r))] = false;
+  }
+}
+
+/// Walls side by side in two columns are joined in one row: that of a wheel, else the inmost. The row where
+/// the block about this one, in a column and the next, is joined; -1: there is none.
+int CoaxialMaker::jointRow(int net, int c, int r) const {
+  const auto both = [&](int row) { return isWall(net, c, row) && isWall(net, c + 1, row); };
+  if (!both(r)) return -1;
+  int first = r;
+  while (both(first - 1)) --first;
+  for (int row = first; both(row); ++row) {
+    if (isWheel(m_grid.cell(c, row)) || isWheel(m_grid.cell(c + 1, row))) return row;
+  }
+  return first;
+}
+
+/// Where along the axis a wall in a column is: at the middle of the net's wheel there, else of the column.
+double CoaxialMaker::wallPlace(int net, int c) const {
+  const AxisLayout& axis = m_axes[at(m_class)];
+  for (std::size_t g = 0; g < m_sections.netsOfGear.size(); ++g) {
+    const std::vector<int>& nets = m_sections.netsOfGear[g];
+    if (std::find(nets.begin(), nets.end(), net) == nets.end() || !hasWheel(net, c)) continue;
+    const double middle = axis.coordinate(m_train.gears[g].pose.translation());
+    const double half = m_train.gears[g].spec.faceWidth / 2;
+    if (column(c).high > middle - half && column(c).low < middle + half) return middle;
+  }
+  return middleOf(c);
+}
+
+/// The net's walls by their middles, without dead ends.
+void CoaxialMaker::addWalls(int net) {
+  if (link(net) == 0) return;
+  const auto level = [&](int c, int r) { return jointRow(net, c, r) == r; };
+  for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
+    for (int c = 0; c < m_grid.columns; ++c) {
+      if (!level(c, r)) continue;
+      int last = c + 1;
+      while (level(last, r)) ++last;
+      const double from = wallPlace(net, c), to = wallPlace(net, last), radius = m_sections.rowMiddle(r);
+      if (from < to) m_plan.walls.push_back({m_class, link(net), from, to, radius, radius});
+      c = last - 1;
+    }
+  }
+  for (int c = 0; c < m_grid.columns; ++c) {
+    for (int r = m_sections.innerRows; r < m_grid.rows; ++r) {
+      if (!isWall(net, c, r)) continue;
+      WallPlan wall{m_class, link(net), wallPlace(net, c), wallPlace(net, c), 1e300, -1e300};
+      wall.isOnShaft = r == m_sections.innerRows && owns(net, c, r - 1) && sleeveIn(net, c) != nullptr;
+      const auto include = [&](double radius) {
+        wall.fromRadius = std::min(wall.fromRadius, radius);
+        wall.toRadius = std::max(wall.toRadius, radius);
+      };
+      if (wall.isOnShaft) include(m_sections.innerRadius);
+      for (; isWall(net, c, r); ++r) {
+        if (isWheel(m_grid.cell(c, r)) || level(c, r) || level(c - 1, r)) include(m_sections.rowMiddle(r));
+        for (std::size_t g = 0; g < m_routes[at(net)].landing.size(); ++g) {
+          const MeridianLanding& landing =
+              m_sections.nets[at(net)].groups[g][at(m_routes[at(net)].landing[g])];
+          if (m_grid.columnOf(landing.cells.front()) != c) continue;
+          for (const std::size_t p : m_sections.planetsOf[at(net)][g]) {
+            const double distance = m_sections.planets[p].distance;
+            if (m_sections.rowLow(r) <= distance && distance < m_sections.rowLow(r + 1)) include(distance);
+          }
+        }
+      }
+      if (wall.fromRadius < wall.toRadius) m_plan.walls.push_back(wall);
+    }
   }
 }
 

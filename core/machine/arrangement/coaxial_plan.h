@@ -26,6 +26,7 @@ struct CoaxialPlan {
   std::vector<ArmPlan> arms;
   std::vector<PinPlan> pins;
   std::vector<LathePlan> lathes;
+  std::vector<WallPlan> walls;
   std::vector<CagePlan> cages;
   std::vector<CoaxialBearing> bearings;
   std::vector<std::pair<std::size_t, double>> hubs;  ///< gears whose hub has to reach a disc: its diameter

@@ -122,6 +122,56 @@ class TestArrangement : public QObject {
     QVERIFY(nested > 200);
   }
 
+  /// Walls of routed links end at their wheels, shafts, pins and other walls.
+  void wallsHaveNoDeadEnds() {
+    int ends = 0;
+    for (const auto& [name, mechanism] : allTrains()) {
+      const Arranged arranged(mechanism);
+      const Arrangement& plan = arranged.plan;
+      for (const WallPlan& wall : plan.walls) {
+        const AxisLayout& axis = plan.axes[static_cast<std::size_t>(wall.axisClass)];
+        const double same = 1e-6 * axis.module;
+        const bool isLevel = wall.fromAt < wall.toAt;
+        QVERIFY(isLevel ? wall.fromRadius == wall.toRadius
+                        : wall.fromAt == wall.toAt && wall.fromRadius < wall.toRadius);
+        const auto joinsWall = [&](double at, double radius) {
+          return std::any_of(plan.walls.begin(), plan.walls.end(), [&](const WallPlan& other) {
+            return &other != &wall && other.link == wall.link && other.fromAt - same <= at &&
+                   at <= other.toAt + same && other.fromRadius - same <= radius &&
+                   radius <= other.toRadius + same;
+          });
+        };
+        const auto joinsWheel = [&](double at) {
+          return std::any_of(arranged.train.gears.begin(), arranged.train.gears.end(),
+                             [&](const TrainGear& gear) {
+                               const double middle = axis.coordinate(gear.pose.translation());
+                               return gear.link == wall.link && gear.axisClass == wall.axisClass &&
+                                      std::abs(middle - at) < gear.spec.faceWidth / 2;
+                             });
+        };
+        const auto joinsPlanets = [&](double at) {
+          const auto ofPin = [&](const PinPlan& pin) {
+            return pin.link == wall.link && std::abs(pin.level - at) < same;
+          };
+          return std::any_of(plan.pins.begin(), plan.pins.end(), ofPin);
+        };
+        for (const bool isFirst : {true, false}) {
+          const double at = isFirst ? wall.fromAt : wall.toAt;
+          const double radius = isFirst ? wall.fromRadius : wall.toRadius;
+          const bool joins =
+              (isFirst && wall.isOnShaft) || joinsWall(at, radius) || joinsWheel(at) || joinsPlanets(at);
+          QVERIFY2(joins, qPrintable(QString("%1: link %2 at %3, radius %4")
+                                         .arg(name.c_str())
+                                         .arg(wall.link)
+                                         .arg(at)
+                                         .arg(radius)));
+          ++ends;
+        }
+      }
+    }
+    QVERIFY2(ends > 30, qPrintable(QString::number(ends)));
+  }
+
   void equalTrainsHaveEqualArrangements() {
     for (const char* name : {"robot", "simpson", "bevel-wrist"}) {
       const Arranged one(test::example(name)), other(test::example(name));
