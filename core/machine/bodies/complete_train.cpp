@@ -17,7 +17,7 @@ AssembledTrain assembledTrain(const Mechanism& mechanism, const Placement& place
   if (stop.stop_requested()) return assembled;
   assembled.train = toothedTrain(mechanism, wheels);
   assembled.wheels = std::move(wheels);
-  addBodies(mechanism, placement, assembled.train, stop);
+  assembled.arrangement = addBodies(mechanism, placement, assembled.train, stop);
   return assembled;
 }
 
@@ -46,6 +46,17 @@ GearTrain moved(const GearTrain& train, const Eigen::Vector3d& by) {
     body = bodyOf(body.link, std::move(recipe));
   }
   return result;
+}
+
+Arrangement moved(Arrangement arrangement, const Eigen::Vector3d& by) {
+  for (AxisLayout& axis : arrangement.axes) axis.point += by;
+  for (FrameBar& bar : arrangement.frame.bars) {
+    bar.from += by;
+    bar.to += by;
+  }
+  for (FramePlan::Foot& foot : arrangement.frame.feet) foot.place += by.head<2>();
+  arrangement.frame.top += by.z();
+  return arrangement;
 }
 
 GearTrain trainOf(const Mechanism& mechanism, const Placement& placement, const std::stop_token& stop) {

@@ -2,6 +2,7 @@
 
 #include <stop_token>
 
+#include "core/machine/arrangement/arrangement.h"
 #include "core/machine/train/train.h"
 #include "core/machine/train/train_wheels.h"
 #include "core/mechanism/placement/placement.h"
@@ -41,10 +42,12 @@ namespace geargraph::inline bodies {
 // The stages of both, each of which DerivedGeometry computes once. What they return is of no use when `stop`
 // was requested meanwhile.
 
-/// The wheels as they are shown, with the gears, meshes and bodies that they make.
+/// The wheels as they are shown, with the gears, meshes and bodies that they make, and the arrangement that
+/// the bodies show.
 struct AssembledTrain {
   TrainWheels wheels;
   GearTrain train;
+  Arrangement arrangement;
 };
 
 /// 3. and 4. @pre the wheels are shaped and stacked
@@ -58,5 +61,6 @@ struct AssembledTrain {
 /// The same at another place.
 [[nodiscard]] TrainWheels moved(TrainWheels wheels, const Eigen::Vector3d& by);
 [[nodiscard]] GearTrain moved(const GearTrain& train, const Eigen::Vector3d& by);
+[[nodiscard]] Arrangement moved(Arrangement arrangement, const Eigen::Vector3d& by);
 
 }  // namespace geargraph::inline bodies

@@ -29,12 +29,16 @@ struct DerivedGeometry::Parts {
         }),
         diagnostics([this, placed](const std::stop_token& stop) { return diagnose(placed, stop); }),
         movedWheels([this](const std::stop_token& stop) {
-          const auto wheels = stacked.get(stop);
-          return wheels ? moved(*wheels, origin()) : TrainWheels{};
+          const auto train = assembled.get(stop);
+          return train ? moved(train->wheels, origin()) : TrainWheels{};
         }),
         movedTrain([this](const std::stop_token& stop) {
           const auto train = assembled.get(stop);
           return train ? moved(train->train, origin()) : GearTrain{};
+        }),
+        movedArrangement([this](const std::stop_token& stop) {
+          const auto train = assembled.get(stop);
+          return train ? moved(train->arrangement, origin()) : Arrangement{};
         }) {}
 
   [[nodiscard]] bool isElsewhere() const { return recentre.get()->has_value(); }
@@ -58,6 +62,7 @@ struct DerivedGeometry::Parts {
   DeferredValue<Diagnostics> diagnostics;
   DeferredValue<TrainWheels> movedWheels;
   DeferredValue<GearTrain> movedTrain;
+  DeferredValue<Arrangement> movedArrangement;
 };
 
 DerivedGeometry::DerivedGeometry(PlacedMechanism placed)
@@ -66,13 +71,21 @@ DerivedGeometry::DerivedGeometry(PlacedMechanism placed)
 DerivedGeometry::~DerivedGeometry() = default;
 
 std::shared_ptr<const TrainWheels> DerivedGeometry::wheels(const std::stop_token& stop) const {
-  return m_parts->isElsewhere() ? m_parts->movedWheels.get(stop) : m_parts->stacked.get(stop);
+  if (m_parts->isElsewhere()) return m_parts->movedWheels.get(stop);
+  const std::shared_ptr<const AssembledTrain> assembled = m_parts->assembled.get(stop);
+  return assembled ? std::shared_ptr<const TrainWheels>(assembled, &assembled->wheels) : nullptr;
 }
 
 std::shared_ptr<const GearTrain> DerivedGeometry::train(const std::stop_token& stop) const {
   if (m_parts->isElsewhere()) return m_parts->movedTrain.get(stop);
   const std::shared_ptr<const AssembledTrain> assembled = m_parts->assembled.get(stop);
   return assembled ? std::shared_ptr<const GearTrain>(assembled, &assembled->train) : nullptr;
+}
+
+std::shared_ptr<const Arrangement> DerivedGeometry::arrangement(const std::stop_token& stop) const {
+  if (m_parts->isElsewhere()) return m_parts->movedArrangement.get(stop);
+  const std::shared_ptr<const AssembledTrain> assembled = m_parts->assembled.get(stop);
+  return assembled ? std::shared_ptr<const Arrangement>(assembled, &assembled->arrangement) : nullptr;
 }
 
 std::shared_ptr<const Diagnostics> DerivedGeometry::diagnostics(const std::stop_token& stop) const {

@@ -11,6 +11,10 @@ struct GearTrain;
 struct TrainWheels;
 }  // namespace geargraph::inline train
 
+namespace geargraph::inline arrangement {
+struct Arrangement;
+}  // namespace geargraph::inline arrangement
+
 namespace geargraph::inline bodies {
 
 /// All geometry that follows from one mechanism: its placement, its wheels, the train with its bodies, and
@@ -34,11 +38,12 @@ class DerivedGeometry {
   [[nodiscard]] const Mechanism& mechanism() const { return m_placed.mechanism(); }
   [[nodiscard]] const Placement& placement() const { return m_placed.placement(); }
 
-  /// The wheels in their shape, stacked along their axes; none where the turning joints are no spanning tree.
-  /// Cost: shapeWheels() and stackWheels().
+  /// The wheels of the train, in the order of its gears; none where the turning joints are no spanning tree.
   [[nodiscard]] std::shared_ptr<const TrainWheels> wheels(const std::stop_token& stop = {}) const;
   /// trainOf(). Its bodies are planned; their solids are made on demand.
   [[nodiscard]] std::shared_ptr<const GearTrain> train(const std::stop_token& stop = {}) const;
+  /// The arrangement that the train's bodies show.
+  [[nodiscard]] std::shared_ptr<const Arrangement> arrangement(const std::stop_token& stop = {}) const;
   /// trainDiagnostics().
   [[nodiscard]] std::shared_ptr<const Diagnostics> diagnostics(const std::stop_token& stop = {}) const;
 

@@ -321,10 +321,10 @@ LinkBody bodyOf(int link, BodyRecipe recipe) {
   return {link, module, deferred(kBodyTolerance), deferred(kFarthestTolerance), shared};
 }
 
-void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
-               const std::stop_token& stop) {
-  const Arrangement plan = arrangementOf(mechanism, placement, train, stop);
-  if (stop.stop_requested()) return;
+Arrangement addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain& train,
+                      const std::stop_token& stop) {
+  Arrangement plan = arrangementOf(mechanism, placement, train, stop);
+  if (stop.stop_requested()) return plan;
   train.hasSimpleBodies = plan.isSimple;
   train.blocked = plan.blocked;
   for (TrainGear& gear : train.gears) fitBore(plan, gear);
@@ -339,6 +339,7 @@ void addBodies(const Mechanism& mechanism, const Placement& placement, GearTrain
     if (!recipes[link].empty())
       train.bodies.push_back(bodyOf(static_cast<int>(link), std::move(recipes[link])));
   }
+  return plan;
 }
 
 }  // namespace geargraph::inline bodies

@@ -52,14 +52,18 @@ ArmRouter::Course ArmRouter::courseThrough(std::vector<SheetPoint> points, int l
   return course;
 }
 
-std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<SheetPoint>& targets,
+std::optional<ArmRouter::Course> ArmRouter::route(int link, const std::vector<LinkLine>& starts,
+                                                  const std::vector<SheetPoint>& targets,
                                                   const std::vector<double>& prices,
                                                   const std::stop_token& stop) {
   m_tolls.charge(m_grid, m_lines, link);
   m_search.begin(m_grid, m_tolls);
-  for (const LinkLine& line : m_lines) {
-    if (line.link != link || line.hold < 0) continue;
+  const auto begin = [&](const LinkLine& line) {
     for (const std::size_t node : m_grid.nodesOn(line)) m_search.addStart(node, line.hold);
+  };
+  for (const LinkLine& line : starts) begin(line);
+  for (const LinkLine& line : m_lines) {
+    if (starts.empty() && line.link == link && line.hold >= 0) begin(line);
   }
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto node = m_grid.nodeAt(targets[t]);

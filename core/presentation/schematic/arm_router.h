@@ -21,13 +21,14 @@ class ArmRouter {
     int crossings = 0;       ///< lines of other links
     std::size_t target = 0;  ///< which one it reached
   };
-  /// From any of the link's lines to the cheapest of the targets; std::nullopt if it has no lines, or
-  /// `stop` was requested meanwhile. `prices`: what
+  /// From one of `starts`, or where it is empty from any of the link's lines, to the cheapest of the targets;
+  /// std::nullopt if it has no lines, or `stop` was requested meanwhile. `prices`: what
   /// it costs beside to end at each of them, px; empty: nothing. Of courses that cost the same it is the one
   /// that Dijkstra's search finds which settles such states in the order of their numbers.
   /// The course counts as the link's from then on. Cost: O(b m), m the nodes of the grid and b the bends of
   /// the courses, 30 µs for a thousand nodes.
-  [[nodiscard]] std::optional<Course> route(int link, const std::vector<SheetPoint>& targets,
+  [[nodiscard]] std::optional<Course> route(int link, const std::vector<LinkLine>& starts,
+                                            const std::vector<SheetPoint>& targets,
                                             const std::vector<double>& prices = {},
                                             const std::stop_token& stop = {});
 

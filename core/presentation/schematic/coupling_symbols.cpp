@@ -198,7 +198,7 @@ class CouplingPlacer {
         prices.push_back(plates.cost);
       }
       m_router.begin(m_lanes.gridWith(ends), m_section.lines);
-      const auto course = m_router.route(reacher, ends, prices, m_stop);
+      const auto course = m_router.route(reacher, {}, ends, prices, m_stop);
       if (!course) continue;
       const Plates& plates = places[course->target];
       const double cost = plates.cost + course->length + 300 * course->crossings;

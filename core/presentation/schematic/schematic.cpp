@@ -5,7 +5,9 @@
 
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/schematic/coupling_symbols.h"
-#include "core/presentation/schematic/stacker.h"
+#include "core/presentation/schematic/drawn_train.h"
+#include "core/presentation/schematic/section.h"
+#include "core/presentation/schematic/shaft_plan.h"
 
 namespace geargraph::inline schematic {
 namespace {
@@ -37,70 +39,6 @@ Mark haloOf(const Mark& mark) {
   return halo;
 }
 
-/// Bearings whose arms would cross other links are tried elsewhere on their axes.
-class SectionSearch {
- public:
-  SectionSearch(const DrawnPart& part, const Placement& placement, SheetLayout& layout)
-      : m_part(part), m_placement(placement), m_layout(layout), m_stacker(part, placement, layout) {}
-
-  Section best(const std::stop_token& stop) {
-    constexpr std::size_t kMostMoved = 4;
-    constexpr std::size_t kMostLines = 160;  ///< a larger drawing is not done several times
-    m_stacker.search(stop);
-    if (m_layout.parallel) m_stacker.squeeze();
-    if (stop.stop_requested()) return {};
-    Section section = sectionOf(m_part, m_placement, m_layout, m_stacker.plan(), stop);
-    if (m_layout.parallel || section.crossing.size() > kMostMoved || section.lines.size() > kMostLines) {
-      return section;
-    }
-    for (const int joint : std::vector<int>(section.crossing)) {
-      if (!stop.stop_requested()) move(joint, section, stop);
-    }
-    return section;
-  }
-
- private:
-  [[nodiscard]] static double costOf(const Section& section) {
-    return 300 * section.crossings + 0.2 * section.armLength;
-  }
-
-  /// The places that cost least by themselves.
-  [[nodiscard]] std::vector<std::pair<double, double>> places(int joint) {
-    constexpr std::size_t kMostTried = 8;
-    const double now = m_stacker.placeOf(joint);
-    std::vector<std::pair<double, double>> places;
-    for (const double place : m_stacker.placesOf(joint)) {
-      m_stacker.move(joint, place);
-      places.emplace_back(m_stacker.costOf(joint), place);
-    }
-    m_stacker.move(joint, now);
-    std::sort(places.begin(), places.end());
-    if (places.size() > kMostTried) places.resize(kMostTried);
-    return places;
-  }
-
-  void move(int joint, Section& section, const std::stop_token& stop) {
-    double kept = m_stacker.placeOf(joint);
-    double least = costOf(section) + m_stacker.costOf(joint);
-    for (const auto& [alone, place] : places(joint)) {
-      if (alone >= least) continue;
-      m_stacker.move(joint, place);
-      Section other = sectionOf(m_part, m_placement, m_layout, m_stacker.plan(), stop);
-      if (stop.stop_requested()) return;
-      if (other.crossings >= section.crossings || costOf(other) + alone >= least) continue;
-      least = costOf(other) + alone;
-      kept = place;
-      section = std::move(other);
-    }
-    m_stacker.move(joint, kept);
-  }
-
-  const DrawnPart& m_part;
-  const Placement& m_placement;
-  SheetLayout& m_layout;
-  Stacker m_stacker;
-};
-
 }  // namespace
 
 SchematicGeometry schematicGeometry(const Mechanism& mechanism, const std::stop_token& stop) {
@@ -112,17 +50,12 @@ SchematicGeometry schematicGeometry(const DerivedGeometry& document, const std::
   geometry.isTooLarge = document.mechanism().links.size() > kMostDrawnLinks;
   if (geometry.isTooLarge) return geometry;
   const DrawnPart part = drawnPart(document.placed());
-  std::optional<DerivedGeometry> ofPart;  // where that is another mechanism than the document's
-  if (!part.isWhole()) ofPart.emplace(part.mechanism);
-  const DerivedGeometry& derived = ofPart ? *ofPart : document;
-  const Placement& placement = derived.placement();
-  if (!placement.tree || stop.stop_requested()) return geometry;
-  const auto wheels = derived.wheels(stop);
-  if (!wheels) return geometry;
-  SheetLayout layout = sheetLayout(part, placement, *wheels, stop);
-  if (stop.stop_requested()) return geometry;
-  if (layout.axes.empty()) return geometry;
-  Section section = SectionSearch(part, placement, layout).best(stop);
+  const std::optional<DrawnTrain> train = drawnTrain(part, document, stop);
+  if (!train || stop.stop_requested()) return geometry;
+  SheetLayout layout = sheetLayout(part, train->placement, train->wheels, stop);
+  if (stop.stop_requested() || layout.axes.empty()) return geometry;
+  const ShaftPlan plan = shaftPlan(part, *train, layout);
+  Section section = sectionOf(part, train->placement, layout, plan, stop);
   if (stop.stop_requested()) return geometry;
   addCouplings(part, layout, section, stop);
   if (stop.stop_requested()) return geometry;

@@ -29,15 +29,18 @@ struct SchematicGeometry {
 /// Draws what the mechanism has so far: axes, and the links that turning joints tie to the ground. Axes that
 /// do not lie in one plane are unfolded, and a note says so.
 ///
-/// Cost: milliseconds for 15 links, half a second for 60, two seconds for 100 and ten for 200: not for the
-/// thread of the windows. When `stop` is requested meanwhile, what comes back is of no use.
+/// Bearings, arms and shafts are where the arrangement of the train has them
+/// (DerivedGeometry::arrangement()), which is computed if it is not known yet.
+///
+/// Cost: a millisecond for 15 links, some ten for 60, a second for 200: not for the thread of the windows.
+/// When `stop` is requested meanwhile, what comes back is of no use.
 /// @pre the mechanism is well formed
 [[nodiscard]] SchematicGeometry schematicGeometry(const DerivedGeometry& document,
                                                   const std::stop_token& stop = {});
 /// The same of a mechanism of which nothing has been derived yet.
 [[nodiscard]] SchematicGeometry schematicGeometry(const Mechanism& mechanism,
                                                   const std::stop_token& stop = {});
-/// Links, the ground among them; arms and bearings of more take too long to find their places.
+/// Links, the ground among them; the arms of more take too long to find their ways.
 constexpr std::size_t kMostDrawnLinks = 201;
 
 /// The drawing with what stands out: halos behind what is hovered, accent on what is selected. Equal planets

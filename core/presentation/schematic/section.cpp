@@ -30,12 +30,14 @@ class SectionBuilder {
       : m_part(part), m_placement(placement), m_layout(layout), m_plan(plan), m_stop(stop) {
     for (const Link& link : part.mechanism.links) m_section.links.push_back({link.id, {}});
     for (const TurningJoint& joint : part.mechanism.turningJoints) m_section.joints.push_back({joint.id, {}});
+    m_armLines.resize(part.mechanism.turningJoints.size());
   }
 
   Section build() {
     for (const SheetShaft& shaft : m_plan.shafts) addShaft(shaft);
     for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) addWheel(w);
     for (const SheetCup& cup : m_plan.cups) addCup(cup);
+    for (const SheetWall& wall : m_plan.walls) addWall(wall);
     m_hold = 0;
     for (const SheetBearing& bearing : m_plan.bearings) addBearing(bearing);
     addArms();
@@ -50,9 +52,13 @@ class SectionBuilder {
   void addWheel(std::size_t w);
   void addFrame(const SheetWheel& wheel);
   void addCup(const SheetCup& cup);
+  void addWall(const SheetWall& wall);
   void addBearing(const SheetBearing& bearing);
   void addBar(const SheetBearing& bearing, double height, double out);
-  void addParentLine(const SheetBearing& bearing, double height);
+  void addParentLine(const SheetBearing& bearing);
+  void addStraightArm(const SheetArm& arm);
+  [[nodiscard]] std::vector<LinkLine> stubsOf(const SheetArm& arm) const;
+  [[nodiscard]] std::vector<LinkLine> startsOf(const SheetArm& arm) const;
   void addArrow(const SheetBearing& bearing, double height);
   void addArms();
   void addMesh(const SheetPair& pair);
@@ -66,9 +72,9 @@ class SectionBuilder {
   [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_part.linkLabels[at(link)]); }
   [[nodiscard]] ElementId idOf(int link) const { return m_part.mechanism.links[at(link)].id; }
   [[nodiscard]] ElementId jointId(int joint) const { return m_part.mechanism.turningJoints[at(joint)].id; }
-  /// Height of the link's shaft above an axis.
-  [[nodiscard]] double laneOf(int a, int link) const {
-    const SheetShaft* shaft = m_plan.shaft(a, link);
+  /// Height of the link's shaft above an axis, of several the one nearest to the place.
+  [[nodiscard]] double laneOf(int a, int link, double near) const {
+    const SheetShaft* shaft = m_plan.shaft(a, link, near);
     return shaft == nullptr ? 0 : shaft->lane * kLaneHeight;
   }
 
@@ -103,7 +109,8 @@ class SectionBuilder {
   const ShaftPlan& m_plan;
   const std::stop_token& m_stop;
   Section m_section;
-  double m_hold = 0;  ///< what it costs to fasten an arm to what is drawn now
+  std::vector<std::vector<LinkLine>> m_armLines;  ///< by joint: of the arm to its bearing
+  double m_hold = 0;                              ///< what it costs to fasten an arm to what is drawn now
 };
 
 void SectionBuilder::addShaft(const SheetShaft& shaft) {
@@ -125,7 +132,7 @@ void SectionBuilder::addShaft(const SheetShaft& shaft) {
 void SectionBuilder::addWheel(std::size_t w) {
   const SheetWheel& wheel = m_layout.wheels[w];
   const SheetAxis& on = axis(wheel.axis);
-  const double lane = laneOf(wheel.axis, wheel.link);
+  const double lane = laneOf(wheel.axis, wheel.link, wheel.at);
   const bool own = wheel.link != 0;
   const bool turns = own && axisOfLink(m_placement, wheel.link) == wheel.axis;
   for (const double side : sides(wheel.axis)) {
@@ -174,7 +181,7 @@ void SectionBuilder::addCup(const SheetCup& cup) {
   const SheetWheel& wheel = m_layout.wheels[at(cup.wheel)];
   const SheetAxis& on = axis(wheel.axis);
   const double rim = wheel.radius + kRimHeight;
-  const double lane = laneOf(wheel.axis, wheel.link);
+  const double lane = laneOf(wheel.axis, wheel.link, cup.at);
   for (const double side : sides(wheel.axis)) {
     line(wheel.link, on.at(wheel.at, side * rim), on.at(cup.at, side * rim), kLinkWidth);
     line(wheel.link, on.at(cup.at, side * rim), on.at(cup.at, side * lane), kLinkWidth);
@@ -182,6 +189,14 @@ void SectionBuilder::addCup(const SheetCup& cup) {
   m_section.links[at(wheel.link)].places.insert(m_section.links[at(wheel.link)].places.begin(),
                                                 on.at((wheel.at + cup.at) / 2, rim));
   anchor(m_section.links[at(wheel.link)], on.at(cup.at, (rim + lane) / 2));
+}
+
+void SectionBuilder::addWall(const SheetWall& wall) {
+  const SheetAxis& on = axis(wall.axis);
+  for (const double side : sides(wall.axis)) {
+    line(wall.link, on.at(wall.from.x, side * wall.from.y), on.at(wall.to.x, side * wall.to.y), kLinkWidth);
+  }
+  anchor(m_section.links[at(wall.link)], on.at((wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2));
 }
 
 void SectionBuilder::addBar(const SheetBearing& bearing, double height, double out) {
@@ -192,27 +207,26 @@ void SectionBuilder::addBar(const SheetBearing& bearing, double height, double o
   if (bearing.parent == 0) hatch(jointId(bearing.joint), from, to, out * on.up);
 }
 
-/// From the parent's own shaft to its bars.
-void SectionBuilder::addParentLine(const SheetBearing& bearing, double height) {
-  if (bearing.parent == 0) return;
+/// A short wall from the parent's shaft on the same axis to its bars.
+void SectionBuilder::addParentLine(const SheetBearing& bearing) {
   const SheetAxis& on = axis(bearing.axis);
-  const int home = axisOfLink(m_placement, bearing.parent);
-  if (home == bearing.axis) {  // coaxial: a short wall to the parent's shaft
-    const double own = laneOf(home, bearing.parent);
-    const double bar = own > height ? height + kBearingGap : height - kBearingGap;
-    for (const double side : sides(home)) {
-      line(bearing.parent, on.at(bearing.at, side * bar), on.at(bearing.at, side * own), kLinkWidth);
-    }
-  } else if (bearing.straightArm) {
-    const SheetAxis& from = axis(home);
-    const SheetPoint end = on.at(bearing.at, 0);
-    const double coordinate = from.coordinateOf(end);
-    const double side = from.heightOf(end) < 0 ? -1 : 1;
-    const SheetPoint start = from.at(coordinate, side * laneOf(home, bearing.parent));
-    const SheetPoint bar = end - (height + kBearingGap) * unit(end - start);
-    line(bearing.parent, start, bar, kLinkWidth);
-    anchor(m_section.links[at(bearing.parent)], between(start, bar, 0.5));
+  const double own = laneOf(bearing.axis, bearing.parent, bearing.at);
+  const double bar = own > bearing.height ? bearing.height + kBearingGap : bearing.height - kBearingGap;
+  for (const double side : sides(bearing.axis)) {
+    line(bearing.parent, on.at(bearing.at, side * bar), on.at(bearing.at, side * own), kLinkWidth);
   }
+}
+
+void SectionBuilder::addStraightArm(const SheetArm& arm) {
+  const SheetBearing& bearing = m_plan.bearings[at(arm.joint)];
+  const SheetAxis& from = axis(arm.axis);
+  const SheetPoint end = axis(bearing.axis).at(bearing.at, 0);
+  const double side = from.heightOf(end) < 0 ? -1 : 1;
+  const SheetPoint start = from.at(arm.at, side * laneOf(arm.axis, arm.link, arm.at));
+  const SheetPoint bar = end - (bearing.height + kBearingGap) * unit(end - start);
+  line(arm.link, start, bar, kLinkWidth);
+  m_armLines[at(arm.joint)].push_back({start, bar, arm.link, 0});
+  anchor(m_section.links[at(arm.link)], between(start, bar, 0.5));
 }
 
 void SectionBuilder::addArrow(const SheetBearing& bearing, double height) {
@@ -233,15 +247,20 @@ void SectionBuilder::addArrow(const SheetBearing& bearing, double height) {
 
 void SectionBuilder::addBearing(const SheetBearing& bearing) {
   const SheetAxis& on = axis(bearing.axis);
-  const double lane = laneOf(bearing.axis, bearing.child);
-  const bool coaxial = bearing.parent != 0 && axisOfLink(m_placement, bearing.parent) == bearing.axis;
-  const bool fromInside = coaxial && laneOf(bearing.axis, bearing.parent) < lane;
-  const double bar = fromInside ? lane - kBearingGap : lane + kBearingGap;
-  m_hold = bearing.parent == 0 || coaxial || bearing.straightArm ? 0 : kNoHold;
+  const double lane = bearing.height;
+  const bool isCoaxial = bearing.parent != 0 && axisOfLink(m_placement, bearing.parent) == bearing.axis;
+  const bool isInside =
+      bearing.onPin || (isCoaxial && laneOf(bearing.axis, bearing.parent, bearing.at) < lane);
+  const double bar = isInside ? lane - kBearingGap : lane + kBearingGap;
+  const auto ownArm = std::find_if(m_plan.arms.begin(), m_plan.arms.end(),
+                                   [&](const SheetArm& arm) { return arm.joint == bearing.joint; });
+  const bool isStraight = ownArm != m_plan.arms.end() && ownArm->isStraight;
+  m_hold = bearing.isHeld || isStraight ? 0 : kNoHold;
   addBar(bearing, bar, 1);
   if (!on.half || lane == 0) addBar(bearing, -bar, -1);
   m_hold = 0;
-  addParentLine(bearing, lane);
+  if (isCoaxial || bearing.onPin) addParentLine(bearing);
+  if (isStraight) addStraightArm(*ownArm);
   addArrow(bearing, lane);
   Section::Anchors& anchors = m_section.joints[at(bearing.joint)];
   const double beyond = bar + (bearing.parent == 0 ? kHatching : 0);
@@ -253,50 +272,86 @@ void SectionBuilder::addBearing(const SheetBearing& bearing) {
   }
 }
 
-/// Arms to axes across, and to wheels that a link holds on the axis of another: found round what stands.
+/// Where an arm may leave its shaft.
+std::vector<LinkLine> SectionBuilder::stubsOf(const SheetArm& arm) const {
+  constexpr double kStub = 6;
+  const double lane = laneOf(arm.axis, arm.link, arm.at);
+  std::vector<LinkLine> stubs;
+  for (const double side : sides(arm.axis)) {
+    stubs.push_back({axis(arm.axis).at(arm.at, side * lane), axis(arm.axis).at(arm.at, side * (lane + kStub)),
+                     arm.link, 0});
+  }
+  return stubs;
+}
+
+/// There, or on the link's arms that leave it there already.
+std::vector<LinkLine> SectionBuilder::startsOf(const SheetArm& arm) const {
+  std::vector<LinkLine> starts;
+  for (const LinkLine& stub : stubsOf(arm)) starts.push_back({stub.to, stub.to, arm.link, 0});
+  for (const SheetArm& other : m_plan.arms) {
+    if (other.link != arm.link || other.axis != arm.axis || std::abs(other.at - arm.at) > 1e-6) continue;
+    const auto& lines = m_armLines[at(other.joint)];
+    starts.insert(starts.end(), lines.begin(), lines.end());
+  }
+  return starts;
+}
+
+/// Arms to axes across, and to wheels that a link holds on the axis of another: found round what is drawn.
+/// Those of the arrangement begin where it has them.
 void SectionBuilder::addArms() {
-  struct Wish {
+  struct Wanted {
     int link;
-    int joint;  ///< whose bearing it is; -1: a wheel
+    const SheetArm* arm;  ///< null: it may begin anywhere on the link
     std::vector<SheetPoint> ends;
   };
   m_hold = 0;
-  std::vector<Wish> wishes;
-  for (const SheetBearing& bearing : m_plan.bearings) {
-    if (bearing.parent == 0 || bearing.straightArm) continue;
-    if (axisOfLink(m_placement, bearing.parent) == bearing.axis) continue;
+  std::vector<Wanted> wanted;
+  for (const SheetArm& arm : m_plan.arms) {
+    if (arm.isStraight) continue;
+    const SheetBearing& bearing = m_plan.bearings[at(arm.joint)];
     const SheetAxis& on = axis(bearing.axis);
-    const double bar = laneOf(bearing.axis, bearing.child) + kBearingGap;
-    wishes.push_back({bearing.parent, bearing.joint, {on.at(bearing.at, bar), on.at(bearing.at, -bar)}});
+    const double bar = bearing.height + kBearingGap;
+    wanted.push_back(
+        {arm.link, arm.axis < 0 ? nullptr : &arm, {on.at(bearing.at, bar), on.at(bearing.at, -bar)}});
   }
   for (const SheetWheel& wheel : m_layout.wheels) {
     if (wheel.link == 0 || axisOfLink(m_placement, wheel.link) == wheel.axis) continue;
     const SheetAxis& on = axis(wheel.axis);
-    const double foot = wheel.isRing() ? wheel.radius + kRimHeight : laneOf(wheel.axis, wheel.link);
-    Wish wish{wheel.link, -1, {}};
+    const double foot = wheel.isRing() ? wheel.radius + kRimHeight : laneOf(wheel.axis, wheel.link, wheel.at);
+    Wanted way{wheel.link, nullptr, {}};
     for (const double side : sides(wheel.axis)) {
-      wish.ends.push_back(on.at(wheel.at, side * foot));
+      way.ends.push_back(on.at(wheel.at, side * foot));
       if (wheel.isRing()) continue;
-      wish.ends.push_back(on.at(wheel.at - 12, side * foot));
-      wish.ends.push_back(on.at(wheel.at + 12, side * foot));
+      way.ends.push_back(on.at(wheel.at - 12, side * foot));
+      way.ends.push_back(on.at(wheel.at + 12, side * foot));
     }
-    wishes.push_back(std::move(wish));
+    wanted.push_back(std::move(way));
   }
   std::vector<SheetPoint> ends;
-  for (const Wish& wish : wishes) ends.insert(ends.end(), wish.ends.begin(), wish.ends.end());
+  for (const Wanted& way : wanted) {
+    ends.insert(ends.end(), way.ends.begin(), way.ends.end());
+    if (way.arm == nullptr) continue;
+    for (const LinkLine& stub : stubsOf(*way.arm)) ends.push_back(stub.to);
+  }
   ArmRouter router(m_section.lines, ends);
-  for (const Wish& wish : wishes) {
+  for (const Wanted& way : wanted) {
     if (m_stop.stop_requested()) return;
-    const auto course = router.route(wish.link, wish.ends, {}, m_stop);
+    const std::vector<LinkLine> starts = way.arm == nullptr ? std::vector<LinkLine>() : startsOf(*way.arm);
+    const auto course = router.route(way.link, starts, way.ends, {}, m_stop);
     if (!course) continue;
-    m_section.armLength += course->length;
-    m_section.crossings += course->crossings;
-    if (course->crossings > 0 && wish.joint >= 0) m_section.crossing.push_back(wish.joint);
     const std::vector<SheetPoint>& points = course->points;
-    for (std::size_t i = 1; i < points.size(); ++i) line(wish.link, points[i - 1], points[i], kLinkWidth);
+    for (std::size_t i = 1; i < points.size(); ++i) line(way.link, points[i - 1], points[i], kLinkWidth);
+    if (way.arm != nullptr) {
+      for (std::size_t i = 1; i < points.size(); ++i)
+        m_armLines[at(way.arm->joint)].push_back({points[i - 1], points[i], way.link, 0});
+      for (const LinkLine& stub : stubsOf(*way.arm)) {
+        if (distance(stub.to, points.front()) < 1e-6 || distance(stub.to, points.back()) < 1e-6)
+          line(way.link, stub.from, stub.to, kLinkWidth);
+      }
+    }
     if (points.size() > 1) {
       const std::size_t half = points.size() / 2;
-      anchor(m_section.links[at(wish.link)], between(points[half - 1], points[half], 0.5));
+      anchor(m_section.links[at(way.link)], between(points[half - 1], points[half], 0.5));
     }
   }
 }

@@ -19,9 +19,6 @@ struct Section {
   std::vector<Mark> highlights;
   std::vector<Outline> outlines;
   std::vector<LinkLine> lines;  ///< of all links; -1: arrows, axes
-  double armLength = 0;         ///< of all arms that were sought
-  int crossings = 0;            ///< of theirs with other links
-  std::vector<int> crossing;    ///< joints whose bearings are reached only across other links
 
   /// Where a label may stand: near one of these, the first if there is room.
   struct Anchors {

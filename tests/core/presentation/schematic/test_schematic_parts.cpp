@@ -3,8 +3,10 @@
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/schematic/arm_router.h"
 #include "core/presentation/schematic/drawn_part.h"
+#include "core/presentation/schematic/drawn_train.h"
 #include "core/presentation/schematic/radial_system.h"
-#include "core/presentation/schematic/stacker.h"
+#include "core/presentation/schematic/shaft_plan.h"
+#include "core/presentation/schematic/sheet_spacing.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
@@ -13,17 +15,25 @@ using namespace geargraph;
 namespace {
 
 struct Laid {
+  DerivedGeometry document;
   DrawnPart part;
-  DerivedGeometry geometry;
-  const Placement& placement;
+  DrawnTrain train;
   SheetLayout layout;
 
   explicit Laid(const Mechanism& mechanism)
-      : part(drawnPart(mechanism)),
-        geometry(part.mechanism),
-        placement(geometry.placement()),
-        layout(sheetLayout(part, placement, *geometry.wheels())) {}
+      : document(mechanism),
+        part(drawnPart(document.placed())),
+        train(*drawnTrain(part, document)),
+        layout(sheetLayout(part, train.placement, train.wheels)) {}
 };
+
+SheetSlot slotAt(double place, double half, std::vector<int> axes = {0}) {
+  SheetSlot slot;
+  slot.place = slot.wanted = place;
+  slot.spans = {{half, half, 0, 10}};
+  slot.axes = std::move(axes);
+  return slot;
+}
 
 double touchError(const RadialSystem& system, std::size_t contact) {
   const auto& c = system.contacts[contact];
@@ -85,7 +95,7 @@ class TestSchematicParts : public QObject {
 
   void armsGoRoundOtherLinks() {
     ArmRouter router(box(true), {{100, 0}});
-    const auto course = router.route(2, {{100, 0}});
+    const auto course = router.route(2, {}, {{100, 0}});
     QVERIFY(course.has_value());
     QCOMPARE(course->crossings, 0);
     QVERIFY(course->points.size() > 2);
@@ -94,22 +104,31 @@ class TestSchematicParts : public QObject {
 
   void armsCrossOnlyWhereThereIsNoWayRound() {
     ArmRouter router(box(false), {{100, 0}});
-    const auto course = router.route(2, {{100, 0}});
+    const auto course = router.route(2, {}, {{100, 0}});
     QVERIFY(course.has_value());
     QCOMPARE(course->crossings, 1);
+  }
+
+  void armsBeginWhereTheyAreGivenAPlace() {
+    const std::vector<LinkLine> lines{{{0, 0}, {40, 0}, 3, 0}};
+    ArmRouter router(lines, {{100, 20}, {10, 6}});
+    const auto course = router.route(3, {{{10, 6}, {10, 6}, 3, 0}}, {{100, 20}});
+    QVERIFY(course.has_value());
+    QCOMPARE(course->points.front(), (SheetPoint{10, 6}));
+    QCOMPARE(router.route(3, {}, {{100, 20}})->length, 0.0);  // from the course before
   }
 
   void armsDoNotBeginWhereNothingHolds() {
     std::vector<LinkLine> lines{{{0, 0}, {10, 0}, 3, -1}};
     ArmRouter router(lines, {{50, 0}});
-    QVERIFY(!router.route(3, {{50, 0}}).has_value());
+    QVERIFY(!router.route(3, {}, {{50, 0}}).has_value());
   }
 
   void armsEndWhereWayAndPriceTogetherAreLeast() {
     const std::vector<LinkLine> lines{{{0, 0}, {10, 0}, 3, 0}};
     const std::vector<SheetPoint> ends{{200, 0}, {100, 0}};
     const auto ended = [&](const std::vector<double>& prices) {
-      return ArmRouter(lines, ends).route(3, ends, prices)->target;
+      return ArmRouter(lines, ends).route(3, {}, ends, prices)->target;
     };
     QCOMPARE(ended({}), std::size_t{1});
     QCOMPARE(ended({5, 50}), std::size_t{1});
@@ -136,20 +155,79 @@ class TestSchematicParts : public QObject {
     QVERIFY(!pair.layout.axes[0].half && !pair.layout.axes[1].half);
   }
 
-  void shaftsOnOneAxisAreNested() {
+  void slotsArePackedInTheirOrder() {
+    std::vector<SheetSlot> row{slotAt(-500, 9), slotAt(0, 9), slotAt(0.1, 9)};
+    packSlots(row);
+    QCOMPARE(row[1].at - row[0].at, 29.0);
+    QCOMPARE(row[2].at - row[1].at, 29.0);
+    row = {slotAt(0, 9), slotAt(1, 9), slotAt(2, 9)};
+    row[1].spans = {{9, 9, 100, 110}};  // passes above
+    packSlots(row);
+    QVERIFY(row[0].at < row[1].at && row[1].at < row[2].at);
+    QCOMPARE(row[2].at - row[0].at, 29.0);
+  }
+
+  void slotsMakeRoomBesideFixedOnes() {
+    std::vector<SheetSlot> row{slotAt(-3, 9), slotAt(0, 2), slotAt(5, 9), slotAt(200, 9)};
+    row[1].fixed = 0;
+    spreadSlots(row);
+    QCOMPARE(row[0].at, -22.0);
+    QCOMPARE(row[1].at, 0.0);
+    QCOMPARE(row[2].at, 22.0);
+    QCOMPARE(row[3].at, 200.0);
+  }
+
+  void slotsStayInOrderWhereFixedOnesLeaveNoRoom() {
+    std::vector<SheetSlot> row{slotAt(0, 2), slotAt(1, 9), slotAt(2, 9), slotAt(3, 2)};
+    row[0].fixed = 0;
+    row[3].fixed = 3;
+    spreadSlots(row);
+    for (std::size_t i = 1; i < row.size(); ++i) QVERIFY(row[i - 1].at < row[i].at);
+    QCOMPARE(row[3].at, 3.0);
+  }
+
+  void drumsJoinWhatTheMeridianRouteJoins() {
     Laid laid(test::example("simpson"));
-    Stacker stacker(laid.part, laid.placement, laid.layout);
-    stacker.search();
-    stacker.squeeze();
-    const ShaftPlan plan = stacker.plan();
-    const SheetShaft* suns = plan.shaft(0, 1);
-    const SheetShaft* ring = plan.shaft(0, 2);
-    const SheetShaft* output = plan.shaft(0, 3);
-    QVERIFY(suns != nullptr && ring != nullptr && output != nullptr);
-    QCOMPARE(suns->lane, 0);
-    QCOMPARE(ring->lane, 1);
-    QCOMPARE(output->lane, 1);
-    QVERIFY(suns->low < ring->low && output->high < suns->high);
+    const ShaftPlan plan = shaftPlan(laid.part, laid.train, laid.layout);
+    QCOMPARE(plan.shaft(0, 3, 0), nullptr);  // the first set's carrier and the second's ring: a drum
+    double low = 1e300, high = -1e300;
+    for (const SheetWall& wall : plan.walls) {
+      if (wall.link != 3) continue;
+      low = std::min(low, wall.from.x);
+      high = std::max(high, wall.to.x);
+    }
+    const SheetBearing& bearing = plan.bearings[2];
+    QCOMPARE(bearing.child, 3);
+    QVERIFY(low < bearing.at && bearing.at < high && bearing.height > 0);
+    const auto ring = std::find_if(laid.layout.wheels.begin(), laid.layout.wheels.end(),
+                                   [](const SheetWheel& wheel) { return wheel.link == 3; });
+    QCOMPARE(high, ring->at);
+    const auto atRim = std::find_if(plan.walls.begin(), plan.walls.end(), [&](const SheetWall& wall) {
+      return wall.link == 3 && wall.to == SheetPoint{ring->at, ring->radius + kRimHeight};
+    });
+    QVERIFY(atRim != plan.walls.end());
+    const SheetBearing& planet = plan.bearings[4];
+    QVERIFY(planet.onPin && planet.parent == 3);
+    QVERIFY(plan.shaft(planet.axis, 3, planet.at)->lane <
+            plan.shaft(planet.axis, planet.child, planet.at)->lane);
+  }
+
+  void shaftsOnOneAxisAreNested() {
+    Laid laid(test::example("ferguson-paradox"));
+    const ShaftPlan plan = shaftPlan(laid.part, laid.train, laid.layout);
+    const auto lane = [&](int link) { return plan.shaft(0, link, 0)->lane; };
+    QCOMPARE(lane(5), 0);
+    QCOMPARE(lane(4), 1);
+    QCOMPARE(lane(3), 2);
+    QCOMPARE(lane(0), 3);
+  }
+
+  void armsInOnePlaneDoNotCoverBearings() {
+    Laid laid(test::example("ravigneaux"));  // one carrier, planets on two axes
+    const ShaftPlan plan = shaftPlan(laid.part, laid.train, laid.layout);
+    QCOMPARE(plan.arms.size(), std::size_t{2});
+    const SheetShaft* nearer = plan.shaft(plan.bearings[4].axis, plan.bearings[4].child, plan.bearings[4].at);
+    QVERIFY(plan.bearings[5].at > nearer->high);
   }
 
   void equalPlanetsNeedTheSameWheelsAndCarrier() {
