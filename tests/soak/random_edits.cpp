@@ -423,6 +423,12 @@ std::vector<EditKind> numberEdits() {
   };
 }
 
+std::vector<CouplingId> someCouplings(Random& random) {
+  std::vector<CouplingId> couplings;
+  for (int i = random.below(4); i > 0; --i) couplings.push_back(random.coupling());
+  return couplings;
+}
+
 std::vector<EditKind> gearboxEdits() {
   return {
       kind<withBrake>("withBrake",
@@ -448,6 +454,7 @@ std::vector<EditKind> gearboxEdits() {
                            [](Random& r) {
                              return std::tuple{r.state(), r.coupling(), r.oneIn(2)};
                            }),
+      kind<withEngagement>("withEngagement", [](Random& r) { return std::tuple{someCouplings(r)}; }),
       ofState<withDrive>("withDrive",
                          [](Random& r) {
                            return std::tuple{r.state(), r.link()};

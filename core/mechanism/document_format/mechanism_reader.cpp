@@ -210,6 +210,8 @@ class MechanismReader {
   void readShifting(JsonObject& root) {
     readList(root.member("couplings"), ElementKind::coupling, m_mechanism.couplings,
              [this](JsonObject& from, Coupling& coupling) { readCoupling(from, coupling); });
+    for (const Atom id : root.ids("engaged").value_or(std::vector<Atom>{}))
+      m_mechanism.engaged.emplace_back(id);
     const auto states = root.member("states");
     if (!states) return;
     forEachObject(*states, "/states", [&](JsonObject& from) {

@@ -30,6 +30,7 @@ class MechanismWriter {
     if (mechanism.inputs) list("inputs", *mechanism.inputs);
     if (!mechanism.couplings.empty()) list("couplings", mechanism.couplings);
     if (!mechanism.states.empty()) list("states", mechanism.states);
+    if (!mechanism.engaged.empty()) ids("engaged", mechanism.engaged);
     if (!mechanism.loads.empty()) list("loads", mechanism.loads);
     if (mechanism.balances) list("balances", *mechanism.balances);
     view(mechanism);

@@ -75,16 +75,18 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
   difference.other = before.name != after.name || before.notes != after.notes || before.unit != after.unit ||
                      before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
                      before.couplings != after.couplings || before.states != after.states ||
-                     before.loads != after.loads || before.balances != after.balances ||
-                     before.view.camera != after.view.camera || before.view.unknown != after.view.unknown ||
-                     before.unknown != after.unknown || reordered;
+                     before.engaged != after.engaged || before.loads != after.loads ||
+                     before.balances != after.balances || before.view.camera != after.view.camera ||
+                     before.view.unknown != after.view.unknown || before.unknown != after.unknown ||
+                     reordered;
   return difference;
 }
 
 bool isSameButForView(const Mechanism& a, const Mechanism& b) {
   const auto rest = [](const Mechanism& m) {
     return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
-                    m.gearDefaults, m.inputs, m.couplings, m.states, m.loads, m.balances, m.unknown);
+                    m.gearDefaults, m.inputs, m.couplings, m.states, m.engaged, m.loads, m.balances,
+                    m.unknown);
   };
   return rest(a) == rest(b);
 }
@@ -92,7 +94,7 @@ bool isSameButForView(const Mechanism& a, const Mechanism& b) {
 bool isSameTrain(const Mechanism& a, const Mechanism& b) {
   return sameOrder(a.links, b.links) && a.axes == b.axes && a.turningJoints == b.turningJoints &&
          a.gearMeshes == b.gearMeshes && a.wheels == b.wheels && a.gearDefaults == b.gearDefaults &&
-         a.inputs == b.inputs;
+         a.inputs == b.inputs && a.engaged == b.engaged && (a.engaged.empty() || a.couplings == b.couplings);
 }
 
 bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
@@ -102,7 +104,8 @@ bool isSameDigraph(const Mechanism& a, const Mechanism& b) {
     });
   };
   return a.links == b.links && sameEdges(a.turningJoints, b.turningJoints) &&
-         sameEdges(a.gearMeshes, b.gearMeshes) && hasSameMotors(a, b) && a.couplings == b.couplings;
+         sameEdges(a.gearMeshes, b.gearMeshes) && hasSameMotors(a, b) && a.couplings == b.couplings &&
+         a.engaged == b.engaged;
 }
 
 std::string differenceText(const Difference& difference) {

@@ -34,9 +34,9 @@ struct Difference {
 /// Cost: O(n + t + c).
 [[nodiscard]] bool isSameButForView(const Mechanism& a, const Mechanism& b);
 
-/// Have they the same links, axes, joints and wheels, with the same teeth and inputs, whatever their names,
-/// notes and places on sheets? What a picture of the train shows beside (couplings, what links wear) is for
-/// who paints it. Cost: O(n + t + c).
+/// Have they the same links, axes, joints and wheels, with the same teeth, inputs and engaged couplings,
+/// whatever their names, notes and places on sheets? What a picture of the train shows beside (couplings that
+/// are released, what links wear) is for who paints it. Cost: O(n + t + c).
 [[nodiscard]] bool isSameTrain(const Mechanism& a, const Mechanism& b);
 
 /// Have they the same digraph, down to names, numbers, motors and couplings? Teeth, axes and all else that

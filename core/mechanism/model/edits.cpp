@@ -200,8 +200,10 @@ Expected<Mechanism> withoutElements(Mechanism mechanism, std::span<const Element
   });
   std::unordered_set<Atom> couplings;
   for (const Coupling& coupling : mechanism.couplings) couplings.insert(coupling.id.atom());
+  const auto couplingGone = [&](CouplingId id) { return !couplings.contains(id.atom()); };
+  std::erase_if(mechanism.engaged, couplingGone);
   for (ShiftState& state : mechanism.states) {
-    std::erase_if(state.engaged, [&](CouplingId id) { return !couplings.contains(id.atom()); });
+    std::erase_if(state.engaged, couplingGone);
     if (state.drive && linkGone(*state.drive)) state.drive.reset();
     if (state.driven && linkGone(*state.driven)) state.driven.reset();
   }

@@ -161,6 +161,7 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
   checkList(mechanism.wheels, ElementKind::wheel, findings);
   checkList(mechanism.couplings, ElementKind::coupling, findings);
   checkLength(mechanism.states.size(), ElementKind::state, findings);
+  checkLength(mechanism.engaged.size(), "engaged", findings);
   checkList(mechanism.loads, ElementKind::load, findings);
   if (mechanism.balances) checkLength(mechanism.balances->size(), "balances", findings);
   for (std::size_t i = 0; i < mechanism.links.size(); ++i) {

@@ -201,6 +201,7 @@ struct Mechanism {
   std::optional<std::vector<Input>> inputs;
   std::vector<Coupling> couplings;
   std::vector<ShiftState> states;
+  std::vector<CouplingId> engaged;  ///< couplings that are engaged now: the analysis is of the train so held
   std::vector<Load> loads;
   std::optional<std::vector<Balance>> balances;
   View view;

@@ -205,6 +205,7 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_couplings(listPatch(before.couplings, after.couplings)),
       m_inputs(listPatch(inputsOf(before), inputsOf(after))),
       m_states(listPatch(before.states, after.states)),
+      m_engaged(valuePatch(before.engaged, after.engaged)),
       m_loads(listPatch(before.loads, after.loads)),
       m_inputsBefore(before.inputs.has_value()),
       m_inputsAfter(after.inputs.has_value()),
@@ -264,6 +265,7 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   geargraph::apply(m_wheels, mechanism.wheels, forward);
   geargraph::apply(m_couplings, mechanism.couplings, forward);
   geargraph::apply(m_states, mechanism.states, forward);
+  geargraph::apply(m_engaged, mechanism.engaged, forward);
   geargraph::apply(m_loads, mechanism.loads, forward);
   std::vector<Input> inputs = inputsOf(mechanism);
   geargraph::apply(m_inputs, inputs, forward);
@@ -281,7 +283,7 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
 void MechanismPatch::count() {
   ByteCount bytes;
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
-            m_inputs, m_states, m_loads, m_gearDefaults, m_balances, m_nodes.before, m_nodes.after,
+            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_nodes.before, m_nodes.after,
             m_ttNodes.before, m_ttNodes.after, m_camera, m_viewMembers, m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }

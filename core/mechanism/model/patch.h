@@ -83,6 +83,7 @@ class MechanismPatch {
   ListPatch<Coupling> m_couplings;
   ListPatch<Input> m_inputs;
   ListPatch<ShiftState> m_states;
+  ValuePatch<std::vector<CouplingId>> m_engaged;
   ListPatch<Load> m_loads;
   bool m_inputsBefore = false;  ///< stated at all
   bool m_inputsAfter = false;

@@ -34,6 +34,14 @@ Expected<Mechanism> withCoupling(Mechanism mechanism, CouplingKind kind, std::ve
   return mechanism;
 }
 
+Diagnostic noSuchCoupling(CouplingId coupling) {
+  return refusal(Code::unknownId, "There is no \"" + coupling.text() + "\" in couplings.", {coupling});
+}
+
+bool contains(const std::vector<CouplingId>& list, CouplingId coupling) {
+  return std::find(list.begin(), list.end(), coupling) != list.end();
+}
+
 ShiftState& stateAt(Mechanism& mechanism, int state) {
   GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
   return mechanism.states[static_cast<std::size_t>(state)];
@@ -72,8 +80,7 @@ Expected<Mechanism> withClutch(Mechanism mechanism, LinkId one, LinkId other, co
 Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling, const std::string& name) {
   const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
                                   [&](const Coupling& each) { return each.id == coupling; });
-  if (found == mechanism.couplings.end())
-    return refusal(Code::unknownId, "There is no \"" + coupling.text() + "\" in couplings.", {coupling});
+  if (found == mechanism.couplings.end()) return noSuchCoupling(coupling);
   const CouplingId id(name);
   if (id == coupling) return mechanism;
   if (id.empty()) return refusal(Code::schema, "A coupling needs a name.", {coupling});
@@ -82,6 +89,7 @@ Expected<Mechanism> withCouplingRenamed(Mechanism mechanism, CouplingId coupling
   found->id = id;
   for (ShiftState& state : mechanism.states)
     std::replace(state.engaged.begin(), state.engaged.end(), coupling, id);
+  std::replace(mechanism.engaged.begin(), mechanism.engaged.end(), coupling, id);
   return mechanism;
 }
 
@@ -116,13 +124,11 @@ Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::
 }
 
 Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling, bool engaged) {
-  if (mechanism.find(coupling) == nullptr)
-    return refusal(Code::unknownId, "There is no \"" + coupling.text() + "\" in couplings.", {coupling});
+  if (mechanism.find(coupling) == nullptr) return noSuchCoupling(coupling);
   ShiftState& found = stateAt(mechanism, state);
   std::vector<CouplingId> ordered;
   for (const Coupling& each : mechanism.couplings) {
-    const bool was = std::find(found.engaged.begin(), found.engaged.end(), each.id) != found.engaged.end();
-    if (each.id == coupling ? engaged : was) ordered.push_back(each.id);
+    if (each.id == coupling ? engaged : contains(found.engaged, each.id)) ordered.push_back(each.id);
   }
   found.engaged = std::move(ordered);
   return mechanism;
@@ -134,6 +140,45 @@ Expected<Mechanism> withDrive(Mechanism mechanism, int state, LinkId drive) {
 
 Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven) {
   return withEnd(std::move(mechanism), state, driven, &ShiftState::driven);
+}
+
+Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<CouplingId>& engaged) {
+  for (auto coupling = engaged.begin(); coupling != engaged.end(); ++coupling) {
+    if (mechanism.find(*coupling) == nullptr) return noSuchCoupling(*coupling);
+    if (std::find(engaged.begin(), coupling, *coupling) != coupling)
+      return refusal(Code::duplicateId, "Coupling \"" + coupling->text() + "\" is listed twice.",
+                     {*coupling});
+  }
+  std::vector<CouplingId> ordered;
+  for (const Coupling& each : mechanism.couplings) {
+    if (contains(engaged, each.id)) ordered.push_back(each.id);
+  }
+  mechanism.engaged = std::move(ordered);
+  return mechanism;
+}
+
+bool isEngaged(const Mechanism& mechanism, int state) {
+  GEARGRAPH_REQUIRE(state >= 0 && state < static_cast<int>(mechanism.states.size()));
+  if (mechanism.engaged.empty()) return false;
+  const std::vector<CouplingId>& wanted = mechanism.states[static_cast<std::size_t>(state)].engaged;
+  const auto in = [](const std::vector<CouplingId>& list) {
+    return [&list](CouplingId coupling) { return contains(list, coupling); };
+  };
+  return std::all_of(wanted.begin(), wanted.end(), in(mechanism.engaged)) &&
+         std::all_of(mechanism.engaged.begin(), mechanism.engaged.end(), in(wanted));
+}
+
+int engagedState(const Mechanism& mechanism) {
+  const bool hasInput = mechanism.inputs && !mechanism.inputs->empty();
+  const TurningJoint* const first = hasInput ? mechanism.find(mechanism.inputs->front().joint) : nullptr;
+  int found = -1;
+  for (int state = 0; state < static_cast<int>(mechanism.states.size()); ++state) {
+    if (!isEngaged(mechanism, state)) continue;
+    const auto& drive = mechanism.states[static_cast<std::size_t>(state)].drive;
+    if (first != nullptr && drive && (first->tail == *drive || first->head == *drive)) return state;
+    if (found < 0) found = state;
+  }
+  return found;
 }
 
 }  // namespace geargraph::inline model

@@ -28,11 +28,23 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withoutState(Mechanism mechanism, int state);
 /// Refuses duplicate-id and the empty name.
 [[nodiscard]] Expected<Mechanism> withStateRenamed(Mechanism mechanism, int state, const std::string& name);
-/// Engages or releases a coupling. Engaged ones stand in the order of the document's couplings.
+/// Engages or releases a coupling in a state. Engaged ones are in the order of the document's couplings.
 [[nodiscard]] Expected<Mechanism> withEngaged(Mechanism mechanism, int state, CouplingId coupling,
                                               bool engaged);
 /// The links that make the ratio, of one state; with `state` -1 of all.
 [[nodiscard]] Expected<Mechanism> withDrive(Mechanism mechanism, int state, LinkId drive);
 [[nodiscard]] Expected<Mechanism> withDriven(Mechanism mechanism, int state, LinkId driven);
+
+/// Engages exactly these couplings now (Mechanism::engaged), in the order of the document's couplings; with
+/// an empty list it releases all. Inputs stay; withCouplingsEngaged() (theory/states) makes them follow.
+/// Rejects unknown-id, and duplicate-id for a coupling that is listed twice.
+[[nodiscard]] Expected<Mechanism> withEngagement(Mechanism mechanism, const std::vector<CouplingId>& engaged);
+
+/// Does the document's engagement hold just the couplings of this state? States with equal lists, which
+/// differ in their drive, are engaged together; false where nothing is engaged. @pre there is such a state
+[[nodiscard]] bool isEngaged(const Mechanism& mechanism, int state);
+/// The position of the state that is engaged, of several with equal couplings the one whose drive is at the
+/// first input; -1 for none.
+[[nodiscard]] int engagedState(const Mechanism& mechanism);
 
 }  // namespace geargraph::inline model

@@ -44,6 +44,7 @@ class WellFormedCheck {
     checkInputs();
     checkCouplings();
     checkStates();
+    checkEngaged();
     for (Diagnostic& wrong : loadDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
     checkCamera();
     return std::move(m_findings);
@@ -226,6 +227,19 @@ class WellFormedCheck {
       }
       if (state.drive) reference(owner, *state.drive, m_links, at + "/drive");
       if (state.driven) reference(owner, *state.driven, m_links, at + "/driven");
+    }
+  }
+
+  void checkEngaged() {
+    Known seen;
+    for (std::size_t i = 0; i < m_mechanism.engaged.size(); ++i) {
+      const CouplingId id = m_mechanism.engaged[i];
+      const std::string at = "/engaged/" + std::to_string(i);
+      if (!m_couplings.contains(id.atom())) {
+        add(Code::unknownId, "There is no \"" + id.text() + "\" in couplings.", {id}, at);
+      } else if (!seen.insert(id.atom()).second) {
+        add(Code::duplicateId, "Coupling \"" + id.text() + "\" is listed twice in engaged.", {id}, at);
+      }
     }
   }
 

@@ -81,6 +81,7 @@ struct BrokenDocument {
        "schema /couplings/1/links [couplings:C]"},
       {"state without a name", "\"name\": \"1\",", "", "schema /states/0/name"},
       {"engaged of another type", "[\"B\", \"C\"]", "\"B\"", "schema /states/0/engaged"},
+      {"current engagement of another type", "[\"C\"]", "{}", "schema /engaged"},
       {"node of three numbers", "[1, 2.5]", "[1, 2, 3]", "schema /view/nodes/0"},
       {"view of another type", "\"view\": {", "\"view\": true, \"other\": {", "schema /view"},
       {"member twice", "\"unit\": \"in\"", "\"unit\": \"in\", \"un\\u0069t\": \"in\"", "schema /unit"},
@@ -90,6 +91,7 @@ struct BrokenDocument {
       {"wheel of another link", "\"link\": \"sun\"", "\"link\": \"arm\"",
        "schema /gearMeshes/0/tailWheel [gearMeshes:7] [wheels:w]"},
 
+      {"coupling engaged twice", "[\"C\"]", "[\"C\", \"C\"]", "duplicate-id /engaged/1 [couplings:C]"},
       {"link id twice", "{\"id\": \"planet\"}", "{\"id\": \"planet\"}, {\"id\": \"arm\"}",
        "duplicate-id /links/4/id [links:arm]"},
       {"number and text are one id", "{\"id\": 5,", "{\"id\": \"4\",",
@@ -100,6 +102,7 @@ struct BrokenDocument {
       {"state name twice", "\"driven\": \"arm\"}", "\"driven\": \"arm\"}, {\"name\": \"1\", \"engaged\": []}",
        "duplicate-id /states/1/name [states:1]"},
 
+      {"engaged without such a coupling", "[\"C\"]", "[\"C\", \"D\"]", "unknown-id /engaged/1 [couplings:D]"},
       {"joint to no link", "\"head\": \"planet\", \"axis\"", "\"head\": \"moon\", \"axis\"",
        "unknown-id /turningJoints/2/head [turningJoints:6] [links:moon]"},
       {"joint on no axis", "\"axis\": \"p\"", "\"axis\": \"q\"",

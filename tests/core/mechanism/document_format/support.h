@@ -57,6 +57,7 @@ inline const std::string kEverything = R"({
   "inputs": [{"joint": 4, "speed": "1/3"}],
   "couplings": [{"id": "B", "kind": "brake", "link": "arm"}, {"id": "C", "kind": "clutch", "links": ["sun", "arm"]}],
   "states": [{"name": "1", "engaged": ["B", "C"], "drive": "sun", "driven": "arm"}],
+  "engaged": ["C"],
   "loads": [{"id": "pull", "joint": 6, "torque": -12.50}, {"link": "planet", "axis": "p", "torque": "5/2"},
     {"link": "arm", "torque": 3}, {"link": "sun", "force": [0, 1.0, "-20/3"], "point": [0, 40, 132]}],
   "balances": [{"joint": 4}, {"link": "arm", "axis": "a"}, {"link": "planet"}],

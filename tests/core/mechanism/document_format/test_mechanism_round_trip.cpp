@@ -62,6 +62,7 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY(m.inputs->at(0).joint == JointId("4") && m.inputs->at(0).speed.exact() == Rational(1, 3));
   QVERIFY(m.couplings[0].kind == CouplingKind::brake && m.couplings[1].links.size() == 2);
   QVERIFY(m.states[0].engaged.size() == 2 && m.states[0].driven == LinkId("arm"));
+  QCOMPARE(m.engaged, std::vector{CouplingId("C")});
   QVERIFY((m.view.nodes.at(LinkId("sun")) == SheetPoint{-3, 4}));
   QVERIFY((m.view.ttNodes.at(LinkId("0")) == SheetPoint{-5, 6}));
   QVERIFY((m.view.camera == ViewCamera{{0, 1, 2.5}, -26, 20, 400}));

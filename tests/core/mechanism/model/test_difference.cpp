@@ -2,6 +2,9 @@
 
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/patch.h"
+#include "core/mechanism/model/shift_edits.h"
+#include "tests/core/support/gearboxes.h"
 #include "tests/core/support/mechanisms.h"
 
 namespace geargraph {
@@ -52,6 +55,16 @@ class DifferenceTest : public QObject {
     QCOMPARE(textTo(after), QStringLiteral("other properties changed"));
     QCOMPARE(textTo(withGround(robot, robot.links[3].id).value()),
              QStringLiteral("other properties changed"));  // another order of the links
+  }
+
+  void whatIsEngagedIsOfTheTrain() {
+    const Mechanism box = test::eightSpeed();
+    const Mechanism engaged = withEngagement(box, {CouplingId("A")}).value();
+    QVERIFY(!isSameTrain(box, engaged) && !isSameDigraph(box, engaged) && !isSameButForView(box, engaged));
+    QVERIFY(differenceOf(box, engaged).other);
+    QVERIFY(isSameTrain(engaged, withState(engaged).value()));
+    const MechanismPatch patch(box, engaged);
+    QVERIFY(patch.forward(box) == engaged && patch.back(engaged) == box);
   }
 
   void teethAndSpeedsAreNotInTheDigraph() {

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/gearboxes.h"
@@ -49,6 +50,37 @@ class TestShiftEdits : public QObject {
     QCOMPARE(gearbox.states[0].engaged, (std::vector{CouplingId("A"), CouplingId("C")}));
     gearbox = *withEngaged(gearbox, 0, CouplingId("B"), true);
     QCOMPARE(gearbox.states[0].engaged, eightSpeed().states[0].engaged);
+  }
+
+  void couplingsAreEngagedInTheirOrder() {
+    const Mechanism gearbox = *withEngagement(eightSpeed(), {CouplingId("E"), CouplingId("A")});
+    QCOMPARE(gearbox.engaged, (std::vector{CouplingId("A"), CouplingId("E")}));
+    QVERIFY(wellFormedDiagnostics(gearbox).empty());
+    QVERIFY(withEngagement(gearbox, {})->engaged.empty());
+    QCOMPARE(withEngagement(gearbox, {CouplingId("X")}).error()[0].code, Code::unknownId);
+    QCOMPARE(withEngagement(gearbox, {CouplingId("B"), CouplingId("B")}).error()[0].code, Code::duplicateId);
+  }
+
+  /// Whatever edit takes a coupling away or renames it, the engagement names couplings that exist.
+  void theEngagementFollowsItsCouplings() {
+    const Mechanism engaged = *withEngagement(eightSpeed(), {CouplingId("A"), CouplingId("E")});
+    QCOMPARE(withCouplingRenamed(engaged, CouplingId("A"), "B1")->engaged,
+             (std::vector{CouplingId("B1"), CouplingId("E")}));
+    const std::vector<ElementId> coupling{CouplingId("A")};
+    QCOMPARE(withoutElements(engaged, coupling)->engaged, std::vector{CouplingId("E")});
+    const std::vector<ElementId> link{LinkId("5")};  // clutch E is on it
+    const Mechanism without = *withoutElements(engaged, link);
+    QCOMPARE(without.engaged, std::vector{CouplingId("A")});
+    QVERIFY(wellFormedDiagnostics(without).empty());
+  }
+
+  void theStateThatIsEngagedIsFound() {
+    const Mechanism now = *withEngagement(eightSpeed(), eightSpeed().states[2].engaged);
+    QVERIFY(isEngaged(now, 2) && !isEngaged(now, 0) && !isEngaged(eightSpeed(), 2));
+    QCOMPARE(engagedState(now), 2);
+    QCOMPARE(engagedState(eightSpeed()), -1);
+    QVERIFY(!isEngaged(*withState(eightSpeed()), 9));  // a state without couplings
+    QCOMPARE(engagedState(*withEngaged(now, 2, CouplingId("A"), true)), -1);
   }
 
   void driveAndDrivenOfOneStateOrOfAll() {
