@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -153,6 +154,9 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
   connect(row.field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
   connect(row.slider, &SpeedSlider::valueChanged, this, [this, id = row.joint, range = row.range](int steps) {
     setSpeed(id, Number(Rational(steps, SpeedSlider::kSteps) * Rational(range)));
+  });
+  connect(row.field, &NumberField::wrongChanged, row.field, [field = row.field](const QString& why) {
+    QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), why, field);
   });
   connect(row.field, &NumberField::edited, this, [this, id = row.joint](const std::optional<Number>& speed) {
     if (speed) setSpeed(id, *speed);

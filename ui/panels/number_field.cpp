@@ -1,11 +1,14 @@
 #include "ui/panels/number_field.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
 #include <QWheelEvent>
+#include <utility>
 
 #include "core/mechanism/model/length.h"
 #include "ui/theme/application_theme.h"
@@ -19,6 +22,9 @@ NumberField::NumberField(QWidget* parent) : QAbstractSpinBox(parent) {
   setAttribute(Qt::WA_Hover);
   connect(lineEdit(), &QLineEdit::textEdited, this, &NumberField::onText);
   lineEdit()->installEventFilter(this);
+  m_pause.setSingleShot(true);
+  m_pause.setInterval(kPause);
+  connect(&m_pause, &QTimer::timeout, this, &NumberField::commit);
 }
 
 void NumberField::setWhole(int least, int most) {
@@ -43,8 +49,10 @@ QString NumberField::hint() const {
 
 std::optional<Number> NumberField::read(const QString& text) const {
   QString point = text.trimmed();
-  if (QLocale().decimalPoint() == QLatin1String(",") && !point.contains(QLatin1Char('.')))
-    point.replace(QLatin1Char(','), QLatin1Char('.'));
+  // Where a comma may group thousands, "1,000" could mean either.
+  static const QRegularExpression kGrouped(QStringLiteral("^[-+]?[1-9][0-9]{0,2},[0-9]{3}$"));
+  const bool isDecimal = QLocale().decimalPoint() == QLatin1String(",") || !kGrouped.match(point).hasMatch();
+  if (isDecimal && !point.contains(QLatin1Char('.'))) point.replace(QLatin1Char(','), QLatin1Char('.'));
   const std::string typed = point.toStdString();
   return m_unit ? lengthFromText(typed, *m_unit) : Number::fromText(typed);
 }
@@ -53,7 +61,7 @@ void NumberField::setNumber(const std::optional<Number>& number) {
   m_number = number;
   const auto typed = read(text());
   const bool beingTyped = hasFocus() && typed && number && typed->exact() == number->exact();
-  if (beingTyped) return;
+  if (beingTyped || (hasFocus() && m_isPending)) return;
   if (hasFocus() && property("wrong").toBool()) return;
   showNumber();
   setWrong({});
@@ -71,54 +79,83 @@ void NumberField::setValue(const QVariant& value) {
   if (isReadOnly()) return;
   lineEdit()->setText(QString::number(value.toDouble(), 'g', QLocale::FloatingPointShortest));
   onText(text());
+  commit();
 }
 
+QString NumberField::objectionTo(const std::optional<Number>& number) const {
+  if (m_least) {
+    const bool fits = number && number->exact().isInteger() && number->exact() >= Rational(*m_least) &&
+                      number->exact() <= Rational(*m_most);
+    return fits ? QString() : tr("Type a whole number from %1 to %2.").arg(*m_least).arg(*m_most);
+  }
+  if (number) return {};
+  return m_unit ? tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.")
+                : tr("Type a number such as 12, 0.5 or 22/7.");
+}
+
+/// What is being typed need not be a number yet: only what is right again changes the field's look.
 void NumberField::onText(const QString& typed) {
-  const QString trimmed = typed.trimmed();
-  if (trimmed.isEmpty() && m_optional) {
-    setWrong({});
-    m_number.reset();
-    emit edited(std::nullopt);
-    return;
-  }
-  const auto number = read(trimmed);
-  if (!number) {
-    return setWrong(m_unit ? tr("Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.")
-                           : tr("Type a number such as 12, 0.5 or 22/7."));
-  }
-  const bool whole = number->exact().isInteger();
-  const bool outside =
-      m_least && (!whole || number->exact() < Rational(*m_least) || number->exact() > Rational(*m_most));
-  if (outside) return setWrong(tr("Type a whole number from %1 to %2.").arg(*m_least).arg(*m_most));
-  setWrong({});
-  m_number = number;
+  m_isPending = true;
+  m_pause.start();
+  if (objectionTo(read(typed)).isEmpty()) setWrong({});
+}
+
+void NumberField::commit() {
+  m_pause.stop();
+  if (!std::exchange(m_isPending, false)) return;
+  const bool isEmpty = text().trimmed().isEmpty() && m_optional;
+  const std::optional<Number> number = isEmpty ? std::nullopt : read(text());
+  const QString objection = isEmpty ? QString() : objectionTo(number);
+  setWrong(objection);
+  const bool isSame =
+      number.has_value() == m_number.has_value() && (!number || number->exact() == m_number->exact());
+  if (objection.isEmpty() && !isSame) tellOf(number);
+}
+
+void NumberField::tellOf(const std::optional<Number>& number) {
+  m_before = std::exchange(m_number, number);
+  m_isCommitting = true;
   emit edited(number);
+  m_isCommitting = false;
+}
+
+/// Back to the document's number.
+void NumberField::drop() {
+  m_pause.stop();
+  m_isPending = false;
+  showNumber();
+  setWrong({});
 }
 
 void NumberField::reject(const QString& why) {
+  if (m_isCommitting) m_number = m_before;
   setWrong(why);
 }
 
 void NumberField::setWrong(const QString& why) {
   setToolTip(why.isEmpty() ? hint() : why);
   if (property("wrong").toBool() == !why.isEmpty()) return;
-  setProperty("wrong", !why.isEmpty());
+  markWrong(!why.isEmpty());
+  emit wrongChanged(why);
+}
+
+void NumberField::markWrong(bool isWrong) {
+  setProperty("wrong", isWrong);
   style()->unpolish(this);
   style()->polish(this);
-  emit wrongChanged(why);
 }
 
 void NumberField::stepBy(int steps) {
   if (!isEnabled() || isReadOnly()) return;
+  commit();
   Rational value = m_number ? m_number->exact() : Rational(0);
   value += m_step * Rational(steps);
   if (m_least && value < Rational(*m_least)) value = Rational(*m_least);
   if (m_most && value > Rational(*m_most)) value = Rational(*m_most);
   if (m_number && value == m_number->exact()) return;
-  m_number = Number(value);
   setWrong({});
-  showNumber();
-  emit edited(m_number);
+  lineEdit()->setText(QString::fromStdString(Number(value).text()));
+  tellOf(Number(value));
 }
 
 QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
@@ -181,6 +218,28 @@ bool NumberField::eventFilter(QObject* watched, QEvent* event) {
   return QAbstractSpinBox::eventFilter(watched, event);
 }
 
+/// Of undo and redo the line of text takes only what is not committed yet; all else is the document's.
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !m_isPending) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return false;
+    }
+  }
+  return QAbstractSpinBox::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  const bool isHistory = event->matches(QKeySequence::Undo) || event->matches(QKeySequence::Redo);
+  if (isHistory && !m_isPending) return event->ignore();
+  if (event->key() == Qt::Key_Escape && (m_isPending || property("wrong").toBool())) return drop();
+  if (isReturn) commit();
+  QAbstractSpinBox::keyPressEvent(event);
+  if (isReturn) emit editingStarted();  // what is typed next is another step of the history
+}
+
 void NumberField::focusInEvent(QFocusEvent* event) {
   QAbstractSpinBox::focusInEvent(event);
   m_selectOnRelease = event->reason() == Qt::MouseFocusReason;
@@ -189,8 +248,12 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
   QAbstractSpinBox::focusOutEvent(event);
+  const bool wasPending = m_isPending;
+  commit();
   showNumber();
-  setWrong({});
+  if (!wasPending) return setWrong({});
+  // Why the number was not taken stays to be read beside the field, which shows the document's again.
+  if (property("wrong").toBool()) markWrong(false);
 }
 
 }  // namespace geargraph::inline panels

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractSpinBox>
+#include <QTimer>
 #include <QVariant>
 #include <optional>
 #include <string>
@@ -10,8 +11,11 @@
 namespace geargraph::inline panels {
 
 /// A number to type (12, 0.5, 22/7) or to spin, by the arrow keys, the wheel or the arrows at its end: an
-/// exact spin box. Text that is no such number turns red and changes nothing. A decimal comma may be typed
-/// where the locale writes one.
+/// exact spin box. What is typed is committed by Return, by leaving the field or after kPause, so that 1000
+/// does not make trains of 1, 10 and 100 teeth on the way; Esc drops it. Text that is no such number turns
+/// red and changes nothing. A decimal comma may be typed, except where the locale writes a point and the
+/// comma could group thousands (1,000). Undo and redo are the document's unless something typed is not
+/// committed yet.
 class NumberField : public QAbstractSpinBox {
   Q_OBJECT
   // What QAccessibleAbstractSpinBox reads and sets; it asks for "stepSize", not QSpinBox's "singleStep".
@@ -21,6 +25,8 @@ class NumberField : public QAbstractSpinBox {
   Q_PROPERTY(QVariant stepSize READ stepSize)
 
  public:
+  static constexpr int kPause = 600;  ///< ms
+
   explicit NumberField(QWidget* parent = nullptr);
 
   /// Whole numbers from `least` to `most` only.
@@ -36,9 +42,11 @@ class NumberField : public QAbstractSpinBox {
   /// Shows the document's number; leaves the text alone while the user types that number.
   void setNumber(const std::optional<Number>& number);
   [[nodiscard]] std::optional<Number> number() const { return m_number; }
-  /// The number of edited() was not accepted: what was typed turns red, and gives way to the number of the
-  /// next setNumber() when the field is left.
+  /// The number of edited() was not accepted: what was typed turns red, and gives way to the number of before
+  /// when the field is left.
   void reject(const QString& why);
+  /// Is edited() being emitted?
+  [[nodiscard]] bool isCommitting() const { return m_isCommitting; }
 
   /// By `steps` times the step, within the bounds; from 0 where there is no number.
   void stepBy(int steps) override;
@@ -58,7 +66,9 @@ class NumberField : public QAbstractSpinBox {
 
  protected:
   [[nodiscard]] StepEnabled stepEnabled() const override;
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -69,11 +79,21 @@ class NumberField : public QAbstractSpinBox {
   [[nodiscard]] QString hint() const;  ///< while nothing is wrong
   [[nodiscard]] std::optional<Number> read(const QString& text) const;
   [[nodiscard]] QSize sizeAround(const QSize& text) const;
+  /// Why there is no number in this text that the field takes; empty where there is one.
+  [[nodiscard]] QString objectionTo(const std::optional<Number>& number) const;
   void onText(const QString& text);
+  void commit();
+  void tellOf(const std::optional<Number>& number);
+  void drop();
   void showNumber();
   void setWrong(const QString& why);
+  void markWrong(bool isWrong);
 
   std::optional<Number> m_number;
+  std::optional<Number> m_before;  ///< while edited() is emitted: the number until then
+  QTimer m_pause;
+  bool m_isPending = false;  ///< something typed is not committed
+  bool m_isCommitting = false;
   Rational m_step = 1;
   std::optional<int> m_least;
   std::optional<int> m_most;

@@ -146,7 +146,9 @@ void PropertyForm::applyAtOnce(const QString& text, const Reduce& reduce) {
   m_document->apply({text, reduce, m_gesture});
   disconnect(heard);
   if (!why.isEmpty()) {
-    if (auto* field = qobject_cast<NumberField*>(focusWidget())) field->reject(why);
+    for (NumberField* field : findChildren<NumberField*>()) {
+      if (field->isCommitting()) field->reject(why);
+    }
     refresh();  // or fields would go on showing what the document does not hold
   }
   showWrong(why);

@@ -49,6 +49,7 @@ class EditingPanelsTest : public QObject {
     focus(into);
     into->selectAll();
     QTest::keyClicks(into, text);
+    QTest::keyClick(into, Qt::Key_Return);
   }
 
  private slots:
@@ -217,7 +218,7 @@ class EditingPanelsTest : public QObject {
     QVERIFY(!low->QObject::property("wrong").toBool());
   }
 
-  void decimalCommasMayBeTypedWhereTheLocaleWritesThem() {
+  void decimalCommasMayBeTypedWhereTheyAreUnambiguous() {
     selection.select({ElementId(JointId("8"))});
     const auto high = [this] { return document->mechanism()->find(JointId("8"))->limits.high; };
     NumberField* field = property("highLimit");
@@ -229,9 +230,11 @@ class EditingPanelsTest : public QObject {
     type(field, QStringLiteral("1,7,5"));
     QVERIFY(field->QObject::property("wrong").toBool());
     QLocale::setDefault(QLocale::c());
-    type(field, QStringLiteral("1,500"));  // no decimal comma there: it could mean a thousand
+    type(field, QStringLiteral("1,500"));  // it could mean a thousand and a half
     QVERIFY(field->QObject::property("wrong").toBool());
-    QCOMPARE(high().value_or(Number(0)).exact(), Rational(1));
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
+    type(field, QStringLiteral("0,75"));
+    QCOMPARE(high().value_or(Number(0)).exact(), Rational(3, 4));
   }
 
   void severalMeshesChangeTogether() {
@@ -264,10 +267,71 @@ class EditingPanelsTest : public QObject {
     type(property("axisDirection.z"), QStringLiteral("2"));
     QVERIFY(!wrong()->isVisible());
     type(property("offset"), QStringLiteral("1/0"));
-    QVERIFY(wrong()->text().contains("such as 12, 0.5 or 22/7"));
+    QVERIFY2(wrong()->text().contains("such as 12, 0.5 or 22/7"), qPrintable(wrong()->text()));
     type(property("offset"), QStringLiteral("22/7"));
     QVERIFY(!wrong()->isVisible());
     QCOMPARE(document->mechanism()->find(JointId("8"))->offset.text(), std::string("22/7"));
+  }
+
+  void whatIsTypedIsCommittedOnce() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("tailTeeth");
+    focus(teeth);
+    teeth->selectAll();
+    QTest::keyClicks(teeth, QStringLiteral("120"));
+    QCOMPARE(document->undoStack().count(), 0);  // neither 1 nor 12 teeth on the way
+    QTest::keyClick(teeth, Qt::Key_Return);
+    QCOMPARE(mesh("15").tailTeeth, 120);
+    QCOMPARE(document->undoStack().count(), 1);
+    teeth->selectAll();
+    QTest::keyClicks(teeth, QStringLiteral("30"));
+    QTest::keyClick(teeth, Qt::Key_Escape);
+    QCOMPARE(teeth->text(), QStringLiteral("120"));
+    QTRY_COMPARE(teeth->text(), QStringLiteral("120"));
+    type(teeth, QStringLiteral("31"));
+    QCOMPARE(document->undoStack().count(), 2);  // Return ended the step before
+  }
+
+  void leavingAFieldCommitsItAndAReasonStays() {
+    const auto wrong = [this] { return properties->findChild<QLabel*>("wrong"); };
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* tail = property("tailTeeth");
+    NumberField* head = property("headTeeth");
+    const int before = mesh("15").tailTeeth;
+    focus(tail);
+    tail->selectAll();
+    QTest::keyClicks(tail, QStringLiteral("2.5"));
+    focus(head);
+    QCOMPARE(mesh("15").tailTeeth, before);
+    QCOMPARE(tail->text(), QString::number(before));
+    QVERIFY(!tail->QObject::property("wrong").toBool());
+    QVERIFY(wrong()->isVisible());
+    QVERIFY2(wrong()->text().contains("whole number"), qPrintable(wrong()->text()));
+    head->selectAll();
+    QTest::keyClicks(head, QStringLiteral("44"));
+    focus(tail);
+    QCOMPARE(mesh("15").headTeeth, 44);
+    QVERIFY(!wrong()->isVisible());
+  }
+
+  void undoIsTheDocumentsOnceTheNumberIsCommitted() {
+    selection.select({ElementId(MeshId("15"))});
+    NumberField* teeth = property("tailTeeth");
+    focus(teeth);
+    const auto isTakenByTheField = [teeth] {
+      QKeyEvent ask(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+      ask.ignore();
+      QApplication::sendEvent(teeth, &ask);
+      return ask.isAccepted();
+    };
+    teeth->selectAll();
+    QTest::keyClicks(teeth, QStringLiteral("25"));
+    QVERIFY(isTakenByTheField());
+    QTest::keyClick(teeth, Qt::Key_Return);
+    QVERIFY(!isTakenByTheField());
+    QCOMPARE(mesh("15").tailTeeth, 25);
+    document->undoStack().undo();
+    QCOMPARE(teeth->text(), QStringLiteral("18"));
   }
 
   void aClickSelectsTheWholeNumber() {
@@ -278,7 +342,8 @@ class EditingPanelsTest : public QObject {
     QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(4, line->height() / 2));
     QCOMPARE(line->selectedText(), QStringLiteral("18"));
     QTest::keyClicks(teeth, QStringLiteral("25"));
-    QCOMPARE(mesh("15").tailTeeth, 25);
+    QCOMPARE(mesh("15").tailTeeth, 18);  // not yet
+    QTRY_COMPARE(mesh("15").tailTeeth, 25);
   }
 
   void jointsGetANewAxisTogether() {

@@ -27,6 +27,7 @@ class InsertSetTest : public QObject {
     auto* into = visible<NumberField>(field);
     into->selectAll();
     QTest::keyClicks(into, text);
+    QTest::keyClick(into, Qt::Key_Tab);
   }
   void choose(int kind) { dialog->findChild<QListWidget*>(QStringLiteral("kinds"))->setCurrentRow(kind); }
   QString summary() { return dialog->findChild<QLabel*>(QStringLiteral("summary"))->text(); }
