@@ -410,19 +410,67 @@ double BodyPlanner::boreRoom(int axisClass, int link) const {
   return room;
 }
 
-/// Shafts that lie over each other are nested, the longest inmost; all of an axis shrink together until the
-/// bores of their wheels hold them.
+/// How many wheels, cups and arms of a link another shaft on the axis would cut through if it went about the
+/// link's own.
+int BodyPlanner::cutsBy(const ShaftSegment& outer, int link) const {
+  const AxisLayout& layout = axis(outer.axisClass);
+  const auto isCut = [&](double low, double high) {
+    return layout.overlap(low, high, outer.low, outer.high) ? 1 : 0;
+  };
+  const double half = layout.width() / 2;
+  int cuts = 0;
+  for (const std::size_t g : m_gearsOn[static_cast<std::size_t>(outer.axisClass)]) {
+    const TrainGear& gear = m_train.gears[g];
+    if (gear.link != link || gear.spec.kind == GearKind::internal) continue;
+    const AxialSpan span = axialSpan(gear.spec);
+    const double sense = gear.pose.linear().col(2).dot(layout.direction) < 0 ? -1 : 1;
+    const double origin = layout.coordinate(gear.pose.translation());
+    const auto [low, high] = std::minmax({origin + sense * span.low, origin + sense * span.high});
+    cuts += isCut(low, high);
+  }
+  for (const CupPlan& cup : m_plan.cups) {
+    const TrainGear& ring = m_train.gears[static_cast<std::size_t>(cup.gear)];
+    if (ring.link == link && ring.axisClass == outer.axisClass)
+      cuts += isCut(cup.plate - half, cup.plate + half);
+  }
+  for (const std::size_t a : m_armsOf[static_cast<std::size_t>(link)]) {
+    const ArmPlan& arm = m_plan.arms[a];
+    if (arm.from == outer.axisClass) cuts += isCut(arm.level - half, arm.level + half);
+  }
+  return cuts;
+}
+
+/// Shafts that lie over each other are nested: inmost comes the one of whose wheels, arms and cups the others
+/// would cut through the least, of several the longest. All of an axis shrink together until the bores of
+/// their wheels hold them.
 void BodyPlanner::nestShafts(int axisClass) {
-  std::vector<ShaftSegment*> shafts;
+  std::vector<ShaftSegment*> open;
   for (const std::size_t s : m_plan.shaftsOn[static_cast<std::size_t>(axisClass)]) {
-    shafts.push_back(&m_plan.shafts[s]);
+    open.push_back(&m_plan.shafts[s]);
   }
   const double module = axis(axisClass).module;
   const auto length = [&](const ShaftSegment* s) {
     return std::round((s->high - s->low) / (kEqual * module));
   };
-  std::stable_sort(shafts.begin(), shafts.end(),
+  std::stable_sort(open.begin(), open.end(),
                    [&](const ShaftSegment* a, const ShaftSegment* b) { return length(a) > length(b); });
+  std::vector<ShaftSegment*> shafts;
+  while (!open.empty()) {
+    const auto cuts = [&](const ShaftSegment* inner) {
+      int sum = 0;
+      for (const ShaftSegment* outer : open) {
+        if (outer->link != inner->link &&
+            axis(axisClass).overlap(outer->low, outer->high, inner->low, inner->high))
+          sum += cutsBy(*outer, inner->link);
+      }
+      return sum;
+    };
+    const auto next =
+        std::min_element(open.begin(), open.end(),
+                         [&](const ShaftSegment* a, const ShaftSegment* b) { return cuts(a) < cuts(b); });
+    shafts.push_back(*next);
+    open.erase(next);
+  }
   double scale = 1;
   for (std::size_t i = 0; i < shafts.size(); ++i) {
     ShaftSegment& shaft = *shafts[i];

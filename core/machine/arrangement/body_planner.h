@@ -142,6 +142,7 @@ class BodyPlanner {
   }
   [[nodiscard]] std::optional<double> heldLevel(int axisClass, int link) const;
   void addFixedHubs();
+  [[nodiscard]] int cutsBy(const ShaftSegment& outer, int link) const;
   void nestShafts(int axisClass);
   [[nodiscard]] double boreRoom(int axisClass, int link) const;
 

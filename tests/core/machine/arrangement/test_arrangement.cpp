@@ -122,6 +122,34 @@ class TestArrangement : public QObject {
     QVERIFY(nested > 200);
   }
 
+  /// Shafts about others do not cut through their wheels where one order of nesting avoids it.
+  void hollowShaftsDoNotRunThroughWheels() {
+    int passed = 0;
+    for (const std::uint64_t seed : {24, 31, 43, 112, 197}) {
+      const Arranged arranged(
+          test::randomTrain(seed, 3 + static_cast<int>(seed % 6), 2 + static_cast<int>(seed % 5)));
+      const Arrangement& plan = arranged.plan;
+      for (const TrainGear& gear : arranged.train.gears) {
+        if (gear.spec.kind == GearKind::internal) continue;
+        const double at =
+            plan.axes[static_cast<std::size_t>(gear.axisClass)].coordinate(gear.pose.translation());
+        const ShaftSegment* own = plan.shaftOf(gear.axisClass, gear.link, at);
+        if (own == nullptr || !covers(*own, at, 0)) continue;
+        for (const std::size_t s : plan.shaftsOn[static_cast<std::size_t>(gear.axisClass)]) {
+          const ShaftSegment& other = plan.shafts[s];
+          if (other.link == gear.link || !covers(other, at, 0)) continue;
+          ++passed;
+          QVERIFY2(other.outer <= own->inner,
+                   qPrintable(QString("seed %1: shaft of link %2, wheel of link %3")
+                                  .arg(seed)
+                                  .arg(other.link)
+                                  .arg(gear.link)));
+        }
+      }
+    }
+    QVERIFY2(passed > 10, qPrintable(QString::number(passed)));
+  }
+
   /// Walls of routed links end at their wheels, shafts, pins and other walls.
   void wallsHaveNoDeadEnds() {
     int ends = 0;
