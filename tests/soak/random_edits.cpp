@@ -27,6 +27,7 @@
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/schematic/sheet_edits.h"
+#include "core/theory/states/state_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph::soak {
@@ -454,7 +455,14 @@ std::vector<EditKind> gearboxEdits() {
                            [](Random& r) {
                              return std::tuple{r.state(), r.coupling(), r.oneIn(2)};
                            }),
+      kind<withCouplingEngaged>("withCouplingEngaged",
+                                [](Random& r) {
+                                  return std::tuple{r.coupling(), r.oneIn(2)};
+                                }),
+      kind<withCouplingsEngaged>("withCouplingsEngaged",
+                                 [](Random& r) { return std::tuple{someCouplings(r)}; }),
       kind<withEngagement>("withEngagement", [](Random& r) { return std::tuple{someCouplings(r)}; }),
+      ofState<withStateEngaged>("withStateEngaged", [](Random& r) { return std::tuple{r.state()}; }),
       ofState<withDrive>("withDrive",
                          [](Random& r) {
                            return std::tuple{r.state(), r.link()};

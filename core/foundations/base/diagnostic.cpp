@@ -31,6 +31,7 @@ constexpr std::array kCodes = {
     CodeEntry{Code::pitchGeometry, "pitch-geometry", Severity::error},
     CodeEntry{Code::teethGeometry, "teeth-geometry", Severity::error},
     CodeEntry{Code::redundantMesh, "redundant-mesh", Severity::warning},
+    CodeEntry{Code::redundantCoupling, "redundant-coupling", Severity::info},
     CodeEntry{Code::stateLocked, "state-locked", Severity::warning},
     CodeEntry{Code::stateFree, "state-free", Severity::warning},
     CodeEntry{Code::locked, "locked", Severity::warning},

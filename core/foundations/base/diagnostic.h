@@ -29,6 +29,7 @@ enum class Code {
   pitchGeometry,
   teethGeometry,
   redundantMesh,
+  redundantCoupling,
   stateLocked,
   stateFree,
   locked,

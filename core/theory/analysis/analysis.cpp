@@ -51,6 +51,7 @@ SnapshotPtr analyzeLive(DerivedGeometryPtr geometry, std::uint64_t revision, con
   if (!snapshot->kinematics) return nullptr;
   append(snapshot->diagnostics,
          geometryFindings(snapshot->kinematics->ttGraph->diagnostics(), placed.placement().diagnostics));
+  append(snapshot->diagnostics, snapshot->kinematics->engagement);
   if (const MatroidAnalysis* matroid = snapshot->matroid()) {
     append(snapshot->diagnostics, matroid->diagnostics);
   }

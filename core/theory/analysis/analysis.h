@@ -17,7 +17,9 @@ using DerivedGeometryPtr = std::shared_ptr<const DerivedGeometry>;
 
 namespace geargraph::inline analysis {
 
-/// Everything that is computed from one mechanism: an immutable value that all views read. A stage that fails
+/// Everything that is computed from one mechanism: an immutable value that all views read. Matrices are those
+/// of the train; freedom, inputs, solutions and motion are those of the train as the document engages its
+/// couplings; `states` has the ratios of all states whatever is engaged. A stage that fails
 /// leaves its part empty and does not fail the snapshot, so a half-drawn mechanism still shows its incidence
 /// matrix.
 ///

@@ -1,6 +1,7 @@
 #include "core/theory/analysis/kinematics.h"
 
 #include "core/foundations/base/contract.h"
+#include "core/theory/states/engagement.h"
 
 namespace geargraph::inline analysis {
 namespace {
@@ -32,7 +33,7 @@ class SymbolicPass {
   bool byMatroid() {
     const CoefficientMatrix coefficients(m_mechanism, *m_live.model, m_live.placement());
     m_result.symbolic = solveSymbolic(m_mechanism, *m_live.model, coefficients,
-                                      m_live.matroid->independentMeshes, m_result.exact->inputs, m_stop);
+                                      m_live.matroid->independentEquations(), m_result.exact->inputs, m_stop);
     if (m_stop.stop_requested()) return false;
     if (!m_result.symbolic) {
       m_result.diagnostics.push_back(skipped(
@@ -72,11 +73,16 @@ LiveKinematicsPtr liveKinematics(const PlacedMechanism& placed, const std::stop_
   const Placement& placement = placed.placement();
   const DigraphPtr& graph = placement.tree->graph;
   const SpanningTreePtr& tree = placement.tree->tree;
-  auto live = std::make_shared<LiveKinematics>(LiveKinematics{placed, nullptr, {}, {}});
+  auto live = std::make_shared<LiveKinematics>(LiveKinematics{placed, nullptr, {}, {}, {}});
   live->ttGraph = std::make_shared<const TtGraph>(placed, graph, tree, ReferenceLines(placement));
   if (stop.stop_requested()) return nullptr;
   live->model = KinematicModel::of(graph, tree, placement);
-  if (live->model) {
+  if (live->model && !placed.mechanism().engaged.empty()) {
+    Engagement engagement = engagementOf(placed, placement, engagedCouplings(placed));
+    live->model->hold(std::move(engagement.rows));
+    live->engagement = std::move(engagement.diagnostics);
+  }
+  if (live->model && live->engagement.empty()) {
     live->matroid = analyzeMatroid(placed, *live->model, placement, stop);
     if (!live->matroid) return nullptr;
   }

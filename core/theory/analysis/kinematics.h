@@ -16,12 +16,14 @@
 
 namespace geargraph::inline analysis {
 
-/// What both methods say at once, while somebody draws.
+/// What both methods tell at once, during editing, about the train as the document engages its couplings.
 struct LiveKinematics {
   PlacedMechanism placed;
   std::shared_ptr<const TtGraph> ttGraph;  ///< never null; complete or not
   std::optional<KinematicModel> model;     ///< none where a mesh has no geometry
-  std::optional<MatroidAnalysis> matroid;  ///< with the model
+  /// With the model; none also where an engaged coupling closes a linkage.
+  std::optional<MatroidAnalysis> matroid;
+  Diagnostics engagement;  ///< turning-loop of engaged couplings
 
   [[nodiscard]] const Placement& placement() const { return placed.placement(); }
 };

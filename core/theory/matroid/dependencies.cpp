@@ -7,36 +7,36 @@
 namespace geargraph::inline matroid {
 namespace {
 
-/// The mesh rows transposed: an equation per phi, an unknown multiplier per mesh.
+/// The equations transposed: a row per phi, an unknown multiplier per equation.
 SparseRows<Fused> multiplierRows(const KinematicModel& model, const FusedField& field) {
-  const SparseRows<Fused> rows = meshRows(model, field);
+  const SparseRows<Fused> rows = equationRows(model, field, model.equations());
   std::vector<std::vector<std::pair<int, Fused>>> columns(static_cast<std::size_t>(model.n()));
-  for (int mesh = 0; mesh < rows.rows(); ++mesh) {
-    for (int entry = rows.begin(mesh); entry < rows.end(mesh); ++entry) {
-      columns[rows.column(entry)].emplace_back(mesh, rows.value(entry));
+  for (int equation = 0; equation < rows.rows(); ++equation) {
+    for (int entry = rows.begin(equation); entry < rows.end(equation); ++entry) {
+      columns[rows.column(entry)].emplace_back(equation, rows.value(entry));
     }
   }
   SparseRows<Fused> transposed;
   for (const auto& column : columns) {
-    for (const auto& [mesh, value] : column) transposed.add(mesh, value);
+    for (const auto& [equation, value] : column) transposed.add(equation, value);
     transposed.endRow();
   }
   return transposed;
 }
 
-/// Multipliers that are not 0, by mesh.
+/// Multipliers that are not 0, by equation.
 using Vector = std::map<int, Fused>;
 
 void subtractMultiple(const FusedField& field, Vector& from, const Vector& what, int pivot) {
   const Fused factor = field.quotient(from.at(pivot), what.at(pivot));
-  for (const auto& [mesh, value] : what) {
-    Fused& target = from[mesh];
+  for (const auto& [equation, value] : what) {
+    Fused& target = from[equation];
     field.subtractProduct(target, factor, value);
-    if (field.isZero(target)) from.erase(mesh);
+    if (field.isZero(target)) from.erase(equation);
   }
 }
 
-/// Vectors of multipliers in echelon form, each led by its latest mesh and free of the others' leaders.
+/// Vectors of multipliers in echelon form, each led by its latest equation and free of the others' leaders.
 class Echelon {
  public:
   explicit Echelon(const FusedField& field) : m_field(field) {}
@@ -57,8 +57,8 @@ class Echelon {
   std::map<int, Vector> reduced() && {
     for (auto& [leader, vector] : m_byLeader) {
       std::vector<int> others;
-      for (const auto& [mesh, value] : vector) {
-        if (mesh != leader && m_byLeader.contains(mesh)) others.push_back(mesh);
+      for (const auto& [equation, value] : vector) {
+        if (equation != leader && m_byLeader.contains(equation)) others.push_back(equation);
       }
       for (const int other : others) {
         if (vector.contains(other)) subtractMultiple(m_field, vector, m_byLeader.at(other), other);
@@ -76,22 +76,23 @@ class Echelon {
 
 std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model, const FusedField& field,
                                                       const std::stop_token& stop) {
-  const auto system = eliminate(field, multiplierRows(model, field), model.c(), model.c(), stop);
+  const auto system =
+      eliminate(field, multiplierRows(model, field), model.equations(), model.equations(), stop);
   if (!system) return std::nullopt;
   constexpr std::size_t kMostEntries = 20'000'000;
   const auto multipliers = expandSparse(field, *system, kMostEntries, stop);
   if (!multipliers) return std::nullopt;
   std::map<int, Vector> vectors;  // by free multiplier
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
-    for (const auto& [column, value] : (*multipliers)[mesh]) vectors[column].emplace(mesh, value);
+  for (int equation = 0; equation < model.equations(); ++equation) {
+    for (const auto& [column, value] : (*multipliers)[equation]) vectors[column].emplace(equation, value);
   }
   Echelon echelon(field);
   for (auto& [column, vector] : vectors) echelon.add(std::move(vector));
   std::vector<Redundancy> result;
   for (const auto& [leader, vector] : std::move(echelon).reduced()) {
     Redundancy redundancy{leader, {}};
-    for (const auto& [mesh, value] : vector) {
-      if (mesh != leader) redundancy.dependsOn.push_back(mesh);
+    for (const auto& [equation, value] : vector) {
+      if (equation != leader) redundancy.dependsOn.push_back(equation);
     }
     result.push_back(std::move(redundancy));
   }

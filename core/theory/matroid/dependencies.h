@@ -8,16 +8,16 @@
 
 namespace geargraph::inline matroid {
 
-/// A mesh whose row follows from the rows of others, and which: together they close a loop that carries load
-/// but constrains nothing.
+/// An equation that follows from others, and from which: together they close a loop that carries load but
+/// constrains nothing. From c() on they are rows of engaged couplings (KinematicModel::heldRow()).
 struct Redundancy {
-  int mesh = 0;
-  std::vector<int> dependsOn;  ///< meshes that are not redundant themselves, ascending
+  int equation = 0;
+  std::vector<int> dependsOn;  ///< equations that are not redundant themselves, ascending
 };
 
-/// The redundant meshes: of all choices the latest in the document, so that a planet added last is the one
-/// named. Their number is c - rank. Nothing where `stop` was requested. Cost: that of an elimination, and of
-/// the loops.
+/// The redundant equations: of all choices the latest, so that a planet added last is the one named, and a
+/// coupling before any mesh. Their number is equations() - rank. Nothing where `stop` was requested. Cost:
+/// that of an elimination, and of the loops.
 [[nodiscard]] std::optional<std::vector<Redundancy>> redundanciesOf(const KinematicModel& model,
                                                                     const FusedField& field,
                                                                     const std::stop_token& stop = {});

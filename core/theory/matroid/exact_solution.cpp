@@ -6,7 +6,7 @@ std::optional<ExactSolution> solveExact(const KinematicModel& model, std::span<c
                                         std::span<const Rational> speeds, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(inputs.size() == speeds.size());
   const RationalField field;
-  const auto system = eliminate(field, inputRows(model, field, allMeshes(model), inputs), model.n(),
+  const auto system = eliminate(field, inputRows(model, field, allEquations(model), inputs), model.n(),
                                 model.n() + static_cast<int>(inputs.size()), stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());

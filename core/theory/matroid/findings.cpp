@@ -1,6 +1,7 @@
 #include "core/theory/matroid/findings.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/foundations/base/wording.h"
 #include "core/theory/matroid/exact_solution.h"
@@ -30,6 +31,32 @@ class Speaker {
     return names(
         positions, [&](int l) { m_finding.elements.emplace_back(m_mechanism.links[l].id); },
         [&](int l) { return l; });
+  }
+  /// "mesh 15", "meshes 15 and 16", "brake A", "meshes 15 and 16, brake A and clutch E".
+  std::string equations(const KinematicModel& model, std::span<const int> positions) {
+    std::vector<int> ofMeshes;
+    std::vector<int> ofCouplings;
+    for (const int equation : positions) {
+      if (equation < model.c()) {
+        ofMeshes.push_back(equation);
+      } else if (const int coupling = model.heldRow(equation).coupling;
+                 std::find(ofCouplings.begin(), ofCouplings.end(), coupling) == ofCouplings.end()) {
+        ofCouplings.push_back(coupling);
+      }
+    }
+    std::string text =
+        ofMeshes.empty() ? "" : (ofMeshes.size() == 1 ? "mesh " : "meshes ") + meshes(ofMeshes);
+    if (!text.empty() && !ofCouplings.empty()) text += ofCouplings.size() == 1 ? " and " : ", ";
+    return text + couplings(ofCouplings);
+  }
+  std::string couplings(std::span<const int> positions) {
+    std::vector<std::string> texts;
+    for (const int position : positions) {
+      const Coupling& coupling = m_mechanism.couplings[static_cast<std::size_t>(position)];
+      m_finding.elements.emplace_back(coupling.id);
+      texts.push_back((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text());
+    }
+    return texts.empty() ? std::string() : listed(texts, kMostNames);
   }
   Diagnostic say(std::string message) {
     m_finding.message = std::move(message);
@@ -65,7 +92,7 @@ std::vector<int> marked(const std::vector<char>& marks) {
 
 Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundancy) {
   Speaker speaker(mechanism, Code::redundantMesh);
-  const std::vector<int> mesh{redundancy.mesh};
+  const std::vector<int> mesh{redundancy.equation};
   const std::string name = speaker.meshes(mesh);
   const std::string others = speaker.meshes(redundancy.dependsOn);
   return speaker.say("Mesh " + name + " follows from " +
@@ -73,34 +100,112 @@ Diagnostic redundantMesh(const Mechanism& mechanism, const Redundancy& redundanc
                      ": it constrains nothing more. Harmless for the motion; the load is shared.");
 }
 
+/// The engaged couplings that add nothing, and from which equations they follow. A coupling over axes of
+/// several directions has several rows, of which one that counts is enough.
+struct IdleCoupling {
+  int coupling = 0;
+  std::vector<int> dependsOn;
+};
+
+std::vector<IdleCoupling> idleCouplings(const Mechanism& mechanism, const KinematicModel& model,
+                                        const MatroidAnalysis& analysis) {
+  std::vector<IdleCoupling> idle;
+  for (const CouplingId id : mechanism.engaged) {
+    const auto found = std::find_if(mechanism.couplings.begin(), mechanism.couplings.end(),
+                                    [&](const Coupling& each) { return each.id == id; });
+    IdleCoupling entry{static_cast<int>(found - mechanism.couplings.begin()), {}};
+    const auto isItsRow = [&](int equation) { return model.heldRow(equation).coupling == entry.coupling; };
+    if (std::any_of(analysis.independentHeld.begin(), analysis.independentHeld.end(), isItsRow)) continue;
+    for (const Redundancy& redundancy : analysis.redundancies) {
+      if (redundancy.equation < model.c() || !isItsRow(redundancy.equation)) continue;
+      entry.dependsOn.insert(entry.dependsOn.end(), redundancy.dependsOn.begin(), redundancy.dependsOn.end());
+    }
+    std::sort(entry.dependsOn.begin(), entry.dependsOn.end());
+    entry.dependsOn.erase(std::unique(entry.dependsOn.begin(), entry.dependsOn.end()), entry.dependsOn.end());
+    idle.push_back(std::move(entry));
+  }
+  return idle;
+}
+
+Diagnostic redundantCoupling(const Mechanism& mechanism, const KinematicModel& model,
+                             const IdleCoupling& idle) {
+  Speaker speaker(mechanism, Code::redundantCoupling);
+  std::string name = speaker.couplings(std::vector<int>{idle.coupling});
+  name.front() = name.front() == 'b' ? 'B' : 'C';
+  const std::string others = speaker.equations(model, idle.dependsOn);
+  return speaker.say(name + " is engaged and holds nothing that could move" +
+                     (others.empty() ? "." : ": that follows from " + others + "."));
+}
+
+/// The loops that meshes alone close: what couplings hold is held on purpose.
+std::vector<LockedLoop> loopsOfMeshes(const KinematicModel& model, const std::vector<LockedLoop>& loops) {
+  std::vector<LockedLoop> result;
+  std::copy_if(loops.begin(), loops.end(), std::back_inserter(result),
+               [&](const LockedLoop& loop) { return loop.equations.back() < model.c(); });
+  return result;
+}
+
 std::string loopText(Speaker& speaker, const std::vector<LockedLoop>& loops) {
   std::string text;
   for (std::size_t i = 0; i < loops.size() && i < 3; ++i) {
-    text += (i == 0 ? "" : "; ") + speaker.meshes(loops[i].meshes);
+    text += (i == 0 ? "" : "; ") + speaker.meshes(loops[i].equations);
   }
   return text;
 }
 
-Diagnostic locked(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
+Diagnostic locked(const Mechanism& mechanism, const std::vector<LockedLoop>& loops) {
   Speaker speaker(mechanism, Code::locked);
   return speaker.say(
-      "Nothing can move: the loop of " +
-      plural(analysis.lockedLoops.front().meshes.size(), "mesh ", "meshes ") +
-      loopText(speaker, analysis.lockedLoops) +
+      "Nothing can move: the loop of " + plural(loops.front().equations.size(), "mesh ", "meshes ") +
+      loopText(speaker, loops) +
       " locks it. Change a tooth count so that the ratios round the loop agree, or delete a mesh.");
 }
 
-Diagnostic deadJoints(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
+Diagnostic lockedAsEngaged(const Mechanism& mechanism, const KinematicModel& model,
+                           const MatroidAnalysis& analysis) {
+  Speaker speaker(mechanism, Code::locked);
+  const std::vector<int>& held =
+      analysis.independentHeld.empty() ? analysis.lockedLoops.front().equations : analysis.independentHeld;
+  const std::string names = speaker.equations(model, held);
+  return speaker.say("Nothing can move: " + names + (held.size() == 1 ? " holds" : " hold") +
+                     " everything. Release a coupling.");
+}
+
+Diagnostic deadJoints(const Mechanism& mechanism, const std::vector<int>& joints,
+                      const std::vector<LockedLoop>& loops, const std::vector<std::vector<int>>& blocks) {
   Speaker speaker(mechanism, Code::deadJoint);
-  const std::vector<int> joints = marked(analysis.dead);
-  std::string message = plural(joints.size(), "Joint ", "Joints ") + speaker.joints(joints) +
-                        " can never turn, locked by " +
-                        plural(analysis.lockedLoops.front().meshes.size(), "mesh ", "meshes ") +
-                        loopText(speaker, analysis.lockedLoops) + ".";
-  for (std::size_t i = 0; i < analysis.rigidBlocks.size() && i < 3; ++i) {
-    message += " Links " + speaker.links(analysis.rigidBlocks[i]) + " form a rigid block.";
+  std::string message =
+      plural(joints.size(), "Joint ", "Joints ") + speaker.joints(joints) + " can never turn, locked by " +
+      plural(loops.front().equations.size(), "mesh ", "meshes ") + loopText(speaker, loops) + ".";
+  for (std::size_t i = 0; i < blocks.size() && i < 3; ++i) {
+    message += " Links " + speaker.links(blocks[i]) + " form a rigid block.";
   }
   return speaker.say(std::move(message));
+}
+
+/// locked or dead-joint, of the train as engaged.
+void addLocked(const Mechanism& mechanism, const KinematicModel& model, const MatroidAnalysis& analysis,
+               Diagnostics& findings) {
+  if (model.held().empty()) {
+    if (analysis.dof == 0 && model.t() > 0) {
+      findings.push_back(locked(mechanism, analysis.lockedLoops));
+    } else if (!analysis.lockedLoops.empty()) {
+      findings.push_back(
+          deadJoints(mechanism, marked(analysis.dead), analysis.lockedLoops, analysis.rigidBlocks));
+    }
+    return;
+  }
+  const std::vector<LockedLoop> loops = loopsOfMeshes(model, analysis.lockedLoops);
+  if (analysis.dof == 0) {
+    findings.push_back(analysis.independentHeld.empty() && !loops.empty()
+                           ? locked(mechanism, loops)
+                           : lockedAsEngaged(mechanism, model, analysis));
+  } else if (!loops.empty()) {
+    std::vector<int> joints;
+    for (const LockedLoop& loop : loops) joints.insert(joints.end(), loop.joints.begin(), loop.joints.end());
+    std::sort(joints.begin(), joints.end());
+    findings.push_back(deadJoints(mechanism, joints, loops, {}));
+  }
 }
 
 Diagnostic idle(const Mechanism& mechanism, const MatroidAnalysis& analysis) {
@@ -173,7 +278,7 @@ std::string forcedRelation(const Mechanism& mechanism, const KinematicModel& mod
   if (model.t() <= kMostSymbolicJoints) {
     const CoefficientMatrix matrix(mechanism, model, placement);
     const auto symbolic =
-        solveSymbolic(mechanism, model, matrix, analysis.independentMeshes, inputs, stop, {kShort});
+        solveSymbolic(mechanism, model, matrix, analysis.independentEquations(), inputs, stop, {kShort});
     for (std::size_t i = 0; symbolic && i < columns; ++i) {
       const auto& entry = symbolic->matrix[row * columns + i];
       if (entry) factors.push_back(entry->toText());
@@ -192,14 +297,13 @@ Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, 
                        const MatroidAnalysis& analysis, std::span<const int> wanted,
                        const std::stop_token& stop) {
   Diagnostics findings;
-  for (const Redundancy& redundancy : analysis.redundancies)
-    findings.push_back(redundantMesh(mechanism, redundancy));
-  if (analysis.dof == 0 && model.t() > 0) {
-    findings.push_back(locked(mechanism, analysis));
-  } else if (!analysis.lockedLoops.empty()) {
-    findings.push_back(deadJoints(mechanism, analysis));
+  for (const Redundancy& redundancy : analysis.redundancies) {
+    if (redundancy.equation < model.c()) findings.push_back(redundantMesh(mechanism, redundancy));
   }
-  if (model.c() == 0 && model.t() > 0) {
+  for (const IdleCoupling& idle : idleCouplings(mechanism, model, analysis))
+    findings.push_back(redundantCoupling(mechanism, model, idle));
+  addLocked(mechanism, model, analysis, findings);
+  if (model.equations() == 0 && model.t() > 0) {
     Diagnostic none;
     none.code = Code::noMeshes;
     none.message = "There are no gear meshes yet: every joint is free.";
@@ -207,7 +311,9 @@ Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model, 
   } else if (std::find(analysis.idle.begin(), analysis.idle.end(), 1) != analysis.idle.end()) {
     findings.push_back(idle(mechanism, analysis));
   }
-  if (analysis.inputsGiven && !analysis.choice.wantedIsValid()) {
+  const bool valid =
+      model.held().empty() ? analysis.choice.wantedIsValid() : isValidAsEngaged(analysis.choice, wanted);
+  if (analysis.inputsGiven && !valid) {
     findings.push_back(invalidInputs(mechanism, model, placement, analysis, wanted, stop));
   }
   return findings;

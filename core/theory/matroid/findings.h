@@ -7,8 +7,8 @@
 
 namespace geargraph::inline matroid {
 
-/// The findings about what the numbers mean: redundant-mesh, locked, dead-joint, idle-joint, no-meshes and
-/// invalid-inputs. `wanted`: the document's inputs.
+/// The findings about what the numbers mean: redundant-mesh, redundant-coupling, locked, dead-joint,
+/// idle-joint, no-meshes and invalid-inputs. `wanted`: the document's inputs.
 [[nodiscard]] Diagnostics findingsOf(const Mechanism& mechanism, const KinematicModel& model,
                                      const Placement& placement, const MatroidAnalysis& analysis,
                                      std::span<const int> wanted, const std::stop_token& stop);

@@ -73,6 +73,11 @@ class IndependentRates {
 
 }  // namespace
 
+bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted) {
+  const auto isTwice = [&](int joint) { return std::count(wanted.begin(), wanted.end(), joint) > 1; };
+  return choice.added.empty() && std::none_of(wanted.begin(), wanted.end(), isTwice);
+}
+
 std::optional<InputChoice> chooseInputs(const KinematicModel& model, const FusedField& field,
                                         const Structure& structure, std::span<const int> wanted,
                                         const std::stop_token& stop) {

@@ -18,6 +18,10 @@ struct InputChoice {
   [[nodiscard]] bool wantedIsValid() const { return rejected.empty() && added.empty(); }
 };
 
+/// May the choice drive the train while couplings are engaged? Wanted inputs that follow from others are left
+/// out then; none may be missing, and none wanted twice.
+[[nodiscard]] bool isValidAsEngaged(const InputChoice& choice, std::span<const int> wanted);
+
 /// Takes the wanted joints one by one where they are independent of those before, then fills up in the order
 /// of labels. Nothing where `stop` was requested. Cost: O(t E) sparse steps; joints that no mesh constrains
 /// cost nothing.

@@ -19,7 +19,7 @@ std::optional<InputSets> InputSets::of(const KinematicModel& model, const FusedF
                                        std::span<const int> inputs, const std::stop_token& stop) {
   const int columns = model.n() + static_cast<int>(inputs.size());
   const auto system =
-      eliminate(field, inputRows(model, field, allMeshes(model), inputs), model.n(), columns, stop);
+      eliminate(field, inputRows(model, field, allEquations(model), inputs), model.n(), columns, stop);
   if (!system) return std::nullopt;
   GEARGRAPH_REQUIRE(system->freeColumns.empty());
   const auto phi = expandSparse(field, *system, kMostEntries, stop);

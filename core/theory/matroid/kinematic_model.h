@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/foundations/exact/sparse_rows.h"
@@ -35,6 +36,20 @@ class KinematicModel {
     int parent = 0;
     int sign = 1;
   };
+  /// What an engaged coupling holds about one direction: a sum of speeds that is 0. A named row below those
+  /// of the meshes; P itself keeps the rows of the meshes alone.
+  struct HeldRow {
+    struct Term {
+      int of = 0;      ///< a link, or a joint
+      int factor = 1;  ///< +1 or -1
+    };
+    int coupling = 0;  ///< position in the document
+    int from = 0;      ///< the links that it ties; the ground of a brake
+    int to = 0;
+    int axisClass = 0;         ///< about the direction of its line
+    std::vector<Term> links;   ///< over the phi
+    std::vector<Term> joints;  ///< the same over the rates of the joints on the way
+  };
 
   /// Nothing where the joints are no spanning tree or a mesh has no geometry.
   /// @pre graph, tree and placement are of one mechanism
@@ -47,7 +62,17 @@ class KinematicModel {
   [[nodiscard]] int n() const { return m_graph->n(); }
   [[nodiscard]] int t() const { return m_graph->t(); }
   [[nodiscard]] int c() const { return m_graph->c(); }
+  /// The rows that hold: those of the c meshes, then those of the engaged couplings.
+  [[nodiscard]] int equations() const { return c() + static_cast<int>(m_held.size()); }
+  [[nodiscard]] const std::vector<HeldRow>& held() const { return m_held; }
+  /// The train as engaged: these rows hold too.
+  void hold(std::vector<HeldRow> rows) { m_held = std::move(rows); }
+
   [[nodiscard]] const MeshRow& meshRow(int mesh) const { return m_rows[static_cast<std::size_t>(mesh)]; }
+  /// @pre equation >= c()
+  [[nodiscard]] const HeldRow& heldRow(int equation) const {
+    return m_held[static_cast<std::size_t>(equation - c())];
+  }
   [[nodiscard]] const JointRate& jointRate(int joint) const {
     return m_rates[static_cast<std::size_t>(joint)];
   }
@@ -71,6 +96,16 @@ class KinematicModel {
   void addMeshRow(SparseRows<typename Field::Value>& rows, int mesh, const Field& field) const {
     const MeshRow& row = meshRow(mesh);
     addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
+  }
+  /// Any equation, added likewise.
+  template <class Field>
+  void addEquation(SparseRows<typename Field::Value>& rows, int equation, const Field& field) const {
+    if (equation < c()) return addMeshRow(rows, equation, field);
+    addHeldRow(rows, heldRow(equation), field);
+  }
+  template <class Field>
+  static void addHeldRow(SparseRows<typename Field::Value>& rows, const HeldRow& row, const Field& field) {
+    for (const HeldRow::Term& term : row.links) rows.add(term.of - 1, field.fromInteger(term.factor));
   }
   /// The joint's rate over the phi, added likewise.
   template <class Field>
@@ -101,6 +136,7 @@ class KinematicModel {
   DigraphPtr m_graph;
   SpanningTreePtr m_tree;
   std::vector<MeshRow> m_rows;
+  std::vector<HeldRow> m_held;
   std::vector<JointRate> m_rates;
 };
 

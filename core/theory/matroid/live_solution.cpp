@@ -14,9 +14,9 @@ using System = Elimination<Fused>;
 std::optional<System> eliminated(const KinematicModel& model, const FusedField& field,
                                  std::span<const int> inputs, const std::stop_token& stop,
                                  std::pmr::memory_resource& memory) {
-  std::pmr::vector<int> meshes(static_cast<std::size_t>(model.c()), &memory);
-  std::iota(meshes.begin(), meshes.end(), 0);
-  return eliminate(field, inputRows(model, field, meshes, inputs, &memory), model.n(),
+  std::pmr::vector<int> equations(static_cast<std::size_t>(model.equations()), &memory);
+  std::iota(equations.begin(), equations.end(), 0);
+  return eliminate(field, inputRows(model, field, equations, inputs, &memory), model.n(),
                    model.n() + static_cast<int>(inputs.size()), stop);
 }
 
@@ -155,10 +155,10 @@ std::optional<LiveSolution> solveLive(const KinematicModel& model, const FusedFi
   return solution;
 }
 
-std::vector<int> allMeshes(const KinematicModel& model) {
-  std::vector<int> meshes(static_cast<std::size_t>(model.c()));
-  std::iota(meshes.begin(), meshes.end(), 0);
-  return meshes;
+std::vector<int> allEquations(const KinematicModel& model) {
+  std::vector<int> equations(static_cast<std::size_t>(model.equations()));
+  std::iota(equations.begin(), equations.end(), 0);
+  return equations;
 }
 
 std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inputs) {

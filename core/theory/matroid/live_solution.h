@@ -10,16 +10,16 @@
 
 namespace geargraph::inline matroid {
 
-/// Some mesh rows with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
+/// Some equations with the inputs' rates as given columns n, n+1, ...: theta_input - u = 0. One elimination
 /// of it solves the mechanism, and tells whether the inputs are valid.
 template <class Field>
 [[nodiscard]] SparseRows<typename Field::Value> inputRows(
-    const KinematicModel& model, const Field& field, std::span<const int> meshes, std::span<const int> inputs,
-    std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
+    const KinematicModel& model, const Field& field, std::span<const int> equations,
+    std::span<const int> inputs, std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
   SparseRows<typename Field::Value> rows(memory);
-  rows.reserve(meshes.size() + inputs.size(), 4 * meshes.size() + 3 * inputs.size());
-  for (const int mesh : meshes) {
-    model.addMeshRow(rows, mesh, field);
+  rows.reserve(equations.size() + inputs.size(), 4 * equations.size() + 3 * inputs.size());
+  for (const int equation : equations) {
+    model.addEquation(rows, equation, field);
     rows.endRow();
   }
   const auto minus = field.fromInteger(-1);
@@ -41,7 +41,7 @@ struct LiveSolution {
 
   int rank = 0;
   std::vector<char> dead;  ///< by joint; a MatroidAnalysis takes it over
-  int redundant = 0;       ///< meshes that depend on others
+  int redundant = 0;       ///< equations that depend on others
 
   static constexpr std::size_t kMostLiveEntries = 2'000'000;
 };
@@ -54,7 +54,7 @@ struct LiveSolution {
                                                     std::span<const Rational> speeds,
                                                     const std::stop_token& stop = {});
 
-[[nodiscard]] std::vector<int> allMeshes(const KinematicModel& model);
+[[nodiscard]] std::vector<int> allEquations(const KinematicModel& model);
 
 /// The joints that are not among the inputs, by label.
 [[nodiscard]] std::vector<int> outputsOf(const KinematicModel& model, std::span<const int> inputs);

@@ -8,10 +8,10 @@
 
 namespace geargraph::inline matroid {
 
-/// Meshes whose rows together say that a joint stands still: the loop that locks it.
+/// Equations that together hold a joint still: the loop of meshes, and of engaged couplings, that locks it.
 struct LockedLoop {
-  std::vector<int> meshes;  ///< ascending
-  std::vector<int> joints;  ///< dead joints for which these meshes alone are the reason, ascending
+  std::vector<int> equations;  ///< ascending; from c() on rows of engaged couplings
+  std::vector<int> joints;     ///< dead joints for which these equations alone are the reason, ascending
 };
 
 /// The loops behind the dead joints, none of them part of another. Looks at the first 200 dead joints at

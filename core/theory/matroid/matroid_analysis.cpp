@@ -123,28 +123,37 @@ class Analyzer {
                                     ? Rational(1)
                                     : m_speeds[static_cast<std::size_t>(wanted - m_wanted.begin())]);
     }
-    if (m_result.inputsGiven) return true;
+    if (m_result.inputsGiven && !areValidAsEngaged()) return true;
     m_result.solution = solveLive(m_model, m_field, m_result.choice.joints, m_result.speeds, m_stop);
     return m_result.solution.has_value();
   }
 
+  /// Engaged couplings may take the choice from inputs that the train without them needs; none may be
+  /// missing.
+  [[nodiscard]] bool areValidAsEngaged() const {
+    return !m_model.held().empty() && isValidAsEngaged(m_result.choice, m_wanted);
+  }
+
   void finishCounts() {
     m_result.dof = m_model.t() - m_result.rank;
-    m_result.kutzbachDof = m_model.n() - m_model.c();
+    m_result.kutzbachDof = m_model.n() - m_model.equations();
   }
 
   bool explain() {
-    if (m_result.rank < m_model.c()) {
+    if (m_result.rank < m_model.equations()) {
       auto redundancies = redundanciesOf(m_model, m_field, m_stop);
       if (!redundancies) return false;
       m_result.redundancies = std::move(*redundancies);
     }
     Scratch<1024> scratch;
-    std::pmr::vector<char> redundant(static_cast<std::size_t>(m_model.c()), 0, &scratch);
-    for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.mesh] = 1;
+    std::pmr::vector<char> redundant(static_cast<std::size_t>(m_model.equations()), 0, &scratch);
+    for (const Redundancy& redundancy : m_result.redundancies) redundant[redundancy.equation] = 1;
     m_result.independentMeshes.reserve(static_cast<std::size_t>(m_result.rank));
     for (int mesh = 0; mesh < m_model.c(); ++mesh) {
       if (redundant[mesh] == 0) m_result.independentMeshes.push_back(mesh);
+    }
+    for (int equation = m_model.c(); equation < m_model.equations(); ++equation) {
+      if (redundant[equation] == 0) m_result.independentHeld.push_back(equation);
     }
     if (std::find(m_result.dead.begin(), m_result.dead.end(), 1) == m_result.dead.end()) return true;
     auto loops = geargraph::lockedLoops(m_model, m_field, m_result.dead, m_stop);
@@ -165,6 +174,12 @@ class Analyzer {
 };
 
 }  // namespace
+
+std::vector<int> MatroidAnalysis::independentEquations() const {
+  std::vector<int> equations = independentMeshes;
+  equations.insert(equations.end(), independentHeld.begin(), independentHeld.end());
+  return equations;
+}
 
 std::optional<MatroidAnalysis> analyzeMatroid(const Mechanism& mechanism, const KinematicModel& model,
                                               const Placement& placement, const std::stop_token& stop) {

@@ -14,19 +14,22 @@ namespace geargraph::inline matroid {
 /// What the matroid method says about a mechanism, live: everything but the exact and symbolic solutions
 /// (exact_solution.h, symbolic_solution.h) and the list of input sets (input_sets.h).
 struct MatroidAnalysis {
-  int rank = 0;         ///< r of P
+  int rank = 0;         ///< r of P with the rows of engaged couplings below it
   int dof = 0;          ///< E = t - r [AU, Eq. (21)]
-  int kutzbachDof = 0;  ///< n - c
+  int kutzbachDof = 0;  ///< n minus the equations of meshes and engaged couplings
 
   std::vector<char> dead;  ///< by joint: can never turn
-  std::vector<char> idle;  ///< by joint: on no mesh's cycle
+  std::vector<char> idle;  ///< by joint: on no cycle of a mesh or of an engaged coupling
   std::vector<Redundancy> redundancies;
-  std::vector<int> independentMeshes;  ///< the r others
+  std::vector<int> independentMeshes;  ///< the others; their number is the rank of P
+  std::vector<int> independentHeld;    ///< the equations of couplings among the others
   std::vector<LockedLoop> lockedLoops;
   std::vector<std::vector<int>> rigidBlocks;  ///< links
 
-  bool inputsGiven = false;      ///< by the document
-  InputChoice choice;            ///< the given inputs where they are valid, else the nearest valid set
+  bool inputsGiven = false;  ///< by the document
+  /// The given inputs where they are valid, else the nearest valid set. While couplings are engaged, inputs
+  /// that follow from those before them are valid and are not driven (choice.rejected).
+  InputChoice choice;
   std::vector<Rational> speeds;  ///< of choice.joints: as given; 1 for those that were added
 
   /// Solved for `choice`. None where the document's inputs are not valid: a mechanism with errors gets no
@@ -34,7 +37,10 @@ struct MatroidAnalysis {
   std::optional<LiveSolution> solution;
   std::vector<Vector3> linkVelocities;  ///< by link, base frame; with the solution
 
-  /// redundant-mesh, locked, dead-joint, idle-joint, no-meshes, invalid-inputs.
+  /// Independent meshes and couplings: rows for solveSymbolic().
+  [[nodiscard]] std::vector<int> independentEquations() const;
+
+  /// redundant-mesh, redundant-coupling, locked, dead-joint, idle-joint, no-meshes, invalid-inputs.
   Diagnostics diagnostics;
 };
 

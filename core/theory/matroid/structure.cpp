@@ -8,9 +8,9 @@
 namespace geargraph::inline matroid {
 namespace {
 
-/// A hash of a mesh that sums of others do not reach by chance.
-std::uint64_t meshKey(std::uint64_t mesh) {
-  std::uint64_t z = (mesh + 1) * 0x9e3779b97f4a7c15U;
+/// A hash of an equation that sums of others do not reach by chance.
+std::uint64_t keyOf(std::uint64_t equation) {
+  std::uint64_t z = (equation + 1) * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
   return z ^ (z >> 31U);
@@ -33,11 +33,12 @@ std::vector<char> deadIn(const KinematicModel& model, const FusedField& field,
 
 std::optional<Structure> structureOf(const KinematicModel& model, const FusedField& field,
                                      const std::stop_token& stop) {
-  auto system = eliminate(field, meshRows(model, field), model.n(), model.n(), stop);
+  auto system = eliminate(field, equationRows(model, field, model.equations()), model.n(), model.n(), stop);
   if (!system) return std::nullopt;
-  if (system->rank() < std::min(model.c(), model.n())) {
+  if (system->rank() < std::min(model.equations(), model.n())) {
     const FusedField second(PrimeField::kSecondSeed);
-    auto confirmed = eliminate(second, meshRows(model, second), model.n(), model.n(), stop);
+    auto confirmed =
+        eliminate(second, equationRows(model, second, model.equations()), model.n(), model.n(), stop);
     if (!confirmed) return std::nullopt;
     // The larger rank is a proof. That the first prime divides a determinant has a chance near 2^-60.
     GEARGRAPH_REQUIRE(confirmed->rank() == system->rank());
@@ -45,7 +46,7 @@ std::optional<Structure> structureOf(const KinematicModel& model, const FusedFie
   Structure result;
   result.rank = system->rank();
   result.dof = model.t() - result.rank;
-  result.kutzbachDof = model.n() - model.c();
+  result.kutzbachDof = model.n() - model.equations();
   result.dead = deadIn(model, field, *system);
   result.idle = idleJoints(model);
   result.system = std::move(*system);
@@ -53,15 +54,20 @@ std::optional<Structure> structureOf(const KinematicModel& model, const FusedFie
 }
 
 std::vector<char> idleJoints(const KinematicModel& model) {
-  // A cycle crosses a joint exactly if one end of the mesh is beyond it: then the mesh's key stays in the
-  // exclusive-or of all keys there.
+  // A cycle crosses a joint exactly if one end of the mesh or the coupling is beyond it: then its key stays
+  // in the exclusive-or of all keys there.
   Scratch<> scratch;
   std::pmr::vector<std::uint64_t> keys(static_cast<std::size_t>(model.n()) + 1, 0, &scratch);
   for (int mesh = 0; mesh < model.c(); ++mesh) {
     const DigraphEdge& edge = model.graph().meshEdge(mesh);
-    const std::uint64_t key = meshKey(static_cast<std::uint64_t>(mesh));
+    const std::uint64_t key = keyOf(static_cast<std::uint64_t>(mesh));
     keys[edge.tail] ^= key;
     keys[edge.head] ^= key;
+  }
+  for (int equation = model.c(); equation < model.equations(); ++equation) {
+    const std::uint64_t key = keyOf(static_cast<std::uint64_t>(equation));
+    keys[model.heldRow(equation).from] ^= key;
+    keys[model.heldRow(equation).to] ^= key;
   }
   std::vector<char> idle(static_cast<std::size_t>(model.t()), 0);
   const auto order = model.tree().preorder();

@@ -9,15 +9,16 @@
 
 namespace geargraph::inline matroid {
 
-/// What the coefficient matrix P says without any choice of inputs [AU, Eq. (21)].
+/// What the coefficient matrix P, with the rows of engaged couplings below it, says without any choice of
+/// inputs [AU, Eq. (21)].
 ///
-/// Identity  dof = t - rank; the meshes that depend on others are c - rank.
+/// Identity  dof = t - rank; the equations that depend on others are equations() - rank.
 struct Structure {
   int rank = 0;            ///< of P (the paper says: of the cycle-basis matrix, whose rank is always c)
   int dof = 0;             ///< E: the number of inputs
-  int kutzbachDof = 0;     ///< n - c, which is E only where no mesh is redundant
+  int kutzbachDof = 0;     ///< n - equations(), which is E only where no equation is redundant
   std::vector<char> dead;  ///< by joint: it can never turn
-  std::vector<char> idle;  ///< by joint: no mesh's cycle contains it, so it has to be an input
+  std::vector<char> idle;  ///< by joint: no mesh's or coupling's cycle contains it, so it has to be an input
 
   /// The elimination behind it, modulo the first prime: free unknowns are free phi.
   Elimination<Fused> system;
@@ -28,7 +29,7 @@ struct Structure {
 [[nodiscard]] std::optional<Structure> structureOf(const KinematicModel& model, const FusedField& field,
                                                    const std::stop_token& stop = {});
 
-/// By joint: on no mesh's cycle. Cost: O(n + c).
+/// By joint: on no mesh's or engaged coupling's cycle. Cost: O(n + c).
 [[nodiscard]] std::vector<char> idleJoints(const KinematicModel& model);
 
 /// Links that turn as one in every motion: components of at least two links held together by dead joints, the
@@ -36,13 +37,15 @@ struct Structure {
 [[nodiscard]] std::vector<std::vector<int>> rigidBlocks(const KinematicModel& model,
                                                         const std::vector<char>& dead);
 
-/// The mesh rows over the phi, in a field's numbers.
+/// The first `count` equations over the phi, in a field's numbers: c() are those of the meshes, equations()
+/// those of the engaged couplings too.
 template <class Field>
-[[nodiscard]] SparseRows<typename Field::Value> meshRows(const KinematicModel& model, const Field& field) {
+[[nodiscard]] SparseRows<typename Field::Value> equationRows(const KinematicModel& model, const Field& field,
+                                                             int count) {
   SparseRows<typename Field::Value> rows;
-  rows.reserve(static_cast<std::size_t>(model.c()), 3 * static_cast<std::size_t>(model.c()));
-  for (int mesh = 0; mesh < model.c(); ++mesh) {
-    model.addMeshRow(rows, mesh, field);
+  rows.reserve(static_cast<std::size_t>(count), 3 * static_cast<std::size_t>(count));
+  for (int equation = 0; equation < count; ++equation) {
+    model.addEquation(rows, equation, field);
     rows.endRow();
   }
   return rows;

@@ -12,21 +12,27 @@ namespace {
 
 constexpr std::size_t kScratch = 32 * 1024;
 
-/// The normalised rows (24) with one unknown per output and one given column per input.
+/// The normalised rows (24), and those of engaged couplings, with one unknown per output and one given column
+/// per input.
 class RatioSystem {
  public:
-  RatioSystem(const KinematicModel& model, const CoefficientMatrix& matrix, std::span<const int> meshes,
+  RatioSystem(const KinematicModel& model, const CoefficientMatrix& matrix, std::span<const int> equations,
               std::span<const int> inputs)
       : m_outputs(outputsOf(model, inputs)),
-        m_meshes(meshes.begin(), meshes.end()),
+        m_equations(equations.begin(), equations.end()),
         m_columnOf(static_cast<std::size_t>(model.t())) {
     m_joints = m_outputs;
     m_joints.insert(m_joints.end(), inputs.begin(), inputs.end());
     for (std::size_t i = 0; i < m_joints.size(); ++i) m_columnOf[m_joints[i]] = static_cast<int>(i);
-    m_starts.reserve(m_meshes.size() + 1);
-    m_entries.reserve(4 * m_meshes.size());
-    for (const int mesh : meshes) {
-      matrix.appendRow(mesh, m_entries);
+    m_starts.reserve(m_equations.size() + 1);
+    m_entries.reserve(4 * m_equations.size());
+    for (const int equation : equations) {
+      if (equation < model.c()) {
+        matrix.appendRow(equation, m_entries);
+      } else {
+        for (const auto& term : model.heldRow(equation).joints)
+          m_entries.push_back({term.of, false, term.factor, static_cast<double>(term.factor)});
+      }
       m_starts.push_back(m_entries.size());
     }
   }
@@ -35,17 +41,17 @@ class RatioSystem {
   [[nodiscard]] int columns() const { return static_cast<int>(m_joints.size()); }
   [[nodiscard]] const std::vector<int>& outputs() const { return m_outputs; }
   [[nodiscard]] int joint(int column) const { return m_joints[static_cast<std::size_t>(column)]; }
-  [[nodiscard]] int mesh(int row) const { return m_meshes[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int equation(int row) const { return m_equations[static_cast<std::size_t>(row)]; }
 
-  /// Its rows at some ratios, by mesh.
+  /// Its rows at some ratios, by mesh; of a coupling there is none in it.
   [[nodiscard]] SparseRows<Fused> rows(const FusedField& field, std::span<const Fused> drawn,
                                        std::pmr::memory_resource& memory) const {
     SparseRows<Fused> result(&memory);
-    result.reserve(m_meshes.size(), m_entries.size());
-    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+    result.reserve(m_equations.size(), m_entries.size());
+    for (std::size_t row = 0; row < m_equations.size(); ++row) {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
         const CoefficientMatrix::Entry& entry = m_entries[i];
-        const Fused value = entry.tail ? drawn[m_meshes[row]] : field.one();
+        const Fused value = entry.tail ? drawn[m_equations[row]] : field.one();
         result.add(m_columnOf[entry.joint], entry.sign > 0 ? value : field.negated(value));
       }
       result.endRow();
@@ -58,12 +64,12 @@ class RatioSystem {
   [[nodiscard]] SparseRows<RationalFunction> rows(const std::vector<char>& left, const Peeling& peeling,
                                                   const RatioRingPtr& ring,
                                                   std::pmr::memory_resource& memory) const {
-    std::pmr::vector<int> pivots(m_meshes.size(), -1, &memory);
+    std::pmr::vector<int> pivots(m_equations.size(), -1, &memory);
     for (const Pivot& pivot : peeling.first) pivots[pivot.row] = pivot.column;
     for (const Pivot& pivot : peeling.last) pivots[pivot.row] = pivot.column;
     SparseRows<RationalFunction> result(&memory);
-    result.reserve(m_meshes.size(), m_entries.size());
-    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+    result.reserve(m_equations.size(), m_entries.size());
+    for (std::size_t row = 0; row < m_equations.size(); ++row) {
       int sign = 1;
       int power = 0;
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
@@ -75,8 +81,10 @@ class RatioSystem {
         const CoefficientMatrix::Entry& entry = m_entries[i];
         const int column = m_columnOf[entry.joint];
         if (left[column] != 0) continue;
-        result.add(column, RationalFunction::power(ring, sign * entry.sign, m_meshes[row],
-                                                   (entry.tail ? 1 : 0) - power));
+        const int exponent = (entry.tail ? 1 : 0) - power;
+        // A row of a coupling has no ratio, its entries are +-1: any variable to the power 0 does.
+        result.add(column, RationalFunction::power(ring, sign * entry.sign,
+                                                   exponent == 0 ? 0 : m_equations[row], exponent));
       }
       result.endRow();
     }
@@ -87,9 +95,9 @@ class RatioSystem {
   [[nodiscard]] SparsePattern pattern(const std::vector<char>& left,
                                       std::pmr::memory_resource& memory) const {
     SparsePattern result(&memory);
-    result.starts.reserve(m_meshes.size() + 1);
+    result.starts.reserve(m_equations.size() + 1);
     result.columns.reserve(m_entries.size());
-    for (std::size_t row = 0; row < m_meshes.size(); ++row) {
+    for (std::size_t row = 0; row < m_equations.size(); ++row) {
       for (std::size_t i = m_starts[row]; i < m_starts[row + 1]; ++i) {
         const int column = m_columnOf[m_entries[i].joint];
         if (left[column] == 0) result.columns.push_back(column);
@@ -101,7 +109,7 @@ class RatioSystem {
 
  private:
   std::vector<int> m_outputs;
-  std::vector<int> m_meshes;
+  std::vector<int> m_equations;
   std::vector<int> m_columnOf;                      ///< by joint
   std::vector<int> m_joints;                        ///< by column
   std::vector<std::size_t> m_starts{0};             ///< by row, and one behind the last
@@ -156,7 +164,7 @@ std::vector<SymbolicLine> linesOf(const RatioSystem& ratios, const Elimination<R
     const RationalFunction& pivot = pivotOf(rows, line.row, line.column);
     SymbolicLine& result = lines.emplace_back();
     result.joint = ratios.joint(line.column);
-    result.mesh = line.core ? -1 : ratios.mesh(line.row);
+    result.equation = line.core ? -1 : ratios.equation(line.row);
     result.terms.reserve(static_cast<std::size_t>(rows.end(line.row) - rows.begin(line.row)) - 1);
     for (int entry = rows.begin(line.row); entry < rows.end(line.row); ++entry) {
       if (rows.column(entry) == line.column) continue;
@@ -184,11 +192,11 @@ RatioRingPtr ratioRingOf(const Mechanism& mechanism) {
 }
 
 std::optional<SymbolicSolution> solveSymbolic(const Mechanism& mechanism, const KinematicModel& model,
-                                              const CoefficientMatrix& matrix, std::span<const int> meshes,
+                                              const CoefficientMatrix& matrix, std::span<const int> equations,
                                               std::span<const int> inputs, const std::stop_token& stop,
                                               ExpansionBudget budget) {
   constexpr int kMostTermsOfTheCore = 600;
-  const RatioSystem ratios(model, matrix, meshes, inputs);
+  const RatioSystem ratios(model, matrix, equations, inputs);
   const auto zeros = zerosOf(ratios, model, stop);
   if (!zeros) return std::nullopt;
 

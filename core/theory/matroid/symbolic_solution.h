@@ -18,7 +18,8 @@ struct SymbolicLine {
     RationalFunction coefficient;
   };
   int joint = 0;
-  int mesh = -1;  ///< the mesh whose equation gives it; -1 where elimination combined several
+  int equation =
+      -1;  ///< the mesh, or row of a coupling, that gives it; -1 where elimination combined several
   std::vector<Term> terms;
 };
 
@@ -41,10 +42,11 @@ struct SymbolicSolution {
 [[nodiscard]] RatioRingPtr ratioRingOf(const Mechanism& mechanism);
 
 /// Nothing where `stop` was requested, or the coupled core of the equations alone went over what anybody
-/// reads. `meshes`: independent ones, r of them. @pre the inputs are valid
+/// reads. `equations`: independent ones, r of them (MatroidAnalysis::independentEquations()).
+/// @pre the inputs are valid
 [[nodiscard]] std::optional<SymbolicSolution> solveSymbolic(
     const Mechanism& mechanism, const KinematicModel& model, const CoefficientMatrix& matrix,
-    std::span<const int> meshes, std::span<const int> inputs, const std::stop_token& stop = {},
+    std::span<const int> equations, std::span<const int> inputs, const std::stop_token& stop = {},
     ExpansionBudget budget = {});
 
 }  // namespace geargraph::inline matroid

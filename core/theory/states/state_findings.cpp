@@ -65,11 +65,14 @@ Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int do
   return result;
 }
 
-Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state, const Coupling& coupling) {
-  Diagnostic result = finding(state, Code::turningLoop);
+Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling, const ShiftState* state) {
+  Diagnostic result;
+  if (state != nullptr) result = finding(*state, Code::turningLoop);
+  result.code = Code::turningLoop;
   result.detail = Detail::couplingLinkage;
   result.message +=
-      ": coupling " + coupling.id.text() + " ties " + linkName(mechanism, coupling.links.front()) + " to " +
+      (state != nullptr ? ": coupling " : "Engaged coupling ") + coupling.id.text() + " ties " +
+      linkName(mechanism, coupling.links.front()) + " to " +
       (coupling.kind == CouplingKind::brake ? "the ground" : linkName(mechanism, coupling.links.back())) +
       " over axes of four directions or more. That is a linkage whose speeds depend on the "
       "pose: there is no ratio to state. Couple links that lie nearer to each other.";

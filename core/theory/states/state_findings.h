@@ -16,9 +16,10 @@ namespace geargraph::inline states {
 [[nodiscard]] Diagnostic stateFree(const Mechanism& mechanism, const ShiftState& state, int dof,
                                    const std::vector<int>& links);
 
-/// turning-loop: the coupling ties links over four directions or more.
-[[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const ShiftState& state,
-                                         const Coupling& coupling);
+/// turning-loop: the coupling ties links over four directions or more. `state`: in which it is engaged; null:
+/// in the document's current engagement.
+[[nodiscard]] Diagnostic couplingLinkage(const Mechanism& mechanism, const Coupling& coupling,
+                                         const ShiftState* state);
 
 /// The ratio of the state is beyond the largest double.
 [[nodiscard]] Diagnostic ratioBeyondRange(const ShiftState& state);

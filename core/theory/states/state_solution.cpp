@@ -6,6 +6,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/foundations/exact/expansion.h"
 #include "core/theory/matroid/symbolic_solution.h"
+#include "core/theory/states/engagement.h"
 #include "core/theory/states/state_findings.h"
 #include "core/theory/states/state_system.h"
 
@@ -34,11 +35,7 @@ class StateSolver {
     std::sort(result.engaged.begin(), result.engaged.end());
     result.engaged.erase(std::unique(result.engaged.begin(), result.engaged.end()), result.engaged.end());
 
-    for (const int coupling : result.engaged) {
-      const Coupling& element = m_mechanism.couplings[static_cast<std::size_t>(coupling)];
-      if (!speedOver(element).closesWithoutLinkage())
-        result.diagnostics.push_back(couplingLinkage(m_mechanism, state, element));
-    }
+    result.diagnostics = engagementOf(m_mechanism, m_placement, result.engaged, &state).diagnostics;
     if (!result.diagnostics.empty()) return result;
 
     const StateSystem system = systemOf(state, result.engaged);
@@ -57,12 +54,6 @@ class StateSolver {
   }
 
  private:
-  [[nodiscard]] RelativeSpeed speedOver(const Coupling& coupling) const {
-    const int last = m_linkAt.at(coupling.links.back());
-    const int first = coupling.kind == CouplingKind::brake ? 0 : m_linkAt.at(coupling.links.front());
-    return RelativeSpeed::between(m_placement, first, last);
-  }
-
   [[nodiscard]] int ownClass(int link) const { return m_placement.classes->classOfLink(link); }
   /// +1 where the axis of the link's own joint points as the line of the class does.
   [[nodiscard]] int ownSense(int link) const {
@@ -72,10 +63,7 @@ class StateSolver {
 
   [[nodiscard]] StateSystem systemOf(const ShiftState& state, const std::vector<int>& engaged) const {
     StateSystem system;
-    for (const int coupling : engaged) {
-      RelativeSpeed speed = speedOver(m_mechanism.couplings[static_cast<std::size_t>(coupling)]);
-      for (RelativeSpeed::Part& part : speed.parts) system.held.push_back(std::move(part));
-    }
+    system.held = engagementOf(m_mechanism, m_placement, engaged).rows;
     if (!state.drive) return system;
     const int drive = m_linkAt.at(*state.drive);
     system.drive = RelativeSpeed::Part{};  // the ground: no term, so that it cannot turn

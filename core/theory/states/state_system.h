@@ -12,7 +12,7 @@ namespace geargraph::inline states {
 
 /// The rows of the meshes, then those of couplings, then the drive's speed as the given column n.
 struct StateSystem {
-  std::vector<RelativeSpeed::Part> held;  ///< by row: what engaged couplings keep at 0
+  std::vector<KinematicModel::HeldRow> held;  ///< what engaged couplings keep at 0
   std::optional<RelativeSpeed::Part> drive;
 
   /// `meshWeights(mesh, tail)`: the field's number for N_tail or N_head of the mesh, as in
@@ -29,9 +29,9 @@ struct StateSystem {
       model.addMeshRow(result, mesh, field, meshWeights(mesh, true), meshWeights(mesh, false));
       result.endRow();
     }
-    for (const RelativeSpeed::Part& part : held) {
+    for (const KinematicModel::HeldRow& each : held) {
       if (isLeft(row++)) continue;
-      addPart(result, part, field);
+      KinematicModel::addHeldRow(result, each, field);
       result.endRow();
     }
     if (drive && !isLeft(row)) {

@@ -1,18 +1,9 @@
 #include "core/theory/statics/held_parts.h"
 
-#include <algorithm>
-
-#include "core/foundations/base/position_index.h"
+#include "core/theory/states/relative_speed.h"
 
 namespace geargraph::inline statics {
 namespace {
-
-/// The two links of a coupling: what it acts on, and where the reaction is.
-std::pair<int, int> linksOf(const Mechanism& mechanism, const Coupling& coupling) {
-  const PositionIndex<LinkTag> links(mechanism.links);
-  const int acts = links.at(coupling.links.front());
-  return {acts, coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back())};
-}
 
 class PartMaker {
  public:
@@ -20,28 +11,20 @@ class PartMaker {
       : m_mechanism(mechanism), m_model(model), m_placement(placement) {}
 
   void addCoupling(int position, std::vector<HeldPart>& parts) const {
-    const auto [link, against] =
-        linksOf(m_mechanism, m_mechanism.couplings[static_cast<std::size_t>(position)]);
-    if (link == against) return;  // a brake on the ground holds nothing
-    // The first axis on the way to the ground, as its joint points; for a clutch on the ground's side of
-    // everything, that of the other link.
-    const int first = link != 0 ? link : against;
-    const auto joint = static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(first)]);
-    const int axis = m_placement.tree->axisOf[joint];
-    const int mainClass = m_placement.classes->classOf[joint];
-    const int sense = m_placement.classes->sense[joint];
-    const RelativeSpeed speed = RelativeSpeed::between(m_placement, against, link);
-    for (const RelativeSpeed::Part& of : speed.parts) {
+    for (const KinematicModel::HeldRow& row : heldRows(m_mechanism, m_placement, position)) {
+      // The first axis on the way to the ground, as its joint points; for a clutch on the ground's side of
+      // everything, that of the other link.
+      const int first = row.to != 0 ? row.to : row.from;
+      const auto joint = static_cast<std::size_t>(m_placement.tree->joint[static_cast<std::size_t>(first)]);
       HeldPart& part = parts.emplace_back();
       part.coupling = position;
-      const int along = directionSign(m_placement, of.axisClass, mainClass);
+      const int along = directionSign(m_placement, row.axisClass, m_placement.classes->classOf[joint]);
       part.isMain = along != 0;
-      part.axis =
-          part.isMain ? axis : m_placement.classes->classes[static_cast<std::size_t>(of.axisClass)].axis;
-      const int sign = part.isMain ? along * sense : 1;
-      for (const RelativeSpeed::Term& term : of.terms)
-        part.byLink.emplace_back(term.link, Rational(sign * term.factor));
-      addCircuit(against, link, of.axisClass, sign, part);
+      part.axis = part.isMain ? m_placement.tree->axisOf[joint]
+                              : m_placement.classes->classes[static_cast<std::size_t>(row.axisClass)].axis;
+      const int sign = part.isMain ? along * m_placement.classes->sense[joint] : 1;
+      for (const auto& term : row.links) part.byLink.emplace_back(term.of, Rational(sign * term.factor));
+      for (const auto& term : row.joints) part.byJoint.emplace_back(term.of, Rational(sign * term.factor));
     }
   }
 
@@ -80,17 +63,6 @@ class PartMaker {
   }
 
  private:
-  /// The joints on the way whose axes are parallel to the class's line.
-  void addCircuit(int from, int to, int axisClass, int sign, HeldPart& part) const {
-    for (const PathStep& step : treePath(m_model.tree(), from, to)) {
-      const auto joint = static_cast<std::size_t>(step.joint);
-      const int along = directionSign(m_placement, m_placement.classes->classOf[joint], axisClass);
-      if (along == 0) continue;
-      part.byJoint.emplace_back(step.joint,
-                                Rational(sign * along * step.direction * m_placement.classes->sense[joint]));
-    }
-  }
-
   const Mechanism& m_mechanism;
   const KinematicModel& m_model;
   const Placement& m_placement;
@@ -106,11 +78,6 @@ std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel
   for (std::size_t i = 0; i < problem.balances.size(); ++i)
     parts.push_back(maker.balanceAt(static_cast<int>(i), problem.balances[i]));
   return parts;
-}
-
-bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling) {
-  const auto [link, against] = linksOf(mechanism, mechanism.couplings[static_cast<std::size_t>(coupling)]);
-  return RelativeSpeed::between(placement, against, link).closesWithoutLinkage();
 }
 
 }  // namespace geargraph::inline statics

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/mechanism/model/mechanism.h"
-#include "core/theory/states/relative_speed.h"
+#include "core/theory/states/engagement.h"
 #include "core/theory/statics/applied_loads.h"
 
 namespace geargraph::inline statics {
@@ -29,8 +29,5 @@ struct HeldPart {
 /// Cost: O(joints between their links). @pre the placement has a tree
 [[nodiscard]] std::vector<HeldPart> heldParts(const Mechanism& mechanism, const KinematicModel& model,
                                               const Placement& placement, const StaticsProblem& problem);
-
-/// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
-[[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling);
 
 }  // namespace geargraph::inline statics

@@ -5,6 +5,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/theory/matroid/exact_solution.h"
+#include "core/theory/states/engagement.h"
 #include "core/theory/states/state_solution.h"
 #include "core/theory/statics/statics_findings.h"
 
@@ -67,7 +68,7 @@ class Analysis {
       m_report.problem.engaged = solution->engaged;
       for (Diagnostic& diagnostic : solution->diagnostics) add(std::move(diagnostic));
       if (solution->isSolved()) m_report.motion = std::move(solution->rates);
-    } else if (m_analysis.solution) {
+    } else if (m_report.problem.engaged = engagedCouplings(m_mechanism); m_analysis.solution) {
       auto solution = solveExact(m_model, m_analysis.choice.joints, m_analysis.speeds, m_stop);
       if (!solution) return false;
       m_report.motion = std::move(solution->rates);
@@ -157,6 +158,7 @@ class Analysis {
   }
 
   void addDeadLoads() {
+    if (!m_model.held().empty()) return;  // a brake may carry the load, not the teeth
     for (const AppliedTorque& load : m_report.problem.torques) {
       if (!load.place.inJoint() || load.torque.isZero()) continue;
       if (m_analysis.dead[static_cast<std::size_t>(load.place.joint)] == 0) continue;

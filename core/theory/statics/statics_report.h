@@ -16,7 +16,9 @@ namespace geargraph::inline statics {
 
 /// What is asked about the torques of a mechanism.
 struct StaticsOptions {
-  int state = -1;                      ///< position of the state whose couplings are engaged; -1: none is
+  /// Position of the state whose couplings are engaged, instead of those that the document engages; -1:
+  /// these.
+  int state = -1;
   bool documentLoads = true;           ///< false: `loads` only
   std::vector<Load> loads;             ///< beside those of the document
   std::vector<Balance> balances;       ///< instead of those of the document, where there are any
@@ -70,7 +72,7 @@ struct StaticsReport {
 
 /// Returns nothing where `stop` was requested.
 /// Cost: two exact eliminations by the Matroid method and the T-T graph, more with losses and symbols.
-/// @pre all of one mechanism without errors; the state exists
+/// @pre all of one mechanism without errors; the state exists, and with one the document engages nothing
 [[nodiscard]] std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism,
                                                           const KinematicModel& model,
                                                           const Placement& placement, const TtGraph& ttGraph,

@@ -39,7 +39,7 @@ std::optional<Elimination<Rational>> eliminated(const KinematicModel& model, std
 std::optional<FreeMotion> unheldMotion(const KinematicModel& model, std::span<const HeldPart> held,
                                        const RadicalColumns& loads, const std::stop_token& stop) {
   const RationalField field;
-  SparseRows<Rational> rows = meshRows(model, field);
+  SparseRows<Rational> rows = equationRows(model, field, model.c());
   for (const HeldPart& part : held) {
     for (const auto& [link, factor] : part.byLink) rows.add(link - 1, factor);
     rows.endRow();

@@ -78,10 +78,25 @@ std::string TtEquations::headCircuit(int mesh) const {
   return write(headChordName(*m_graph.terminal(mesh))) + " = " + write(sum(m_graph.headCircuit(mesh)));
 }
 
+std::string TtEquations::heldCircuit(int place) const {
+  return write(sum(m_graph.held()[static_cast<std::size_t>(place)].terms)) + " = 0";
+}
+
+std::string TtEquations::fromHeldCircuit(const SubstitutionStep& step) const {
+  const std::vector<CircuitTerm>& terms = m_graph.heldCircuit(step.equations.front()).terms;
+  const auto unknown = std::find_if(terms.begin(), terms.end(),
+                                    [&](const CircuitTerm& term) { return term.joint == step.joint; });
+  std::vector<CircuitTerm> rest;
+  for (const CircuitTerm& term : terms) {
+    if (term.joint != step.joint) rest.push_back({term.joint, -unknown->coefficient * term.coefficient});
+  }
+  return write(sum(rest));
+}
+
 /// The unknown is in one of the mesh's two circuits: unknown = +-(own chord - the circuit's other terms). Its
 /// chord is a ratio of the other chord, and that one its own circuit.
 std::vector<std::string> TtEquations::direct(const SubstitutionStep& step) const {
-  const int mesh = step.meshes.front();
+  const int mesh = step.equations.front();
   const TerminalPair& pair = *m_graph.terminal(mesh);
   const auto tail = m_graph.tailCircuit(mesh);
   const auto head = m_graph.headCircuit(mesh);
@@ -120,6 +135,8 @@ std::vector<std::string> TtEquations::stages(const SubstitutionStep& step) const
     std::vector<Term> before;
     for (const SolvedTerm& term : step.before) before.push_back(weighted(term.coefficient, term.joint));
     stages.push_back(write(before));
+  } else if (step.equations.front() >= m_graph.graph().c()) {
+    stages.push_back(fromHeldCircuit(step));
   } else {
     for (std::string& stage : direct(step)) stages.push_back(std::move(stage));
   }

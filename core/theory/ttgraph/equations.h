@@ -22,6 +22,8 @@ class TtEquations {
   /// "w51'' = w50 - w10" [AU, Eqs. (31)-(38)].
   [[nodiscard]] std::string tailCircuit(int mesh) const;
   [[nodiscard]] std::string headCircuit(int mesh) const;
+  /// "w10 + w21 = 0": the circuit of an engaged coupling, by its place in TtGraph::held().
+  [[nodiscard]] std::string heldCircuit(int place) const;
   /// What a step comes through, each stage one side of "=" [AU, Eqs. (39)-(42)]: "w21", "w21''", "-n52
   /// w51''",
   /// "-n52 (w50 - w10)", "-n52*n41 w40 - n52 w50". Without the last where it went over the budget.
@@ -41,6 +43,7 @@ class TtEquations {
   [[nodiscard]] Term weighted(const RationalFunction& factor, int joint) const;
   [[nodiscard]] std::vector<Term> sum(std::span<const CircuitTerm> circuit) const;
   [[nodiscard]] std::vector<std::string> direct(const SubstitutionStep& step) const;
+  [[nodiscard]] std::string fromHeldCircuit(const SubstitutionStep& step) const;
 
   const TtGraph& m_graph;
   const SubstitutionPlan& m_plan;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -36,6 +37,7 @@ class LevelSystem {
       system.addDifference(rows, pair.head, pair.carrier, vertex.headLevel, head);
       rows.endRow();
     }
+    for (const HeldCircuit& circuit : graph.held()) system.addHeld(rows, circuit);
     const int links = graph.graph().n();
     for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
       const auto [edge, level, sense] = system.branch(plan.inputs[input]);
@@ -58,14 +60,14 @@ class LevelSystem {
     return joints;
   }
 
-  /// Meshes whose equation gave no unknown. Ascending.
-  [[nodiscard]] std::vector<int> surplusMeshes() const {
-    std::vector<int> meshes;
+  /// Equations that gave no unknown. Ascending.
+  [[nodiscard]] std::vector<int> surplusEquations() const {
+    std::vector<int> equations;
     for (const auto& check : m_system.checks) {
-      if (check.source < m_graph->graph().c()) meshes.push_back(check.source);
+      if (check.source < m_graph->equations()) equations.push_back(check.source);
     }
-    std::sort(meshes.begin(), meshes.end());
-    return meshes;
+    std::sort(equations.begin(), equations.end());
+    return equations;
   }
 
   /// The rates of all joints, by joint, and whether every equation that gave no unknown holds.
@@ -119,6 +121,21 @@ class LevelSystem {
   void addDifference(SparseRows<Value>& rows, int node, int against, int level, const Value& weight) const {
     if (isOn(node, level)) rows.add(node - 1, weight);
     if (isOn(against, level)) rows.add(against - 1, m_field->negated(weight));
+  }
+
+  /// The sum of the branches, each a difference of two numbers: what two neighbours share drops out.
+  void addHeld(SparseRows<Value>& rows, const HeldCircuit& circuit) const {
+    std::map<int, int> factors;  // by node
+    for (const CircuitTerm& term : circuit.terms) {
+      const auto [edge, level, sense] = branch(term.joint);
+      const int factor = term.coefficient * sense;
+      if (isOn(edge.head, level)) factors[edge.head] += factor;
+      if (isOn(edge.tail, level)) factors[edge.tail] -= factor;
+    }
+    for (const auto& [node, factor] : factors) {
+      if (factor != 0) rows.add(node - 1, m_field->fromInteger(factor));
+    }
+    rows.endRow();
   }
 
   const Field* m_field;

@@ -71,7 +71,8 @@ EquationNumbers::EquationNumbers(const TtGraph& graph, int unknowns) : m_unknown
       if ((circuit.size() > 1) == several) m_circuits[static_cast<std::size_t>(chord)] = next++;
     }
   }
-  m_firstStep = next;
+  m_firstHeld = next;
+  m_firstStep = next + static_cast<int>(graph.held().size());
 }
 
 }  // namespace geargraph::inline ttgraph

@@ -38,8 +38,8 @@ struct RatioNames {
 
 /// The numbers of the method's equations, counted on from the paper's (26): for its robot they are the
 /// paper's own. First the terminal equations, then the circuits (those of several branches before the
-/// others), then a step of the solution for each unknown, then the matrix, the names, the matrix in those
-/// names.
+/// others), those of engaged couplings, then a step of the solution for each unknown, then the matrix, the
+/// names, the matrix in those names.
 class EquationNumbers {
  public:
   static constexpr int kRelation = 26;  ///< the relation between two gears, Eq. (26)
@@ -50,6 +50,8 @@ class EquationNumbers {
   [[nodiscard]] int terminal(int mesh) const { return kRelation + 1 + mesh; }
   [[nodiscard]] int tailCircuit(int mesh) const { return m_circuits[static_cast<std::size_t>(2 * mesh)]; }
   [[nodiscard]] int headCircuit(int mesh) const { return m_circuits[static_cast<std::size_t>(2 * mesh) + 1]; }
+  /// By its place in TtGraph::held().
+  [[nodiscard]] int heldCircuit(int place) const { return m_firstHeld + place; }
   [[nodiscard]] int step(int place) const { return m_firstStep + place; }
   [[nodiscard]] int matrix() const { return m_firstStep + m_unknowns; }
   [[nodiscard]] int names() const { return matrix() + 1; }
@@ -57,6 +59,7 @@ class EquationNumbers {
 
  private:
   std::vector<int> m_circuits;  ///< by chord
+  int m_firstHeld = 0;
   int m_firstStep = 0;
   int m_unknowns = 0;
 };

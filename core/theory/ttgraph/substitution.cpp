@@ -30,17 +30,17 @@ class Planner {
   SubstitutionPlan run() {
     index();
     while (!m_ready.empty()) {
-      const int mesh = m_ready.top();
+      const int equation = m_ready.top();
       m_ready.pop();
-      m_done[static_cast<std::size_t>(mesh)] = 1;
-      if (m_unknowns[static_cast<std::size_t>(mesh)] == 0) {
-        m_plan.surplusMeshes.push_back(mesh);
+      m_done[static_cast<std::size_t>(equation)] = 1;
+      if (m_unknowns[static_cast<std::size_t>(equation)] == 0) {
+        m_plan.surplusEquations.push_back(equation);
       } else {
-        solve(mesh);
+        solve(equation);
       }
     }
-    for (int mesh = 0; mesh < m_graph.graph().c(); ++mesh) {
-      if (m_done[static_cast<std::size_t>(mesh)] == 0) m_plan.coupledMeshes.push_back(mesh);
+    for (int equation = 0; equation < m_graph.equations(); ++equation) {
+      if (m_done[static_cast<std::size_t>(equation)] == 0) m_plan.coupledEquations.push_back(equation);
     }
     numberColumns();
     return std::move(m_plan);
@@ -48,35 +48,39 @@ class Planner {
 
  private:
   template <class Visit>
-  void forJointsOf(int mesh, const Visit& visit) const {
-    for (const CircuitTerm& term : m_graph.tailCircuit(mesh)) visit(static_cast<std::size_t>(term.joint));
-    for (const CircuitTerm& term : m_graph.headCircuit(mesh)) visit(static_cast<std::size_t>(term.joint));
+  void forJointsOf(int equation, const Visit& visit) const {
+    const auto visitAll = [&](std::span<const CircuitTerm> terms) {
+      for (const CircuitTerm& term : terms) visit(static_cast<std::size_t>(term.joint));
+    };
+    if (equation >= m_graph.graph().c()) return visitAll(m_graph.heldCircuit(equation).terms);
+    visitAll(m_graph.tailCircuit(equation));
+    visitAll(m_graph.headCircuit(equation));
   }
 
   void index() {
-    const int meshes = m_graph.graph().c();
-    m_unknowns.assign(static_cast<std::size_t>(meshes), 0);
-    m_done.assign(static_cast<std::size_t>(meshes), 0);
-    m_meshesOf.resize(m_known.size());
-    for (int mesh = 0; mesh < meshes; ++mesh) {
-      int& unknowns = m_unknowns[static_cast<std::size_t>(mesh)];
-      forJointsOf(mesh, [&](std::size_t joint) {
+    const int equations = m_graph.equations();
+    m_unknowns.assign(static_cast<std::size_t>(equations), 0);
+    m_done.assign(static_cast<std::size_t>(equations), 0);
+    m_equationsOf.resize(m_known.size());
+    for (int equation = 0; equation < equations; ++equation) {
+      int& unknowns = m_unknowns[static_cast<std::size_t>(equation)];
+      forJointsOf(equation, [&](std::size_t joint) {
         if (m_known[joint] != 0) return;
         ++unknowns;
-        m_meshesOf[joint].push_back(mesh);
+        m_equationsOf[joint].push_back(equation);
       });
-      if (unknowns <= 1) m_ready.push(mesh);
+      if (unknowns <= 1) m_ready.push(equation);
     }
   }
 
-  void solve(int mesh) {
+  void solve(int equation) {
     std::size_t joint = 0;
-    forJointsOf(mesh, [&](std::size_t candidate) {
+    forJointsOf(equation, [&](std::size_t candidate) {
       if (m_known[candidate] == 0) joint = candidate;
     });
     m_known[joint] = 1;
-    m_plan.steps.push_back({mesh, static_cast<int>(joint)});
-    for (const int other : m_meshesOf[joint]) {
+    m_plan.steps.push_back({equation, static_cast<int>(joint)});
+    for (const int other : m_equationsOf[joint]) {
       if (--m_unknowns[static_cast<std::size_t>(other)] == 1) m_ready.push(other);
     }
   }
@@ -96,10 +100,10 @@ class Planner {
   }
 
   const TtGraph& m_graph;
-  std::vector<char> m_known;                 ///< by joint
-  std::vector<int> m_unknowns;               ///< by mesh: its unknown joints
-  std::vector<char> m_done;                  ///< by mesh
-  std::vector<std::vector<int>> m_meshesOf;  ///< by unknown joint
+  std::vector<char> m_known;                    ///< by joint
+  std::vector<int> m_unknowns;                  ///< by equation: its unknown joints
+  std::vector<char> m_done;                     ///< by equation
+  std::vector<std::vector<int>> m_equationsOf;  ///< by unknown joint
   std::priority_queue<int, std::vector<int>, std::greater<>> m_ready;
   SubstitutionPlan m_plan;
 };

@@ -8,26 +8,27 @@
 namespace geargraph::inline ttgraph {
 
 /// The order in which the terminal equations give the unknown joint rates, as in Eqs. (39)-(42) of [AU]: take
-/// a mesh with one unknown left in its terminal and circuit equations, solve, substitute, repeat. No
-/// arithmetic is needed for the order. Where every mesh left has two unknowns or more, what is left is
+/// a mesh with one unknown left in its terminal and circuit equations, or a coupling with one left in its
+/// circuit, solve, substitute, repeat. No
+/// arithmetic is needed for the order. Where every equation left has two unknowns or more, what is left is
 /// coupled and has to be solved together.
 ///
 /// Columns number the joints for the solution: coupled unknowns first, then those that substitution gives,
 /// then the inputs.
 struct SubstitutionPlan {
   struct Step {
-    int mesh = 0;
+    int equation = 0;  ///< a mesh, or from c() on an engaged coupling (TtGraph::heldCircuit())
     int joint = 0;
   };
 
   /// The circuits are too long to write down: no steps, and no columns; the solution goes by levels
   /// (level_system.h).
   bool byLevels = false;
-  std::vector<int> inputs;         ///< joints, in the order asked for
-  std::vector<int> outputs;        ///< the other joints, ascending: the unknowns
-  std::vector<Step> steps;         ///< in order; of several ready meshes the first in the document is taken
-  std::vector<int> surplusMeshes;  ///< all their joints were known when they were reached
-  std::vector<int> coupledMeshes;  ///< ascending
+  std::vector<int> inputs;            ///< joints, in the order asked for
+  std::vector<int> outputs;           ///< the other joints, ascending: the unknowns
+  std::vector<Step> steps;            ///< in order; of several ready equations the first is taken
+  std::vector<int> surplusEquations;  ///< all their joints were known when they were reached
+  std::vector<int> coupledEquations;  ///< ascending
   int coupledUnknowns = 0;
   std::vector<int> columnOf;  ///< by joint
   std::vector<int> jointAt;   ///< by column

@@ -24,39 +24,39 @@ class Chain {
   std::vector<SubstitutionStep> run(const SymbolicSystem& symbolic) {
     const System& system = symbolic.system;
     for (const SubstitutionPlan::Step& step : m_plan.steps) {
-      add(step.joint, {step.mesh}, system.direct().rows, step.mesh);
+      add(step.joint, {step.equation}, system.direct().rows, step.equation);
     }
     for (const auto& line : system.rest().lines) {
       const int joint = m_plan.jointAt[static_cast<std::size_t>(line.column)];
       if (line.core) {
-        add(joint, system.coupledMeshes(), system.rest().coreRows, line.row);
+        add(joint, system.coupledEquations(), system.rest().coreRows, line.row);
       } else {
-        add(joint, {system.restMesh(line.row)}, system.rest().rows, line.row);
+        add(joint, {system.restEquation(line.row)}, system.rest().rows, line.row);
       }
     }
-    if (!symbolic.withoutCoupled) addStanding(system.coupledMeshes());
+    if (!symbolic.withoutCoupled) addStanding(system.coupledEquations());
     return std::move(m_steps);
   }
 
  private:
   /// The coupled unknowns that never turn: no line gives them.
-  void addStanding(const std::vector<int>& meshes) {
+  void addStanding(const std::vector<int>& equations) {
     for (int column = 0; column < m_plan.coupledUnknowns; ++column) {
       const int joint = m_plan.jointAt[static_cast<std::size_t>(column)];
       if (m_numberOf[static_cast<std::size_t>(joint)] != 0) continue;
       SubstitutionStep step;
       step.joint = joint;
       step.coupled = true;
-      step.meshes = meshes;
+      step.equations = equations;
       finish(std::move(step));
     }
   }
 
-  void add(int joint, std::vector<int> meshes, const Rows& rows, int row) {
+  void add(int joint, std::vector<int> equations, const Rows& rows, int row) {
     SubstitutionStep step;
     step.joint = joint;
-    step.coupled = meshes.size() > 1;
-    step.meshes = std::move(meshes);
+    step.coupled = equations.size() > 1;
+    step.equations = std::move(equations);
     const int column = m_plan.columnOf[static_cast<std::size_t>(joint)];
     const RationalFunction divisor = m_field.negated(pivotOf(rows, row, column));
     for (int entry = rows.begin(row); entry < rows.end(row); ++entry) {
@@ -79,7 +79,12 @@ class Chain {
   /// As in Eq. (40): the unknown's circuit, the terminal equation, the other circuit, the steps put in.
   [[nodiscard]] std::vector<int> usesOf(const SubstitutionStep& step) const {
     std::vector<int> uses;
-    for (const int mesh : step.meshes) {
+    for (const int equation : step.equations) {
+      if (equation >= m_graph.graph().c()) {
+        uses.push_back(m_numbers.heldCircuit(equation - m_graph.graph().c()));
+        continue;
+      }
+      const int mesh = equation;
       const auto tail = m_graph.tailCircuit(mesh);
       const bool inTail = std::any_of(tail.begin(), tail.end(),
                                       [&](const CircuitTerm& term) { return term.joint == step.joint; });

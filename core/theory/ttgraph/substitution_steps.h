@@ -20,11 +20,12 @@ struct SolvedTerm {
 ///     w21 = n52 w10 - n52 w50              before: the mesh's equations solved for the unknown
 ///         = -n52 n41 w40 - n52 w50         after: earlier steps put in, over the inputs
 struct SubstitutionStep {
-  int number = 0;           ///< of this equation
-  int joint = 0;            ///< the unknown
-  std::vector<int> meshes;  ///< whose equations give it; several where they had to be solved together
-  bool coupled = false;     ///< solved together
-  std::vector<int> uses;    ///< numbers of the equations put in, as the paper cites them
+  int number = 0;  ///< of this equation
+  int joint = 0;   ///< the unknown
+  /// Meshes, and from c() on engaged couplings, that give it; several where they had to be solved together.
+  std::vector<int> equations;
+  bool coupled = false;   ///< solved together
+  std::vector<int> uses;  ///< numbers of the equations put in, as the paper cites them
   std::vector<SolvedTerm> before;
   std::vector<std::optional<RationalFunction>> after;  ///< by input; none where over the budget
 };

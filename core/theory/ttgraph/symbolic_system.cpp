@@ -32,14 +32,15 @@ struct RandomRatioWeights {
   }
 };
 
-/// By mesh: 1 where it is redundant. None where `stop` was requested.
-std::optional<std::vector<char>> redundantMeshes(const FusedField& field, const TtGraph& graph,
-                                                 const SubstitutionPlan& plan, const std::stop_token& stop) {
+/// By equation: 1 where it is redundant. None where `stop` was requested.
+std::optional<std::vector<char>> redundantEquations(const FusedField& field, const TtGraph& graph,
+                                                    const SubstitutionPlan& plan,
+                                                    const std::stop_token& stop) {
   const auto system =
       TtSystem<FusedField>::of(field, graph, plan, TeethWeights<FusedField>{&field}, {}, stop);
   if (!system) return std::nullopt;
-  std::vector<char> redundant(static_cast<std::size_t>(graph.graph().c()), 0);
-  for (const int mesh : system->surplusMeshes()) redundant[static_cast<std::size_t>(mesh)] = 1;
+  std::vector<char> redundant(static_cast<std::size_t>(graph.equations()), 0);
+  for (const int equation : system->surplusEquations()) redundant[static_cast<std::size_t>(equation)] = 1;
   return redundant;
 }
 
@@ -80,7 +81,7 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
                                              const SubstitutionPlan& plan, const std::stop_token& stop) {
   constexpr int kMostTermsOfTheCore = 600;
   const FusedField fused;
-  auto redundant = redundantMeshes(fused, graph, plan, stop);
+  auto redundant = redundantEquations(fused, graph, plan, stop);
   if (!redundant) return std::nullopt;
   LeftOut left{std::move(*redundant), {}};
   auto vanishing = vanishingRates(fused, graph, plan, left, stop);
@@ -96,7 +97,7 @@ std::optional<SymbolicSystem> symbolicSystem(const RatioRingPtr& ring, const TtG
   if (stop.stop_requested()) return std::nullopt;
   const bool withoutCoupled = !system;
   if (withoutCoupled) {
-    for (const int mesh : plan.coupledMeshes) left.meshes[static_cast<std::size_t>(mesh)] = 1;
+    for (const int equation : plan.coupledEquations) left.equations[static_cast<std::size_t>(equation)] = 1;
     system = TtSystem<RationalFunctionField>::of(*field, graph, plan, weights, left);
   }
   system->setField(*field);

@@ -16,12 +16,12 @@ struct SymbolicSystem {
   std::unique_ptr<const RationalFunctionField> field;
   std::vector<std::vector<char>> vanishing;  ///< by input, then by column: the rate is 0 whatever the ratios
   TtSystem<RationalFunctionField> system;
-  /// The coupled meshes went over what anybody reads and are left out.
+  /// The coupled equations went over what anybody reads and are left out.
   bool withoutCoupled = false;
 };
 
-/// 1. Which meshes are redundant at the ratios' own values: they are left out, their ratios are bound to
-/// others.
+/// 1. Which equations are redundant at the ratios' own values: they are left out; the ratios of such
+/// meshes are bound to others.
 /// 2. Which rates vanish identically, found at random ratios modulo a prime: they are not computed.
 /// 3. The elimination of the coupled rest, which stops where a function grows beyond reading.
 ///

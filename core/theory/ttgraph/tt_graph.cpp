@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
+#include "core/foundations/base/position_index.h"
 #include "core/theory/ttgraph/mesh_sign.h"
 
 namespace geargraph::inline ttgraph {
@@ -27,6 +28,7 @@ TtGraph::TtGraph(const Mechanism& mechanism, DigraphPtr graph, SpanningTreePtr t
       m_levels(axisLevels(mechanism, *m_graph, lines)),
       m_vertices(geargraph::transferVertices(*m_graph, *m_tree, m_levels)) {
   addTerminals(mechanism, lines);
+  if (!mechanism.engaged.empty()) addHeld(mechanism, lines);
 }
 
 Diagnostics TtGraph::diagnostics() const {
@@ -55,7 +57,41 @@ long long TtGraph::longestCircuitTerms() const {
       terms += (m_tree->depth(gear) - top) + (m_tree->depth(pair->carrier) - top);
     }
   }
+  for (const HeldCircuit& circuit : m_held) terms += static_cast<long long>(circuit.terms.size());
   return terms;
+}
+
+void TtGraph::addHeld(const Mechanism& mechanism, const ReferenceLines& lines) {
+  const PositionIndex<LinkTag> links(mechanism.links);
+  const PositionIndex<CouplingTag> couplings(mechanism.couplings);
+  // Along parallel levels velocities add up like voltages: +1 or -1 between their directions, else 0.
+  const auto along = [&](int level, int other) {
+    if (level == other) return 1;
+    const AxisLine* const one = lines.axis(m_levels.axisOf(level));
+    const AxisLine* const two = lines.axis(m_levels.axisOf(other));
+    if (one == nullptr || two == nullptr) return 0;
+    if (length(cross(one->direction, two->direction)) >= kSameLine) return 0;
+    return dot(one->direction, two->direction) < 0 ? -1 : 1;
+  };
+  for (const CouplingId id : mechanism.engaged) {
+    const int position = couplings.at(id);
+    const Coupling& coupling = mechanism.couplings[static_cast<std::size_t>(position)];
+    const int link = links.at(coupling.links.front());
+    const int against = coupling.kind == CouplingKind::brake ? 0 : links.at(coupling.links.back());
+    const std::size_t first = m_held.size();
+    std::vector<int> levels;  // of the circuits from `first` on
+    for (const PathStep& step : treePath(*m_tree, link, against)) {
+      const int level = m_levels.ofJoint[static_cast<std::size_t>(step.joint)];
+      std::size_t at = 0;
+      while (at < levels.size() && along(level, levels[at]) == 0) ++at;
+      if (at == levels.size()) {
+        levels.push_back(level);
+        m_held.push_back({position, {}});
+      }
+      const int coefficient = -step.direction * m_levels.senseOf(step.joint) * along(level, levels[at]);
+      m_held[first + at].terms.push_back({step.joint, coefficient});
+    }
+  }
 }
 
 void TtGraph::addTerminals(const Mechanism& mechanism, const ReferenceLines& lines) {

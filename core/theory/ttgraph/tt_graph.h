@@ -34,6 +34,14 @@ struct CircuitTerm {
   int coefficient = 0;  ///< +1 or -1
 };
 
+/// An engaged coupling is an edge of the T-T graph whose velocity is 0: the link that it holds against the
+/// ground, or against the other link of a clutch. Its fundamental circuit is one equation for each direction
+/// along the way: there the sum of the branches is 0.
+struct HeldCircuit {
+  int coupling = 0;  ///< position in the document
+  std::vector<CircuitTerm> terms;
+};
+
 /// The T-T graph: tree branches with levels, and for each mesh its carrier, terminal equation and two
 /// fundamental circuits. An immutable value.
 class TtGraph {
@@ -64,6 +72,15 @@ class TtGraph {
   [[nodiscard]] std::span<const CircuitTerm> tailCircuit(int mesh) const { return circuit(2 * mesh); }
   [[nodiscard]] std::span<const CircuitTerm> headCircuit(int mesh) const { return circuit(2 * mesh + 1); }
 
+  /// Of the couplings that the document engages, in its order of them.
+  [[nodiscard]] const std::vector<HeldCircuit>& held() const { return m_held; }
+  /// The equations of the meshes, c() of them, then those of the engaged couplings.
+  [[nodiscard]] int equations() const { return m_graph->c() + static_cast<int>(m_held.size()); }
+  /// @pre equation >= c()
+  [[nodiscard]] const HeldCircuit& heldCircuit(int equation) const {
+    return m_held[static_cast<std::size_t>(equation - m_graph->c())];
+  }
+
   [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
@@ -81,6 +98,7 @@ class TtGraph {
         .subspan(first, m_circuits->starts[static_cast<std::size_t>(chord) + 1] - first);
   }
   void addTerminals(const Mechanism& mechanism, const ReferenceLines& lines);
+  void addHeld(const Mechanism& mechanism, const ReferenceLines& lines);
   void writeCircuits() const;
 
   DigraphPtr m_graph;
@@ -89,6 +107,7 @@ class TtGraph {
   TransferVertices m_vertices;
   std::vector<std::optional<TerminalPair>> m_terminals;
   std::vector<int> m_unsigned;
+  std::vector<HeldCircuit> m_held;
   bool m_complete = true;
   std::shared_ptr<Circuits> m_circuits = std::make_shared<Circuits>();
 };

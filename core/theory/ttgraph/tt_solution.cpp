@@ -54,7 +54,7 @@ std::optional<TtDetermination> ttDetermination(const TtGraph& graph, const Subst
   for (Fused& input : inputs) input = {1, residues.next()};
   TtDetermination result;
   const bool done = withSystem(field, graph, plan, stop, [&](const auto& system) {
-    result = {system.openJoints(), !system.solve(inputs).second, system.surplusMeshes()};
+    result = {system.openJoints(), !system.solve(inputs).second, system.surplusEquations()};
     return true;
   });
   return done ? std::optional(std::move(result)) : std::nullopt;

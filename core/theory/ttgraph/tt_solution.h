@@ -19,16 +19,17 @@ struct RateMatrix {
   std::vector<int> outputs;  ///< joints by ordinal, ascending
   std::vector<int> inputs;   ///< joints by ordinal, in the order of the document's inputs
   std::vector<std::vector<Value>> entries;
-  /// No rate is left open, and the meshes that were not needed hold for every input. False for inputs that
+  /// No rate is left open, and the equations that were not needed hold for every input. False for inputs that
   /// are not valid: such a matrix is no solution.
   bool determined = true;
 };
 
-/// Whether the inputs determine the motion, and the meshes that add nothing.
+/// Whether the inputs determine the motion, and the equations that add nothing.
 struct TtDetermination {
-  std::vector<int> openJoints;     ///< no equation gives them: too few inputs, or dependent ones
-  bool contradictory = false;      ///< the equations force a relation among the inputs
-  std::vector<int> surplusMeshes;  ///< not needed for the solution
+  std::vector<int> openJoints;  ///< no equation gives them: too few inputs, or dependent ones
+  bool contradictory = false;   ///< the equations force a relation among the inputs
+  /// Not needed for the solution: meshes, and from c() on engaged couplings.
+  std::vector<int> surplusEquations;
   [[nodiscard]] bool valid() const { return openJoints.empty() && !contradictory; }
 };
 

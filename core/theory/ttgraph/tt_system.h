@@ -14,7 +14,7 @@ namespace geargraph::inline ttgraph {
 
 /// What a system does without.
 struct LeftOut {
-  std::vector<char> meshes;   ///< by mesh, 1: its row; empty: none
+  std::vector<char> equations;  ///< 1: its row; empty: none
   std::vector<char> columns;  ///< by column, 1: its terms in the coupled rest, for its rate is 0; empty: none
 };
 
@@ -22,7 +22,8 @@ struct LeftOut {
 ///
 ///     tail(mesh) * (tail circuit) + head(mesh) * (head circuit) = 0
 ///
-/// solved by substitution, and by the common elimination where the rest is coupled.
+/// and below them the circuits of engaged couplings, each a sum of branches that is 0; solved by
+/// substitution, and by the common elimination where the rest is coupled.
 ///
 /// `Weights` gives the two factors of a mesh: N_i and -s N_j, or i and -s.
 template <class Field>
@@ -39,18 +40,18 @@ class TtSystem {
                                                   const std::stop_token& stop = {}) {
     TtSystem system(field, plan);
     system.m_direct.unknowns = system.m_direct.columns = static_cast<int>(plan.jointAt.size());
-    for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
-      system.addRow(system.m_direct.rows, graph, mesh, weights, {});
+    for (int equation = 0; equation < graph.equations(); ++equation) {
+      system.addRow(system.m_direct.rows, graph, equation, weights, {});
     }
     for (const SubstitutionPlan::Step& step : plan.steps) {
       system.m_direct.lines.push_back(
-          {plan.columnOf[static_cast<std::size_t>(step.joint)], step.mesh, false});
+          {plan.columnOf[static_cast<std::size_t>(step.joint)], step.equation, false});
     }
     SparseRows<Value> rest;
-    for (const int mesh : plan.coupledMeshes) {
-      if (!left.meshes.empty() && left.meshes[static_cast<std::size_t>(mesh)] != 0) continue;
-      system.addRow(rest, graph, mesh, weights, left.columns);
-      system.m_restMeshes.push_back(mesh);
+    for (const int equation : plan.coupledEquations) {
+      if (!left.equations.empty() && left.equations[static_cast<std::size_t>(equation)] != 0) continue;
+      system.addRow(rest, graph, equation, weights, left.columns);
+      system.m_restEquations.push_back(equation);
     }
     auto solved =
         eliminate(field, std::move(rest), plan.coupledUnknowns, static_cast<int>(plan.jointAt.size()), stop);
@@ -70,15 +71,15 @@ class TtSystem {
     return joints;
   }
 
-  /// Meshes whose equation gave no unknown: redundant where they hold, else the inputs contradict each other.
+  /// Equations that gave no unknown: redundant where they hold, else the inputs contradict each other.
   /// Ascending.
-  [[nodiscard]] std::vector<int> surplusMeshes() const {
-    std::vector<int> meshes = m_plan->surplusMeshes;
+  [[nodiscard]] std::vector<int> surplusEquations() const {
+    std::vector<int> equations = m_plan->surplusEquations;
     for (const auto& check : m_rest.checks) {
-      meshes.push_back(m_restMeshes[static_cast<std::size_t>(check.source)]);
+      equations.push_back(m_restEquations[static_cast<std::size_t>(check.source)]);
     }
-    std::sort(meshes.begin(), meshes.end());
-    return meshes;
+    std::sort(equations.begin(), equations.end());
+    return equations;
   }
 
   /// The rates of all joints, by joint, for these input rates; open joints stand still.
@@ -97,34 +98,35 @@ class TtSystem {
     return {std::move(found), all};
   }
 
-  /// Do the surplus meshes hold at these rates?
+  /// Do the surplus equations hold at these rates?
   [[nodiscard]] bool holds(const std::vector<Value>& rates) const {
     std::vector<Value> x;
     for (const int joint : m_plan->jointAt) x.push_back(rates[static_cast<std::size_t>(joint)]);
-    for (const int mesh : surplusMeshes()) {
-      if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, mesh, x))) return false;
+    for (const int equation : surplusEquations()) {
+      if (!m_field->isZero(negatedRowSum(*m_field, m_direct.rows, equation, x))) return false;
     }
     return true;
   }
 
-  /// Rows by mesh, lines in the order of the plan's steps.
+  /// Rows by equation, lines in the order of the plan's steps.
   [[nodiscard]] const Elimination<Value>& direct() const { return m_direct; }
   /// The coupled rest, in the same columns.
   [[nodiscard]] const Elimination<Value>& rest() const { return m_rest; }
 
-  /// The mesh of a row of the rest.
-  [[nodiscard]] int restMesh(int row) const { return m_restMeshes[static_cast<std::size_t>(row)]; }
-  /// The meshes that had to be solved together: those of the rest that gave no unknown one by one. Ascending.
-  [[nodiscard]] std::vector<int> coupledMeshes() const {
-    std::vector<char> alone(m_restMeshes.size(), 0);
+  /// The equation of a row of the rest.
+  [[nodiscard]] int restEquation(int row) const { return m_restEquations[static_cast<std::size_t>(row)]; }
+  /// The equations that had to be solved together: those of the rest that gave no unknown one by one.
+  /// Ascending.
+  [[nodiscard]] std::vector<int> coupledEquations() const {
+    std::vector<char> alone(m_restEquations.size(), 0);
     for (const auto& line : m_rest.lines) {
       if (!line.core) alone[static_cast<std::size_t>(line.row)] = 1;
     }
-    std::vector<int> meshes;
+    std::vector<int> equations;
     for (std::size_t row = 0; row < alone.size(); ++row) {
-      if (alone[row] == 0) meshes.push_back(m_restMeshes[row]);
+      if (alone[row] == 0) equations.push_back(m_restEquations[row]);
     }
-    return meshes;
+    return equations;
   }
 
   /// By column: 0 but for the inputs.
@@ -148,7 +150,7 @@ class TtSystem {
   }
 
   template <class Weights>
-  void addRow(SparseRows<Value>& rows, const TtGraph& graph, int mesh, const Weights& weights,
+  void addRow(SparseRows<Value>& rows, const TtGraph& graph, int equation, const Weights& weights,
               const std::vector<char>& left) const {
     const auto add = [&](std::span<const CircuitTerm> circuit, const Value& weight) {
       const Value negative = m_field->negated(weight);
@@ -158,9 +160,13 @@ class TtSystem {
         rows.add(column, term.coefficient > 0 ? weight : negative);
       }
     };
-    const auto [tail, head] = weights(*graph.terminal(mesh));
-    add(graph.tailCircuit(mesh), tail);
-    add(graph.headCircuit(mesh), head);
+    if (equation >= graph.graph().c()) {
+      add(graph.heldCircuit(equation).terms, m_field->fromInteger(1));
+    } else {
+      const auto [tail, head] = weights(*graph.terminal(equation));
+      add(graph.tailCircuit(equation), tail);
+      add(graph.headCircuit(equation), head);
+    }
     rows.endRow();
   }
 
@@ -168,7 +174,7 @@ class TtSystem {
   const SubstitutionPlan* m_plan;
   Elimination<Value> m_direct;
   Elimination<Value> m_rest;
-  std::vector<int> m_restMeshes;  ///< by row of the rest
+  std::vector<int> m_restEquations;  ///< by row of the rest
 };
 
 /// The factors of Eq. (26) in whole numbers: N_i w_ik - s N_j w_jk = 0.

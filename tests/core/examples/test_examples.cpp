@@ -148,7 +148,7 @@ class ExamplesTest : public QObject {
     const TtDetermination determination = ttDetermination(found.graph, plan).value();
     QVERIFY(determination.valid());
     QCOMPARE(static_cast<int>(plan.inputs.size()), promise.freedoms);
-    QCOMPARE(static_cast<int>(determination.surplusMeshes.size()), promise.redundant);
+    QCOMPARE(static_cast<int>(determination.surplusEquations.size()), promise.redundant);
     const std::vector<Rational> rates = ttRates(found.graph, plan, found.speeds()).value();
     for (const auto& [label, rate] : promise.rates) {
       const auto joint = static_cast<std::size_t>(label - read->jointLabel(0));

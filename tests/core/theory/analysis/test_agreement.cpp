@@ -100,7 +100,7 @@ void compareAll(const Both& both) {
   const SubstitutionPlan plan = substitutionPlan(both.graph, both.inputs());
   const TtDetermination determination = ttDetermination(both.graph, plan).value();
   QVERIFY(determination.valid());
-  QCOMPARE(static_cast<int>(determination.surplusMeshes.size()),
+  QCOMPARE(static_cast<int>(determination.surplusEquations.size()),
            both.worked.mechanism.c() - both.worked.analysis.rank);
   QVERIFY(agreementOf(exact.rates, ttRates(both.graph, plan, both.speeds()).value()).equal);
   const LiveSolution& live = both.worked.analysis.solution.value();

@@ -98,7 +98,7 @@ class TestMatroidFindings : public QObject {
 
   void theRedundantMeshIsTheLastOfItsLoopAndTheLoopIsNamed() {
     const Worked worked(planetary(24, 18, 2));
-    QCOMPARE(worked.analysis.redundancies.front().mesh, 3);
+    QCOMPARE(worked.analysis.redundancies.front().equation, 3);
     QVERIFY(worked.analysis.redundancies.front().dependsOn == (std::vector<int>{0, 1, 2}));
     const Diagnostic finding = find(worked.analysis, Code::redundantMesh);
     QCOMPARE(blamed(finding), (QStringList{"14", "11", "12", "13"}));
@@ -187,7 +187,7 @@ class TestMatroidFindings : public QObject {
     const Worked worked(train);
     QCOMPARE(worked.analysis.dof, 0);
     QCOMPARE(worked.analysis.lockedLoops.size(), std::size_t{1});
-    QVERIFY(worked.analysis.lockedLoops.front().meshes == (std::vector<int>{0, 1, 2}));
+    QVERIFY(worked.analysis.lockedLoops.front().equations == (std::vector<int>{0, 1, 2}));
   }
 
   void aJointWithoutMeshesIsIdleAndAnInput() {

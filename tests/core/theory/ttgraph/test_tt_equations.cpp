@@ -108,7 +108,7 @@ class TtEquationsTest : public QObject {
     QCOMPARE(train.plan.coupledUnknowns, 2);
     QCOMPARE(train.steps.size(), std::size_t(2));
     QVERIFY(train.steps[0].coupled);
-    QCOMPARE(train.steps[0].meshes, (std::vector<int>{0, 1}));
+    QCOMPARE(train.steps[0].equations, (std::vector<int>{0, 1}));
     QCOMPARE(train.steps[0].number, 33);
     // Every step holds at the ratios' own values, whatever its stages.
     const auto exact = ttSolution(train.found.graph, train.plan).value();

@@ -77,7 +77,7 @@ class TtRandomTest : public QObject {
       const TtDetermination other = ttDetermination(found.graph, levels).value();
       QVERIFY(one.valid());
       QVERIFY(other.valid());
-      QCOMPARE(one.surplusMeshes.size(), other.surplusMeshes.size());
+      QCOMPARE(one.surplusEquations.size(), other.surplusEquations.size());
 
       if (!circuits.outputs.empty()) {  // one input too many, one too few
         std::vector<int> more = inputs;

@@ -17,7 +17,7 @@ bool isAsKnown(const test::TextbookTrain& train, const Mechanism& mechanism) {
   const TtDetermination determination = ttDetermination(found.graph, plan).value();
   if (!determination.valid()) return false;
   if (static_cast<int>(plan.inputs.size()) != train.freedoms) return false;
-  if (static_cast<int>(determination.surplusMeshes.size()) != mechanism.c() - train.rank) return false;
+  if (static_cast<int>(determination.surplusEquations.size()) != mechanism.c() - train.rank) return false;
   const std::vector<Rational> rates = ttRates(found.graph, plan, found.speeds()).value();
   if (!found.rollsWithoutSliding(rates)) return false;
   for (const auto& [joint, rate] : train.rates) {

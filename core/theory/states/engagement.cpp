@@ -1,0 +1,72 @@
+#include "core/theory/states/engagement.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/foundations/base/position_index.h"
+#include "core/theory/states/relative_speed.h"
+#include "core/theory/states/state_findings.h"
+
+namespace geargraph::inline states {
+namespace {
+
+/// Where the reaction of the coupling is, and the link that it acts on.
+std::pair<int, int> endsOf(const Mechanism& mechanism, int coupling) {
+  const Coupling& element = mechanism.couplings[static_cast<std::size_t>(coupling)];
+  const PositionIndex<LinkTag> links(mechanism.links);
+  return {element.kind == CouplingKind::brake ? 0 : links.at(element.links.back()),
+          links.at(element.links.front())};
+}
+
+}  // namespace
+
+std::vector<int> engagedCouplings(const Mechanism& mechanism) {
+  std::vector<int> positions;
+  if (mechanism.engaged.empty()) return positions;
+  const PositionIndex<CouplingTag> couplings(mechanism.couplings);
+  for (const CouplingId id : mechanism.engaged) positions.push_back(couplings.at(id));
+  std::sort(positions.begin(), positions.end());
+  return positions;
+}
+
+std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism, const Placement& placement,
+                                              int coupling) {
+  const auto [from, to] = endsOf(mechanism, coupling);
+  const std::vector<PathStep> path = treePath(*placement.tree->tree, from, to);
+  std::vector<KinematicModel::HeldRow> rows;
+  for (const RelativeSpeed::Part& part : RelativeSpeed::between(placement, from, to).parts) {
+    KinematicModel::HeldRow& row = rows.emplace_back();
+    row.coupling = coupling;
+    row.from = from;
+    row.to = to;
+    row.axisClass = part.axisClass;
+    for (const RelativeSpeed::Term& term : part.terms) row.links.push_back({term.link, term.factor});
+    for (const PathStep& step : path) {
+      const auto joint = static_cast<std::size_t>(step.joint);
+      const int along = directionSign(placement, placement.classes->classOf[joint], part.axisClass);
+      if (along != 0)
+        row.joints.push_back({step.joint, along * step.direction * placement.classes->sense[joint]});
+    }
+  }
+  return rows;
+}
+
+bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling) {
+  const auto [from, to] = endsOf(mechanism, coupling);
+  return RelativeSpeed::between(placement, from, to).closesWithoutLinkage();
+}
+
+Engagement engagementOf(const Mechanism& mechanism, const Placement& placement,
+                        std::span<const int> couplings, const ShiftState* state) {
+  Engagement result;
+  for (const int coupling : couplings) {
+    if (!closesWithoutLinkage(mechanism, placement, coupling))
+      result.diagnostics.push_back(
+          couplingLinkage(mechanism, mechanism.couplings[static_cast<std::size_t>(coupling)], state));
+    for (auto& row : heldRows(mechanism, placement, coupling)) result.rows.push_back(std::move(row));
+  }
+  if (!result.diagnostics.empty()) result.rows.clear();
+  return result;
+}
+
+}  // namespace geargraph::inline states

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/mechanism/model/mechanism.h"
+#include "core/theory/matroid/kinematic_model.h"
+
+namespace geargraph::inline states {
+
+/// The couplings that the document engages, by position, ascending.
+[[nodiscard]] std::vector<int> engagedCouplings(const Mechanism& mechanism);
+
+/// The equations of a coupling while it is engaged: the velocity of the first link that it names against the
+/// ground, or against the other link of a clutch, is 0. One equation for each direction of the axes along the
+/// way, of the reference pose (relative_speed.h); none for a brake on the ground.
+///
+/// Identity  the sum over the phi and the sum over the joints' rates are the same speed.
+/// Cost      O(joints between the links). @pre the placement has a tree
+[[nodiscard]] std::vector<KinematicModel::HeldRow> heldRows(const Mechanism& mechanism,
+                                                            const Placement& placement, int coupling);
+
+/// Do constant coefficients describe the coupling? False where it closes a linkage (relative_speed.h).
+[[nodiscard]] bool closesWithoutLinkage(const Mechanism& mechanism, const Placement& placement, int coupling);
+
+/// The equations of these couplings together, or why there are none.
+struct Engagement {
+  std::vector<KinematicModel::HeldRow> rows;
+  Diagnostics diagnostics;  ///< turning-loop for each coupling that closes a linkage; then there are no rows
+};
+/// `state`: whose couplings they are, for the words of findings; null: those of the document's `engaged`.
+[[nodiscard]] Engagement engagementOf(const Mechanism& mechanism, const Placement& placement,
+                                      std::span<const int> couplings, const ShiftState* state = nullptr);
+
+}  // namespace geargraph::inline states
