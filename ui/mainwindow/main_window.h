@@ -118,6 +118,7 @@ class MainWindow : public QMainWindow {
   void makeDocks();
   void makeCommands();
   QWidget* makeInputsAndResults();
+  QAction* makePanelAction(QDockWidget* dock);
   QDockWidget* addDock(const char* name, const QString& title, QWidget* widget);
   [[nodiscard]] QDockWidget* dock(const char* name) const;
   void placeDocks();
@@ -183,6 +184,7 @@ class MainWindow : public QMainWindow {
   Presentation* m_presentation = nullptr;
   std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;
+  std::vector<QAction*> m_panelActions;  ///< of the docks
   QByteArray m_layout;  ///< to be restored when the window is shown
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document

@@ -65,7 +65,7 @@ void MainWindow::makeMenus() {
   QMenu* view = menu(tr("&View"));
   view->addActions({a.fit, a.fitSelected, a.zoomIn, a.zoomOut, a.grid});
   view->addSeparator();
-  for (QDockWidget* dock : m_docks) view->addAction(dock->toggleViewAction());
+  for (QAction* panel : m_panelActions) view->addAction(panel);
   view->addAction(a.resetLayout);
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Theme"));

@@ -1,5 +1,6 @@
 // The panels of a window round its drawing: which there are, where they stand, and which comes to the front.
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QDockWidget>
 #include <QFrame>
@@ -14,6 +15,7 @@
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/properties_panel.h"
 #include "ui/panels/results_panel.h"
+#include "ui/search/search_entries.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -33,10 +35,26 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, QWidget
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(widget);
   m_docks.push_back(dock);
-  dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
-  addAction(dock->toggleViewAction());
+  addAction(makePanelAction(dock));
   m_titles->watch(dock);
   return dock;
+}
+
+/// Shows the panel; hides it where it is in front already. Qt's own action hides a panel that lies behind the
+/// tab of another.
+QAction* MainWindow::makePanelAction(QDockWidget* dock) {
+  auto* action = new QAction(dock->windowTitle(), dock);
+  action->setObjectName(dock->objectName());
+  action->setCheckable(true);
+  action->setProperty(kRevealsPanel, true);
+  action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
+  connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+  connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
+    dock->setVisible(isWanted);
+    if (isWanted) dock->raise();
+  });
+  m_panelActions.push_back(action);
+  return action;
 }
 
 QWidget* MainWindow::makeInputsAndResults() {

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <unordered_map>
 
+#include "ui/search/everyday_words.h"
 #include "ui/search/word_match.h"
 
 namespace geargraph::inline search {
@@ -32,6 +33,7 @@ void addCommands(const QMenu& menu, const QString& path, std::vector<SearchEntry
     entry.side = action->shortcut().toString(QKeySequence::NativeText);
     if (entry.side.isEmpty()) entry.side = action->text().section(QLatin1Char('\t'), 1);
     entry.haystack = foldedText(entry.title + QLatin1Char(' ') + plainText(menu.title()));
+    entry.everydayWords = everydayWordsFor(action->objectName());
     entry.action = action;
     entries.push_back(std::move(entry));
   }

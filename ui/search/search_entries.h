@@ -18,10 +18,14 @@ struct SearchEntry {
   QString title;                     ///< "Turning joint 12"
   QString side;                      ///< at the right: a shortcut, or where it stands
   QString haystack;                  ///< folded: what is searched
+  QString everydayWords;             ///< folded: what is searched where nothing else is found
   QPointer<QAction> action;          ///< of a command
   std::optional<ElementId> element;  ///< of an element
   std::optional<Term> term;          ///< of a term
 };
+
+/// Property of an action that shows a panel, and hides it where it is in front. The search only shows it.
+constexpr const char* kRevealsPanel = "revealsPanel";
 
 /// A menu's text without its mnemonic and its dots: "&Open…" gives "Open".
 [[nodiscard]] QString plainText(const QString& menuText);

@@ -99,7 +99,8 @@ void SearchField::choose(int row) {
   if (entry.element) return emit elementChosen(*entry.element);
   if (entry.action == nullptr) return;
   if (!entry.action->isEnabled()) return emit refused(entry.action->toolTip());
-  entry.action->trigger();
+  const bool isShown = entry.action->property(kRevealsPanel).toBool() && entry.action->isChecked();
+  if (!isShown) entry.action->trigger();
 }
 
 void SearchField::end() {

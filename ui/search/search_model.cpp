@@ -37,7 +37,12 @@ void SearchModel::setQuery(const QString& query) {
   const QStringList words = wordsOf(query);
   std::vector<std::pair<int, std::size_t>> found;  // minus the score, so that the best sort first
   for (std::size_t i = 0; i < m_entries.size(); ++i) {
-    const int score = matchScore(m_entries[i].haystack, words, !m_entries[i].element);
+    const SearchEntry& entry = m_entries[i];
+    int score = matchScore(entry.haystack, words, !entry.element);
+    if (score == 0 && !entry.everydayWords.isEmpty()) {
+      // A name counts more than another word for it.
+      score = matchScore(entry.haystack + QLatin1Char(' ') + entry.everydayWords, words, false) / 2;
+    }
     if (score > 0) found.emplace_back(-score, i);
   }
   const std::size_t kept = std::min(found.size(), std::size_t{kMost});

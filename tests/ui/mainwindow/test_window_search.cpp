@@ -1,3 +1,5 @@
+#include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QListView>
 #include <QSlider>
@@ -81,6 +83,22 @@ class WindowSearchTest : public QObject {
     QCOMPARE(part<QLabel>("searchDetail")->text(), QString("There is nothing to undo."));
     press(Qt::Key_Return);
     QCOMPARE(window->statusLine().text(), QString("There is nothing to undo."));
+  }
+
+  void aPanelBehindAnotherComesToTheFront() {
+    auto* panel = window->findChild<QDockWidget*>("dock.gearbox");
+    QVERIFY(panel->visibleRegion().isEmpty());
+    ask("brake");
+    press(Qt::Key_Return);
+    QTRY_VERIFY(!panel->visibleRegion().isEmpty());
+    ask("gearbox");  // it stays
+    press(Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QVERIFY(!panel->visibleRegion().isEmpty());
+    auto* action = panel->findChild<QAction*>("dock.gearbox");
+    QVERIFY(action->isChecked());
+    action->trigger();
+    QTRY_VERIFY(panel->isHidden());
   }
 
   void aTermShowsItsDefinition() {

@@ -32,6 +32,8 @@ class SearchTest : public QObject {
     mechanism->addAction("Turning joint");
     QAction* ground = mechanism->addAction("Make &ground");
     ground->setEnabled(false);
+    mechanism->addAction("Gearbox")->setObjectName("dock.gearbox");
+    mechanism->addAction("Speeds")->setObjectName("dock.speeds");
     ground->setToolTip("Select one link to make it the ground.");
 
     std::vector<SearchEntry> entries = commandEntries(menus);
@@ -46,6 +48,13 @@ class SearchTest : public QObject {
     model.setQuery("turning");
     model.setQuery("nothing is called so");
     QCOMPARE(model.rowCount(), 0);
+  }
+
+  void commandsAreFoundByEverydayWords() {
+    for (const char* word : {"brake", "hold", "clutch", "shift"}) QCOMPARE(best(word), QString("Gearbox"));
+    QCOMPARE(best("plot"), QString("Speeds"));
+    QCOMPARE(best("speeds"), QString("Speeds"));  // a name before another word for something else
+    QCOMPARE(best("gear mesh 16"), QString("Gear mesh 16"));
   }
 
   void elementsAreFoundByLabelAndByName() {

@@ -1,0 +1,62 @@
+#include "ui/search/everyday_words.h"
+
+#include <QHash>
+
+#include "ui/search/word_match.h"
+
+namespace geargraph::inline search {
+namespace {
+
+struct Words {
+  const char* command;
+  const char* words;
+};
+
+constexpr Words kWords[] = {
+    {"dock.gearbox", "brake clutch hold engage release state shift gearbox transmission gear ratio"},
+    {"dock.inputs", "speed velocity rpm ratio transmission result motor drive input output"},
+    {"dock.matrices", "matrix table incidence path cycle"},
+    {"dock.problems", "error warning hint fix diagnostics"},
+    {"dock.properties", "teeth tooth count module axis name edit value"},
+    {"dock.speeds", "plot graph chart curve diagram time"},
+    {"dock.view3d", "3d model solid picture view render"},
+    {"dock.derivation", "proof steps explanation equations report"},
+    {"dock.forces",
+     "torque force load moment power flow efficiency losses statics bearing reaction self-locking"},
+    {"mechanism.drive", "motor input speed actuator"},
+    {"mechanism.ground", "fix frame housing base"},
+    {"mechanism.flip", "reverse arrow direction orientation"},
+    {"mechanism.attachGear", "wheel tooth teeth pinion"},
+    {"mechanism.insertSet", "planetary epicyclic differential sun ring carrier reverted wizard template"},
+    {"mechanism.tidy", "layout arrange clean up align"},
+    {"file.exportCsv", "table spreadsheet excel matlab numpy save matrix"},
+    {"file.exportPicture", "image png svg pdf glb film video animation 3d save drawing"},
+    {"learn.derivation", "proof steps explanation equations"},
+    {"learn.lookUp", "glossary definition dictionary meaning"},
+    {"help.shortcuts", "keys hotkeys keyboard"},
+    {"motion.play", "animate simulate run move turn start"},
+    {"motion.backwards", "reverse"},
+    {"view.presentation", "full screen beamer projector lecture large"},
+    {"view.dark", "night mode theme colour color"},
+    {"view.light", "day mode theme colour color"},
+    {"view.highContrast", "accessibility theme colour color"},
+    {"view.fit", "zoom all show everything"},
+    {"view.grid", "snap raster align"},
+    {"view.reset", "panels docks default windows"},
+};
+
+QHash<QString, QString> foldedWords() {
+  QHash<QString, QString> folded;
+  for (const Words& each : kWords)
+    folded.insert(QLatin1String(each.command), foldedText(QLatin1String(each.words)));
+  return folded;
+}
+
+}  // namespace
+
+QString everydayWordsFor(const QString& command) {
+  static const QHash<QString, QString> kFolded = foldedWords();
+  return kFolded.value(command);
+}
+
+}  // namespace geargraph::inline search
