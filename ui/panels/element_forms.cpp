@@ -14,6 +14,7 @@
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/link_parts.h"
 #include "ui/panels/number_field.h"
 
 namespace geargraph::inline panels {
@@ -109,6 +110,10 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
     });
   });
   connect(m_name, &QLineEdit::editingFinished, this, &LinkForm::newGesture);
+  m_joints = addParts(tr("Joints"), Term::turningJoint);
+  m_gears = addParts(tr("Gears"), Term::teeth);
+  m_couplings = addParts(tr("Couplings"), Term::link);
+  m_couplings->setToolTip(tr("Brakes and clutches of this link"));
   m_ground = new QPushButton(tr("Make ground"), this);
   m_ground->setObjectName(QStringLiteral("makeGround"));
   connect(m_ground, &QPushButton::clicked, this, [this] {
@@ -128,9 +133,35 @@ void LinkForm::refresh() {
   const bool isGround = mechanism().links.front().id == LinkId(link.id);
   setTitle(isGround ? tr("Link 0, the ground") : tr("Link %1").arg(label(link)));
   showText(m_name, shownText(mechanism().find(LinkId(link.id))->name));
+  const LinkParts parts = partsOf(mechanism(), index(), LinkId(link.id));
+  showParts(*m_joints, parts.joints);
+  showParts(*m_gears, parts.gears);
+  showParts(*m_couplings, parts.couplings);
   m_ground->setEnabled(!isGround);
-  m_ground->setToolTip(isGround ? tr("This link is the ground already.")
-                                : tr("Makes this link the ground: it becomes 0, and the other labels follow."));
+  m_ground->setToolTip(isGround
+                           ? tr("This link is the ground already.")
+                           : tr("Makes this link the ground: it becomes 0, and the other labels follow."));
+}
+
+/// A row of what is on the link, whose elements are lit under the mouse and selected by a click.
+QLabel* LinkForm::addParts(const QString& name, Term term) {
+  auto* parts = new QLabel(this);
+  parts->setObjectName(QStringLiteral("parts.") + name.toLower());
+  parts->setTextFormat(Qt::RichText);
+  parts->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  parts->setWordWrap(true);
+  connect(parts, &QLabel::linkActivated, this,
+          [this](const QString& address) { emit elementChosen(elementAt(address)); });
+  connect(parts, &QLabel::linkHovered, this, [this](const QString& address) {
+    emit elementHovered(address.isEmpty() ? std::nullopt : std::optional(elementAt(address)));
+  });
+  addRow(name, term, parts);
+  return parts;
+}
+
+void LinkForm::showParts(QLabel& parts, const QString& text) {
+  const QString shown = text.isEmpty() ? tr("none") : text;
+  if (parts.text() != shown) parts.setText(shown);
 }
 
 JointForm::JointForm(Document* document, std::vector<ElementId> joints)

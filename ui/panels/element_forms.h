@@ -32,8 +32,14 @@ class LinkForm : public PropertyForm {
   void refresh() override;
 
  private:
-  QLineEdit* m_name = nullptr;      ///< for one link
-  QPushButton* m_ground = nullptr;  ///< for one link
+  QLabel* addParts(const QString& name, Term term);
+  static void showParts(QLabel& parts, const QString& text);
+
+  QLineEdit* m_name = nullptr;  ///< for one link, as what follows
+  QLabel* m_joints = nullptr;
+  QLabel* m_gears = nullptr;
+  QLabel* m_couplings = nullptr;
+  QPushButton* m_ground = nullptr;
   QCheckBox* m_pin;
 };
 

@@ -20,6 +20,12 @@ void PropertiesPanel::rebuild() {
   m_form->setBackgroundRole(QPalette::Base);
   m_form->setAutoFillBackground(true);
   m_form->refresh();
+  connect(m_form, &PropertyForm::elementChosen, m_selection,
+          [this](const ElementId& element) { m_selection->select({element}); });
+  connect(m_form, &PropertyForm::elementHovered, m_selection,
+          [this](const std::optional<ElementId>& element) {
+            element ? m_selection->hover(*element) : m_selection->unhover();
+          });
   if (QWidget* old = takeWidget()) old->deleteLater();  // the selection may change from inside it
   setWidget(m_form);
 }

@@ -29,6 +29,11 @@ class PropertyForm : public QWidget {
   /// Are all its elements still in the document?
   [[nodiscard]] bool isAboutExisting() const;
 
+ signals:
+  /// A link in a text of the form was clicked, or is under the mouse.
+  void elementChosen(const geargraph::ElementId& element);
+  void elementHovered(const std::optional<geargraph::ElementId>& element);
+
  protected:
   PropertyForm(Document* document, std::vector<ElementId> elements);
 

@@ -1,77 +1,25 @@
-#include <QAccessible>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QTest>
-#include <QWheelEvent>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/pins.h"
-#include "tests/core/support/mechanisms.h"
 #include "tests/core/support/train_sketch.h"
-#include "ui/panels/inputs_panel.h"
-#include "ui/panels/number_field.h"
-#include "ui/panels/properties_panel.h"
+#include "tests/ui/panels/editing_panels.h"
+#include "ui/panels/link_parts.h"
 #include "ui/panels/speed_slider.h"
 
 namespace geargraph {
 
-class EditingPanelsTest : public QObject {
+class EditingPanelsTest : public QObject, private EditingPanels {
   Q_OBJECT
 
-  std::unique_ptr<Document> document;
-  Selection selection;
-  std::unique_ptr<PropertiesPanel> properties;
-  std::unique_ptr<InputsPanel> inputs;
-
-  NumberField* field(QWidget& panel, const char* name) {
-    for (auto* found : panel.findChildren<NumberField*>(QLatin1String(name))) {
-      if (found->isVisible()) return found;
-    }
-    return nullptr;
-  }
-  NumberField* property(const char* name) { return field(*properties, name); }
-  const GearMesh& mesh(const char* id) { return *document->mechanism()->find(MeshId(id)); }
-  static void focus(QWidget* widget) {
-    widget->window()->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(widget->window()));
-    widget->setFocus();
-  }
-  static QLineEdit* lineOf(NumberField* field) { return field->findChild<QLineEdit*>(); }
-  template <class Field>
-  static void type(Field* into, const QString& text) {
-    focus(into);
-    into->selectAll();
-    QTest::keyClicks(into, text);
-    QTest::keyClick(into, Qt::Key_Return);
-  }
-
  private slots:
-  void init() {
-    selection.clear();
-    document = std::make_unique<Document>();
-    Mechanism robot = test::robotTopology();
-    robot.inputs = std::vector<Input>{{JointId("8"), Number(1), {}}, {JointId("9"), Number(0), {}}};
-    document->replace(std::move(robot), {});
-    properties = std::make_unique<PropertiesPanel>(document.get(), &selection);
-    inputs = std::make_unique<InputsPanel>(document.get(), &selection);
-    for (QWidget* panel : {static_cast<QWidget*>(properties.get()), static_cast<QWidget*>(inputs.get())}) {
-      panel->resize(500, 300);
-      panel->show();
-      QVERIFY(QTest::qWaitForWindowExposed(panel));
-    }
-  }
-  void cleanup() {
-    properties.reset();
-    inputs.reset();
-    document.reset();
-  }
+  void init() { open(); }
+  void cleanup() { close(); }
 
   void typedTeethAreOneStep() {
     selection.select({ElementId(MeshId("15"))});
@@ -84,95 +32,7 @@ class EditingPanelsTest : public QObject {
     QCOMPARE(property("tailTeeth")->text(), QStringLiteral("18"));
   }
 
-  void arrowKeysSpin() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("headTeeth");
-    focus(teeth);
-    QTest::keyClick(teeth, Qt::Key_Up);
-    QTest::keyClick(teeth, Qt::Key_Up);
-    QTest::keyClick(teeth, Qt::Key_Down, Qt::ControlModifier);
-    QCOMPARE(mesh("15").headTeeth, 28);
-    QCOMPARE(document->undoStack().count(), 1);
-  }
-
-  void pagesWheelAndArrowsSpin() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("headTeeth");
-    const int before = mesh("15").headTeeth;
-    const auto wheel = [teeth](int turns) {
-      const QPointF at = teeth->rect().center();
-      QWheelEvent event(at, teeth->mapToGlobal(at), {}, QPoint(0, 120 * turns), Qt::NoButton, Qt::NoModifier,
-                        Qt::NoScrollPhase, false);
-      QApplication::sendEvent(teeth, &event);
-      return event.isAccepted();
-    };
-    focus(properties.get());
-    QVERIFY(!wheel(1));  // the panel scrolls
-    QCOMPARE(mesh("15").headTeeth, before);
-    focus(teeth);
-    QTest::keyClick(teeth, Qt::Key_PageUp);
-    QCOMPARE(mesh("15").headTeeth, before + 10);
-    QVERIFY(wheel(-2));
-    QCOMPARE(mesh("15").headTeeth, before + 8);
-    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, 5));
-    QCOMPARE(mesh("15").headTeeth, before + 9);
-    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, teeth->height() - 5));
-    QTest::mouseClick(teeth, Qt::LeftButton, {}, QPoint(teeth->width() - 8, teeth->height() - 5));
-    QCOMPARE(mesh("15").headTeeth, before + 7);
-    QCOMPARE(document->undoStack().count(), 1);
-  }
-
   /// Screen readers find a spin button with its bounds, and can set it.
-  void aNumberIsAccessible() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
-    QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(teeth);
-    QVERIFY(seen != nullptr);
-    QCOMPARE(seen->role(), QAccessible::SpinBox);
-    QAccessibleValueInterface* number = seen->valueInterface();
-    QVERIFY(number != nullptr);
-    QCOMPARE(number->currentValue().toInt(), 18);
-    QCOMPARE(number->minimumValue().toInt(), kFewestTeeth);
-    QCOMPARE(number->minimumStepSize().toDouble(), 1.0);
-    number->setCurrentValue(24);
-    QCOMPARE(mesh("15").tailTeeth, 24);
-    number->setCurrentValue(2.5);
-    QCOMPARE(mesh("15").tailTeeth, 24);
-    QVERIFY(teeth->QObject::property("wrong").toBool());
-  }
-
-  void whatIsNoNumberChangesNothing() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
-    type(teeth, QStringLiteral("x"));
-    QVERIFY(teeth->QObject::property("wrong").toBool());
-    QVERIFY(!teeth->toolTip().isEmpty());
-    QCOMPARE(mesh("15").tailTeeth, 18);
-    type(teeth, QStringLiteral("100001"));
-    QVERIFY(teeth->QObject::property("wrong").toBool());
-    QCOMPARE(mesh("15").tailTeeth, 10000);  // as long as it was in range, it was followed
-    teeth->clearFocus();
-    QCOMPARE(teeth->text(), QStringLiteral("10000"));
-    QVERIFY(!teeth->QObject::property("wrong").toBool());
-  }
-
-  void lengthsMayBeTypedInOtherUnits() {
-    selection.select({ElementId(JointId("8"))});
-    NumberField* offset = property("offset");
-    QVERIFY2(offset->toolTip().contains(QStringLiteral("mm")), qPrintable(offset->toolTip()));
-    const auto value = [this] { return document->mechanism()->find(JointId("8"))->offset.exact(); };
-    type(offset, QStringLiteral("1/2 in"));
-    QCOMPARE(value(), Rational(127, 10));
-    QCOMPARE(offset->text(), QStringLiteral("1/2 in"));  // what is typed stays until the field is left
-    type(offset, QStringLiteral("2.5cm"));
-    QCOMPARE(value(), Rational(25));
-    type(offset, QStringLiteral("3 parsec"));
-    QVERIFY(offset->QObject::property("wrong").toBool());
-    offset->clearFocus();
-    QCOMPARE(offset->text(), QStringLiteral("3"));
-    type(property("axisDirection.x"), QStringLiteral("1 in"));
-    QVERIFY(property("axisDirection.x")->QObject::property("wrong").toBool());  // is no length
-  }
 
   void limitsOfAJointAreTypedAndTakenAway() {
     selection.select({ElementId(JointId("8"))});
@@ -218,25 +78,6 @@ class EditingPanelsTest : public QObject {
     QVERIFY(!low->QObject::property("wrong").toBool());
   }
 
-  void decimalCommasMayBeTypedWhereTheyAreUnambiguous() {
-    selection.select({ElementId(JointId("8"))});
-    const auto high = [this] { return document->mechanism()->find(JointId("8"))->limits.high; };
-    NumberField* field = property("highLimit");
-    const auto restored = qScopeGuard([before = QLocale()] { QLocale::setDefault(before); });
-    QLocale::setDefault(QLocale(QLocale::German));
-    type(field, QStringLiteral("170,5"));
-    QVERIFY(!field->QObject::property("wrong").toBool());
-    QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
-    type(field, QStringLiteral("1,7,5"));
-    QVERIFY(field->QObject::property("wrong").toBool());
-    QLocale::setDefault(QLocale::c());
-    type(field, QStringLiteral("1,500"));  // it could mean a thousand and a half
-    QVERIFY(field->QObject::property("wrong").toBool());
-    QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
-    type(field, QStringLiteral("0,75"));
-    QCOMPARE(high().value_or(Number(0)).exact(), Rational(3, 4));
-  }
-
   void severalMeshesChangeTogether() {
     selection.select({ElementId(MeshId("15")), ElementId(MeshId("16"))});
     QVERIFY(property("tailTeeth")->text().isEmpty());  // 18 and 20
@@ -271,79 +112,6 @@ class EditingPanelsTest : public QObject {
     type(property("offset"), QStringLiteral("22/7"));
     QVERIFY(!wrong()->isVisible());
     QCOMPARE(document->mechanism()->find(JointId("8"))->offset.text(), std::string("22/7"));
-  }
-
-  void whatIsTypedIsCommittedOnce() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
-    focus(teeth);
-    teeth->selectAll();
-    QTest::keyClicks(teeth, QStringLiteral("120"));
-    QCOMPARE(document->undoStack().count(), 0);  // neither 1 nor 12 teeth on the way
-    QTest::keyClick(teeth, Qt::Key_Return);
-    QCOMPARE(mesh("15").tailTeeth, 120);
-    QCOMPARE(document->undoStack().count(), 1);
-    teeth->selectAll();
-    QTest::keyClicks(teeth, QStringLiteral("30"));
-    QTest::keyClick(teeth, Qt::Key_Escape);
-    QCOMPARE(teeth->text(), QStringLiteral("120"));
-    QTRY_COMPARE(teeth->text(), QStringLiteral("120"));
-    type(teeth, QStringLiteral("31"));
-    QCOMPARE(document->undoStack().count(), 2);  // Return ended the step before
-  }
-
-  void leavingAFieldCommitsItAndAReasonStays() {
-    const auto wrong = [this] { return properties->findChild<QLabel*>("wrong"); };
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* tail = property("tailTeeth");
-    NumberField* head = property("headTeeth");
-    const int before = mesh("15").tailTeeth;
-    focus(tail);
-    tail->selectAll();
-    QTest::keyClicks(tail, QStringLiteral("2.5"));
-    focus(head);
-    QCOMPARE(mesh("15").tailTeeth, before);
-    QCOMPARE(tail->text(), QString::number(before));
-    QVERIFY(!tail->QObject::property("wrong").toBool());
-    QVERIFY(wrong()->isVisible());
-    QVERIFY2(wrong()->text().contains("whole number"), qPrintable(wrong()->text()));
-    head->selectAll();
-    QTest::keyClicks(head, QStringLiteral("44"));
-    focus(tail);
-    QCOMPARE(mesh("15").headTeeth, 44);
-    QVERIFY(!wrong()->isVisible());
-  }
-
-  void undoIsTheDocumentsOnceTheNumberIsCommitted() {
-    selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
-    focus(teeth);
-    const auto isTakenByTheField = [teeth] {
-      QKeyEvent ask(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
-      ask.ignore();
-      QApplication::sendEvent(teeth, &ask);
-      return ask.isAccepted();
-    };
-    teeth->selectAll();
-    QTest::keyClicks(teeth, QStringLiteral("25"));
-    QVERIFY(isTakenByTheField());
-    QTest::keyClick(teeth, Qt::Key_Return);
-    QVERIFY(!isTakenByTheField());
-    QCOMPARE(mesh("15").tailTeeth, 25);
-    document->undoStack().undo();
-    QCOMPARE(teeth->text(), QStringLiteral("18"));
-  }
-
-  void aClickSelectsTheWholeNumber() {
-    selection.select({ElementId(MeshId("15"))});
-    focus(properties.get());
-    NumberField* teeth = property("tailTeeth");
-    QLineEdit* line = lineOf(teeth);
-    QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(4, line->height() / 2));
-    QCOMPARE(line->selectedText(), QStringLiteral("18"));
-    QTest::keyClicks(teeth, QStringLiteral("25"));
-    QCOMPARE(mesh("15").tailTeeth, 18);  // not yet
-    QTRY_COMPARE(mesh("15").tailTeeth, 25);
   }
 
   void jointsGetANewAxisTogether() {
@@ -382,6 +150,28 @@ class EditingPanelsTest : public QObject {
     QCOMPARE(now("d")[1].text(), std::string("1"));
     QCOMPARE(now("a")[2].text(), std::string("1/3"));
     QCOMPARE(now("d")[2].text(), std::string("1/3"));
+  }
+
+  void aLinkTellsItsJointsAndGears() {
+    selection.select({ElementId(LinkId("2"))});
+    const auto text = [this](const char* name) {
+      return properties->findChild<QLabel*>(QLatin1String(name))->text();
+    };
+    QCOMPARE(text("parts.joints").count(QLatin1String("with")), qsizetype{3});  // 12, 13 and 14
+    QVERIFY2(text("parts.gears").startsWith("30 teeth in mesh"), qPrintable(text("parts.gears")));
+    QCOMPARE(text("parts.couplings"), QStringLiteral("none"));
+    auto* gears = properties->findChild<QLabel*>("parts.gears");
+    emit gears->linkHovered(addressOf(MeshId("16")));
+    QCOMPARE(selection.hovered(), (std::set<ElementId>{MeshId("16")}));
+    emit gears->linkHovered(QString());
+    QVERIFY(selection.hovered().empty());
+    emit gears->linkActivated(addressOf(MeshId("16")));
+    QCOMPARE(selection.selected(), (std::set<ElementId>{MeshId("16")}));
+  }
+
+  void addressesOfElementsKeepAnyId() {
+    const ElementId odd{LinkId("a:b \"<%20")};
+    QCOMPARE(elementAt(addressOf(odd)), odd);
   }
 
   void linksAreNamedAndGrounded() {
