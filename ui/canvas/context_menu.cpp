@@ -57,7 +57,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   }
   if (links.size() != 2)
     return add(
-        menu, tr("Tie it to another link with a clutch"), {}, [] {}, tr("select two links"));
+        menu, tr("Connect it to another link with a clutch"), {}, [] {}, tr("select two links"));
   const LinkId one = links[0];
   const LinkId other = links[1];
   if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
@@ -67,8 +67,9 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   }
   const bool ground = mechanism.links.front().id == one || mechanism.links.front().id == other;
   add(
-      menu, tr("Tie %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})),
-      {}, [actions, one, other] { actions.tie(one, other); },
+      menu,
+      tr("Connect %1 and %2 with a clutch").arg(describe(mechanism, {one}), describe(mechanism, {other})), {},
+      [actions, one, other] { actions.tie(one, other); },
       ground ? tr("hold the link with a brake") : QString());
 }
 
@@ -88,7 +89,7 @@ void fillForMesh(QMenu& menu, const Mechanism& mechanism, MeshId mesh, const Con
     add(menu, internal ? tr("Make it external") : tr("Make it internal"), {},
         [actions, internal] { actions.makeKind(internal ? MeshKind::external : MeshKind::internal); });
   }
-  addTick(menu, tr("Module pinned"), isPinned(element), [actions, mesh](bool on) { actions.pin(mesh, on); });
+  addTick(menu, tr("Pin the module"), isPinned(element), [actions, mesh](bool on) { actions.pin(mesh, on); });
 }
 
 void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
@@ -102,7 +103,7 @@ void fillForLink(QMenu& menu, const Mechanism& mechanism, LinkId link, const Con
   menu.addSeparator();
   fillForBrake(menu, mechanism, link, actions);
   fillForClutch(menu, mechanism, actions);
-  addTick(menu, tr("Teeth of its gears pinned"), isPinned(*mechanism.find(link)),
+  addTick(menu, tr("Pin the teeth of its gears"), isPinned(*mechanism.find(link)),
           [actions, link](bool on) { actions.pin(link, on); });
   menu.addSeparator();
   add(menu, tr("Delete"), tr("Del"), actions.remove, ground ? tr("the ground cannot be deleted") : QString());

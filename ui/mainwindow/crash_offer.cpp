@@ -73,7 +73,7 @@ void offerCrashReports(const QString& folder, MainWindow& window) {
              .arg(time),
          {{MainWindow::tr("Show report"), MainWindow::tr("Read it, and decide then"),
            [report, shown] { showReport(report, shown); }},
-          {MainWindow::tr("Copy"), MainWindow::tr("To be pasted into a message to the makers"),
+          {MainWindow::tr("Copy"), MainWindow::tr("For a message to the developers"),
            [report, shown] {
              copy(report);
              shown->statusLine().showNote(MainWindow::tr("The crash report was copied."));

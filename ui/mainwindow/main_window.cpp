@@ -182,7 +182,7 @@ void MainWindow::wireViews() {
   m_workbench->analysis().onAnswer(this, [this](const SnapshotPtr& snapshot) { onSnapshot(snapshot); });
   for (ServiceSignals* service : findChildren<ServiceSignals*>()) {  // those of the views, too
     connect(service, &ServiceSignals::failed, this, [this](const QString& why) {
-      m_status->showRefusal(tr("The window could not be brought up to date: %1.").arg(why));
+      m_status->showRefusal(tr("The views could not be updated: %1.").arg(why));
       tellWhenSettled();
     });
   }
@@ -261,7 +261,7 @@ void MainWindow::onStage(const StagePtr& stage) {
       stage->notes.empty() ? QString() : QString::fromStdString(stage->notes.front().text);
   m_view3d->setNote(why.empty()
                         ? notShown
-                        : tr("The picture before the last changes. %1").arg(shownText(why.front().message)));
+                        : tr("Shown as before the last changes. %1").arg(shownText(why.front().message)));
   tellWhenSettled();
 }
 

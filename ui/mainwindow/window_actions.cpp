@@ -71,16 +71,14 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   newWindow = make("file.newWindow", words("New &window"), words("Another window with an empty document"),
                    {QKeySequence(QStringLiteral("Ctrl+Shift+N"))});
   startPage =
-      make("file.startPage", words("S&tart page"), words("New, documents of late, and the examples"), {});
+      make("file.startPage", words("S&tart page"), words("New document, recent documents and examples"), {});
   open = make("file.open", words("&Open…"), words("Open a document"), {QKeySequence::Open});
   save = make("file.save", words("&Save"), words("Save the document"), {QKeySequence::Save});
   saveAs = make("file.saveAs", words("Save &as…"), words("Save the document under another name"),
                 {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
-  revert =
-      make("file.revert", words("Re&vert"), words("Back to what is in the file; this can be undone"), {});
-  restoreSession =
-      make("file.restoreSession", words("Reopen windows at sta&rt"),
-           words("When the program starts without a document, it opens those of the last time"), {});
+  revert = make("file.revert", words("Re&vert"), words("Reload the file; this can be undone"), {});
+  restoreSession = make("file.restoreSession", words("Reopen windows at sta&rt"),
+                        words("Open the documents of the last time when the program starts without one"), {});
   restoreSession->setCheckable(true);
   exportMatrix = make("file.exportCsv", words("&Export matrix as CSV…"),
                       words("Export the matrix that is shown, with its labels"),
@@ -105,11 +103,11 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
               {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
               QStringLiteral("redo"));
   cut = make("edit.cut", words("Cu&t"), words("Copy what is selected, and delete it"), {QKeySequence::Cut});
-  copy = make("edit.copy", words("&Copy"), words("Copy the selected links and what joins them"),
-              {QKeySequence::Copy});
+  copy = make("edit.copy", words("&Copy"),
+              words("Copy the selected links with the joints and meshes between them"), {QKeySequence::Copy});
   paste = make("edit.paste", words("&Paste"), words("Insert what was copied, in this window or in another"),
                {QKeySequence::Paste});
-  duplicate = make("edit.duplicate", words("D&uplicate"), words("A second one of what is selected"),
+  duplicate = make("edit.duplicate", words("D&uplicate"), words("A copy of the selection in the drawing"),
                    {QKeySequence(QStringLiteral("Ctrl+D"))});
   remove = make("edit.delete", words("&Delete"), words("Delete what is selected, and what needs it"),
                 {QKeySequence(Qt::Key_Delete)}, QStringLiteral("delete"));
@@ -121,7 +119,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
 
   flip = make("mechanism.flip", words("&Flip"), words("Exchange tail and head of the selected arrows"),
               {QKeySequence(QStringLiteral("X"))}, QStringLiteral("flip"));
-  makeGround = make("mechanism.ground", words("Make &ground"), words("Makes the selected link the ground"), {});
+  makeGround =
+      make("mechanism.ground", words("Make &ground"), words("Makes the selected link the ground"), {});
   attachGear = make("mechanism.attachGear", words("&Attach a gear"),
                     words("A new gear in mesh with the selected one, on the same carrier"),
                     {QKeySequence(QStringLiteral("Ctrl+G"))});
@@ -133,9 +132,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))});
   for (std::size_t i = 0; i < planets.size(); ++i) {
     const QString count = QString::number(i + 2);
-    planets[i] =
-        make("", words("%1 planets").arg(count),
-             words("Copies of the selected planet, evenly spread, until there are %1").arg(count), {});
+    planets[i] = make("", words("%1 planets").arg(count),
+                      words("Copies of the selected planet, equally spaced, %1 in all").arg(count), {});
     planets[i]->setObjectName(QStringLiteral("mechanism.planets") + count);
   }
   tidy = make("mechanism.tidy", words("&Tidy the drawing"), words("Lay the digraph out anew"),
@@ -162,9 +160,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
     action->setCheckable(true);
     themes->addAction(action);
   }
-  resetLayout = make("view.reset", words("&Reset the layout"), words("All docks to their places"), {});
+  resetLayout = make("view.reset", words("&Reset the layout"), words("All panels back to their places"), {});
   makeMotion();
-  lookUp = make("learn.lookUp", words("&Look up a term…"), words("What a word of the field means"), {});
+  lookUp = make("learn.lookUp", words("&Look up a term…"), words("The definition of a technical term"), {});
   search = make("help.search", words("&Search…"), words("Find a command, an element or a term"),
                 {QKeySequence(QStringLiteral("Ctrl+K"))});
   shortcuts = make("help.shortcuts", words("&Keyboard shortcuts"), words("All keys on one sheet"),
@@ -175,7 +173,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
 void WindowActions::makeMotion() {
   // Space belongs to the drawings and the 3D view, where a tap plays and holding it pans; it is only named
   // here, so that elsewhere it still presses the button that has the focus.
-  play = make("motion.play", words("&Play\tSpace"), words("Let the mechanism move, or stop it (Space)"), {});
+  play = make("motion.play", words("&Play\tSpace"), words("Start or stop the motion (Space)"), {});
   toStart = make("motion.start", words("Back to the &start"), words("The time goes back to 0"),
                  {QKeySequence(QStringLiteral("Ctrl+Home"))});
   faster = make("motion.faster", words("&Faster"), words("The motion is shown faster"),

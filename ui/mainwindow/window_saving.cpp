@@ -147,7 +147,7 @@ void WindowFiles::postForeignChange(const Expected<Mechanism>& now, bool isSavin
       {kForeignKey,
        Severity::warning,
        text,
-       {{tr("Reload"), tr("Take over what is in the file"), [this] { reload(); }},
+       {{tr("Reload"), tr("Load the contents of the file"), [this] { reload(); }},
         {tr("Overwrite"), tr("Save this window's document over it"), [this, path] { saveAnyway(path); }},
         {tr("Keep both"), tr("Save this window's document under another name"), [this] { chooseAndSave(); }},
         {tr("Later"), tr("Saving will ask again"), {}}},

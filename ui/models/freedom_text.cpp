@@ -35,7 +35,7 @@ QString freedomText(const AnalysisSnapshot& snapshot) {
     const int input = matroid->solution->inputs[i];
     const std::vector<int> commanded = commandedBy(*matroid->solution, input);
     const QString label = QString::number(graph.edgeLabel(input));
-    lines << (commanded.empty() ? tr("Joint %1 commands nothing else.").arg(label)
+    lines << (commanded.empty() ? tr("No other joint turns with joint %1.").arg(label)
                                 : tr("Joint %1 commands %2.").arg(label, namesOf(graph, commanded)));
   }
   if (snapshot.solved && snapshot.solved->exact && !snapshot.solved->exact->matrix.empty()) {

@@ -93,7 +93,7 @@ void DocumentForm::refresh() {
 
 LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
     : PropertyForm(document, std::move(links)),
-      m_pin(makePin(tr("Teeth of its gears pinned"), pinTeethTip(), itself)) {
+      m_pin(makePin(tr("Pin the teeth of its gears"), pinTeethTip(), itself)) {
   m_pin->setObjectName(QStringLiteral("pinTeeth"));
   if (elements().size() > 1) {
     addButtons({m_pin});
@@ -172,7 +172,7 @@ JointForm::JointForm(Document* document, std::vector<ElementId> joints)
       m_offset(makeNumber(QStringLiteral("offset"))),
       m_low(makeNumber(QStringLiteral("lowLimit"))),
       m_high(makeNumber(QStringLiteral("highLimit"))),
-      m_pin(makePin(tr("Axis pinned"), tr("The axis keeps its place while other things change."), axisOf)) {
+      m_pin(makePin(tr("Pin the axis"), tr("The axis keeps its place while other things change."), axisOf)) {
   m_pin->setObjectName(QStringLiteral("pinAxis"));
   m_axis->setObjectName(QStringLiteral("axis"));
   // Else the width of every axis' name is measured whenever a joint is selected.

@@ -18,7 +18,7 @@ QPushButton* FixRow::addButton(const QString& text) {
   auto* button = new QPushButton(text, this);
   button->setObjectName(QStringLiteral("fix"));
   button->setProperty("look", "fix");
-  button->setToolTip(tr("Mends it; Ctrl+Z takes it back"));
+  button->setToolTip(tr("Fixes it; Ctrl+Z undoes that"));
   m_buttons << button;
   return button;
 }

@@ -221,15 +221,15 @@ class TestDigraphCommands : public QObject {
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.center(3))),
              (QStringList{"Rename", "Drive it", "Make it the ground", "Attach a gear", "Hold it with a brake",
-                          "[Tie it to another link with a clutch (select two links)]",
-                          "Teeth of its gears pinned", "Delete"}));
+                          "[Connect it to another link with a clutch (select two links)]",
+                          "Pin the teeth of its gears", "Delete"}));
     QCOMPARE(
         entries(*menuAt(d, d.center(0))),
         (QStringList{"Rename", "[Drive it (the ground does not move)]",
                      "[Make it the ground (it is the ground)]", "[Attach a gear (the ground does not move)]",
                      "[Hold it with a brake (the ground does not move)]",
-                     "[Tie it to another link with a clutch (select two links)]", "Teeth of its gears pinned",
-                     "[Delete (the ground cannot be deleted)]"}));
+                     "[Connect it to another link with a clutch (select two links)]",
+                     "Pin the teeth of its gears", "[Delete (the ground cannot be deleted)]"}));
     QCOMPARE(d.selected(), QString("0"));
   }
 
@@ -269,9 +269,9 @@ class TestDigraphCommands : public QObject {
 
   void menuPinsAxesTeethAndModules() {
     ViewDriver d(placedRobot());
-    entry(*menuAt(d, d.center(3)), "Teeth of its gears pinned")->trigger();
+    entry(*menuAt(d, d.center(3)), "Pin the teeth of its gears")->trigger();
     QVERIFY(isPinned(*d.mechanism().find(LinkId("3"))));
-    QVERIFY(entry(*menuAt(d, d.center(3)), "Teeth of its gears pinned")->isChecked());
+    QVERIFY(entry(*menuAt(d, d.center(3)), "Pin the teeth of its gears")->isChecked());
     entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
     QVERIFY(isPinned(*d.mechanism().find(AxisId("c"))));
     entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
