@@ -14,9 +14,13 @@ namespace {
 
 constexpr float kHoverTint = 0.10F;
 constexpr float kSelectedTint = 0.22F;
-constexpr float kGhost = 0.14F;          // how much of a ghost's face is seen
-constexpr float kGhostEdge = 0.35F;      // of the strength of its edges
-constexpr float kCoveredMark = 0.25F;    // how much of a line is seen through a solid
+constexpr float kGhost = 0.14F;        // how much of a ghost's face is seen
+constexpr float kGhostEdge = 0.35F;    // of the strength of its edges
+constexpr float kCoveredMark = 0.25F;  // how much of a line is seen through a solid
+constexpr double kHaloReach = 4;       // logical pixels, and one more
+/// Samples of a picture that may be stopped that are painted at a time: a rasterizer in software takes some
+/// 50 ms to clear and to resolve them, which cannot be stopped.
+constexpr std::size_t kMostStripSamples = 8'000'000;
 constexpr double kHatches = 90;          // lines across the scene
 constexpr double kFullEdgeHeight = 560;  // logical pixels of a picture whose edges have their full strength
 
@@ -52,8 +56,9 @@ void GlRenderer::draw(const Frame& frame, unsigned framebuffer) {
 
 bool GlRenderer::paint(const Frame& frame) {
   const Viewport& size = frame.viewport;
-  if (!m_sampled.ensure(size.width, size.height, samplesOf(frame))) return false;
-  if (frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
+  if (!m_sampled.ensure(size.width, m_strip.rowsOf(size.height), samplesOf(frame))) return false;
+  const bool isFirst = m_strip.bottom == 0;  // of a picture's strips, which all have the same shadow
+  if (isFirst && frame.look.contactShadow && !m_scene.instances.empty()) drawShadow(frame);
   m_gl->BlendEquation(GL_FUNC_ADD);
   m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (paintLayer(frame)) {
@@ -61,7 +66,7 @@ bool GlRenderer::paint(const Frame& frame) {
     rest.showing = m_still.rest();
     paintParts(rest);
   } else {
-    m_sampled.bind();
+    bind(m_sampled, size);
     drawBackground(frame);
     drawDisc(frame);
     paintParts(frame);
@@ -76,7 +81,8 @@ bool GlRenderer::paint(const Frame& frame) {
 bool GlRenderer::paintLayer(const Frame& frame) {
   const bool isVeiled =
       std::find(frame.showing.begin(), frame.showing.end(), Showing::ghost) != frame.showing.end();
-  if (!m_software || samplesOf(frame) > 1 || frame.look.contactShadow || frame.section || isVeiled)
+  if (!m_software || m_strip.height > 0 || samplesOf(frame) > 1 || frame.look.contactShadow ||
+      frame.section || isVeiled)
     return false;
   const auto& [width, height] = frame.viewport;
   if (!m_layer.ensure(width, height)) return false;
@@ -126,6 +132,11 @@ void GlRenderer::paintParts(const Frame& frame) {
   drawGhosts(frame);
   m_passes.endSection();
   m_gl->Disable(GL_CULL_FACE);
+}
+
+void GlRenderer::bind(const GlTarget& target, const Viewport& picture) const {
+  target.bind();
+  if (m_strip.height > 0) m_gl->Viewport(0, -m_strip.bottom, picture.width, picture.height);
 }
 
 void GlRenderer::resolve(const Viewport& size, unsigned framebuffer) {
@@ -208,7 +219,7 @@ void GlRenderer::drawFaces(const Frame& frame, Showing wanted, float alpha) {
   if (alpha == 1) m_gl->Disable(GL_BLEND);  // which reads every pixel before it writes it
   const bool isDrawing = frame.look.faces == Faces::hiddenLine;
   m_passes.beginLit(view, projection(frame), isLitByVertex(frame));
-  drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::triangles,
+  drawAll(frame, clip(frame), wanted, GlSolid::Part::triangles,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             const Highlight state = emphasis(frame, i);
             const float tint = state == Highlight::selected  ? kSelectedTint
@@ -237,7 +248,7 @@ void GlRenderer::drawCaps(const Frame& frame) {
   m_gl->Enable(GL_STENCIL_TEST);
   int count = 0;
   constexpr auto kTriangles = GlSolid::Part::triangles;
-  eachInstance(frame, through * view, Showing::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
+  eachInstance(frame, clip(frame), Showing::solid, kTriangles, [&](std::size_t i, const GlSolid& solid) {
     const Ball& ball = m_solids.ballOf(m_scene.instances[i].solid);
     const Eigen::Vector3d centre = pose(frame, i) * ball.centre;
     const double above = section.normal.dot(centre) - section.offset;
@@ -286,7 +297,7 @@ void GlRenderer::drawEdges(const Frame& frame, Showing wanted, float part) {
   m_passes.beginFlat(projection(frame), 0.9993F);
   m_gl->DepthMask(GL_FALSE);
   const Rgb& ink = frame.look.faces == Faces::hiddenLine ? frame.look.letters : frame.look.edge;
-  drawAll(frame, projection(frame) * view, wanted, GlSolid::Part::edges,
+  drawAll(frame, clip(frame), wanted, GlSolid::Part::edges,
           [&](std::size_t i) -> std::optional<SolidInstance> {
             const bool marked = coloured && emphasis(frame, i) != Highlight::none;
             const Rgb& own = marked ? frame.look.accent : m_scene.instances[i].colour;
@@ -315,18 +326,18 @@ void GlRenderer::drawTriad(const Frame& frame) {
 
 void GlRenderer::drawHalo(const Frame& frame, unsigned framebuffer) {
   const Eigen::Matrix4d view = frame.camera.view().matrix();
-  const Viewport& size = frame.viewport;
+  const Viewport size = extent(frame.viewport);
   for (const Highlight wanted : {Highlight::hovered, Highlight::selected}) {
     if (std::find(frame.emphasis.begin(), frame.emphasis.end(), wanted) == frame.emphasis.end()) continue;
     if (!m_mask.ensure(size.width, size.height)) return;
-    m_mask.bind();
+    bind(m_mask, frame.viewport);
     m_gl->Disable(GL_BLEND);
     m_gl->ClearColor(0, 0, 0, 0);
     m_gl->Clear(GL_COLOR_BUFFER_BIT);
     if (frame.section) beginSection(frame);
     m_passes.beginFlat(projection(frame), 1);
     for (const Showing shown : {Showing::solid, Showing::ghost}) {
-      drawAll(frame, projection(frame) * view, shown, GlSolid::Part::triangles,
+      drawAll(frame, clip(frame), shown, GlSolid::Part::triangles,
               [&](std::size_t i) -> std::optional<SolidInstance> {
                 if (emphasis(frame, i) != wanted) return std::nullopt;
                 return instanceAt(view * pose(frame, i).matrix(), Rgb{1, 1, 1});
@@ -346,22 +357,46 @@ Image GlRenderer::picture(const Frame& frame) {
   cut.viewport.width = std::clamp(frame.viewport.width, 1, m_maximumSide);
   cut.viewport.height = std::clamp(frame.viewport.height, 1, m_maximumSide);
   const auto [width, height] = cut.viewport;
-  // Without samples there is nothing to resolve: it is read from where it was painted.
-  const bool isPlain = samplesOf(cut) == 1;
-  if (!isPlain && !m_picture.ensure(width, height)) return {};
-  if (!paint(cut)) return {};
-  if (!isPlain) resolve(cut.viewport, m_picture.framebuffer());
-  drawHalo(cut, isPlain ? m_sampled.framebuffer() : m_picture.framebuffer());
-  m_gl->Disable(GL_BLEND);
-  m_gl->UseProgram(0);
-  if (frame.stop.stop_requested()) return {};
+  const auto samplesOfRow = static_cast<std::size_t>(width) * static_cast<std::size_t>(samplesOf(cut));
+  const bool isInStrips =
+      frame.stop.stop_possible() && samplesOfRow * static_cast<std::size_t>(height) > kMostStripSamples;
+  const int rows = isInStrips ? std::max(1, static_cast<int>(kMostStripSamples / samplesOfRow)) : height;
   Image image{
       width, height,
       std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
-  m_gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
-  m_gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  bool isPainted = true;
+  for (int first = 0; isPainted && first < height; first += rows) {
+    const int count = std::min(rows, height - first);
+    if (isInStrips) {
+      // The halo of what lies beyond the edge reaches into the strip.
+      const int margin = static_cast<int>(std::ceil(kHaloReach * frame.pixelRatio));
+      const int bottom = std::max(0, first - margin);
+      m_strip = {bottom, std::min(height, first + count + margin) - bottom};
+    }
+    isPainted = paintRows(cut, first, count, image);
+  }
+  m_strip = {};
+  if (!isPainted) return {};
   turnUpright(image, !frame.look.transparent);
   return image;
+}
+
+bool GlRenderer::paintRows(const Frame& frame, int first, int count, Image& image) {
+  const Viewport size = extent(frame.viewport);
+  // Without samples there is nothing to resolve: it is read from where it was painted.
+  const bool isPlain = samplesOf(frame) == 1;
+  if (!isPlain && !m_picture.ensure(size.width, size.height)) return false;
+  if (!paint(frame)) return false;
+  if (!isPlain) resolve(size, m_picture.framebuffer());
+  drawHalo(frame, isPlain ? m_sampled.framebuffer() : m_picture.framebuffer());
+  m_gl->Disable(GL_BLEND);
+  m_gl->UseProgram(0);
+  if (frame.stop.stop_requested()) return false;
+  m_gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  m_gl->ReadPixels(
+      0, first - m_strip.bottom, size.width, count, GL_RGBA, GL_UNSIGNED_BYTE,
+      image.rgba.data() + 4 * static_cast<std::size_t>(first) * static_cast<std::size_t>(size.width));
+  return true;
 }
 
 bool isSoftwareRenderer(std::string_view name) {

@@ -52,6 +52,10 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] Eigen::Matrix4d toWorld(const Frame& frame) const {
     return (projection(frame) * frame.camera.view().matrix()).inverse();
   }
+  /// What culling goes by: the strip that is painted.
+  [[nodiscard]] Eigen::Matrix4d clip(const Frame& frame) const {
+    return m_strip.cut(frame.viewport.height) * projection(frame) * frame.camera.view().matrix();
+  }
   [[nodiscard]] FloorDisc disc(const Frame& frame) const;
   [[nodiscard]] static Highlight emphasis(const Frame& frame, std::size_t instance) {
     return frame.emphasis.empty() ? Highlight::none : frame.emphasis[instance];
@@ -76,8 +80,17 @@ class GlRenderer final : public Renderer {
   }
   /// All but the halo, into m_sampled, which is bound then. False where the driver has no room.
   [[nodiscard]] bool paint(const Frame& frame);
+  /// Binds a target that holds the strip, so that the whole picture falls into place about it.
+  void bind(const GlTarget& target, const Viewport& picture) const;
+  /// The part of the target that is painted.
+  [[nodiscard]] Viewport extent(const Viewport& picture) const {
+    return {picture.width, m_strip.rowsOf(picture.height)};
+  }
   /// From m_sampled into another framebuffer, which is bound then.
   void resolve(const Viewport& size, unsigned framebuffer);
+  /// Paints the rows from `first`, counted from the lower edge, into as many rows of the image. False where
+  /// the driver has no room or the frame was stopped.
+  [[nodiscard]] bool paintRows(const Frame& frame, int first, int count, Image& image);
   /// The ground and all parts that stay as they are, from the layer, into m_sampled. False where there is
   /// none.
   [[nodiscard]] bool paintLayer(const Frame& frame);
@@ -107,6 +120,22 @@ class GlRenderer final : public Renderer {
   GLint m_maximumSamples = 1;
 
   GlSolidStore m_solids{*m_gl, m_passes.instances()};
+  /// Rows of a large picture that are painted at a time.
+  struct Strip {
+    int bottom = 0;
+    int height = 0;  ///< 0: all of the picture
+    [[nodiscard]] int rowsOf(int picture) const { return height > 0 ? height : picture; }
+    /// From the cube of the picture to that of the strip.
+    [[nodiscard]] Eigen::Matrix4d cut(int picture) const {
+      Eigen::Matrix4d cut = Eigen::Matrix4d::Identity();
+      const double rows = rowsOf(picture);
+      cut(1, 1) = picture / rows;
+      cut(1, 3) = (picture - 2.0 * bottom - rows) / rows;
+      return cut;
+    }
+  };
+  Strip m_strip;
+
   const Scene& m_scene = m_solids.scene();
   const Bounds& m_bounds = m_solids.bounds();
   Ball m_depths{{0, 0, 0}, 2.5};  ///< all between near and far

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stop_token>
+#include <vector>
 
 #include "core/presentation/painting/egl_host.h"
 #include "core/presentation/painting/gl_renderer.h"
@@ -114,6 +116,30 @@ class TestPicture : public QObject {
       QVERIFY2(apart(seen, colour) < 6,
                qPrintable(QString("%1 %2 %3").arg(seen[0]).arg(seen[1]).arg(seen[2])));
     }
+  }
+
+  /// A picture that may be stopped is painted in strips where it is large: they meet without a seam.
+  void aLargePictureInStripsIsThatInOnePiece() {
+    const Scene scene = groupScene();
+    m_host->setScene(scene);
+    Frame frame = frameOf(scene, Look::light());
+    frame.viewport = {2400, 1800};
+    frame.pixelRatio = 2;
+    const std::vector<Highlight> emphasis{Highlight::none, Highlight::selected, Highlight::none};
+    frame.emphasis = emphasis;
+    const Image whole = m_host->picture(frame);
+    std::stop_source source;
+    frame.stop = source.get_token();
+    const Image strips = m_host->picture(frame);
+    QCOMPARE(strips.width, 2400);
+    QCOMPARE(strips.rgba.size(), whole.rgba.size());
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+      if (std::abs(int(whole.rgba[i]) - int(strips.rgba[i])) > 3) ++other;  // the grain of the ground is 1
+    }
+    QVERIFY2(other < whole.rgba.size() / 100'000, qPrintable(QString::number(other)));
+    source.request_stop();
+    QVERIFY(m_host->picture(frame).rgba.empty());
   }
 
   /// And where the inside of a solid may be seen, it is that by pixel.

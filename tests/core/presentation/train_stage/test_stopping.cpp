@@ -102,7 +102,7 @@ class StoppingTest : public QObject {
     shot.film = Film{FilmKind::motion, 72, 24, 0};
     add("film");
     shot.film.reset();
-    shot.size = {2560, 1600};
+    shot.size = {3840, 2160};
     shot.fits = false;
     add("large picture");
   }
