@@ -42,6 +42,7 @@ class StaticsJson {
     part("efficiency", m_report.lossy && m_report.lossy->outcome != LossySolution::Outcome::undecided,
          &StaticsJson::efficiency);
     part("solution", m_report.matrix.has_value(), &StaticsJson::matrix);
+    part("ttSolution", m_report.ttMatrix.has_value(), &StaticsJson::ttMatrix);
     part("agreement", m_report.agreement.has_value(), &StaticsJson::agreement);
   }
 
@@ -377,7 +378,7 @@ class StaticsJson {
   void efficiency() {
     const bool isSolved = m_report.lossy->outcome == LossySolution::Outcome::solved;
     m_json.beginObject();
-    writeEfficiency(isSolved ? m_report.sums : std::nullopt);
+    writeEfficiency(isSolved ? m_report.sums : std::nullopt, m_report.efficiency);
     m_json.key("drivers");
     m_json.beginObject(Layout::row);
     for (std::size_t mesh = 0; isSolved && mesh < m_report.lossy->losses.size(); ++mesh) {
@@ -391,7 +392,7 @@ class StaticsJson {
     m_json.key("backward");
     if (m_report.backward) {
       m_json.beginObject(Layout::row);
-      writeEfficiency(m_report.backwardSums);
+      writeEfficiency(m_report.backwardSums, m_report.backwardEfficiency);
       m_json.member("selfLocking", m_report.backward->outcome == LossySolution::Outcome::selfLocking);
       m_json.endObject();
     } else {
@@ -400,32 +401,39 @@ class StaticsJson {
     m_json.endObject();
   }
 
-  void writeEfficiency(const std::optional<PowerSums>& sums) {
+  void writeEfficiency(const std::optional<PowerSums>& sums,
+                       const std::optional<RationalFunction>& symbolic) {
     const auto value = sums ? sums->efficiency() : std::nullopt;
     member("value", value);
     m_json.key("numeric");
     value ? m_json.numberOrNull(value->number()) : m_json.null();
+    m_json.key("symbolic");
+    symbolic ? m_json.string(symbolic->toText()) : m_json.null();
+  }
+
+  void writeMatrix(const TorqueMatrix& matrix) {
+    labels("balanced", m_report.balancedJoints, &Mechanism::jointLabel);
+    labels("loaded", matrix.loaded, &Mechanism::jointLabel);
+    rows("exact", matrix, [&](std::size_t at) { m_json.string(matrix.entries[at].toString()); });
+  }
+  template <class Entry>
+  void rows(std::string_view name, const TorqueMatrix& matrix, const Entry& entry) {
+    m_json.key(name);
+    m_json.beginArray();
+    for (std::size_t row = 0; row < m_report.balancedJoints.size(); ++row) {
+      m_json.beginArray(Layout::row);
+      for (std::size_t column = 0; column < matrix.loaded.size(); ++column)
+        entry(row * matrix.loaded.size() + column);
+      m_json.endArray();
+    }
+    m_json.endArray();
   }
 
   void matrix() {
-    const TorqueMatrix& matrix = *m_report.matrix;
     m_json.beginObject();
-    labels("balanced", m_report.balancedJoints, &Mechanism::jointLabel);
-    labels("loaded", matrix.loaded, &Mechanism::jointLabel);
-    const auto rows = [&](std::string_view name, const auto& entry) {
-      m_json.key(name);
-      m_json.beginArray();
-      for (std::size_t row = 0; row < m_report.balancedJoints.size(); ++row) {
-        m_json.beginArray(Layout::row);
-        for (std::size_t column = 0; column < matrix.loaded.size(); ++column)
-          entry(row * matrix.loaded.size() + column);
-        m_json.endArray();
-      }
-      m_json.endArray();
-    };
-    rows("exact", [&](std::size_t at) { m_json.string(matrix.entries[at].toString()); });
+    writeMatrix(*m_report.matrix);
     if (m_report.symbolic) {
-      rows("symbolic", [&](std::size_t at) {
+      rows("symbolic", *m_report.matrix, [&](std::size_t at) {
         const auto& entry = m_report.symbolic->matrix[at];
         entry ? m_json.string(entry->toText()) : m_json.null();
       });
@@ -433,6 +441,12 @@ class StaticsJson {
       m_json.key("symbolic");
       m_json.null();
     }
+    m_json.endObject();
+  }
+
+  void ttMatrix() {
+    m_json.beginObject();
+    writeMatrix(*m_report.ttMatrix);
     m_json.endObject();
   }
 
@@ -471,9 +485,9 @@ void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const 
   if (report != nullptr) {
     StaticsJson(json, *snapshot, *report, options).write();
   } else {
-    for (const char* name :
-         {"engaged", "share", "speeds", "counts", "loads", "balances", "jointTorques", "couplings", "meshes",
-          "bearings", "selfStresses", "power", "jointPowers", "efficiency", "solution", "agreement"}) {
+    for (const char* name : {"engaged", "share", "speeds", "counts", "loads", "balances", "jointTorques",
+                             "couplings", "meshes", "bearings", "selfStresses", "power", "jointPowers",
+                             "efficiency", "solution", "ttSolution", "agreement"}) {
       json.key(name);
       json.null();
     }

@@ -56,6 +56,8 @@ class TestCliStatics : public QObject {
     QCOMPARE(report["solution"]["loaded"], json({10, 12, 13, 14}));
     QCOMPARE(report["solution"]["symbolic"][0], json({"i15", "i16*i15", "i17*i16*i15", "i18*i17*i16*i15"}));
     QCOMPARE(report["solution"]["exact"][2], json({"0", "0", "4/3", "8/9"}));
+    QCOMPARE(report["ttSolution"]["balanced"], report["solution"]["balanced"]);
+    QCOMPARE(report["ttSolution"]["exact"], report["solution"]["exact"]);
     QCOMPARE(report["agreement"]["equal"], true);
     QCOMPARE(report["meshes"].size(), std::size_t{4});
     QCOMPARE(report["meshes"][3]["headTorque"], "-10");
@@ -167,6 +169,9 @@ class TestCliStatics : public QObject {
                                     "--balance", "joint:7", "--eta", "0.98", "--json"}));
     QCOMPARE(report["power"]["latentRatio"], "99/70");
     QCOMPARE(report["power"]["circulations"], json::array());
+    QCOMPARE(report["efficiency"]["value"], "3401/3500");
+    QCOMPARE(report["efficiency"]["symbolic"], "(i10*i9 + eta10*eta9)/(i10*i9 + 1)");
+    QVERIFY(report["efficiency"]["backward"]["symbolic"].is_string());
     QCOMPARE(report["meshes"][0]["groundPower"]["tail"], "-1000");
     QCOMPARE(report["jointPowers"]["5"],
              json::parse(R"({"fed": "1000", "groundPower": {"tail": "0", "head": "1000"}})"));

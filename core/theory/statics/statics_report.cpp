@@ -23,6 +23,13 @@ std::optional<std::pair<std::vector<int>, std::vector<int>>> jointsOf(const Kine
   return std::pair(balanced, outputsOf(model, balanced));
 }
 
+RadicalColumns opposite(const RadicalColumns& loads) {
+  RadicalColumns reversed;
+  for (const RadicalColumns::Column& column : loads.columns())
+    for (const auto& [link, force] : column.entries) reversed.add(link, -force, column.square);
+  return reversed;
+}
+
 class Analysis {
  public:
   Analysis(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
@@ -48,6 +55,7 @@ class Analysis {
       if (m_options.losses && !solveLosses()) return std::nullopt;
       takePowers();
       takeForces();
+      takeSymbolicEfficiencies();
     }
     if (!solveTransposed()) return std::nullopt;
     if (m_stop.stop_requested()) return std::nullopt;
@@ -203,9 +211,7 @@ class Analysis {
   /// The same motion with every known torque reversed.
   bool solveBackward(const CoefficientMatrix* stiffness) {
     if (m_report.lossy->outcome == LossySolution::Outcome::undecided) return true;
-    RadicalColumns reversed;
-    for (const RadicalColumns::Column& column : m_power.byLink.columns())
-      for (const auto& [link, force] : column.entries) reversed.add(link, -force, column.square);
+    const RadicalColumns reversed = opposite(m_power.byLink);
     auto lossless = solveStatics(m_model, m_report.held, reversed, {}, m_stop);
     if (!lossless) return false;
     if (stiffness != nullptr && !shareByStiffness(m_model, *stiffness, *lossless, m_stop)) return false;
@@ -214,11 +220,7 @@ class Analysis {
     if (!m_report.backward) return false;
     if (m_report.backward->outcome != LossySolution::Outcome::solved) return true;
     std::vector<RadicalColumns> loads;
-    for (const LoadReport& load : m_report.loads) {
-      RadicalColumns& opposite = loads.emplace_back();
-      for (const RadicalColumns::Column& column : load.power.columns())
-        for (const auto& [link, force] : column.entries) opposite.add(link, -force, column.square);
-    }
+    for (const LoadReport& load : m_report.loads) loads.push_back(opposite(load.power));
     m_report.backwardSums = powerSums(m_model, *m_report.backward, loads, *m_report.motion);
     return true;
   }
@@ -277,12 +279,54 @@ class Analysis {
     m_report.balancedJoints = joints->first;
     m_report.matrix = torqueMatrix(m_model, m_report.held, joints->second, m_stop);
     if (m_stop.stop_requested()) return false;
+    if (m_report.matrix && m_options.symbolic && !takeTtMatrix()) return false;
     constexpr std::size_t kMostSymbolicEntries = 20'000;
     if (!m_report.matrix || !m_options.symbolic || m_report.matrix->entries.size() > kMostSymbolicEntries)
       return true;
     m_report.symbolic = solveStaticsSymbolic(m_mechanism, cutsets(), m_analysis.independentMeshes,
                                              joints->first, joints->second, m_stop);
     return !m_stop.stop_requested();
+  }
+
+  /// The transposed solution by the T-T graph: a chain from each loaded joint. False where `stop` was
+  /// requested.
+  bool takeTtMatrix() {
+    const TorqueMatrix& matroid = *m_report.matrix;
+    if (!m_ttGraph.isComplete() || matroid.loaded.size() > kMostTtColumns) return true;
+    TorqueMatrix matrix{matroid.balanced, matroid.loaded, {}};
+    matrix.entries.resize(matroid.entries.size());
+    const std::vector<TtChord> chords = chordsOf(m_report.held);
+    for (std::size_t column = 0; column < matrix.loaded.size(); ++column) {
+      RadicalColumns load;
+      load.add(matrix.loaded[column], 1);
+      const auto torques = ttTorques(m_ttGraph, chords, load, m_stop);
+      if (!torques) return false;
+      if (!torques->isBalanced) return true;
+      for (std::size_t row = 0; row < matrix.balanced.size(); ++row) {
+        const auto& torque = torques->chords[static_cast<std::size_t>(matrix.balanced[row])].fraction();
+        if (!torque) return true;
+        matrix.entries[row * matrix.loaded.size() + column] = *torque;
+      }
+    }
+    m_report.ttMatrix = std::move(matrix);
+    return true;
+  }
+
+  void takeSymbolicEfficiencies() {
+    if (!m_options.symbolic || state() != nullptr || !m_report.motion) return;
+    const auto efficiency = [&](const std::optional<LossySolution>& solution,
+                                bool isReversed) -> std::optional<RationalFunction> {
+      if (!solution || solution->outcome != LossySolution::Outcome::solved) return std::nullopt;
+      std::vector<RadicalColumns> loads;
+      for (const LoadReport& load : m_report.loads)
+        loads.push_back(isReversed ? opposite(load.power) : load.power);
+      return symbolicEfficiency(
+          m_mechanism, m_model,
+          {m_analysis.independentMeshes, m_analysis.choice.joints, m_analysis.speeds, loads}, *solution,
+          *m_report.motion, m_stop);
+    };
+    m_report.efficiency = efficiency(m_report.lossy, false);
+    m_report.backwardEfficiency = efficiency(m_report.backward, true);
   }
 
   /// Of no use where `stop` was requested.

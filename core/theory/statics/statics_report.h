@@ -10,9 +10,13 @@
 #include "core/theory/statics/circulation.h"
 #include "core/theory/statics/forces.h"
 #include "core/theory/statics/statics_agreement.h"
+#include "core/theory/statics/symbolic_efficiency.h"
 #include "core/theory/statics/symbolic_statics.h"
 
 namespace geargraph::inline statics {
+
+/// The T-T graph solves one chain for each loaded joint.
+constexpr std::size_t kMostTtColumns = 60;
 
 /// What is asked about the torques of a mechanism.
 struct StaticsOptions {
@@ -56,7 +60,11 @@ struct StaticsReport {
   StaticsForces forces;
   std::vector<int> balancedJoints;  ///< where all balances are in joints, of the transposed kinematics
   std::optional<TorqueMatrix> matrix;
+  std::optional<TorqueMatrix>
+      ttMatrix;  ///< the same by the T-T graph; of at most kMostTtColumns loaded joints
   std::optional<SymbolicStatics> symbolic;
+  std::optional<RationalFunction> efficiency;  ///< as symbolicEfficiency(); with options.symbolic
+  std::optional<RationalFunction> backwardEfficiency;
   Diagnostics diagnostics;
 
   /// The solution that is shown: with losses where these are solved.
