@@ -216,7 +216,7 @@ QString DerivationView::textAt(QPoint place) const {
 QRect DerivationView::equationPlace(int number) const {
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
     const auto* equation = std::get_if<ReportEquation>(&m_report->report().blocks[m_lines[i].block]);
-    if (equation == nullptr || equation->number != number) continue;
+    if (equation == nullptr || equation->number != number || equation->isDual) continue;
     return {0, static_cast<int>(m_tops[i]) - verticalScrollBar()->value(), viewport()->width(),
             static_cast<int>(m_lines[i].height)};
   }

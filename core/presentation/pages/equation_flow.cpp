@@ -97,7 +97,7 @@ std::vector<SetReport::SetLine> sharedLines(std::vector<FormulaLine> lines) {
 std::vector<FlowLine> equationLines(const SetReport::SetEquation& set, const ReportEquation& equation,
                                     const FlowLook& flow, const WordMeasure& measure) {
   const WordLook numberLook{flow.size, false, true};
-  const std::string number = equation.number ? "(" + std::to_string(*equation.number) + ")" : "";
+  const std::string number = equation.number ? "(" + equation.label() + ")" : "";
   const double numberWidth = number.empty() ? 0 : measure.widthOf(number, numberLook);
   const double room = flow.width - (number.empty() ? 0 : numberWidth + flow.size);
   const Fit fit = EquationFitter(set, flow, room).fit();

@@ -58,8 +58,8 @@ class HtmlWriter {
   std::string operator()(const ReportEquation& equation) const {
     std::string text = "<div class=\"equation\"><div>" + formula(equation.tex, true) + "</div>";
     if (equation.number) {
-      const std::string number = std::to_string(*equation.number);
-      text += "<span class=\"number\" id=\"eq" + number + "\">(" + number + ")</span>";
+      const std::string place = std::to_string(*equation.number) + (equation.isDual ? "-dual" : "");
+      text += "<span class=\"number\" id=\"eq" + place + "\">(" + equation.label() + ")</span>";
     }
     return text + "</div>\n";
   }

@@ -70,7 +70,7 @@ struct LatexWriter {
   std::string operator()(const ReportParagraph& paragraph) const { return words(paragraph.words) + "\n"; }
   std::string operator()(const ReportEquation& equation) const {
     const bool wide = columnsOf(equation.tex) > kMostColumnsInFullSize;
-    const std::string tag = equation.number ? " \\tag{" + std::to_string(*equation.number) + "}" : "";
+    const std::string tag = equation.number ? " \\tag{" + equation.label() + "}" : "";
     return std::string(wide ? "{\\scriptsize" : "") + "\\begin{equation*}\n" + equation.tex + tag +
            "\n\\end{equation*}" + (wide ? "}" : "") + "\n";
   }

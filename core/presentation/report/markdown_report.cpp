@@ -33,7 +33,7 @@ struct MarkdownWriter {
   }
   std::string operator()(const ReportParagraph& paragraph) const { return words(paragraph.words) + "\n\n"; }
   std::string operator()(const ReportEquation& equation) const {
-    const std::string tag = equation.number ? " \\tag{" + std::to_string(*equation.number) + "}" : "";
+    const std::string tag = equation.number ? " \\tag{" + equation.label() + "}" : "";
     return "$$\n" + equation.tex + tag + "\n$$\n\n";
   }
   std::string operator()(const ReportTable& table) const {

@@ -42,6 +42,7 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   addMatroidPart(report, snapshot, stop);
   addTtGraphPart(report, *snapshot, stop);
   addAgreement(report, *snapshot);
+  addStaticsPart(report, *snapshot, stop);
   return report;
 }
 

@@ -34,6 +34,12 @@ struct ReportEquation {
   /// What it is about: one element of all of it, or one of each line of "aligned"; none of the whole
   /// mechanism.
   std::vector<ElementId> elements;
+  bool isDual = false;  ///< of statics: the number is that of its twin of the kinematics, with a star
+
+  /// "17", "17*"; empty without a number.
+  [[nodiscard]] std::string label() const {
+    return number ? std::to_string(*number) + (isDual ? "*" : "") : std::string();
+  }
 };
 struct ReportTable {
   std::vector<std::string> head;

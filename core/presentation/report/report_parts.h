@@ -13,6 +13,10 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).
 void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
+/// Cutset equations, the transposed solution and the torques under the document's loads, by both methods;
+/// nothing without loads. Starred equations stand beside those of the kinematics that they are the duals of.
+void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
+
 /// Adds to a report, for its parts.
 class ReportPart {
  protected:
@@ -26,6 +30,8 @@ class ReportPart {
   /// Without the line ends behind it: an empty line would end the formula in LaTeX.
   void equation(std::string tex, std::optional<int> number = std::nullopt,
                 std::vector<ElementId> elements = {});
+  /// The same of statics: the number of its twin, with a star.
+  void dualEquation(std::string tex, int number, std::vector<ElementId> elements = {});
   template <class Block>
   void put(Block block) {
     m_report.blocks.emplace_back(std::move(block));

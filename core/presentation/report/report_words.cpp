@@ -12,7 +12,12 @@ void ReportPart::paragraph(std::string_view text) {
 
 void ReportPart::equation(std::string tex, std::optional<int> number, std::vector<ElementId> elements) {
   while (!tex.empty() && tex.back() == '\n') tex.pop_back();
-  put(ReportEquation{std::move(tex), number, std::move(elements)});
+  put(ReportEquation{std::move(tex), number, std::move(elements), false});
+}
+
+void ReportPart::dualEquation(std::string tex, int number, std::vector<ElementId> elements) {
+  while (!tex.empty() && tex.back() == '\n') tex.pop_back();
+  put(ReportEquation{std::move(tex), number, std::move(elements), true});
 }
 
 ReportWords reportWords(std::string_view sentence) {

@@ -10,7 +10,7 @@ namespace {
 
 const std::map<std::string_view, std::string_view>& letters() {
   static const std::map<std::string_view, std::string_view> known{
-      {"Gamma", "Γ"}, {"omega", "ω"}, {"theta", "θ"}};
+      {"Gamma", "Γ"}, {"ell", "ℓ"}, {"omega", "ω"}, {"tau", "τ"}, {"theta", "θ"}};
   return known;
 }
 

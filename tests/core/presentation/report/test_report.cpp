@@ -3,6 +3,7 @@
 #include <QXmlStreamReader>
 #include <set>
 
+#include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
@@ -14,17 +15,22 @@ Report reportOf(Mechanism mechanism) {
   return derivationReport(analyze(std::make_shared<const Mechanism>(std::move(mechanism))));
 }
 
-/// What a formula's number stands beside.
-std::map<int, std::string> numbered(const Report& report) {
+/// The formula beside a number; with a star or without.
+std::map<int, std::string> numbered(const Report& report, bool isDual = false) {
   std::map<int, std::string> equations;
   for (const ReportBlock& block : report.blocks) {
     const auto* equation = std::get_if<ReportEquation>(&block);
-    if (equation == nullptr || !equation->number) continue;
+    if (equation == nullptr || !equation->number || equation->isDual != isDual) continue;
     if (!equations.emplace(*equation->number, equation->tex).second) {
-      qFatal("two equations (%d)", *equation->number);
+      qFatal("two equations (%s)", equation->label().c_str());
     }
   }
   return equations;
+}
+
+/// The robot's hand turned by 10 N m.
+Mechanism loadedRobot() {
+  return *withLoad(test::example("robot"), {LoadId("hand"), JointTorque{JointId("14"), Number(10)}});
 }
 
 /// Every <math> of the page, read as XML; the number of them.
@@ -71,7 +77,7 @@ class ReportTest : public QObject {
   Q_OBJECT
 
   static void check(const Report& report) {
-    (void)numbered(report);
+    for (const bool isDual : {false, true}) (void)numbered(report, isDual);
     const QString page = QString::fromStdString(reportHtml(report, {"<svg/>", "", "<svg/>"}));
     qsizetype formulas = 0;
     for (const ReportBlock& block : report.blocks)
@@ -100,6 +106,53 @@ class ReportTest : public QObject {
     QVERIFY(equations.at(40).find("&= -n_{52} n_{41} \\omega_{40} - n_{52} \\omega_{50}") !=
             std::string::npos);
     QVERIFY(equations.at(45).find("-i_{17} i_{16} i_{15} & -i_{17} i_{16} & -i_{17}") != std::string::npos);
+  }
+
+  // The equations of statics, each with the number of its twin.
+  void theStaticsOfTheRobot() {
+    const Report report = reportOf(loadedRobot());
+    check(report);
+    const auto equations = numbered(report, true);
+    QVERIFY(numbered(report).size() == numbered(reportOf(test::example("robot"))).size());
+    QVERIFY(equations.at(5).find("Q \\, C^T = 0") != std::string::npos);
+    QVERIFY(equations.at(17).find("\\tau + \\ell = P^T F") != std::string::npos);
+    QVERIFY2(equations.at(19).find("\\tau_{14} &= ") != std::string::npos, equations.at(19).c_str());
+    QVERIFY2(equations.at(25).find(
+                 "i_{15} & i_{16} i_{15} & i_{17} i_{16} i_{15} & i_{18} i_{17} i_{16} i_{15}") !=
+                 std::string::npos,
+             equations.at(25).c_str());
+    // The T-T graph's own route, from the load back to the motors.
+    QCOMPARE(equations.at(27), std::string("M_{10}' = n_{14} M_{40}'"));
+    QCOMPARE(equations.at(30), std::string("M_{32}'''' = -n_{37} M_{72}''''"));
+    QCOMPARE(equations.at(31), std::string("M_{40} + M_{40}' = 0"));
+    QCOMPARE(equations.at(33), std::string("M_{10} + M_{10}' - M_{51}'' = 0"));
+    QCOMPARE(equations.at(36), std::string("M_{72} + M_{72}''' + M_{72}'''' = 0"));
+    QVERIFY2(equations.at(39).find("M_{32}'''' = -10") != std::string::npos, equations.at(39).c_str());
+    QVERIFY(equations.at(39).find("(37^*)") != std::string::npos);
+    const std::string markdown = reportMarkdown(report);
+    QVERIFY(markdown.find("\\tau_{8} &= \\frac{80}{27}") != std::string::npos);
+    QVERIFY(markdown.find("\\tag{25*}") != std::string::npos);
+    QVERIFY(reportLatex(report).find("\\tag{17*}") != std::string::npos);
+    QVERIFY(reportHtml(report, {}).find("id=\"eq17-dual\">(17*)<") != std::string::npos);
+    // Without loads there is no such part.
+    QVERIFY(numbered(reportOf(test::example("robot")), true).empty());
+  }
+
+  void loadsThatNothingHoldsAreReportedInTheDerivation() {
+    Mechanism robot = loadedRobot();
+    robot.balances = std::vector<Balance>{{JointId("8")}};
+    const Report report = reportOf(robot);
+    check(report);
+    QVERIFY(reportMarkdown(report).find("Nothing holds this motion") != std::string::npos);
+  }
+
+  void loadsOnAnyTrainAreWritten() {
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      Mechanism train = test::randomTrain(seed, 8 + static_cast<int>(seed), 6 + static_cast<int>(seed));
+      train = *withLoad(train, {{}, JointTorque{train.turningJoints.back().id, Number(3)}});
+      train = *withLoad(train, {{}, LinkTorque{train.links.back().id, {}, Number(-2)}});
+      check(reportOf(train));
+    }
   }
 
   void everyExampleIsWrittenInEveryForm() {

@@ -1,0 +1,297 @@
+#include <algorithm>
+
+#include "core/foundations/base/wording.h"
+#include "core/presentation/report/report_parts.h"
+#include "core/presentation/report/report_words.h"
+#include "core/theory/statics/statics_report.h"
+#include "core/theory/ttgraph/notation.h"
+#include "core/theory/ttgraph/tt_statics.h"
+
+namespace geargraph::inline report {
+namespace {
+
+/// Longest list of equations, one a joint or a step.
+constexpr int kMostListed = 100;
+
+class StaticsPart : private ReportPart {
+ public:
+  StaticsPart(Report& report, const AnalysisSnapshot& snapshot, const StaticsReport& statics,
+              const std::stop_token& stop)
+      : ReportPart(report, stop),
+        m_snapshot(snapshot),
+        m_mechanism(*snapshot.mechanism),
+        m_model(*snapshot.kinematics->model),
+        m_placement(snapshot.kinematics->placement()),
+        m_graph(*snapshot.graph),
+        m_ttGraph(*snapshot.kinematics->ttGraph),
+        m_statics(statics) {}
+
+  void add() {
+    heading(1, "Statics");
+    paragraph(
+        "What holds the loads follows from the same matrices, read down their columns. A starred number "
+        "belongs to the equation of the kinematics beside it. A torque $\\tau_e$ acts in joint $e$, by its "
+        "tail on its head, about the direction of its axis; $\\ell_e$ is the power of the loads on links "
+        "beyond the joint for its rate $1$; $F_c$ is the tangential force of mesh $c$, by the tail's gear "
+        "on the head's.");
+    addCutsets();
+    if (isStopped()) return;
+    addTransposed();
+    addTorques();
+    if (!isStopped() && m_ttGraph.isComplete()) addTtGraphMethod();
+    addAgreement();
+  }
+
+ private:
+  [[nodiscard]] std::string label(int joint) const { return std::to_string(m_graph.edgeLabel(joint)); }
+  [[nodiscard]] std::string torque(int joint) const { return "\\tau_{" + label(joint) + "}"; }
+  [[nodiscard]] std::string force(int mesh) const {
+    return "F_{" + std::to_string(m_mechanism.meshLabel(mesh)) + "}";
+  }
+  [[nodiscard]] ElementId jointId(int joint) const {
+    return m_mechanism.turningJoints[static_cast<std::size_t>(joint)].id;
+  }
+  [[nodiscard]] ElementId meshId(int mesh) const {
+    return m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)].id;
+  }
+  [[nodiscard]] std::string torqueColumn(std::span<const int> joints) const {
+    std::vector<std::string> names;
+    for (const int joint : joints) names.push_back(torque(joint));
+    return texColumn(names);
+  }
+  [[nodiscard]] static std::string number(const Real& value) {
+    return value.isExact() ? latexOf(*value.fraction()) : shortDecimal(value.number());
+  }
+  /// " + 3 x", " - x" for a sum; the first term without a plus.
+  static void addTerm(std::string& sum, bool negative, const std::string& term) {
+    sum += negative ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+    sum += term;
+  }
+
+  /// Is there a load or a balance on a link, so that some ell is not 0?
+  [[nodiscard]] bool hasLinkLoads() const {
+    const auto onLink = [](const auto& each) { return !each.inJoint(); };
+    const StaticsProblem& problem = m_statics.problem;
+    return !problem.forces.empty() ||
+           std::any_of(problem.torques.begin(), problem.torques.end(),
+                       [&](const AppliedTorque& load) { return onLink(load.place); }) ||
+           std::any_of(problem.balances.begin(), problem.balances.end(), onLink);
+  }
+
+  void addCutsets() {
+    heading(2, "Cutset equations");
+    paragraph(
+        "Without joint $e$ the tree falls into two parts. The edges that lead from one to the other are its "
+        "fundamental cutset. It crosses each cycle as often along the cycle as against it:");
+    dualEquation(
+        "C = \\left[ T \\mid U \\right] \\quad (5) , \\quad Q = \\left[ U \\mid -T^T \\right] , \\quad "
+        "Q \\, C^T = 0",
+        5);
+    paragraph(
+        "So the part beyond a joint is in equilibrium if the torque in the joint and the loads hold the "
+        "forces "
+        "of the meshes that cross the cutset. Their moments about the joint's axis are the entries of its "
+        "column of $P$; forces along the line of centres or along an axis do no work and are in no "
+        "equation:");
+    dualEquation("P \\, \\dot{\\theta}_t = 0 \\quad (17) , \\quad \\tau + \\ell = P^T F", 17);
+    if (m_graph.t() > kMostListed) {
+      return paragraph(
+          "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them.");
+    }
+    paragraph("With lengths in " + m_mechanism.unit + ", joint by joint,");
+    const CutsetEquations cutsets(CoefficientMatrix(m_mechanism, m_model, m_placement));
+    std::vector<std::string> lines;
+    std::vector<ElementId> joints;
+    const bool hasLinks = hasLinkLoads();
+    for (int joint = 0; joint < cutsets.count(); ++joint) {
+      std::string sum;
+      for (const CutsetEquations::Term& term : cutsets.terms(joint))
+        addTerm(sum, term.length < 0, shortDecimal(std::abs(term.length)) + " " + force(term.mesh));
+      const std::string loads = hasLinks ? " + \\ell_{" + label(joint) + "}" : "";
+      lines.push_back(torque(joint) + loads + " = " + (sum.empty() ? "0" : sum));
+      joints.push_back(jointId(joint));
+    }
+    dualEquation(texLines(lines), 19, std::move(joints));
+  }
+
+  void addTransposed() {
+    if (!m_statics.matrix || m_statics.balancedJoints.empty()) return;
+    heading(2, "The transposed solution");
+    paragraph(
+        "The torques in the balanced joints, $\\tau_E$, hold those in the others, $\\tau_r$. With the "
+        "columns of $P$ in the same order as for the speeds,");
+    dualEquation(
+        "\\dot{\\theta}_r = K_r \\, \\dot{\\theta}_E \\quad (23) , \\quad \\tau_E = -K_r^T \\, \\tau_r", 23);
+    const TorqueMatrix& matrix = *m_statics.matrix;
+    const std::size_t columns = matrix.loaded.size();
+    if (columns == 0 || columns > kMostReportColumns || m_statics.balancedJoints.size() > kMostReportRows)
+      return;
+    const std::string left = torqueColumn(m_statics.balancedJoints) + " =\n";
+    const std::string right = " " + torqueColumn(matrix.loaded);
+    const auto rows = [&](const auto& entry) {
+      std::vector<std::vector<std::string>> texts(m_statics.balancedJoints.size());
+      for (std::size_t row = 0; row < texts.size(); ++row)
+        for (std::size_t column = 0; column < columns; ++column)
+          texts[row].push_back(entry(row * columns + column));
+      return texts;
+    };
+    if (m_statics.symbolic && m_statics.symbolic->skipped == 0) {
+      paragraph("which in ratios is (25) transposed, with the opposite sign:");
+      dualEquation(
+          left + texMatrix(rows([&](std::size_t at) { return m_statics.symbolic->matrix[at]->toLatex(); })) +
+              right,
+          25);
+    }
+    paragraph("With the teeth of this mechanism:");
+    equation(left + texMatrix(rows([&](std::size_t at) { return latexOf(matrix.entries[at]); })) + right);
+  }
+
+  void addTorques() {
+    heading(2, "Torques under the loads");
+    if (!m_statics.lossless.isBalanced()) {
+      for (const Diagnostic& each : m_statics.diagnostics)
+        if (each.code == Code::unbalanced) put(ReportParagraph{plainWords(each.message)});
+      return;
+    }
+    std::vector<std::string> lines;
+    std::vector<ElementId> elements;
+    for (std::size_t part = 0; part < m_statics.held.size(); ++part) {
+      const int balance = m_statics.held[part].balance;
+      const auto unknown = static_cast<std::size_t>(m_model.c()) + part;
+      if (balance < 0 || static_cast<int>(lines.size()) >= kMostListed) continue;
+      const TorquePlace& place = m_statics.problem.balances[static_cast<std::size_t>(balance)];
+      if (!place.inJoint() || m_statics.lossless.determined[unknown] == 0) continue;
+      lines.push_back(torque(place.joint) + " = " + number(m_statics.lossless.values[unknown]));
+      elements.push_back(jointId(place.joint));
+    }
+    if (!lines.empty()) {
+      paragraph("The loads of the document are held by these torques, in N m, in a train without losses:");
+      equation(texLines(lines), std::nullopt, std::move(elements));
+    }
+    addForces();
+  }
+
+  void addForces() {
+    std::vector<std::string> lines;
+    std::vector<ElementId> elements;
+    for (int mesh = 0; mesh < m_model.c() && mesh < kMostListed; ++mesh) {
+      if (m_statics.forces.meshes.empty() || !m_statics.lossless.isDetermined(mesh)) continue;
+      lines.push_back(force(mesh) + " = " +
+                      shortDecimal(m_statics.forces.meshes[static_cast<std::size_t>(mesh)].tangential));
+      elements.push_back(meshId(mesh));
+    }
+    if (lines.empty()) return;
+    paragraph("The tangential forces of the meshes, in N, are");
+    equation(texLines(lines), std::nullopt, std::move(elements));
+  }
+
+  /// "M_{51}''": the torque where the velocity is called so.
+  [[nodiscard]] static std::string torqueName(const VelocityName& velocity) {
+    std::string name = velocity.toLatex();
+    name.replace(0, std::string("\\omega").size(), "M");
+    return name;
+  }
+  [[nodiscard]] std::string branch(int joint) const { return torqueName(branchName(m_graph, joint)); }
+
+  void addTtGraphMethod() {
+    heading(2, "The same by the T-T graph");
+    const EquationNumbers numbers(m_ttGraph, 0);
+    const std::vector<RatioNames> names = ratioNames(m_graph);
+    if (m_graph.c() > kMostListed || m_graph.t() > kMostListed || m_graph.c() == 0) return;
+    paragraph(
+        "A mesh loses no power at its two ports, so the torques on its gears, seen from the carrier, are in "
+        "the inverse ratio of their speeds:");
+    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+      const TerminalPair& pair = *m_ttGraph.terminal(mesh);
+      dualEquation(torqueName(headChordName(pair)) + " = " + (pair.sign > 0 ? "-" : "") +
+                       names[static_cast<std::size_t>(mesh)].inverseLatex + " " +
+                       torqueName(tailChordName(pair)),
+                   numbers.terminal(mesh), {meshId(mesh)});
+    }
+    paragraph(
+        "Each branch of the tree has a fundamental cutset, with the coefficients of the circuits that "
+        "the branch belongs to:");
+    std::vector<std::string> cutsets(static_cast<std::size_t>(m_graph.t()));
+    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+      const TerminalPair& pair = *m_ttGraph.terminal(mesh);
+      const auto add = [&](std::span<const CircuitTerm> circuit, const VelocityName& chord) {
+        for (const CircuitTerm& term : circuit)
+          addTerm(cutsets[static_cast<std::size_t>(term.joint)], term.coefficient < 0, torqueName(chord));
+      };
+      add(m_ttGraph.tailCircuit(mesh), tailChordName(pair));
+      add(m_ttGraph.headCircuit(mesh), headChordName(pair));
+    }
+    const int first = numbers.terminal(m_graph.c() - 1) + 1;
+    const bool hasLinks = hasLinkLoads();
+    for (int joint = 0; joint < m_graph.t() && !isStopped(); ++joint) {
+      const std::string& chords = cutsets[static_cast<std::size_t>(joint)];
+      const std::string loads = hasLinks ? " + \\ell_{" + label(joint) + "}" : "";
+      const std::string sum = chords.empty() ? "" : (chords.front() == '-' ? " " : " + ") + chords;
+      dualEquation(branch(joint) + sum + loads + " = 0", first + joint, {jointId(joint)});
+    }
+    if (m_statics.lossless.isBalanced()) addChain(first, std::max(numbers.step(0), first + m_graph.t()));
+  }
+
+  /// The chain from the loads back to the motors.
+  void addChain(int firstCutset, int firstStep) {
+    const LoadPower power = LoadPower::of(m_mechanism, m_model, m_placement, m_statics.problem);
+    const auto torques = ttTorques(m_ttGraph, chordsOf(m_statics.held), power.byJoint);
+    if (!torques || !torques->isBalanced || torques->steps.empty()) return;
+    paragraph(
+        "The chain runs from the loads back to the motors: a cutset with one unknown left gives it, the "
+        "terminal equation of its mesh the other torque.");
+    int place = 0;
+    for (const TtStaticStep& step : torques->steps) {
+      if (isStopped() || place >= kMostListed) return;
+      const std::string by =
+          step.joint < 0 ? "" : " \\quad (" + std::to_string(firstCutset + step.joint) + "^*)";
+      if (step.mesh >= 0) {
+        const auto at = static_cast<std::size_t>(step.mesh);
+        if (torques->meshDetermined[at] == 0) continue;
+        const TerminalPair& pair = *m_ttGraph.terminal(step.mesh);
+        dualEquation(torqueName(tailChordName(pair)) + " = " + number(torques->tailPorts[at]) + " , \\quad " +
+                         torqueName(headChordName(pair)) + " = " + number(torques->headPorts[at]) + by,
+                     firstStep + place++, {meshId(step.mesh)});
+        continue;
+      }
+      const auto chord = static_cast<std::size_t>(step.chord);
+      const HeldPart& part = m_statics.held[chord];
+      if (part.balance < 0 || torques->chordDetermined[chord] == 0) continue;
+      const TorquePlace& at = m_statics.problem.balances[static_cast<std::size_t>(part.balance)];
+      if (!at.inJoint()) continue;
+      dualEquation(torque(at.joint) + " = " + number(torques->chords[chord]) + by, firstStep + place++,
+                   {jointId(at.joint)});
+    }
+  }
+
+  void addAgreement() {
+    if (!m_statics.agreement) return;
+    paragraph(m_statics.agreement->equal
+                  ? "Torque by torque, both methods give the same fractions: " +
+                        std::to_string(m_statics.agreement->compared) + " compared, none differs."
+                  : "The two methods differ by up to " +
+                        shortDecimal(m_statics.agreement->largestDifference.number()) + " N m.");
+  }
+
+  const AnalysisSnapshot& m_snapshot;
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const Digraph& m_graph;
+  const TtGraph& m_ttGraph;
+  const StaticsReport& m_statics;
+};
+
+}  // namespace
+
+void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  if (snapshot.matroid() == nullptr || snapshot.mechanism->loads.empty() || stop.stop_requested()) return;
+  if (hasErrors(snapshot.diagnostics)) return;
+  const auto statics =
+      analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
+                     *snapshot.kinematics->ttGraph, *snapshot.matroid(), StaticsOptions{}, stop);
+  if (!statics || !statics->isSolved) return;
+  StaticsPart(report, snapshot, *statics, stop).add();
+}
+
+}  // namespace geargraph::inline report
