@@ -13,6 +13,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
+#include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/export_jobs.h"
@@ -216,6 +217,8 @@ void MainWindow::wireViews() {
   for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
     connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
   }
+  connect(m_forces, &ForcesPanel::tablesShown, this, &MainWindow::tellWhenSettled);
+  connect(m_forces, &ForcesPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
   connect(m_matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
   connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
@@ -283,7 +286,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 
 bool MainWindow::isSettled() const {
   return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate();
+         m_ttGraph->isUpToDate() && m_forces->isUpToDate();
 }
 
 void MainWindow::tellWhenSettled() {
@@ -304,6 +307,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   for (DrawingView* each : m_allDrawings) each->setSnapshot(snapshot);
   m_results->setSnapshot(snapshot);
   m_gearbox->setSnapshot(snapshot);
+  m_forces->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);

@@ -12,6 +12,9 @@ class DigraphView;
 class DrawingView;
 class TtGraphView;
 }  // namespace geargraph::inline canvas
+namespace geargraph::inline forces {
+class ForcesPanel;
+}  // namespace geargraph::inline forces
 namespace geargraph::inline panels {
 class GearboxPanel;
 class InputsPanel;
@@ -71,6 +74,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DerivationPanel& derivation() { return *m_derivation; }
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
   [[nodiscard]] GearboxPanel& gearbox() { return *m_gearbox; }
+  [[nodiscard]] ForcesPanel& forces() { return *m_forces; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
@@ -173,6 +177,7 @@ class MainWindow : public QMainWindow {
   GearboxPanel* m_gearbox = nullptr;
   MotionPanel* m_motion = nullptr;
   DerivationPanel* m_derivation = nullptr;
+  ForcesPanel* m_forces = nullptr;
   InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;

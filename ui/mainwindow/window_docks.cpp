@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/derivation/derivation_panel.h"
+#include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/panels/gearbox_panel.h"
@@ -92,6 +93,9 @@ void MainWindow::makeDocks() {
   m_derivation = new DerivationPanel(m_selection, this);
   QDockWidget* derivation = addDock("dock.derivation", tr("Derivation"), m_derivation);
   connect(derivation, &QDockWidget::visibilityChanged, m_derivation, &DerivationPanel::setAwake);
+  m_forces = new ForcesPanel(m_document, m_selection, this);
+  QDockWidget* forces = addDock("dock.forces", tr("Forces"), m_forces);
+  connect(forces, &QDockWidget::visibilityChanged, m_forces, &ForcesPanel::setAwake);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
   placeDocks();
@@ -108,6 +112,7 @@ void MainWindow::placeDocks() {
   tabifyDockWidget(dock("dock.matrices"), dock("dock.problems"));
   tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
   tabifyDockWidget(dock("dock.speeds"), dock("dock.derivation"));
+  tabifyDockWidget(dock("dock.derivation"), dock("dock.forces"));
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
   tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));

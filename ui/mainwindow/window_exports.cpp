@@ -80,6 +80,15 @@ void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
   if (!path.isEmpty()) exportCsv(table, withSuffix(path, QStringLiteral(".csv")));
 }
 
+void WindowExports::chooseAndExportTable(const QString& name, const QString& csv) {
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Export table"), name,
+                                              tr("CSV files (*.csv);;All files (*)"));
+  if (path.isEmpty()) return;
+  path = withSuffix(path, QStringLiteral(".csv"));
+  if (const auto why = writeText(csv.toStdString(), path)) return emit refused(*why);
+  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+}
+
 void WindowExports::chooseAndSaveTrace() {
   if (m_views.view3d->traces().empty()) return;
   const QString path = QFileDialog::getSaveFileName(m_window, tr("Save the traced path"), tr("path.csv"),

@@ -65,6 +65,8 @@ class WindowExports : public QObject {
   // The same with a dialog for the path.
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
+  /// A table that is CSV already; `name`: proposed for its file.
+  void chooseAndExportTable(const QString& name, const QString& csv);
   void chooseAndExportPicture(const PictureWish& wish);
   void chooseAndExportDerivation();
   void chooseAndSaveTrace();

@@ -1,0 +1,269 @@
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/load_edits.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/train_sketch.h"
+#include "tests/core/support/trains.h"
+#include "ui/forces/force_table_model.h"
+#include "ui/forces/forces_panel.h"
+#include "ui/panels/number_field.h"
+
+namespace geargraph {
+
+class ForcesPanelTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Document> document;
+  Selection selection;
+  std::unique_ptr<ForcesPanel> panel;
+
+  void open(Mechanism mechanism) {
+    document->replace(std::move(mechanism), {});
+    settle();
+  }
+  void settle() {
+    panel->setSnapshot(analyze(document->mechanism(), document->revision()));
+    QTRY_VERIFY(panel->isUpToDate());
+  }
+  void press(const char* button) {
+    QTest::mouseClick(panel->findChild<QToolButton*>(QLatin1String(button)), Qt::LeftButton);
+    settle();
+  }
+  NumberField& field(const char* name) { return *panel->findChild<NumberField*>(QLatin1String(name)); }
+  void type(const char* name, const char* text) {
+    field(name).setFocus();
+    field(name).selectAll();
+    QTest::keyClicks(&field(name), QLatin1String(text));
+    settle();
+  }
+  /// The text under a head of the table that is shown.
+  QString cell(int row, const char* head) {
+    const ForceTableModel& model = panel->model();
+    for (int column = 0; column < model.columnCount(); ++column)
+      if (model.headerData(column, Qt::Horizontal).toString().section(QLatin1Char(','), 0, 0) ==
+          QLatin1String(head))
+        return model.index(row, column).data().toString();
+    return QStringLiteral("no column ") + QLatin1String(head);
+  }
+  int loads() { return static_cast<int>(document->mechanism()->loads.size()); }
+
+  /// Sun 5 at 100 rad/s, ring 6 held, carrier 7 out.
+  static Mechanism set(int planets = 1) {
+    Mechanism mechanism = test::planetary(24, 18, planets);
+    mechanism.inputs = std::vector<Input>{{mechanism.turningJoints[0].id, Number(100), {}},
+                                          {mechanism.turningJoints[1].id, Number(0), {}}};
+    mechanism.balances =
+        std::vector<Balance>{{mechanism.turningJoints[1].id}, {mechanism.turningJoints[2].id}};
+    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints[0].id, Number(10)}}};
+    return mechanism;
+  }
+
+ private slots:
+  void init() {
+    selection.clear();
+    document = std::make_unique<Document>();
+    panel = std::make_unique<ForcesPanel>(document.get(), &selection);
+    panel->resize(900, 300);
+    panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
+    panel->setAwake(true);
+  }
+  void cleanup() { panel.reset(); }
+
+  void theTorquesOfAPlanetarySet() {
+    open(set());
+    QCOMPARE(panel->emptyText(), QString());
+    QCOMPARE(panel->model().rowCount(), 4);
+    QCOMPARE(cell(0, "carried by"), QStringLiteral("load"));
+    QCOMPARE(cell(1, "exact torque"), QStringLiteral("25"));
+    QCOMPARE(cell(2, "torque"), QStringLiteral("-35"));
+    QCOMPARE(panel->total(QStringLiteral("fed")), QStringLiteral("1000"));
+    QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("–"));
+    QCOMPARE(panel->remark(), QString());
+    type("meshEfficiency", "0.98");
+    QCOMPARE(cell(1, "exact torque"), QStringLiteral("2401/100"));
+    QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("0.971714"));
+    QCOMPARE(panel->total(QStringLiteral("lost")), QStringLiteral("28.2857"));
+    QCOMPARE(panel->total(QStringLiteral("circulating")), QStringLiteral("none"));
+  }
+
+  void everyTableIsShownAndExplained() {
+    open(set());
+    QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (const ForceTableKind kind : allForceTableKinds()) {
+      panel->showTable(kind);
+      QVERIFY(panel->model().kind() == kind);
+      QCOMPARE(panel->model().rowCount() == 0, !panel->emptyText().isEmpty());
+      for (int column = 0; column < panel->model().columnCount(); ++column) {
+        QVERIFY(panel->model().headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().size() > 10);
+        if (panel->model().rowCount() > 0)
+          QVERIFY(
+              panel->model().index(0, column).data(Qt::ToolTipRole).toString().endsWith(QLatin1Char('.')));
+      }
+    }
+    for (const QLabel* label : panel->findChildren<QLabel*>(QRegularExpression(QStringLiteral("total\\..*"))))
+      QVERIFY(!label->toolTip().isEmpty());
+    panel->showTable(ForceTableKind::meshes);
+    QVERIFY(cell(0, "tangential").toDouble() != 0);
+    panel->showTable(ForceTableKind::powers);
+    QVERIFY(panel->model().rowCount() > 6);
+  }
+
+  void loadsAreAddedChangedAndRemoved() {
+    open(set());
+    selection.select({document->mechanism()->turningJoints[2].id});
+    press("addLoad");
+    QCOMPARE(loads(), 2);
+    QCOMPARE(cell(2, "carried by"), QStringLiteral("load and balance"));
+    selection.select({document->mechanism()->links[1].id});
+    press("addLoad");
+    QCOMPARE(loads(), 3);
+    QVERIFY(std::holds_alternative<LinkTorque>(document->mechanism()->loads[2].action));
+    // What is typed until the field is left is one step.
+    const int steps = document->undoStack().count();
+    type("load.0.0", "-20");
+    QCOMPARE(document->undoStack().count(), steps + 1);
+    QCOMPARE(std::get<JointTorque>(document->mechanism()->loads[0].action).torque.exact(), Rational(-20));
+    document->undoStack().undo();
+    settle();
+    QCOMPARE(field("load.0.0").text(), QStringLiteral("10"));
+    // The unit of the list changes numbers on the screen, not in the document.
+    const auto before = document->mechanism();
+    panel->findChild<QComboBox*>(QStringLiteral("loadUnit"))->setCurrentIndex(1);
+    QCOMPARE(document->mechanism(), before);
+    QCOMPARE(field("load.0.0").text(), QStringLiteral("10000"));
+    type("load.0.0", "2500");
+    QCOMPARE(std::get<JointTorque>(document->mechanism()->loads[0].action).torque.exact(), Rational(5, 2));
+    QTest::mouseClick(panel->findChildren<QToolButton*>(QStringLiteral("removeLoad")).front(),
+                      Qt::LeftButton);
+    settle();
+    QCOMPARE(loads(), 2);
+    while (document->undoStack().canUndo()) document->undoStack().undo();
+    settle();
+    QCOMPARE(loads(), 1);
+    QCOMPARE(cell(1, "exact torque"), QStringLiteral("25"));
+  }
+
+  void aForceHasThreeComponents() {
+    Mechanism mechanism = set();
+    mechanism.loads.push_back(
+        {{},
+         LinkForce{
+             mechanism.links[3].id, {Number(1), Number(2), Number(3)}, {Number(4), Number(5), Number(6)}}});
+    open(mechanism);
+    QCOMPARE(field("load.1.2").text(), QStringLiteral("3"));
+    type("load.1.2", "-7");
+    const auto& force = std::get<LinkForce>(document->mechanism()->loads[1].action);
+    QCOMPARE(force.force[2].exact(), Rational(-7));
+    QCOMPARE(force.point[2].exact(), Rational(6));
+  }
+
+  void rowsAndSelectionAreLinked() {
+    open(set());
+    const QModelIndex ring = panel->model().index(1, 0);
+    QTest::mouseClick(panel->table().viewport(), Qt::LeftButton, Qt::NoModifier,
+                      panel->table().visualRect(ring).center());
+    QVERIFY(selection.isSelected(document->mechanism()->turningJoints[1].id));
+    QCOMPARE(panel->table().selectionModel()->selectedRows().size(), 1);
+    selection.select({document->mechanism()->turningJoints[2].id});
+    QCOMPARE(panel->table().selectionModel()->selectedRows().front().row(), 2);
+    selection.select({document->mechanism()->gearMeshes[1].id});
+    QVERIFY(panel->table().selectionModel()->selectedRows().isEmpty());
+    panel->showTable(ForceTableKind::meshes);
+    QCOMPARE(panel->table().selectionModel()->selectedRows().front().row(), 1);
+  }
+
+  void whatNothingHoldsIsReported() {
+    Mechanism mechanism = set();
+    mechanism.balances->pop_back();
+    open(mechanism);
+    QVERIFY2(panel->remark().startsWith(QLatin1String("Nothing holds this motion")),
+             qPrintable(panel->remark()));
+    QVERIFY(!panel->emptyText().isEmpty());
+    QCOMPARE(panel->total(QStringLiteral("fed")), QStringLiteral("–"));
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportForces"))->isEnabled());
+    open(Mechanism());
+    QVERIFY(!panel->emptyText().isEmpty());
+  }
+
+  void sharedLoadsAskForAnAssumption() {
+    open(set(3));
+    auto* share = panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"));
+    QVERIFY(share->isVisible());
+    QVERIFY(panel->remark().contains(QLatin1String("share the load")));
+    panel->showTable(ForceTableKind::meshes);
+    QCOMPARE(cell(0, "on tail"), QStringLiteral("shared"));
+    share->click();
+    QTRY_VERIFY(panel->isUpToDate());
+    QVERIFY(cell(0, "on tail") != QLatin1String("shared"));
+    QCOMPARE(cell(0, "on tail"), cell(2, "on tail"));
+    open(set());
+    QVERIFY(!share->isVisible());
+  }
+
+  void anEfficiencyOutOfRangeChangesNothing() {
+    open(set());
+    type("meshEfficiency", "0.9");
+    const QString torque = cell(1, "torque");
+    for (const char* wrong : {"0", "-1", "2", "much"}) {
+      type("meshEfficiency", wrong);
+      QVERIFY2(field("meshEfficiency").property("wrong").toBool(), wrong);
+    }
+    settle();
+    QCOMPARE(cell(1, "torque"), torque);
+  }
+
+  void theStatesOfAGearbox() {
+    open(test::eightSpeed());
+    auto* states = panel->findChild<QComboBox*>(QStringLiteral("forcesState"));
+    QVERIFY(states->isVisible());
+    QCOMPARE(states->count(), 10);
+    panel->showState(0);
+    QTRY_VERIFY(panel->isUpToDate());
+    QVERIFY(panel->remark().contains(QLatin1String("gets 1 N m")));
+    panel->showTable(ForceTableKind::couplings);
+    QCOMPARE(panel->model().rowCount(), 3);
+    type("meshEfficiency", "0.98");
+    panel->showTable(ForceTableKind::states);
+    QCOMPARE(panel->model().rowCount(), 9);
+    QCOMPARE(cell(5, "efficiency"), QStringLiteral("1"));
+    QVERIFY(cell(0, "efficiency").toDouble() < 1);
+    QVERIFY(!cell(0, "A").isEmpty());
+    open(set());
+    QVERIFY(!states->isVisible());
+    QVERIFY(panel->model().kind() == ForceTableKind::joints);
+  }
+
+  void asleepNothingIsWorkedOut() {
+    panel->setAwake(false);
+    open(set());
+    QVERIFY(panel->forces() == nullptr);
+    panel->setAwake(true);
+    QTRY_VERIFY(panel->forces() != nullptr && panel->model().rowCount() == 4);
+  }
+
+  void tablesAreExportedAndCopied() {
+    open(set());
+    QSignalSpy wanted(panel.get(), &ForcesPanel::exportWanted);
+    press("exportForces");
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toString(), QStringLiteral("joint-torques.csv"));
+    QVERIFY(wanted[0][1].toString().contains(QLatin1String("torque [N m]")));
+    press("copyForces");
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QLatin1String("joint\tturns\t")));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::ForcesPanelTest)
+#include "test_forces_panel.moc"

@@ -1,0 +1,450 @@
+#include "ui/forces/forces_panel.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QComboBox>
+#include <QEvent>
+#include <QFrame>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+
+#include "ui/forces/force_table_model.h"
+#include "ui/forces/loads_list.h"
+#include "ui/models/term_tips.h"
+#include "ui/panels/number_field.h"
+#include "ui/theme/application_theme.h"
+#include "ui/theme/empty_label.h"
+#include "ui/theme/style_sheet.h"
+
+namespace geargraph::inline forces {
+namespace {
+
+QToolButton* controlButton(const char* name, const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setProperty("look", "control");
+  return button;
+}
+
+QString tipOf(ForceTableKind kind) {
+  switch (kind) {
+    case ForceTableKind::joints:
+      return ForcesPanel::tr("Torque, rate and power of every turning joint");
+    case ForceTableKind::couplings:
+      return ForcesPanel::tr("Torques of the brakes and clutches that are engaged");
+    case ForceTableKind::meshes:
+      return ForcesPanel::tr(
+          "Torques on the gears of every mesh, tooth forces, and the power that it passes");
+    case ForceTableKind::bearings:
+      return ForcesPanel::tr("What holds each link in its turning joint: force and moment");
+    case ForceTableKind::powers:
+      return ForcesPanel::tr("What every element delivers to each of its links, seen from the ground");
+    case ForceTableKind::circulations:
+      return ForcesPanel::tr("Power that goes round in loops, beside what goes through the train");
+    case ForceTableKind::states:
+      return ForcesPanel::tr("Torques of the couplings and efficiency in every state of the gearbox");
+  }
+  return {};
+}
+
+/// Every kind, in the order of the chips.
+std::vector<ForceTableKind> kindsOfChips() {
+  std::vector<ForceTableKind> kinds = allForceTableKinds();
+  kinds.push_back(ForceTableKind::states);
+  return kinds;
+}
+
+QString numberText(const Real& value) {
+  return shownText(shownNumber(value.number()));
+}
+
+}  // namespace
+
+ForcesPanel::ForcesPanel(Document* document, Selection* selection, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_selection(selection),
+      m_service(new ForcesService(this)),
+      m_model(new ForceTableModel(this)),
+      m_loads(new LoadsList(document, selection, this)),
+      m_table(new QTableView(this)),
+      m_pages(new QStackedWidget(this)),
+      m_empty(emptyLabel(this)),
+      m_remark(new QLabel(this)) {
+  m_remark->setObjectName(QStringLiteral("forcesRemark"));
+  m_remark->setWordWrap(true);
+  m_remark->setTextFormat(Qt::PlainText);
+  m_remark->setContentsMargins(12, 2, 12, 4);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(makeBar());
+  layout->addWidget(makeMiddle(), 1);
+  layout->addWidget(m_remark);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+
+  m_service->onAnswer(this, [this](const ForcesPtr&) { showForces(); });
+  connect(m_service, &ForcesService::failed, this, [this](const QString& why) {
+    m_empty->setText(tr("The torques could not be worked out: %1").arg(why));
+    m_pages->setCurrentWidget(m_empty);
+  });
+  connect(m_selection, &Selection::selectionChanged, this, &ForcesPanel::selectRow);
+  connect(m_table, &QTableView::clicked, this,
+          [this](const QModelIndex& at) { m_selection->select(m_model->elementsAt(at.row())); });
+  connect(m_table, &QTableView::entered, this, [this](const QModelIndex& at) { hoverRow(at.row()); });
+  showForces();
+}
+
+QWidget* ForcesPanel::makeBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(12, 6, 10, 2);
+  layout->setSpacing(4);
+  m_chips = new QButtonGroup(this);
+  for (const ForceTableKind kind : kindsOfChips()) {
+    auto* chip = new QToolButton(bar);
+    chip->setText(shownText(forceTableTitle(kind)));
+    chip->setObjectName(QStringLiteral("chip.") + shownText(forceTableCommandName(kind)));
+    chip->setToolTip(tipOf(kind));
+    chip->setCheckable(true);
+    chip->setProperty("look", "chip");
+    m_chips->addButton(chip, static_cast<int>(kind));
+    layout->addWidget(chip);
+  }
+  m_chips->button(static_cast<int>(ForceTableKind::joints))->setChecked(true);
+  connect(m_chips, &QButtonGroup::idClicked, this,
+          [this](int id) { showTable(static_cast<ForceTableKind>(id)); });
+  layout->addStretch(1);
+  m_states = new QComboBox(bar);
+  m_states->setObjectName(QStringLiteral("forcesState"));
+  m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
+  connect(m_states, &QComboBox::activated, this, [this] { request(); });
+  layout->addWidget(m_states);
+  m_copy = controlButton("copyForces", tr("Copy"), tr("Copy the table for a spreadsheet"), bar);
+  connect(m_copy, &QToolButton::clicked, this, &ForcesPanel::copy);
+  layout->addWidget(m_copy);
+  m_export =
+      controlButton("exportForces", tr("CSV…"), tr("Export the table with its units to a CSV file"), bar);
+  connect(m_export, &QToolButton::clicked, this, &ForcesPanel::wantExport);
+  layout->addWidget(m_export);
+  return bar;
+}
+
+QWidget* ForcesPanel::makeMiddle() {
+  m_table->setModel(m_model);
+  m_table->setObjectName(QStringLiteral("forceTable"));
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_table->setShowGrid(false);
+  m_table->setMouseTracking(true);
+  m_table->setFrameShape(QFrame::NoFrame);
+  m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_table->setWordWrap(false);
+  m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(22));
+  m_table->horizontalHeader()->setHighlightSections(false);
+  m_table->viewport()->installEventFilter(this);
+  m_pages->addWidget(m_table);
+  m_pages->addWidget(m_empty);
+
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(m_loads);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(scaledPixels(236));
+  scroll->setMaximumWidth(scaledPixels(300));
+  auto* middle = new QWidget(this);
+  auto* layout = new QHBoxLayout(middle);
+  layout->setContentsMargins(0, 0, 10, 0);
+  layout->setSpacing(6);
+  layout->addWidget(scroll);
+  layout->addWidget(m_pages, 1);
+  layout->addWidget(makeCard(), 0, Qt::AlignTop);
+  return middle;
+}
+
+QFrame* ForcesPanel::makeCard() {
+  auto* card = new QFrame(this);
+  card->setProperty("look", "card");
+  card->setFixedWidth(scaledPixels(212));
+  auto* layout = new QGridLayout(card);
+  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setVerticalSpacing(2);
+  auto* label = new QLabel(tr("η of a mesh"), card);
+  label->setToolTip(
+      tr("The efficiency of meshes that state none: the power that a mesh delivers over what it "
+         "takes, seen from its carrier. Empty: they lose nothing."));
+  m_efficiency = new NumberField(card);
+  m_efficiency->setObjectName(QStringLiteral("meshEfficiency"));
+  m_efficiency->setOptional(true);
+  m_efficiency->setEmptyText(tr("none"));
+  m_efficiency->setStep(Rational(1, 100));
+  m_efficiency->setToolTip(label->toolTip());
+  connect(m_efficiency, &NumberField::edited, this, [this](const std::optional<Number>& eta) {
+    if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
+      return m_efficiency->reject(tr("An efficiency is above 0 and at most 1."));
+    m_efficiency->setNumber(eta);
+    m_eta = eta ? std::optional(eta->exact()) : std::nullopt;
+    request();
+  });
+  layout->addWidget(label, 0, 0);
+  layout->addWidget(m_efficiency, 0, 1);
+  addTotal(layout, "fed", tr("fed, W"), tr("The power that loads and balances feed into the train."));
+  addTotal(layout, "taken", tr("taken, W"), tr("The power that loads and balances take from the train."));
+  addTotal(layout, "lost", tr("lost, W"), tr("What the meshes lose: fed less taken."));
+  addTotal(layout, "forward", tr("efficiency"), tr("Power taken over power fed."));
+  addTotal(layout, "backward", tr("backward"),
+           tr("The efficiency of the same motion with all known torques reversed: the output drives."));
+  addTotal(layout, "latent", tr("latent ratio"),
+           tr("What all meshes pass, seen from their carriers, over the power fed: the losses are about this "
+              "many times those of one mesh."));
+  addTotal(layout, "circulating", tr("circulating"),
+           tr("The greatest power that goes round in a loop of shafts and gear sets, W."));
+  m_share = controlButton("shareByStiffness", tr("Share by stiffness"),
+                          tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
+                             "stiff, without clearance, on rigid bodies"),
+                          card);
+  m_share->setCheckable(true);
+  connect(m_share, &QToolButton::toggled, this, [this] { request(); });
+  m_verdict = new QLabel(card);
+  m_verdict->setWordWrap(true);
+  m_verdict->setProperty("look", "hint");
+  layout->addWidget(m_share, layout->rowCount(), 0, 1, 2);
+  layout->addWidget(m_verdict, layout->rowCount(), 0, 1, 2);
+  return card;
+}
+
+void ForcesPanel::addTotal(QGridLayout* layout, const char* name, const QString& text,
+                           const QString& meaning) {
+  const int line = layout->rowCount();
+  auto* title = new QLabel(text, this);
+  title->setProperty("look", "hint");
+  title->setToolTip(meaning);
+  auto* value = new QLabel(this);
+  value->setObjectName(QStringLiteral("total.") + QLatin1String(name));
+  value->setAlignment(Qt::AlignRight);
+  value->setToolTip(meaning);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->addWidget(title, line, 0);
+  layout->addWidget(value, line, 1);
+}
+
+void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
+  m_snapshot = snapshot;
+  renewStates();
+  request();
+}
+
+void ForcesPanel::setAwake(bool awake) {
+  m_isAwake = awake;
+  request();
+}
+
+/// "No state", then those of the document; the one that was chosen stays by its name.
+void ForcesPanel::renewStates() {
+  QStringList names{tr("no state")};
+  for (const ShiftState& state : m_snapshot->mechanism->states)
+    names += tr("state %1").arg(shownText(state.name));
+  QStringList there;
+  for (int i = 0; i < m_states->count(); ++i) there += m_states->itemText(i);
+  if (names == there) return;
+  const QString chosen = m_states->currentText();
+  m_states->clear();
+  m_states->addItems(names);
+  const auto at = names.indexOf(chosen);
+  m_states->setCurrentIndex(at > 0 ? static_cast<int>(at) : 0);
+  const bool hasStates = names.size() > 1;
+  m_states->setVisible(hasStates);
+  m_chips->button(static_cast<int>(ForceTableKind::states))->setVisible(hasStates);
+  m_chips->button(static_cast<int>(ForceTableKind::couplings))->setVisible(hasStates);
+  const bool isGone =
+      m_model->kind() == ForceTableKind::states || m_model->kind() == ForceTableKind::couplings;
+  if (!hasStates && isGone) showTable(ForceTableKind::joints);
+}
+
+void ForcesPanel::request() {
+  if (!m_isAwake || !m_snapshot) return;
+  m_service->request({m_snapshot, m_states->currentIndex() - 1, m_eta, m_share->isChecked()});
+}
+
+void ForcesPanel::showTable(ForceTableKind kind) {
+  m_chips->button(static_cast<int>(kind))->setChecked(true);
+  m_model->show(forces(), kind);
+  showForces();
+}
+
+void ForcesPanel::showState(int state) {
+  if (state + 1 >= m_states->count()) return;
+  m_states->setCurrentIndex(state + 1);
+  request();
+}
+
+void ForcesPanel::showForces() {
+  m_model->show(forces(), m_model->kind());
+  const QString why = whyEmpty();
+  m_empty->setText(why);
+  m_pages->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_table) : m_empty);
+  m_copy->setEnabled(why.isEmpty());
+  m_export->setEnabled(why.isEmpty());
+  if (why.isEmpty()) m_table->resizeColumnsToContents();
+  showTotals();
+  showRemark();
+  selectRow();
+  emit tablesShown();
+}
+
+QString ForcesPanel::whyEmpty() const {
+  const ForcesPtr& shown = forces();
+  if (!shown) return tr("Torques and forces appear here as soon as the mechanism is analysed.");
+  if (m_model->rowCount() > 0) return {};
+  if (!shown->report) {
+    for (const Diagnostic& diagnostic : shown->snapshot->diagnostics)
+      if (diagnostic.severity() == Severity::error) return shownText(diagnostic.message);
+    return tr("Draw turning joints and gear meshes: their torques appear here.");
+  }
+  const StaticsReport& report = *shown->report;
+  if (!report.isSolved || !report.lossless.isBalanced())
+    return tr("There is no equilibrium: what is wrong is said below.");
+  switch (m_model->kind()) {
+    case ForceTableKind::couplings:
+      return tr("No brake or clutch is engaged: choose a state.");
+    case ForceTableKind::bearings:
+      return tr("Forces need a unit of length whose size is known.");
+    case ForceTableKind::powers:
+      return report.flow ? tr("No power flows.") : tr("Without a motion there is no power.");
+    case ForceTableKind::circulations:
+      return report.circulations
+                 ? tr("No power circulates.")
+                 : tr("Loops are found where every link but the planets turns on the ground.");
+    default:
+      return tr("There is nothing to show.");
+  }
+}
+
+void ForcesPanel::setTotal(const char* name, const QString& text) {
+  findChild<QLabel*>(QStringLiteral("total.") + QLatin1String(name))->setText(text);
+}
+
+QString ForcesPanel::total(const QString& name) const {
+  const auto* label = findChild<QLabel*>(QStringLiteral("total.") + name);
+  return label == nullptr ? QString() : label->text();
+}
+
+void ForcesPanel::showTotals() {
+  for (const char* name : {"fed", "taken", "lost", "forward", "backward", "latent", "circulating"})
+    setTotal(name, QStringLiteral("–"));
+  m_share->setVisible(false);
+  m_verdict->clear();
+  const ForcesPtr& shown = forces();
+  if (!shown || !shown->report) return;
+  const StaticsReport& report = *shown->report;
+  m_share->setVisible(report.isSolved && report.lossless.indeterminate() > 0);
+  if (report.agreement)
+    m_verdict->setText(report.agreement->equal ? tr("Matroid = T–T graph method, exactly")
+                                               : tr("The two methods do not agree"));
+  if (!report.sums) return;
+  setTotal("fed", numberText(report.sums->fed));
+  setTotal("taken", numberText(report.sums->taken));
+  setTotal("lost", numberText(report.sums->lost));
+  const auto efficiency = [&](const char* name, const std::optional<LossySolution>& solution,
+                              const std::optional<PowerSums>& sums) {
+    if (!solution) return;
+    if (solution->outcome == LossySolution::Outcome::selfLocking) return setTotal(name, tr("locks itself"));
+    const auto value = sums ? sums->efficiency() : std::nullopt;
+    if (solution->outcome == LossySolution::Outcome::solved && value) setTotal(name, numberText(*value));
+  };
+  efficiency("forward", report.lossy, report.sums);
+  efficiency("backward", report.backward, report.backwardSums);
+  if (report.latentRatio) setTotal("latent", numberText(*report.latentRatio));
+  if (report.circulations)
+    setTotal("circulating",
+             report.circulations->empty() ? tr("none") : numberText(report.circulations->front().power));
+}
+
+QString ForcesPanel::remark() const {
+  return m_remark->text();
+}
+
+/// The gravest finding; all of them are its tooltip.
+void ForcesPanel::showRemark() {
+  const ForcesPtr& shown = forces();
+  const Diagnostic* gravest = nullptr;
+  QStringList all;
+  if (shown && shown->report) {
+    for (const Diagnostic& each : shown->report->diagnostics) {
+      // The card offers the efficiency of meshes that state none.
+      if (each.code == Code::noEfficiency) continue;
+      all += shownText(each.message);
+      if (gravest == nullptr || each.severity() < gravest->severity()) gravest = &each;
+    }
+  }
+  m_remark->setVisible(gravest != nullptr);
+  m_remark->setText(gravest == nullptr ? QString() : shownText(gravest->message));
+  m_remark->setToolTip(all.size() > 1 ? all.join(QStringLiteral("\n")) : QString());
+  if (gravest == nullptr) return;
+  const ColorRole role = gravest->severity() == Severity::error     ? ColorRole::error
+                         : gravest->severity() == Severity::warning ? ColorRole::warning
+                                                                    : ColorRole::secondary;
+  setSheet(*m_remark, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
+}
+
+QString ForcesPanel::emptyText() const {
+  return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
+}
+
+/// The first row that is about what is selected.
+void ForcesPanel::selectRow() {
+  const std::set<ElementId>& selected = m_selection->selected();
+  const ForceTable* const table = m_model->table();
+  if (table == nullptr) return;
+  const auto current = m_table->selectionModel()->selectedRows();
+  if (!current.isEmpty() && m_model->elementsAt(current.front().row()) == selected) return;
+  const auto row = std::find_if(table->rows.begin(), table->rows.end(), [&](const ForceRow& each) {
+    return !each.elements.empty() && selected.contains(each.elements.front());
+  });
+  if (row == table->rows.end()) return m_table->clearSelection();
+  m_table->selectRow(static_cast<int>(row - table->rows.begin()));
+}
+
+void ForcesPanel::hoverRow(int row) {
+  m_selection->hover(m_model->elementsAt(row));
+}
+
+bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) m_selection->unhover();
+  return QWidget::eventFilter(watched, event);
+}
+
+void ForcesPanel::wantExport() {
+  const ForceTable* const table = m_model->table();
+  if (table == nullptr) return;
+  TextSink sink;
+  writeForceCsv(sink, *table);
+  emit exportWanted(shownText(forceTableCommandName(table->kind)) + QStringLiteral(".csv"),
+                    QString::fromStdString(sink.text()));
+}
+
+void ForcesPanel::copy() {
+  const ForceTable* const table = m_model->table();
+  if (table == nullptr) return;
+  TextSink sink;
+  CsvOptions options;
+  options.separator = '\t';
+  writeForceCsv(sink, *table, options);
+  QApplication::clipboard()->setText(QString::fromStdString(sink.text()));
+}
+
+}  // namespace geargraph::inline forces

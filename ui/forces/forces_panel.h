@@ -1,0 +1,100 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "ui/document/document.h"
+#include "ui/forces/forces_service.h"
+#include "ui/selection/selection.h"
+
+class QButtonGroup;
+class QComboBox;
+class QFrame;
+class QGridLayout;
+class QLabel;
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace geargraph::inline panels {
+class NumberField;
+}  // namespace geargraph::inline panels
+
+namespace geargraph::inline forces {
+
+class ForceTableModel;
+class LoadsList;
+
+/// Torques, forces and powers of the newest snapshot: the loads, a table of what holds them, and what becomes
+/// of the power. A row is linked with the selection both ways. It is worked out only while it is in sight.
+class ForcesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  ForcesPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  /// Is it in sight?
+  void setAwake(bool awake);
+  void showTable(ForceTableKind kind);
+  /// Couplings of this state are engaged; -1: none.
+  void showState(int state);
+
+  [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
+  [[nodiscard]] const ForcesPtr& forces() const { return m_service->answer(); }
+  [[nodiscard]] ForceTableModel& model() { return *m_model; }
+  [[nodiscard]] QTableView& table() { return *m_table; }
+  /// The finding under the table; empty where all is well.
+  [[nodiscard]] QString remark() const;
+  /// What the table is replaced by; empty while it is shown.
+  [[nodiscard]] QString emptyText() const;
+  /// A value of the card, by its name: "fed", "forward".
+  [[nodiscard]] QString total(const QString& name) const;
+
+ signals:
+  /// The table that is shown, as CSV, under a name for its file.
+  void exportWanted(const QString& name, const QString& csv);
+  void tablesShown();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeBar();
+  QWidget* makeMiddle();
+  QFrame* makeCard();
+  void addTotal(QGridLayout* layout, const char* name, const QString& text, const QString& meaning);
+  void request();
+  void renewStates();
+  void showForces();
+  void showTotals();
+  void showRemark();
+  void setTotal(const char* name, const QString& text);
+  void selectRow();
+  void hoverRow(int row);
+  void wantExport();
+  void copy();
+  [[nodiscard]] QString whyEmpty() const;
+
+  Document* m_document;
+  Selection* m_selection;
+  ForcesService* m_service;
+  ForceTableModel* m_model;
+  LoadsList* m_loads;
+  QTableView* m_table;
+  QStackedWidget* m_pages;
+  QLabel* m_empty;
+  QLabel* m_remark;
+  QButtonGroup* m_chips = nullptr;
+  QComboBox* m_states = nullptr;
+  NumberField* m_efficiency = nullptr;
+  QToolButton* m_share = nullptr;
+  QToolButton* m_copy = nullptr;
+  QToolButton* m_export = nullptr;
+  QLabel* m_verdict = nullptr;
+  SnapshotPtr m_snapshot;
+  std::optional<Rational> m_eta;
+  bool m_isAwake = false;
+};
+
+}  // namespace geargraph::inline forces

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/document/document.h"
+#include "ui/selection/selection.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace geargraph::inline panels {
+class NumberField;
+}  // namespace geargraph::inline panels
+
+namespace geargraph::inline forces {
+
+/// The loads of the document, a row each: where it acts, its size in the unit that is chosen, and a button
+/// that removes it; and where torques are found that hold them. Every change is an edit that can be undone;
+/// what is typed or spun until a field is left is one step.
+class LoadsList : public QWidget {
+  Q_OBJECT
+
+ public:
+  LoadsList(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+ public slots:
+  /// A load of 1 N m on the selected joint or link, else where a menu says.
+  void addLoad();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Row {
+    std::vector<QWidget*> widgets;
+    std::vector<NumberField*> fields;  ///< one of a torque, three of a force
+  };
+
+  QWidget* makeHead();
+  void renew();
+  void showRows();
+  void showNumbers();
+  Row makeRow(int load, int line);
+  NumberField* makeField(int load, std::size_t component);
+  void remove(int load);
+  void setSize(int load, std::size_t component, const Number& size);
+  void addOn(const ElementId& element);
+  void fillPlaces(QMenu& menu);
+  void fillBalances(QMenu& menu);
+  void balance(std::optional<std::vector<Balance>> balances, const QString& text);
+  [[nodiscard]] QString titleOf(const Load& load) const;
+  [[nodiscard]] QString tipOf(const Load& load) const;
+  [[nodiscard]] ElementId elementOf(const Load& load) const;
+  [[nodiscard]] QString nameOf(const ElementId& element) const;
+  /// N m of one of the unit that is chosen.
+  [[nodiscard]] Rational newtonMetres() const;
+
+  Document* m_document;
+  Selection* m_selection;
+  QGridLayout* m_grid;
+  QLabel* m_empty;
+  QLabel* m_more;
+  QComboBox* m_unit = nullptr;
+  QToolButton* m_add = nullptr;
+  QToolButton* m_balances = nullptr;
+  std::vector<Row> m_rows;
+  QStringList m_shown;  ///< the titles of the rows
+  quint64 m_gesture = 0;
+};
+
+}  // namespace geargraph::inline forces
