@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/machine/arrangement/body_hulls.h"
+#include "core/machine/solids/gear_body.h"
 
 namespace geargraph::inline arrangement {
 namespace {
@@ -51,6 +52,19 @@ bool holds(const BodyHull& a, const BodyHull& b) {
   return runsIn(a, b) || runsIn(b, a);
 }
 
+/// Does a shaft on a wheel's axis run through the wheel's middle, neither within the wheel's own shaft nor,
+/// where it has none there, within its bore?
+bool runsThrough(const Arrangement& plan, const ShaftSegment& shaft, const TrainGear& gear) {
+  const AxisLayout& axis = plan.axes[static_cast<std::size_t>(gear.axisClass)];
+  const AxialSpan span = axialSpan(gear.spec);
+  const double sense = gear.pose.linear().col(2).dot(axis.direction) < 0 ? -1 : 1;
+  const double middle = axis.coordinate(gear.pose.translation()) + sense * (span.low + span.high) / 2;
+  const auto covers = [&](const ShaftSegment& s) { return s.low <= middle && middle <= s.high; };
+  if (!covers(shaft)) return false;
+  const ShaftSegment* own = plan.shaftOf(gear.axisClass, gear.link, middle);
+  return shaft.outer > (own != nullptr && covers(*own) ? own->inner : nominalRootRadius(gear.spec));
+}
+
 }  // namespace
 
 std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& train,
@@ -69,6 +83,14 @@ std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& tra
       for (const BodyHull* hull : {&a.hull, &b.hull}) {
         if (hull->link == 0 && hull->held >= 0) held.insert(hull->held);
       }
+    }
+  }
+  for (const TrainGear& gear : train.gears) {
+    if (gear.spec.kind == GearKind::internal || stop.stop_requested()) continue;
+    for (const std::size_t s : plan.shaftsOn[static_cast<std::size_t>(gear.axisClass)]) {
+      const ShaftSegment& shaft = plan.shafts[s];
+      if (shaft.link != gear.link && runsThrough(plan, shaft, gear))
+        found.try_emplace(std::minmax({shaft.link, gear.link}));
     }
   }
   std::vector<BodyClash> clashes;

@@ -15,8 +15,8 @@ struct BodyClash {
   std::set<int> heldByFrame;  ///< links whose bearings are held by arms of the frame that are in the way
 };
 
-/// Pairs of links whose planned bodies run into each other or into the gears of the other, but for what
-/// stands on one axis, which levels and sleeves keep apart. In the reference pose, as hulls of discs
+/// Pairs of links whose planned bodies run into each other or into the gears of the other. On one axis, where
+/// levels and sleeves keep bodies apart, only shafts that run through wheels. In the reference pose, as hulls of discs
 /// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Incomplete when `stop` was requested
 /// meanwhile. Cost: O(parts^2), most of them by their balls.
 [[nodiscard]] std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& train,
