@@ -20,7 +20,7 @@ namespace geargraph::inline forces {
 
 /// The loads of the document, a row each: where it acts, its size in the unit that is chosen, and a button
 /// that removes it; and where torques are found that hold them. Every change is an edit that can be undone;
-/// what is typed or spun until a field is left is one step.
+/// what is spun until a field is left is one step.
 class LoadsList : public QWidget {
   Q_OBJECT
 

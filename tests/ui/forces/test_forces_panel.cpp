@@ -43,6 +43,7 @@ class ForcesPanelTest : public QObject {
     field(name).setFocus();
     field(name).selectAll();
     QTest::keyClicks(&field(name), QLatin1String(text));
+    QTest::keyClick(&field(name), Qt::Key_Return);
     settle();
   }
   /// The text under a head of the table that is shown.
@@ -128,7 +129,7 @@ class ForcesPanelTest : public QObject {
     press("addLoad");
     QCOMPARE(loads(), 3);
     QVERIFY(std::holds_alternative<LinkTorque>(document->mechanism()->loads[2].action));
-    // What is typed until the field is left is one step.
+    // What is typed is one step.
     const int steps = document->undoStack().count();
     type("load.0.0", "-20");
     QCOMPARE(document->undoStack().count(), steps + 1);
