@@ -21,20 +21,12 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
 #include "ui/theme/style_sheet.h"
 
 namespace geargraph::inline forces {
 namespace {
-
-QToolButton* controlButton(const char* name, const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(QLatin1String(name));
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setProperty("look", "control");
-  return button;
-}
 
 QString tipOf(ForceTableKind kind) {
   switch (kind) {
@@ -131,11 +123,12 @@ QWidget* ForcesPanel::makeBar() {
   m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
   connect(m_states, &QComboBox::activated, this, [this] { request(); });
   layout->addWidget(m_states);
-  m_copy = controlButton("copyForces", tr("Copy"), tr("Copy the table for a spreadsheet"), bar);
+  m_copy =
+      controlButton(QStringLiteral("copyForces"), tr("Copy"), tr("Copy the table for a spreadsheet"), bar);
   connect(m_copy, &QToolButton::clicked, this, &ForcesPanel::copy);
   layout->addWidget(m_copy);
-  m_export =
-      controlButton("exportForces", tr("CSV…"), tr("Export the table with its units to a CSV file"), bar);
+  m_export = controlButton(QStringLiteral("exportForces"), tr("CSV…"),
+                           tr("Export the table with its units to a CSV file"), bar);
   connect(m_export, &QToolButton::clicked, this, &ForcesPanel::wantExport);
   layout->addWidget(m_export);
   return bar;
@@ -213,7 +206,7 @@ QFrame* ForcesPanel::makeCard() {
               "many times those of one mesh."));
   addTotal(layout, "circulating", tr("circulating"),
            tr("The greatest power that goes round in a loop of shafts and gear sets, W."));
-  m_share = controlButton("shareByStiffness", tr("Share by stiffness"),
+  m_share = controlButton(QStringLiteral("shareByStiffness"), tr("Share by stiffness"),
                           tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
                              "stiff, without clearance, on rigid bodies"),
                           card);

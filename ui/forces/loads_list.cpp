@@ -11,6 +11,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
+#include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
 
 namespace geargraph::inline forces {
@@ -20,15 +21,6 @@ namespace {
 constexpr std::size_t kMostRows = 100;
 /// Most joints or links of a menu.
 constexpr std::size_t kMostPlaces = 40;
-
-QToolButton* controlButton(const char* name, const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(QLatin1String(name));
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setProperty("look", "control");
-  return button;
-}
 
 /// The size of a load, or a component of a force.
 const Number& sizeOf(const Load& load, std::size_t component) {
@@ -72,11 +64,11 @@ QWidget* LoadsList::makeHead() {
   auto* layout = new QHBoxLayout(head);
   layout->setContentsMargins(12, 4, 8, 0);
   layout->setSpacing(4);
-  m_add = controlButton("addLoad", tr("+ Load"),
+  m_add = controlButton(QStringLiteral("addLoad"), tr("+ Load"),
                         tr("A torque of 1 N m on the selected joint or link, or choose one"), head);
   connect(m_add, &QToolButton::clicked, this, &LoadsList::addLoad);
   m_balances =
-      controlButton("balances", tr("Found at ▾"),
+      controlButton(QStringLiteral("balances"), tr("Found at ▾"),
                     tr("Balances: where torques are found that hold the loads. By itself the program "
                        "takes the inputs that bear no load of their own."),
                     head);
@@ -184,7 +176,8 @@ LoadsList::Row LoadsList::makeRow(int load, int line) {
     row.widgets.push_back(field);
     m_grid->addWidget(field, line, 1 + static_cast<int>(component), 1, isForce(shown) ? 1 : 3);
   }
-  QToolButton* gone = controlButton("removeLoad", QStringLiteral("×"), tr("Remove this load"), this);
+  QToolButton* gone =
+      controlButton(QStringLiteral("removeLoad"), QStringLiteral("×"), tr("Remove this load"), this);
   connect(gone, &QToolButton::clicked, this, [this, load] { remove(load); });
   row.widgets.push_back(gone);
   m_grid->addWidget(gone, line, 4);

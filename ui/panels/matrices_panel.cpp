@@ -18,6 +18,7 @@
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
 #include "ui/theme/application_theme.h"
+#include "ui/theme/control_button.h"
 #include "ui/theme/empty_label.h"
 
 namespace geargraph::inline panels {
@@ -56,14 +57,6 @@ QString formName(EntryForm form) {
       return MatricesPanel::tr("symbols");
   }
   return {};
-}
-
-QToolButton* panelButton(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setProperty("look", "control");
-  return button;
 }
 
 }  // namespace
@@ -132,12 +125,12 @@ QWidget* MatricesPanel::makeBar() {
   layout->addWidget(m_form);
   m_copy = makeCopyButton();
   layout->addWidget(m_copy);
-  m_export = panelButton(tr("CSV…"), tr("Export the matrix with its labels to a CSV file"), bar);
-  m_export->setObjectName(QStringLiteral("exportCsv"));
+  m_export = controlButton(QStringLiteral("exportCsv"), tr("CSV…"),
+                           tr("Export the matrix with its labels to a CSV file"), bar);
   connect(m_export, &QToolButton::clicked, this, &MatricesPanel::wantExport);
   layout->addWidget(m_export);
-  auto* zeros = panelButton(tr("zeros ·"), tr("Show zeros as faint dots, or as 0"), bar);
-  zeros->setObjectName(QStringLiteral("zerosAsDots"));
+  auto* zeros = controlButton(QStringLiteral("zerosAsDots"), tr("zeros ·"),
+                              tr("Show zeros as faint dots, or as 0"), bar);
   connect(zeros, &QToolButton::clicked, this, [this, zeros] {
     m_view->setZerosAsDots(!m_view->zerosAsDots());
     zeros->setText(m_view->zerosAsDots() ? tr("zeros ·") : tr("zeros 0"));
@@ -147,8 +140,8 @@ QWidget* MatricesPanel::makeBar() {
 }
 
 QToolButton* MatricesPanel::makeCopyButton() {
-  auto* button = panelButton(tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
-  button->setObjectName(QStringLiteral("copyMatrix"));
+  auto* button =
+      controlButton(QStringLiteral("copyMatrix"), tr("Copy ▾"), tr("Copy the matrix with its labels"), this);
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   using Writer = std::string (*)(const IntegerMatrix&);
@@ -202,8 +195,8 @@ void MatricesPanel::addChip(QLayout* layout, const QString& text, const QString&
 }
 
 QToolButton* MatricesPanel::makeFormButton() {
-  auto* button = panelButton({}, tr("How the entries are shown: decimals, fractions or symbols"), this);
-  button->setObjectName(QStringLiteral("entryForm"));
+  auto* button = controlButton(QStringLiteral("entryForm"), {},
+                               tr("How the entries are shown: decimals, fractions or symbols"), this);
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   for (const EntryForm form : {EntryForm::decimals, EntryForm::fractions, EntryForm::symbols}) {

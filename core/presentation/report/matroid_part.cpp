@@ -6,9 +6,6 @@
 namespace geargraph::inline report {
 namespace {
 
-/// Longest list of equations, one a mesh.
-constexpr int kMostListed = 100;
-
 class MatroidPart : private ReportPart {
  public:
   MatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop_token& stop)

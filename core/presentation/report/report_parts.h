@@ -6,6 +6,9 @@ namespace geargraph::inline report {
 
 // The parts of a report, each as far as the snapshot goes; of no use when `stop` was requested meanwhile.
 
+/// Longest list of equations, one a joint, a mesh or a step.
+constexpr int kMostListed = 100;
+
 /// The mechanism itself, its digraph and the matrices of whole numbers, Eqs. (1)-(5).
 void addDigraphPart(Report& report, const AnalysisSnapshot& snapshot);
 /// Screws, P and the solution, Eqs. (6)-(25).

@@ -10,9 +10,6 @@
 namespace geargraph::inline report {
 namespace {
 
-/// Longest list of equations, one a joint or a step.
-constexpr int kMostListed = 100;
-
 class StaticsPart : private ReportPart {
  public:
   StaticsPart(Report& report, const AnalysisSnapshot& snapshot, const StaticsReport& statics,

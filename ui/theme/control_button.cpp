@@ -1,0 +1,14 @@
+#include "ui/theme/control_button.h"
+
+namespace geargraph::inline theme {
+
+QToolButton* controlButton(const QString& name, const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(name);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setProperty("look", "control");
+  return button;
+}
+
+}  // namespace geargraph::inline theme
