@@ -81,12 +81,11 @@ void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
 }
 
 void WindowExports::chooseAndExportTable(const QString& name, const QString& csv) {
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Export table"), name,
-                                              tr("CSV files (*.csv);;All files (*)"));
+  const QString path = QFileDialog::getSaveFileName(m_window, tr("Export table"), name,
+                                                    tr("CSV files (*.csv);;All files (*)"));
   if (path.isEmpty()) return;
-  path = withSuffix(path, QStringLiteral(".csv"));
-  if (const auto why = writeText(csv.toStdString(), path)) return emit refused(*why);
-  emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
+  const auto write = [text = csv.toStdString()](ByteSink& sink) { sink.write(text); };
+  m_jobs->add(tableJob(withSuffix(path, QStringLiteral(".csv")), 0, write));
 }
 
 void WindowExports::chooseAndSaveTrace() {
