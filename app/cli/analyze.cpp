@@ -10,6 +10,7 @@
 #include "app/cli/analyze_text.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
@@ -17,9 +18,11 @@
 namespace geargraph::cli {
 namespace {
 
-/// The document analysed with the inputs of the command line.
+/// The document analysed with the inputs and the engagement of the command line.
 std::variant<SnapshotPtr, UsageError> analysed(const Mechanism& document, const Arguments& arguments) {
-  auto mechanism = withInputOptions(document, arguments);
+  auto engaged = withEngagementOptions(document, arguments);
+  if (const auto* error = std::get_if<UsageError>(&engaged)) return *error;
+  auto mechanism = withInputOptions(std::get<Mechanism>(std::move(engaged)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return *error;
   const SolveOptions options{!arguments.has("--no-symbolic")};
   return analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0,
@@ -57,6 +60,8 @@ int run(const Arguments& arguments) {
 constexpr std::array kOptions = {
     Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
     Option{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated"},
+    kStateOption,
+    kEngageOption,
     Option{"--symbolic", "", "with the solution in gear ratios (the default)"},
     Option{"--no-symbolic", "", "without it"},
     Option{"--json", "", "as JSON"},
@@ -65,8 +70,10 @@ constexpr std::array kOptions = {
 
 }  // namespace
 
-const Command kAnalyze = {"analyze",
-                          "FILE [--inputs 8,9,11] [--speed 8=1 ...] [--no-symbolic] [--json] [--dense]",
-                          "Analyses a mechanism, for people or as JSON.", kOptions, run};
+const Command kAnalyze = {
+    "analyze",
+    "FILE [--inputs 8,9,11] [--speed 8=1 ...] [--state NAME | --engage A,B] [--no-symbolic] "
+    "[--json] [--dense]",
+    "Analyses a mechanism, for people or as JSON.", kOptions, run};
 
 }  // namespace geargraph::cli

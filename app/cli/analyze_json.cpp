@@ -5,6 +5,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/kinematics_json.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/mechanism/model/shift_edits.h"
 
 namespace geargraph::cli {
 namespace {
@@ -22,9 +23,12 @@ class AnalysisJson {
     m_json.member("format", "geargraph-analysis");
     m_json.member("version", 1);
     part("counts", m_snapshot != nullptr, &AnalysisJson::counts);
+    if (m_snapshot != nullptr) engagement(m_snapshot->mechanism->engaged);
     part("labels", m_snapshot != nullptr, &AnalysisJson::labels);
     part("matrices", m_snapshot != nullptr, &AnalysisJson::matrices);
     part("cycles", m_snapshot != nullptr && m_snapshot->tree, &AnalysisJson::cycles);
+    if (m_snapshot != nullptr && !m_snapshot->mechanism->engaged.empty())
+      motion("couplingRows", writeCouplingRows);
     motion("transferVertices", writeTransferVertices);
     motion("solution", writeMatroidSolution);
     motion("ttSolution", writeTtSolution);
@@ -68,6 +72,22 @@ class AnalysisJson {
     count("dof", matroid != nullptr ? std::optional(matroid->dof) : std::nullopt);
     m_json.member("kutzbachDof", 6 * m.n() - 5 * m.t() - m.c());
     m_json.endObject();
+  }
+
+  /// "state" and "engaged", only where something is.
+  void engagement(const std::vector<CouplingId>& engaged) {
+    if (engaged.empty()) return;
+    m_json.key("state");
+    const int state = engagedState(*m_snapshot->mechanism);
+    if (state < 0) {
+      m_json.null();
+    } else {
+      m_json.string(m_snapshot->mechanism->states[static_cast<std::size_t>(state)].name);
+    }
+    m_json.key("engaged");
+    m_json.beginArray(Layout::row);
+    for (const CouplingId id : engaged) m_json.string(id.text());
+    m_json.endArray();
   }
 
   void count(std::string_view name, std::optional<int> value) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/cli/command.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 
 namespace geargraph::cli {
@@ -72,6 +73,8 @@ constexpr std::array kExportOptions = {
         kDerivation},
     ExportOption{{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated", kOfDerivations},
                  kDerivation},
+    ExportOption{kStateOption, kEverything},
+    ExportOption{kEngageOption, kEverything},
     ExportOption{{"--view", "NAME",
                   "digraph, ttgraph or schematic; with png and glb also 3d, the train as seen", kOfViews},
                  kDrawing | kPicture | kAnimation | kSeenSolids},
@@ -85,7 +88,8 @@ constexpr std::array kExportOptions = {
                  kPicture | kAnimation},
     ExportOption{{"--time", "SECONDS", "how far the inputs have turned (0); also with glb", kOf3D},
                  kPicture | kAnimation | kSeenSolids},
-    ExportOption{{"--section", "AXIS:PART", "section perpendicular to x, y or z at this fraction of the length (y:0.5)", kOf3D},
+    ExportOption{{"--section", "AXIS:PART",
+                  "section perpendicular to x, y or z at this fraction of the length (y:0.5)", kOf3D},
                  kPicture | kAnimation},
     ExportOption{{"--explode", "PART", "exploded view along the axes, 0 to 1; also with glb", kOf3D},
                  kPicture | kAnimation | kSeenSolids},

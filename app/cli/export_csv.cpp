@@ -11,9 +11,10 @@
 #include "app/cli/command.h"
 #include "app/cli/csv_tables.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
-#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/files/file.h"
 
 namespace geargraph::cli {
 namespace {
@@ -139,7 +140,7 @@ int exportCsv(const Arguments& arguments) {
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
 
   const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
+  auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);

@@ -5,8 +5,8 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/drawings.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
-#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
 
@@ -41,7 +41,7 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   if (const auto* error = std::get_if<UsageError>(&options)) return wrongUsage(kExport, error->message);
   auto& picture = std::get<DrawingPicture>(options);
   const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
+  auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);

@@ -7,8 +7,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
-#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
 #include "core/foundations/files/file.h"
@@ -23,7 +23,7 @@ namespace {
 
 std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arguments) {
   const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
+  auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   const SnapshotPtr snapshot =
       analyze(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);

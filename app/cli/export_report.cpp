@@ -7,9 +7,9 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/drawings.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/input_options.h"
-#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
@@ -25,7 +25,7 @@ DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot, const std:
 int exportDerivation(const Arguments& arguments,
                      const std::function<Expected<std::string>(const SnapshotPtr&)>& bytesOf) {
   const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
+  auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   auto mechanism = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kExport, error->message);

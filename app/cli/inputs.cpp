@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/theory/analysis/analysis.h"
@@ -88,8 +89,13 @@ int run(const Arguments& arguments) {
   const auto loaded = load(file);
   if (const auto* error = std::get_if<FileError>(&loaded)) return fileFailure(error->message);
   const auto& document = std::get<Expected<Mechanism>>(loaded);
-  const SnapshotPtr snapshot =
-      document ? analyzeLive(std::make_shared<const Mechanism>(*document), 0, arguments.stop) : nullptr;
+  SnapshotPtr snapshot;
+  if (document) {
+    auto engaged = withEngagementOptions(*document, arguments);
+    if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(kInputs, error->message);
+    snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(engaged))), 0,
+                           arguments.stop);
+  }
   if (document && !snapshot) return outOfTime(arguments, "the analysis");
   const Diagnostics& diagnostics = snapshot ? snapshot->diagnostics : document.error();
   std::cerr << diagnosticLines(file, diagnostics);
@@ -104,12 +110,14 @@ int run(const Arguments& arguments) {
 
 constexpr std::array kOptions = {
     Option{"--limit", "N", "how many sets are listed (1,000)"},
+    kStateOption,
+    kEngageOption,
     Option{"--json", "", "as JSON"},
 };
 
 }  // namespace
 
-const Command kInputs = {"inputs", "FILE [--limit N] [--json]", "Counts and lists the valid sets of inputs.",
-                         kOptions, run};
+const Command kInputs = {"inputs", "FILE [--limit N] [--state NAME | --engage A,B] [--json]",
+                         "Counts and lists the valid sets of inputs.", kOptions, run};
 
 }  // namespace geargraph::cli

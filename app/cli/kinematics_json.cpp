@@ -143,6 +143,29 @@ void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, 
   json.endObject();
 }
 
+void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot) {
+  if (!snapshot.kinematics || !snapshot.kinematics->model) return json.null();
+  const auto& held = snapshot.kinematics->model->held();
+  const int joints = snapshot.graph->t();
+  json.beginObject();
+  json.key("rows");
+  json.beginArray(Layout::row);
+  for (const auto& row : held)
+    json.string(snapshot.mechanism->couplings[static_cast<std::size_t>(row.coupling)].id.text());
+  json.endArray();
+  json.key("columns");
+  json.beginArray(Layout::row);
+  for (int joint = 0; joint < joints; ++joint) writeNumber(json, snapshot.graph->edgeLabel(joint));
+  json.endArray();
+  writeRows(json, "entries", held.size(), static_cast<std::size_t>(joints), [&](auto row, auto column) {
+    int factor = 0;
+    for (const auto& term : held[row].joints)
+      if (term.of == static_cast<int>(column)) factor = term.factor;
+    writeNumber(json, factor);
+  });
+  json.endObject();
+}
+
 void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   if (!snapshot.solved || !snapshot.solved->exact) return json.null();
   const ExactSolution& exact = *snapshot.solved->exact;

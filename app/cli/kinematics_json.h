@@ -12,6 +12,8 @@ namespace geargraph::cli {
 void writeTransferVertices(JsonWriter& json, const AnalysisSnapshot& snapshot);
 /// P of Eqs. (18), (19) in the document's unit of length; triplets where `asTriplets`.
 void writeCoefficientMatrix(JsonWriter& json, const AnalysisSnapshot& snapshot, bool asTriplets);
+/// The rows of engaged couplings below P, over the joints.
+void writeCouplingRows(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeMatroidSolution(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeTtSolution(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeAgreement(JsonWriter& json, const AnalysisSnapshot& snapshot);

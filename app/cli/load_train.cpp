@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/load.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/time_limit.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/train_stage/train_stage.h"
@@ -29,7 +29,7 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, c
 
 std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
   const std::string& file = arguments.files.front();
-  auto document = loadOrSay(file);
+  auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
   const int links = std::get<Mechanism>(document).n();
   if (links > kMostStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
@@ -53,9 +53,9 @@ std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
   loaded.train = *train;
   std::cerr << diagnosticLines(file, *found);
   if (loaded.train.hasSimpleBodies) {
-    std::cerr
-        << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over " << kMostRoutedGears
-        << "): wheels are plain discs, shafts and arms are straight and pass through other parts.\n";
+    std::cerr << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over "
+              << kMostRoutedGears
+              << "): wheels are plain discs, shafts and arms are straight and pass through other parts.\n";
   }
   loaded.motions = motionsOf(snapshot, arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");

@@ -1,5 +1,5 @@
-// `pose FILE --angle 8=30deg ... [--inputs 8,9,11] [--json]`: where every link is for given angles of the
-// inputs.
+// `pose FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME] [--json]`: where every link is for given
+// angles of the inputs.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -12,8 +12,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
-#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/angle.h"
@@ -181,9 +181,9 @@ std::string asText(const AnalysisSnapshot& snapshot, const std::vector<double>& 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kPose, "One file is needed.");
   const std::string& file = arguments.files.front();
-  const auto document = loadOrSay(file);
+  auto document = loadEngaged(kPose, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
-  auto mechanism = withInputOptions(std::get<Mechanism>(document), arguments);
+  auto mechanism = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kPose, error->message);
   const SnapshotPtr snapshot = analyzeLive(
       std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))), 0, arguments.stop);
@@ -208,12 +208,15 @@ int run(const Arguments& arguments) {
 constexpr std::array kOptions = {
     Option{"--angle", "8=30deg", "the angle of an input (deg or rad; without it 0); may be repeated"},
     Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    kStateOption,
+    kEngageOption,
     Option{"--json", "", "as JSON"},
 };
 
 }  // namespace
 
-const Command kPose = {"pose", "FILE --angle 8=30deg ... [--inputs 8,9,11] [--json]",
+const Command kPose = {"pose",
+                       "FILE --angle 8=30deg ... [--inputs 8,9,11] [--state NAME | --engage A,B] [--json]",
                        "Says where every link is for given angles of the inputs.", kOptions, run};
 
 }  // namespace geargraph::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/cli/engagement_options.h"
+
 namespace geargraph::cli {
 namespace {
 
@@ -14,8 +16,14 @@ std::string padded(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-std::string freedom(const MatroidAnalysis& matroid) {
-  std::string text = "\nrank r = " + std::to_string(matroid.rank) +
+std::string freedom(const Mechanism& mechanism, const MatroidAnalysis& matroid) {
+  const std::string engaged = engagementText(mechanism);
+  const std::string parts =
+      engaged.empty() ? std::string()
+                      : " (" + std::to_string(matroid.independentMeshes.size()) + " of the meshes + " +
+                            std::to_string(matroid.independentHeld.size()) + " of the couplings)";
+  std::string text = (engaged.empty() ? "" : "\nEngaged: " + engaged) +
+                     "\nrank r = " + std::to_string(matroid.rank) + parts +
                      ", degrees of freedom E = t - r = " + std::to_string(matroid.dof);
   if (matroid.kutzbachDof != matroid.dof)
     text += " (Kutzbach counts " + std::to_string(matroid.kutzbachDof) + ')';
@@ -92,6 +100,11 @@ std::string solution(const AnalysisSnapshot& snapshot) {
             exact.rates[joint].toString() + " rad/s";
   }
   text += exact.inputs.empty() ? " none\n" : "\n";
+  if (const std::vector<int>& follow = snapshot.matroid()->choice.rejected; !follow.empty()) {
+    text += "not driven, because engaged couplings decide:";
+    for (const int joint : follow) text += ' ' + std::to_string(snapshot.graph->edgeLabel(joint));
+    text += '\n';
+  }
   const bool isSmall = exact.outputs.size() <= kMostRows && exact.inputs.size() <= kMostColumns;
   if (isSmall && exact.matrix.size() == exact.outputs.size() * exact.inputs.size()) {
     text += printed(tableOf(snapshot));
@@ -109,7 +122,7 @@ std::string solution(const AnalysisSnapshot& snapshot) {
 
 std::string motionText(const AnalysisSnapshot& snapshot) {
   std::string text;
-  if (const MatroidAnalysis* matroid = snapshot.matroid()) text += freedom(*matroid);
+  if (const MatroidAnalysis* matroid = snapshot.matroid()) text += freedom(*snapshot.mechanism, *matroid);
   if (snapshot.kinematics) text += carriers(*snapshot.kinematics->ttGraph);
   if (snapshot.solved && snapshot.solved->exact) text += solution(snapshot);
   return text;

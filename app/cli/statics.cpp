@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/statics_json.h"
@@ -96,6 +97,15 @@ int solveAll(Solved& solved, const Arguments& arguments) {
   return kFine;
 }
 
+/// A state brings its own couplings: the document's are released, so that its own analysis is of the train.
+std::variant<Mechanism, UsageError> engagedForStatics(Mechanism mechanism, const Arguments& arguments) {
+  if (!arguments.has("--state") && !arguments.has("--all-states"))
+    return withEngagementOptions(std::move(mechanism), arguments);
+  if (arguments.has("--engage")) return UsageError{"Give --state NAME, --all-states or --engage A,B."};
+  mechanism.engaged.clear();
+  return mechanism;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kStatics, "One file is needed.");
   const std::string& file = arguments.files.front();
@@ -106,7 +116,9 @@ int run(const Arguments& arguments) {
     std::cerr << diagnosticLines(file, document.error());
     return arguments.has("--json") ? print(asJson(document.error()), kMechanismErrors) : kMechanismErrors;
   }
-  auto mechanism = withInputOptions(*document, arguments);
+  auto engaged = engagedForStatics(*document, arguments);
+  if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(kStatics, error->message);
+  auto mechanism = withInputOptions(std::get<Mechanism>(std::move(engaged)), arguments);
   if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kStatics, error->message);
   Solved solved;
   auto options = staticsOptions(std::get<Mechanism>(mechanism), arguments);
@@ -136,8 +148,9 @@ int run(const Arguments& arguments) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--state", "NAME", "with the couplings of this state engaged"},
+    kStateOption,
     Option{"--all-states", "", "of every state"},
+    kEngageOption,
     Option{"--load", "PLACE=SIZE", "joint:14=10Nm, link:3@e=10Nm or link:3=10,-20,-50N@30,-60,130, added"},
     Option{"--no-loads", "", "without the loads of the document"},
     Option{"--balance", "PLACE", "joint:8 or link:7@a: find the torque there; may be given again"},
@@ -152,10 +165,11 @@ constexpr std::array kOptions = {
 
 }  // namespace
 
-const Command kStatics = {
-    "statics",
-    "FILE [--state NAME | --all-states] [--load joint:14=10Nm ...] [--balance joint:8 ...] [--efficiency] "
-    "[--eta 0.98] [--json]",
-    "Torques, tooth forces, bearing reactions and efficiency under loads.", kOptions, run};
+const Command kStatics = {"statics",
+                          "FILE [--state NAME | --all-states | --engage A,B] [--load joint:14=10Nm ...] "
+                          "[--balance joint:8 ...] [--efficiency] "
+                          "[--eta 0.98] [--json]",
+                          "Torques, tooth forces, bearing reactions and efficiency under loads.", kOptions,
+                          run};
 
 }  // namespace geargraph::cli

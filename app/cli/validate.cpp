@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
+#include "app/cli/engagement_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/design/collision/motion_findings.h"
@@ -56,8 +57,12 @@ int run(const Arguments& arguments) {
   const auto& document = std::get<Expected<Mechanism>>(loaded);
   std::optional<MotionReport> report;
   auto* const motion = arguments.has("--motion") ? &report : nullptr;
-  const auto found =
-      document ? diagnosticsOf(*document, motion, arguments.stop) : std::optional(document.error());
+  auto found = std::optional(document ? Diagnostics() : document.error());
+  if (document) {
+    const auto engaged = withEngagementOptions(*document, arguments);
+    if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(kValidate, error->message);
+    found = diagnosticsOf(std::get<Mechanism>(engaged), motion, arguments.stop);
+  }
   if (!found) return outOfTime(arguments, "the validation");
   const Diagnostics& diagnostics = *found;
   const int status = hasErrors(diagnostics) ? kMechanismErrors : kFine;
@@ -69,12 +74,14 @@ int run(const Arguments& arguments) {
 
 constexpr std::array kOptions = {
     Option{"--motion", "", "also look for links that collide while the inputs run at their speeds"},
+    kStateOption,
+    kEngageOption,
     Option{"--json", "", "as JSON"},
 };
 
 }  // namespace
 
-const Command kValidate = {"validate", "FILE [--motion] [--json]", "Says what is wrong with a file.",
-                           kOptions, run};
+const Command kValidate = {"validate", "FILE [--motion] [--state NAME | --engage A,B] [--json]",
+                           "Says what is wrong with a file.", kOptions, run};
 
 }  // namespace geargraph::cli

@@ -3,9 +3,11 @@
 #include <QtTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/theory/analysis/analysis.h"
 #include "tests/cli/cli_run.h"
 #include "tests/core/support/deep_train.h"
@@ -128,6 +130,74 @@ class TestCli : public QObject {
     const Run text = run({"states", path("m")});
     QVERIFY(text.errors.find("[state-free]") != std::string::npos);
     QVERIFY(run({"validate", path("m")}).output.find("[state-locked]") != std::string::npos);
+  }
+
+  /// Everything is of the train as engaged: a state's speeds are those of its row of the shift table.
+  void state_engagesItsCouplings() {
+    for (const char* name : {"eight-speed-gearbox", "simpson", "ravigneaux"}) {
+      const QString file = QString::fromStdString(test::examplePath(name));
+      const json bare = json::parse(run({"analyze", file, "--json"}).output);
+      QVERIFY(!bare.contains("engaged") && !bare.contains("state") && !bare.contains("couplingRows"));
+      for (const json& state : json::parse(run({"states", file, "--json"}).output)["states"]) {
+        const QString called = QString::fromStdString(state["name"]);
+        const Run result = run({"analyze", file, "--state", called, "--json"});
+        QCOMPARE(result.status, 0);
+        const json analysis = json::parse(result.output);
+        QVERIFY(analysis["state"] == state["name"]);
+        QVERIFY(analysis["engaged"] == state["engaged"]);
+        QVERIFY(analysis["counts"]["dof"] == 1);
+        QVERIFY(analysis["jointSpeeds"] == state["jointSpeeds"]);
+        QVERIFY(analysis["agreement"]["equal"] == true);
+        QVERIFY(analysis["couplingRows"]["rows"] == state["engaged"]);
+        QCOMPARE(analysis["couplingRows"]["entries"].size(), state["engaged"].size());
+        QVERIFY(analysis["matrices"] == bare["matrices"]);
+        const int held = analysis["counts"]["rank"].get<int>() - bare["counts"]["rank"].get<int>();
+        QCOMPARE(static_cast<std::size_t>(held), state["engaged"].size());
+        QCOMPARE(run({"validate", file, "--state", called}).status, 0);
+      }
+    }
+  }
+
+  void engage_takesCouplingsByName() {
+    const QString file = QString::fromStdString(test::examplePath("eight-speed-gearbox"));
+    const json by = json::parse(run({"analyze", file, "--engage", "C,A,B", "--json"}).output);
+    QVERIFY(by["engaged"] == json({"A", "B", "C"}) && by["state"] == "1");
+    const json two = json::parse(run({"analyze", file, "--engage", "A,E", "--json"}).output);
+    QVERIFY(two["counts"]["dof"] == 2 && two["state"].is_null());
+    save(*withEngagement(test::example("simpson"), {CouplingId("C")}));
+    QVERIFY(json::parse(run({"analyze", path("m"), "--json"}).output)["engaged"] == json({"C"}));
+    QVERIFY(
+        !json::parse(run({"analyze", path("m"), "--engage", "none", "--json"}).output).contains("engaged"));
+
+    const Run unknown = run({"analyze", file, "--state", "9"});
+    QCOMPARE(unknown.status, 2);
+    QVERIFY(unknown.errors.find("There is no state \"9\". States: 1, 2, 3, 4, 5, 6, 7, 8 and R.") !=
+            std::string::npos);
+    QCOMPARE(run({"export", file, "--to", "csv", "--matrix", "p", "--engage", "X", "-o", "-"}).status, 2);
+    QCOMPARE(run({"pose", file, "--state", "1", "--engage", "A"}).status, 2);
+    QCOMPARE(run({"inputs", file, "--engage", "A,A"}).status, 2);
+  }
+
+  void whatIsEngaged_reachesEveryCommand() {
+    const QString file = QString::fromStdString(test::examplePath("eight-speed-gearbox"));
+    // In state 1 link 2 (joint 14) is at rest, and link 8 (joint 20) turns 23/108 as far as the input.
+    const json pose =
+        json::parse(run({"pose", file, "--state", "1", "--angle", "13=108deg", "--json"}).output);
+    const auto angle = [&](const char* joint) { return pose["jointAngles"][joint].get<double>(); };
+    QVERIFY(angle("14") == 0 && std::abs(angle("20") - 23 * std::numbers::pi / 180) < 1e-9);
+    const json inputs = json::parse(run({"inputs", file, "--state", "1", "--json"}).output);
+    for (const json& set : inputs["sets"]) QCOMPARE(set.size(), std::size_t{1});
+    const auto solution =
+        table(run({"export", file, "--to", "csv", "--matrix", "solution", "--state", "1", "-o", "-"}).output);
+    QCOMPARE(solution[0].size(), std::size_t{2});  // labels, and the one input
+    const std::string derivation = run({"export", file, "--to", "md", "--state", "1", "-o", "-"}).output;
+    QVERIFY(derivation.find("Engaged couplings") != std::string::npos);
+    QVERIFY(derivation.find("brake A") != std::string::npos);
+    save(*withEngagement(test::example("eight-speed-gearbox"), {CouplingId("A")}));
+    const json statics = json::parse(run({"statics", path("m"), "--json"}).output);
+    QVERIFY(statics["engaged"] == json({"A"}) && statics["state"].is_null());
+    QVERIFY(json::parse(run({"statics", path("m"), "--state", "1", "--json"}).output)["engaged"] ==
+            json({"A", "B", "C"}));
   }
 
   void json_isReadByAnotherReader_andHoldsTheMatrices() {

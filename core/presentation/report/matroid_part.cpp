@@ -117,17 +117,49 @@ class MatroidPart : private ReportPart {
     equation(texLines(lines), 20, std::move(meshes));
   }
 
+  /// "brake A: \dot{\theta}_{14} = 0", a line for each equation of the engaged couplings.
+  void addHeld() {
+    const std::vector<KinematicModel::HeldRow>& held = m_snapshot.kinematics->model->held();
+    if (held.empty()) return;
+    heading(2, "Engaged couplings");
+    paragraph(
+        "An engaged brake holds its link against the ground, an engaged clutch makes two links turn as one. "
+        "The rates of the joints between them add up to zero, once for each direction of their axes: rows "
+        "below those of the meshes, which stay as they are.");
+    ReportTable table{{"Coupling", "Equation"}, {}};
+    for (const KinematicModel::HeldRow& row : held) {
+      const Coupling& coupling = m_snapshot.mechanism->couplings[static_cast<std::size_t>(row.coupling)];
+      std::string sum;
+      for (const KinematicModel::HeldRow::Term& term : row.joints) {
+        sum += term.factor < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+        sum += rateName(m_graph, term.of);
+      }
+      table.rows.push_back(
+          {plainWords((coupling.kind == CouplingKind::brake ? "brake " : "clutch ") + coupling.id.text()),
+           reportWords("$" + sum + " = 0$")});
+    }
+    put(std::move(table));
+  }
+
   void addFreedom() {
+    addHeld();
     heading(2, "Freedom and inputs");
-    paragraph("The rank of $P$, in exact arithmetic, is $r = " + std::to_string(m_matroid.rank) +
-              "$. The mechanism therefore has");
+    const bool isHeld = !m_snapshot.kinematics->model->held().empty();
+    paragraph((isHeld ? "The rank of $P$ with the rows of the couplings, in exact arithmetic, is $r = "
+                      : "The rank of $P$, in exact arithmetic, is $r = ") +
+              std::to_string(m_matroid.rank) + "$. The mechanism therefore has");
     equation("E = t - r = " + std::to_string(m_graph.t()) + " - " + std::to_string(m_matroid.rank) + " = " +
                  std::to_string(m_matroid.dof),
              21);
     if (m_matroid.kutzbachDof != m_matroid.dof) {
-      paragraph("degrees of freedom. Kutzbach's count $n - c = " + std::to_string(m_matroid.kutzbachDof) +
-                "$ differs, because the equations of " + std::to_string(m_graph.c() - m_matroid.rank) +
-                " of the meshes follow from the others.");
+      const int equations = m_snapshot.kinematics->model->equations();
+      paragraph("degrees of freedom. Kutzbach's count $" + std::string(isHeld ? "n - c - h" : "n - c") +
+                " = " + std::to_string(m_matroid.kutzbachDof) + "$" +
+                (isHeld ? ", with the $h$ rows of couplings," : "") + " differs, because " +
+                (isHeld ? std::to_string(equations - m_matroid.rank) + " of the equations follow"
+                        : "the equations of " + std::to_string(equations - m_matroid.rank) +
+                              " of the meshes follow") +
+                " from the others.");
     } else {
       paragraph("degrees of freedom: as many inputs have to be given.");
     }

@@ -21,8 +21,9 @@ class TtGraphPart : private ReportPart {
     heading(1, "T-T graph method");
     addLevels();
     addCarriers();
-    if (!m_graph.isComplete() || m_digraph.c() == 0) return;
+    if (!m_graph.isComplete() || m_graph.equations() == 0) return;
     addEquations();
+    addHeld();
     if (m_snapshot.solved && m_snapshot.solved->ttSteps) addSteps();
   }
 
@@ -78,6 +79,7 @@ class TtGraphPart : private ReportPart {
     const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : none, RatioNaming::ttGraph,
                                 FormulaStyle::latex);
     const EquationNumbers numbers(m_graph, unknowns());
+    if (m_digraph.c() == 0) return;
     heading(2, "Terminal equations");
     paragraph(
         "Seen from its carrier, one gear of a pair turns as fast as the other times the ratio of their "
@@ -99,6 +101,25 @@ class TtGraphPart : private ReportPart {
     }
   }
 
+  void addHeld() {
+    if (m_graph.held().empty()) return;
+    const SubstitutionPlan none;
+    const TtEquations equations(m_graph, m_snapshot.solved ? solved().ttPlan : none, RatioNaming::ttGraph,
+                                FormulaStyle::latex);
+    const EquationNumbers numbers(m_graph, unknowns());
+    heading(2, "Engaged couplings");
+    paragraph(
+        "An engaged brake or clutch is one more edge of the graph, from the link that it holds to the ground "
+        "or to the other link. Its velocity is zero, so the branches of its fundamental circuit add up to "
+        "zero, once for each direction of their axes:");
+    for (int place = 0; place < static_cast<int>(m_graph.held().size()); ++place) {
+      const auto coupling =
+          static_cast<std::size_t>(m_graph.held()[static_cast<std::size_t>(place)].coupling);
+      equation(equations.heldCircuit(place), numbers.heldCircuit(place),
+               {m_snapshot.mechanism->couplings[coupling].id});
+    }
+  }
+
   [[nodiscard]] int unknowns() const {
     return m_snapshot.solved ? static_cast<int>(solved().ttPlan.outputs.size()) : 0;
   }
@@ -109,17 +130,23 @@ class TtGraphPart : private ReportPart {
     std::vector<std::string> given;
     for (const int joint : solved().ttPlan.inputs) given.push_back("$" + branch(joint) + "$");
     if (!given.empty()) {
-      paragraph((given.size() == 1 ? "Given is " : "Given are ") + listed(given, kAllNames) +
-                ". Mesh by mesh, the equations give the others.");
+      paragraph((given.size() == 1 ? "Given is " : "Given are ") + listed(given, kAllNames) + ". " +
+                (m_graph.held().empty() ? "Mesh by mesh, the equations give the others."
+                                        : "One after the other, the equations give the others."));
     }
     for (const SubstitutionStep& step : *solved().ttSteps) {
       if (isStopped()) return;
       const std::string unknown = "$" + branch(step.joint) + "$";
-      paragraph(step.coupled ? "The equations of several meshes, solved together, give " + unknown + ":"
+      paragraph(step.coupled ? coupledWords(step) + ", solved together, give " + unknown + ":"
                              : "Equations " + citedEquations(step.uses) + " give " + unknown + ":");
       equation(texStages(equations.stages(step)), step.number, {jointId(step.joint)});
     }
     addMatrices();
+  }
+
+  [[nodiscard]] std::string coupledWords(const SubstitutionStep& step) const {
+    const bool held = !step.equations.empty() && step.equations.back() >= m_digraph.c();
+    return held ? "The equations of several meshes and couplings" : "The equations of several meshes";
   }
 
   /// Eqs. (43)-(45).

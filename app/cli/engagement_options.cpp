@@ -1,0 +1,84 @@
+#include "app/cli/engagement_options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "app/cli/load.h"
+#include "core/foundations/base/wording.h"
+#include "core/mechanism/model/shift_edits.h"
+#include "core/theory/states/state_edits.h"
+
+namespace geargraph::cli {
+namespace {
+
+template <class Names>
+std::string known(const std::string& what, const Names& names) {
+  if (names.empty()) return " The document has no " + what + ".";
+  return " " + std::string(1, static_cast<char>(std::toupper(what.front()))) + what.substr(1) + ": " +
+         listed(names, kAllNames) + ".";
+}
+
+std::variant<Mechanism, UsageError> inState(Mechanism mechanism, const std::string& name) {
+  const auto found = std::find_if(mechanism.states.begin(), mechanism.states.end(),
+                                  [&](const ShiftState& state) { return state.name == name; });
+  if (found == mechanism.states.end()) {
+    std::vector<std::string> names;
+    for (const ShiftState& state : mechanism.states) names.push_back(state.name);
+    return UsageError{"There is no state \"" + name + "\"." + known("states", names)};
+  }
+  std::vector<CouplingId> engaged = found->engaged;
+  Expected<Mechanism> next = withStateEngaged(mechanism, static_cast<int>(found - mechanism.states.begin()));
+  if (next) return *std::move(next);
+  mechanism.engaged = std::move(engaged);  // a coupling closes a linkage: the analysis tells which
+  return mechanism;
+}
+
+std::variant<Mechanism, UsageError> withList(Mechanism mechanism, std::string_view list) {
+  std::vector<CouplingId> engaged;
+  while (list != "none" && !list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const CouplingId id{std::string(list.substr(0, comma))};
+    if (mechanism.find(id) == nullptr) {
+      std::vector<std::string> names;
+      for (const Coupling& coupling : mechanism.couplings) names.push_back(coupling.id.text());
+      return UsageError{"There is no coupling \"" + id.text() + "\"." + known("couplings", names)};
+    }
+    engaged.push_back(id);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  Expected<Mechanism> bare = withEngagement(mechanism, engaged);
+  if (!bare) return UsageError{bare.error().front().message};
+  Expected<Mechanism> next = withCouplingsEngaged(std::move(mechanism), engaged);
+  return *std::move(next ? next : bare);  // without: a coupling closes a linkage
+}
+
+}  // namespace
+
+std::variant<Mechanism, UsageError> withEngagementOptions(Mechanism mechanism, const Arguments& arguments) {
+  const auto state = arguments.value("--state");
+  const auto list = arguments.value("--engage");
+  if (state && list) return UsageError{"Give --state NAME or --engage A,B."};
+  if (state) return inState(std::move(mechanism), *state);
+  if (list) return withList(std::move(mechanism), *list);
+  return mechanism;
+}
+
+std::variant<Mechanism, int> loadEngaged(const Command& command, const Arguments& arguments) {
+  auto document = loadOrSay(arguments.files.front());
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  auto engaged = withEngagementOptions(std::get<Mechanism>(std::move(document)), arguments);
+  if (const auto* error = std::get_if<UsageError>(&engaged)) return wrongUsage(command, error->message);
+  return std::get<Mechanism>(std::move(engaged));
+}
+
+std::string engagementText(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const CouplingId id : mechanism.engaged) names.push_back(id.text());
+  if (names.empty()) return {};
+  const int state = engagedState(mechanism);
+  return listed(names, kAllNames) +
+         (state < 0 ? "" : " (state " + mechanism.states[static_cast<std::size_t>(state)].name + ")");
+}
+
+}  // namespace geargraph::cli
