@@ -311,7 +311,7 @@ class TestMatroidPaper : public QObject {
     const std::vector<int> order{10, 12, 13, 14};
     for (std::size_t i = 0; i < 4; ++i) {
       QCOMPARE(solution.lines[i].joint, joint(order[i]));
-      QCOMPARE(solution.lines[i].mesh, static_cast<int>(i));
+      QCOMPARE(solution.lines[i].equation, static_cast<int>(i));
     }
     // The rows of (24), solved one by one.
     const std::vector<QString> expected{"-i15 q8", "-i16 q9 i16 q10", "-i17 q11 i17 q12", "i18 q13"};
