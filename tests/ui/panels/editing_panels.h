@@ -23,7 +23,7 @@ struct EditingPanels {
     }
     return nullptr;
   }
-  NumberField* property(const char* name) { return field(*properties, name); }
+  NumberField* numberOf(const char* name) { return field(*properties, name); }
   const GearMesh& mesh(const char* id) { return *document->mechanism()->find(MeshId(id)); }
   static void focus(QWidget* widget) {
     widget->window()->activateWindow();

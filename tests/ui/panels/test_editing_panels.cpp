@@ -23,13 +23,13 @@ class EditingPanelsTest : public QObject, private EditingPanels {
 
   void typedTeethAreOneStep() {
     selection.select({ElementId(MeshId("15"))});
-    type(property("tailTeeth"), QStringLiteral("27"));
+    type(numberOf("tailTeeth"), QStringLiteral("27"));
     QCOMPARE(mesh("15").tailTeeth, 27);
     QCOMPARE(mesh("15").headTeeth, 36);
     QCOMPARE(document->undoStack().count(), 1);
     document->undoStack().undo();
     QCOMPARE(mesh("15").tailTeeth, 18);
-    QCOMPARE(property("tailTeeth")->text(), QStringLiteral("18"));
+    QCOMPARE(numberOf("tailTeeth")->text(), QStringLiteral("18"));
   }
 
   /// Screen readers find a spin button with its bounds, and can set it.
@@ -37,18 +37,18 @@ class EditingPanelsTest : public QObject, private EditingPanels {
   void limitsOfAJointAreTypedAndTakenAway() {
     selection.select({ElementId(JointId("8"))});
     const auto limits = [this] { return document->mechanism()->find(JointId("8"))->limits; };
-    type(property("highLimit"), QStringLiteral("170"));
+    type(numberOf("highLimit"), QStringLiteral("170"));
     QCOMPARE(limits(), (JointLimits{std::nullopt, Number(170)}));
     QCOMPARE(document->undoStack().count(), 1);  // one step, however many keys
-    type(property("lowLimit"), QStringLiteral("-90"));
+    type(numberOf("lowLimit"), QStringLiteral("-90"));
     QCOMPARE(limits(), (JointLimits{Number(-90), Number(170)}));
-    type(property("lowLimit"), QStringLiteral("90"));  // the reference pose has to be within
+    type(numberOf("lowLimit"), QStringLiteral("90"));  // the reference pose has to be within
     QCOMPARE(limits().low.value_or(Number(1)).value() <= 0, true);
     document->undoStack().undo();
     QCOMPARE(limits(), (JointLimits{std::nullopt, Number(170)}));
-    focus(property("highLimit"));
-    property("highLimit")->selectAll();
-    QTest::keyClick(property("highLimit"), Qt::Key_Delete);
+    focus(numberOf("highLimit"));
+    numberOf("highLimit")->selectAll();
+    QTest::keyClick(numberOf("highLimit"), Qt::Key_Delete);
     QCOMPARE(limits(), JointLimits());
   }
 
@@ -56,32 +56,32 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     selection.select({ElementId(JointId("8"))});
     const auto limits = [this] { return document->mechanism()->find(JointId("8"))->limits; };
     const auto wrong = [this] { return properties->findChild<QLabel*>(QStringLiteral("wrong")); };
-    NumberField* low = property("lowLimit");
+    NumberField* low = numberOf("lowLimit");
     type(low, QStringLiteral("abc"));
-    QVERIFY(low->QObject::property("wrong").toBool());
+    QVERIFY(low->property("wrong").toBool());
     QCOMPARE(limits(), JointLimits());
-    type(property("highLimit"), QStringLiteral("-45"));  // would leave the reference pose outside
-    QVERIFY(property("highLimit")->QObject::property("wrong").toBool());
+    type(numberOf("highLimit"), QStringLiteral("-45"));  // would leave the reference pose outside
+    QVERIFY(numberOf("highLimit")->property("wrong").toBool());
     QVERIFY(wrong()->isVisible());
     QVERIFY2(wrong()->text().contains(QStringLiteral("the second at least 0")), qPrintable(wrong()->text()));
-    QCOMPARE(property("highLimit")->text(), QStringLiteral("-45"));  // to be corrected
+    QCOMPARE(numberOf("highLimit")->text(), QStringLiteral("-45"));  // to be corrected
     QCOMPARE(limits(), JointLimits());
     focus(low);
-    QCOMPARE(property("highLimit")->text(), QString());
-    QVERIFY(!property("highLimit")->QObject::property("wrong").toBool());
+    QCOMPARE(numberOf("highLimit")->text(), QString());
+    QVERIFY(!numberOf("highLimit")->property("wrong").toBool());
     QVERIFY(!wrong()->isVisible());
-    type(property("highLimit"), QStringLiteral("45"));
+    type(numberOf("highLimit"), QStringLiteral("45"));
     type(low, QStringLiteral("50"));  // above the upper end
-    QVERIFY(low->QObject::property("wrong").toBool());
+    QVERIFY(low->property("wrong").toBool());
     QTest::keyClick(low, Qt::Key_Down);  // from the document's value on
     QCOMPARE(limits(), (JointLimits{Number(-5), Number(45)}));
-    QVERIFY(!low->QObject::property("wrong").toBool());
+    QVERIFY(!low->property("wrong").toBool());
   }
 
   void severalMeshesChangeTogether() {
     selection.select({ElementId(MeshId("15")), ElementId(MeshId("16"))});
-    QVERIFY(property("tailTeeth")->text().isEmpty());  // 18 and 20
-    type(property("tailTeeth"), QStringLiteral("24"));
+    QVERIFY(numberOf("tailTeeth")->text().isEmpty());  // 18 and 20
+    type(numberOf("tailTeeth"), QStringLiteral("24"));
     QCOMPARE(mesh("15").tailTeeth, 24);
     QCOMPARE(mesh("16").tailTeeth, 24);
     QCOMPARE(mesh("16").headTeeth, 30);
@@ -90,26 +90,26 @@ class EditingPanelsTest : public QObject, private EditingPanels {
 
   void axesArePlacedWithExactFractions() {
     selection.select({ElementId(JointId("8"))});
-    type(property("axisPoint.y"), QStringLiteral("-22/7"));
+    type(numberOf("axisPoint.y"), QStringLiteral("-22/7"));
     const Axis& axis = *document->mechanism()->find(AxisId("a"));
     QVERIFY(axis.point.has_value());
     QCOMPARE((*axis.point)[1].text(), std::string("-22/7"));
     QVERIFY((*axis.point)[0].exact().isZero());
-    type(property("axisDirection.z"), QStringLiteral("0"));
+    type(numberOf("axisDirection.z"), QStringLiteral("0"));
     QCOMPARE(document->mechanism()->find(AxisId("a"))->direction.has_value(), false);  // length 0: refused
   }
 
   void whyIsSaidBelowTheFields() {
     const auto wrong = [this] { return properties->findChild<QLabel*>("wrong"); };
     selection.select({ElementId(JointId("8"))});
-    type(property("axisDirection.z"), QStringLiteral("0"));
+    type(numberOf("axisDirection.z"), QStringLiteral("0"));
     QVERIFY(wrong()->isVisible());
     QVERIFY2(wrong()->text().contains("length 0"), qPrintable(wrong()->text()));
-    type(property("axisDirection.z"), QStringLiteral("2"));
+    type(numberOf("axisDirection.z"), QStringLiteral("2"));
     QVERIFY(!wrong()->isVisible());
-    type(property("offset"), QStringLiteral("1/0"));
+    type(numberOf("offset"), QStringLiteral("1/0"));
     QVERIFY2(wrong()->text().contains("such as 12, 0.5 or 22/7"), qPrintable(wrong()->text()));
-    type(property("offset"), QStringLiteral("22/7"));
+    type(numberOf("offset"), QStringLiteral("22/7"));
     QVERIFY(!wrong()->isVisible());
     QCOMPARE(document->mechanism()->find(JointId("8"))->offset.text(), std::string("22/7"));
   }
@@ -138,11 +138,11 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     document->apply({QString(), point("a", 0, 1), 0});
     document->apply({QString(), point("d", 1, 0), 0});
     selection.select({ElementId(JointId("8")), ElementId(JointId("13"))});
-    QCOMPARE(property("axisDirection.x")->text(), QStringLiteral("0"));
-    QCOMPARE(property("axisDirection.y")->text(), QString());
-    QCOMPARE(lineOf(property("axisDirection.y"))->placeholderText(), QStringLiteral("several"));
-    QCOMPARE(lineOf(property("axisPoint.y"))->placeholderText(), QStringLiteral("auto"));
-    type(property("axisDirection.z"), QStringLiteral("1/3"));
+    QCOMPARE(numberOf("axisDirection.x")->text(), QStringLiteral("0"));
+    QCOMPARE(numberOf("axisDirection.y")->text(), QString());
+    QCOMPARE(lineOf(numberOf("axisDirection.y"))->placeholderText(), QStringLiteral("several"));
+    QCOMPARE(lineOf(numberOf("axisPoint.y"))->placeholderText(), QStringLiteral("auto"));
+    type(numberOf("axisDirection.z"), QStringLiteral("1/3"));
     const auto now = [this](const char* axis) {
       return *document->mechanism()->find(AxisId(axis))->direction;
     };
@@ -234,7 +234,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     document->replace(test::planetary(24, 18, 3), {});
     const MechanismPtr before = document->mechanism();
     selection.select({ElementId(before->gearMeshes[0].id)});
-    type(property("tailTeeth"), QStringLiteral("30"));
+    type(numberOf("tailTeeth"), QStringLiteral("30"));
     for (int planet = 0; planet < 3; ++planet) {
       QCOMPARE(document->mechanism()->gearMeshes[static_cast<std::size_t>(2 * planet)].tailTeeth, 30);
       QCOMPARE(document->mechanism()->gearMeshes[static_cast<std::size_t>(2 * planet + 1)].headTeeth, 66);
@@ -263,7 +263,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     many.gearMeshes.push_back(many.gearMeshes.front());
     many.gearMeshes.back().id = MeshId("one more");
     QVERIFY(isSaid(many));
-    type(property("tailTeeth"), QStringLiteral("30"));  // and so it is
+    type(numberOf("tailTeeth"), QStringLiteral("30"));  // and so it is
     QCOMPARE(document->mechanism()->gearMeshes[0].tailTeeth, 30);
     QCOMPARE(document->mechanism()->gearMeshes[2].tailTeeth, 24);
   }
@@ -271,25 +271,25 @@ class EditingPanelsTest : public QObject, private EditingPanels {
   void theModuleOfAMeshIsTypedAndPinned() {
     document->replace(test::planetary(24, 18, 3), {});
     selection.select({ElementId(document->mechanism()->gearMeshes[0].id)});
-    QCOMPARE(property("module")->text(), QStringLiteral("2"));
-    type(property("module"), QStringLiteral("2.5"));
+    QCOMPARE(numberOf("module")->text(), QStringLiteral("2"));
+    type(numberOf("module"), QStringLiteral("2.5"));
     const Mechanism after = *document->mechanism();
     const NumberTriple& planet = *after.axes[1].point;
     QCOMPARE(std::hypot(planet[0].value(), planet[1].value()), 52.5);
     selection.select({ElementId(after.gearMeshes[0].id), ElementId(after.gearMeshes[5].id)});
-    QCOMPARE(property("module")->text(), QStringLiteral("2.5"));  // the ring's, too
+    QCOMPARE(numberOf("module")->text(), QStringLiteral("2.5"));  // the ring's, too
     selection.select({ElementId(after.gearMeshes[0].id)});
-    type(property("module"), QStringLiteral("0"));
+    type(numberOf("module"), QStringLiteral("0"));
     QVERIFY(!properties->findChild<QLabel*>("wrong")->text().isEmpty());
     QCOMPARE(document->mechanism()->axes, after.axes);
 
     auto* box = properties->findChild<QCheckBox*>("pinModule");
     QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
     QVERIFY(box->isChecked() && isPinned(document->mechanism()->gearMeshes[0]));
-    QVERIFY(!property("module")->isEnabled() && !property("pitchPoint.x")->isEnabled());
+    QVERIFY(!numberOf("module")->isEnabled() && !numberOf("pitchPoint.x")->isEnabled());
     const Mechanism held = *document->mechanism();
     selection.select({ElementId(after.gearMeshes[1].id)});
-    type(property("module"), QStringLiteral("3"));  // of the same wheels
+    type(numberOf("module"), QStringLiteral("3"));  // of the same wheels
     QVERIFY(properties->findChild<QLabel*>("wrong")->text().contains("pinned"));
     QCOMPARE(*document->mechanism(), held);
   }
@@ -304,11 +304,11 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     selection.select({ElementId(LinkId("2"))});
     QVERIFY(pin("pinTeeth")->isChecked());  // the ring
     selection.select({ElementId(document->mechanism()->gearMeshes[0].id)});
-    type(property("tailTeeth"), QStringLiteral("30"));
+    type(numberOf("tailTeeth"), QStringLiteral("30"));
     QCOMPARE(document->mechanism()->gearMeshes[0].headTeeth, 15);  // the planets give way
     QCOMPARE(document->mechanism()->gearMeshes[1].headTeeth, 60);
     pin("pinHead");
-    type(property("tailTeeth"), QStringLiteral("24"));
+    type(numberOf("tailTeeth"), QStringLiteral("24"));
     auto* wrong = properties->findChild<QLabel*>("wrong");
     QVERIFY2(wrong->text().contains("gear 2") && wrong->text().contains("pinned"), qPrintable(wrong->text()));
     QCOMPARE(document->mechanism()->gearMeshes[0].tailTeeth, 30);
@@ -317,9 +317,9 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     selection.select({ElementId(document->mechanism()->turningJoints[3].id)});
     auto* box = pin("pinAxis");
     QVERIFY(box->isChecked() && isPinned(document->mechanism()->axes[1]));
-    QVERIFY(!property("axisPoint.x")->isEnabled());
+    QVERIFY(!numberOf("axisPoint.x")->isEnabled());
     document->undoStack().undo();
-    QVERIFY(!box->isChecked() && property("axisPoint.x")->isEnabled());
+    QVERIFY(!box->isChecked() && numberOf("axisPoint.x")->isEnabled());
   }
 };
 

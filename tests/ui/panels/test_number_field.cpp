@@ -22,7 +22,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
 
   void arrowKeysSpin() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("headTeeth");
+    NumberField* teeth = numberOf("headTeeth");
     focus(teeth);
     QTest::keyClick(teeth, Qt::Key_Up);
     QTest::keyClick(teeth, Qt::Key_Up);
@@ -33,7 +33,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
 
   void pagesWheelAndArrowsSpin() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("headTeeth");
+    NumberField* teeth = numberOf("headTeeth");
     const int before = mesh("15").headTeeth;
     const auto wheel = [teeth](int turns) {
       const QPointF at = teeth->rect().center();
@@ -60,7 +60,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
 
   void aNumberIsAccessible() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
+    NumberField* teeth = numberOf("tailTeeth");
     QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(teeth);
     QVERIFY(seen != nullptr);
     QCOMPARE(seen->role(), QAccessible::SpinBox);
@@ -73,27 +73,27 @@ class NumberFieldTest : public QObject, private EditingPanels {
     QCOMPARE(mesh("15").tailTeeth, 24);
     number->setCurrentValue(2.5);
     QCOMPARE(mesh("15").tailTeeth, 24);
-    QVERIFY(teeth->QObject::property("wrong").toBool());
+    QVERIFY(teeth->property("wrong").toBool());
   }
 
   void whatIsNoNumberChangesNothing() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
+    NumberField* teeth = numberOf("tailTeeth");
     type(teeth, QStringLiteral("x"));
-    QVERIFY(teeth->QObject::property("wrong").toBool());
+    QVERIFY(teeth->property("wrong").toBool());
     QVERIFY(!teeth->toolTip().isEmpty());
     QCOMPARE(mesh("15").tailTeeth, 18);
     type(teeth, QStringLiteral("100001"));
-    QVERIFY(teeth->QObject::property("wrong").toBool());
+    QVERIFY(teeth->property("wrong").toBool());
     QCOMPARE(mesh("15").tailTeeth, 10000);  // as long as it was in range, it was followed
     teeth->clearFocus();
     QCOMPARE(teeth->text(), QStringLiteral("10000"));
-    QVERIFY(!teeth->QObject::property("wrong").toBool());
+    QVERIFY(!teeth->property("wrong").toBool());
   }
 
   void lengthsMayBeTypedInOtherUnits() {
     selection.select({ElementId(JointId("8"))});
-    NumberField* offset = property("offset");
+    NumberField* offset = numberOf("offset");
     QVERIFY2(offset->toolTip().contains(QStringLiteral("mm")), qPrintable(offset->toolTip()));
     const auto value = [this] { return document->mechanism()->find(JointId("8"))->offset.exact(); };
     type(offset, QStringLiteral("1/2 in"));
@@ -102,27 +102,27 @@ class NumberFieldTest : public QObject, private EditingPanels {
     type(offset, QStringLiteral("2.5cm"));
     QCOMPARE(value(), Rational(25));
     type(offset, QStringLiteral("3 parsec"));
-    QVERIFY(offset->QObject::property("wrong").toBool());
+    QVERIFY(offset->property("wrong").toBool());
     offset->clearFocus();
     QCOMPARE(offset->text(), QStringLiteral("3"));
-    type(property("axisDirection.x"), QStringLiteral("1 in"));
-    QVERIFY(property("axisDirection.x")->QObject::property("wrong").toBool());  // is no length
+    type(numberOf("axisDirection.x"), QStringLiteral("1 in"));
+    QVERIFY(numberOf("axisDirection.x")->property("wrong").toBool());  // is no length
   }
 
   void decimalCommasMayBeTypedWhereTheyAreUnambiguous() {
     selection.select({ElementId(JointId("8"))});
     const auto high = [this] { return document->mechanism()->find(JointId("8"))->limits.high; };
-    NumberField* field = property("highLimit");
+    NumberField* field = numberOf("highLimit");
     const auto restored = qScopeGuard([before = QLocale()] { QLocale::setDefault(before); });
     QLocale::setDefault(QLocale(QLocale::German));
     type(field, QStringLiteral("170,5"));
-    QVERIFY(!field->QObject::property("wrong").toBool());
+    QVERIFY(!field->property("wrong").toBool());
     QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
     type(field, QStringLiteral("1,7,5"));
-    QVERIFY(field->QObject::property("wrong").toBool());
+    QVERIFY(field->property("wrong").toBool());
     QLocale::setDefault(QLocale::c());
     type(field, QStringLiteral("1,500"));  // it could mean a thousand and a half
-    QVERIFY(field->QObject::property("wrong").toBool());
+    QVERIFY(field->property("wrong").toBool());
     QCOMPARE(high().value_or(Number(0)).exact(), Rational(341, 2));
     type(field, QStringLiteral("0,75"));
     QCOMPARE(high().value_or(Number(0)).exact(), Rational(3, 4));
@@ -130,7 +130,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
 
   void whatIsTypedIsCommittedOnce() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
+    NumberField* teeth = numberOf("tailTeeth");
     focus(teeth);
     teeth->selectAll();
     QTest::keyClicks(teeth, QStringLiteral("120"));
@@ -150,8 +150,8 @@ class NumberFieldTest : public QObject, private EditingPanels {
   void leavingAFieldCommitsItAndAReasonStays() {
     const auto wrong = [this] { return properties->findChild<QLabel*>("wrong"); };
     selection.select({ElementId(MeshId("15"))});
-    NumberField* tail = property("tailTeeth");
-    NumberField* head = property("headTeeth");
+    NumberField* tail = numberOf("tailTeeth");
+    NumberField* head = numberOf("headTeeth");
     const int before = mesh("15").tailTeeth;
     focus(tail);
     tail->selectAll();
@@ -159,7 +159,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
     focus(head);
     QCOMPARE(mesh("15").tailTeeth, before);
     QCOMPARE(tail->text(), QString::number(before));
-    QVERIFY(!tail->QObject::property("wrong").toBool());
+    QVERIFY(!tail->property("wrong").toBool());
     QVERIFY(wrong()->isVisible());
     QVERIFY2(wrong()->text().contains("whole number"), qPrintable(wrong()->text()));
     head->selectAll();
@@ -171,7 +171,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
 
   void undoIsTheDocumentsOnceTheNumberIsCommitted() {
     selection.select({ElementId(MeshId("15"))});
-    NumberField* teeth = property("tailTeeth");
+    NumberField* teeth = numberOf("tailTeeth");
     focus(teeth);
     const auto isTakenByTheField = [teeth] {
       QKeyEvent ask(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
@@ -192,7 +192,7 @@ class NumberFieldTest : public QObject, private EditingPanels {
   void aClickSelectsTheWholeNumber() {
     selection.select({ElementId(MeshId("15"))});
     focus(properties.get());
-    NumberField* teeth = property("tailTeeth");
+    NumberField* teeth = numberOf("tailTeeth");
     QLineEdit* line = lineOf(teeth);
     QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(4, line->height() / 2));
     QCOMPARE(line->selectedText(), QStringLiteral("18"));
