@@ -32,8 +32,9 @@ struct SchematicGeometry {
 /// Bearings, arms and shafts are where the arrangement of the train has them
 /// (DerivedGeometry::arrangement()), which is computed if it is not known yet.
 ///
-/// Cost: a millisecond for 15 links, some ten for 60, a second for 200: not for the thread of the windows.
-/// When `stop` is requested meanwhile, what comes back is of no use.
+/// Cost: milliseconds for 15 links, half a second for 60, a second to five for 200, half a minute where those
+/// have 300 meshes: not for the thread of the windows. When `stop` is requested meanwhile, what comes back is
+/// of no use.
 /// @pre the mechanism is well formed
 [[nodiscard]] SchematicGeometry schematicGeometry(const DerivedGeometry& document,
                                                   const std::stop_token& stop = {});
