@@ -31,7 +31,7 @@ namespace {
 QString tipOf(ForceTableKind kind) {
   switch (kind) {
     case ForceTableKind::joints:
-      return ForcesPanel::tr("Torque, rate and power of every turning joint");
+      return ForcesPanel::tr("Torque, rate and power in every turning joint, and of what acts on links");
     case ForceTableKind::couplings:
       return ForcesPanel::tr("Torques of the brakes and clutches that are engaged");
     case ForceTableKind::meshes:
@@ -246,11 +246,14 @@ void ForcesPanel::setAwake(bool awake) {
   request();
 }
 
-/// "No state", then those of the document; the one that was chosen stays by its name.
+/// "As engaged", then those of the document; the one that was chosen stays by its name.
 void ForcesPanel::renewStates() {
-  QStringList names{tr("no state")};
+  QStringList names{tr("as engaged")};
   for (const ShiftState& state : m_snapshot->mechanism->states)
     names += tr("state %1").arg(shownText(state.name));
+  const bool hasCouplings = !m_snapshot->mechanism->couplings.empty();
+  m_chips->button(static_cast<int>(ForceTableKind::couplings))->setVisible(hasCouplings);
+  if (!hasCouplings && m_model->kind() == ForceTableKind::couplings) showTable(ForceTableKind::joints);
   QStringList there;
   for (int i = 0; i < m_states->count(); ++i) there += m_states->itemText(i);
   if (names == there) return;
@@ -262,10 +265,7 @@ void ForcesPanel::renewStates() {
   const bool hasStates = names.size() > 1;
   m_states->setVisible(hasStates);
   m_chips->button(static_cast<int>(ForceTableKind::states))->setVisible(hasStates);
-  m_chips->button(static_cast<int>(ForceTableKind::couplings))->setVisible(hasStates);
-  const bool isGone =
-      m_model->kind() == ForceTableKind::states || m_model->kind() == ForceTableKind::couplings;
-  if (!hasStates && isGone) showTable(ForceTableKind::joints);
+  if (!hasStates && m_model->kind() == ForceTableKind::states) showTable(ForceTableKind::joints);
 }
 
 void ForcesPanel::request() {
@@ -313,7 +313,7 @@ QString ForcesPanel::whyEmpty() const {
     return tr("There is no equilibrium: what is wrong is said below.");
   switch (m_model->kind()) {
     case ForceTableKind::couplings:
-      return tr("No brake or clutch is engaged: choose a state.");
+      return tr("No brake or clutch is engaged: engage one in Gearbox, or choose a state.");
     case ForceTableKind::bearings:
       return tr("Forces need a unit of length whose size is known.");
     case ForceTableKind::powers:

@@ -37,7 +37,7 @@ class ForcesPanel : public QWidget {
   /// Is it in sight?
   void setAwake(bool awake);
   void showTable(ForceTableKind kind);
-  /// Couplings of this state are engaged; -1: none.
+  /// Couplings of this state are engaged; -1: those that the document engages.
   void showState(int state);
 
   [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }

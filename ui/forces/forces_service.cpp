@@ -13,8 +13,17 @@ bool hasErrorsFor(const AnalysisSnapshot& snapshot, int state) {
   });
 }
 
-std::optional<StaticsReport> solved(const ForcesRequest& request, int state, const std::stop_token& stop) {
-  const AnalysisSnapshot& snapshot = *request.snapshot;
+/// The train without the couplings that the document engages: a state engages its own. Of no use where `stop`
+/// was requested.
+SnapshotPtr released(const SnapshotPtr& snapshot, const std::stop_token& stop) {
+  if (snapshot->mechanism->engaged.empty()) return snapshot;
+  auto mechanism = std::make_shared<Mechanism>(*snapshot->mechanism);
+  mechanism->engaged.clear();
+  return analyzeLive(std::move(mechanism), snapshot->revision, stop);
+}
+
+std::optional<StaticsReport> solved(const ForcesRequest& request, const AnalysisSnapshot& snapshot, int state,
+                                    const std::stop_token& stop) {
   if (snapshot.matroid() == nullptr || hasErrorsFor(snapshot, state)) return std::nullopt;
   StaticsOptions options;
   options.state = state;
@@ -28,23 +37,25 @@ std::optional<StaticsReport> solved(const ForcesRequest& request, int state, con
 
 void solve(const ForcesRequest& request, const ForcesService::Responder& respond) {
   const std::stop_token stop = respond.stop();
-  const AnalysisSnapshot& snapshot = *request.snapshot;
-  const Mechanism& mechanism = *snapshot.mechanism;
+  const Mechanism& mechanism = *request.snapshot->mechanism;
   auto forces = std::make_shared<Forces>();
   forces->snapshot = request.snapshot;
   forces->state = request.state < static_cast<int>(mechanism.states.size()) ? request.state : -1;
-  forces->report = solved(request, forces->state, stop);
+  const SnapshotPtr open = mechanism.states.empty() ? nullptr : released(request.snapshot, stop);
+  if (stop.stop_requested()) return;
+  const AnalysisSnapshot& snapshot = forces->state >= 0 ? *open : *request.snapshot;
+  forces->report = solved(request, snapshot, forces->state, stop);
   if (stop.stop_requested()) return;
   if (forces->report) {
     for (const ForceTableKind kind : allForceTableKinds())
       forces->tables.push_back(forceTable(mechanism, *snapshot.kinematics->model,
                                           snapshot.kinematics->placement(), *forces->report, kind));
   }
-  if (mechanism.states.empty() || snapshot.matroid() == nullptr) return respond(std::move(forces));
+  if (open == nullptr || open->matroid() == nullptr) return respond(std::move(forces));
   respond.partly(std::make_shared<const Forces>(*forces));
   std::vector<StateForces> states;
   for (int state = 0; state < static_cast<int>(mechanism.states.size()); ++state) {
-    states.push_back({state, solved(request, state, stop)});
+    states.push_back({state, solved(request, *open, state, stop)});
     if (stop.stop_requested()) return;
   }
   forces->tables.push_back(shiftTable(mechanism, states));

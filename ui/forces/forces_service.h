@@ -13,7 +13,9 @@ namespace geargraph::inline forces {
 /// What is asked about the torques of a document.
 struct ForcesRequest {
   SnapshotPtr snapshot;
-  int state = -1;                      ///< position of the state whose couplings are engaged; -1: none is
+  /// Position of the state whose couplings are engaged, instead of those that the document engages; -1:
+  /// these.
+  int state = -1;
   std::optional<Rational> efficiency;  ///< of meshes that state none
   bool stiffness = false;              ///< shared loads by equal stiffness of all teeth
 };

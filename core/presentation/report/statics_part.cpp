@@ -75,6 +75,26 @@ class StaticsPart : private ReportPart {
            std::any_of(problem.balances.begin(), problem.balances.end(), onLink);
   }
 
+  /// "T_{A}" of an engaged coupling; by its position where its name is no word of a formula.
+  [[nodiscard]] std::string couplingName(int coupling) const {
+    const std::string& id = m_mechanism.couplings[static_cast<std::size_t>(coupling)].id.text();
+    const bool isWord = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+      return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    });
+    return "T_{" + (isWord ? id : std::to_string(coupling + 1)) + "}";
+  }
+  /// What is added to the torque in a joint: the loads and balances on links beyond it, and the engaged
+  /// couplings whose circuit it is on. " + \\ell_{8} - T_{A}"
+  [[nodiscard]] std::string besides(int joint) const {
+    std::string sum = hasLinkLoads() ? " + \\ell_{" + label(joint) + "}" : "";
+    for (const HeldPart& part : m_statics.held) {
+      if (part.coupling < 0) continue;
+      for (const auto& [at, factor] : part.byJoint)
+        if (at == joint) sum += (factor.sign() < 0 ? " - " : " + ") + couplingName(part.coupling);
+    }
+    return sum;
+  }
+
   void addCutsets() {
     heading(2, "Cutset equations");
     paragraph(
@@ -95,17 +115,18 @@ class StaticsPart : private ReportPart {
       return paragraph(
           "There are too many to print: \"export --to csv --matrix cutset-equations\" writes them.");
     }
-    paragraph("With lengths in " + m_mechanism.unit + ", joint by joint,");
+    if (!m_statics.problem.engaged.empty())
+      paragraph("An engaged coupling is a further edge of the graph, with its torque $T$.");
+    paragraph("With lengths in " + m_mechanism.unit + ", so that torques are in N " + m_mechanism.unit +
+              ", joint by joint,");
     const CutsetEquations cutsets(CoefficientMatrix(m_mechanism, m_model, m_placement));
     std::vector<std::string> lines;
     std::vector<ElementId> joints;
-    const bool hasLinks = hasLinkLoads();
     for (int joint = 0; joint < cutsets.count(); ++joint) {
       std::string sum;
       for (const CutsetEquations::Term& term : cutsets.terms(joint))
         addTerm(sum, term.length < 0, shortDecimal(std::abs(term.length)) + " " + force(term.mesh));
-      const std::string loads = hasLinks ? " + \\ell_{" + label(joint) + "}" : "";
-      lines.push_back(torque(joint) + loads + " = " + (sum.empty() ? "0" : sum));
+      lines.push_back(torque(joint) + besides(joint) + " = " + (sum.empty() ? "0" : sum));
       joints.push_back(jointId(joint));
     }
     dualEquation(texLines(lines), 19, std::move(joints));
@@ -219,12 +240,10 @@ class StaticsPart : private ReportPart {
       add(m_ttGraph.headCircuit(mesh), headChordName(pair));
     }
     const int first = numbers.terminal(m_graph.c() - 1) + 1;
-    const bool hasLinks = hasLinkLoads();
     for (int joint = 0; joint < m_graph.t() && !isStopped(); ++joint) {
       const std::string& chords = cutsets[static_cast<std::size_t>(joint)];
-      const std::string loads = hasLinks ? " + \\ell_{" + label(joint) + "}" : "";
       const std::string sum = chords.empty() ? "" : (chords.front() == '-' ? " " : " + ") + chords;
-      dualEquation(branch(joint) + sum + loads + " = 0", first + joint, {jointId(joint)});
+      dualEquation(branch(joint) + sum + besides(joint) + " = 0", first + joint, {jointId(joint)});
     }
     if (m_statics.lossless.isBalanced()) addChain(first, std::max(numbers.step(0), first + m_graph.t()));
   }

@@ -114,11 +114,12 @@ class Rows {
 
   void joints() {
     m_table->columns = {
-        words("joint", "The turning joint, by its label."),
+        words("at",
+              "A turning joint, by its label, or a link on which a load or a balance acts from outside."),
         words("turns", "The link beyond the joint, seen from the ground."),
         words("carried by",
-              "What puts a torque into the joint: a load that is given, a balance that is "
-              "found, or nothing: a free joint."),
+              "What puts a torque in: a load that is given, a balance that is found, or "
+              "nothing: a free joint."),
         exact("lossless", "N m",
               "The torque that the joint's tail exerts on its head about the axis, of a "
               "train without losses.",
@@ -157,6 +158,44 @@ class Rows {
         line.cells.resize(m_table->columns.size());
       }
     }
+    addOutside();
+  }
+
+  /// What acts on links from outside, below the joints.
+  void addOutside() {
+    for (const LoadReport& load : m_report.loads) {
+      const auto link = linkOf(load.load);
+      if (!link) continue;
+      const auto* torque = std::get_if<LinkTorque>(&load.load.action);
+      std::optional<Real> size;
+      if (torque != nullptr) size = Real(torque->torque.exact());
+      addOnLink(m_links.at(*link), torque != nullptr ? "load" : "force", size, size, load.watts);
+    }
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int balance = m_report.held[part].balance;
+      if (balance < 0) continue;
+      const TorquePlace& place = m_report.problem.balances[static_cast<std::size_t>(balance)];
+      if (place.inJoint()) continue;
+      const int unknown = m_model.c() + static_cast<int>(part);
+      const bool isKnown = m_report.solution().isDetermined(unknown);
+      addOnLink(place.link, "balance", valueIn(m_report.lossless, unknown),
+                valueIn(m_report.solution(), unknown),
+                m_report.motion && isKnown ? std::optional(m_report.powers.held[part]) : std::nullopt);
+    }
+  }
+
+  void addOnLink(int link, const char* by, const std::optional<Real>& lossless,
+                 const std::optional<Real>& torque, const std::optional<Real>& watts) {
+    ForceRow& line = row({linkId(link)});
+    const bool isForce = std::string_view(by) == "force";
+    line.cells = {cell("link " + std::to_string(m_mechanism.linkLabel(link))),
+                  cell(linkName(link)),
+                  cell(by),
+                  isForce ? cell("") : exactCell(lossless),
+                  isForce ? cell("") : exactCell(torque),
+                  isForce ? cell("") : decimalCell(torque),
+                  cell(""),
+                  watts ? cell(watts->number()) : cell("")};
   }
 
   void couplings() {

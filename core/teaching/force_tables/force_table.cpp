@@ -15,7 +15,7 @@ struct Names {
 };
 
 constexpr Names kNames[] = {
-    {ForceTableKind::joints, "Joints", "joint-torques"},
+    {ForceTableKind::joints, "Torques", "joint-torques"},
     {ForceTableKind::couplings, "Couplings", "coupling-torques"},
     {ForceTableKind::meshes, "Meshes", "mesh-forces"},
     {ForceTableKind::bearings, "Bearings", "bearings"},

@@ -16,7 +16,7 @@ enum class ForceTableKind { joints, couplings, meshes, bearings, powers, circula
 
 /// Those of one problem: all but `states`.
 [[nodiscard]] const std::vector<ForceTableKind>& allForceTableKinds();
-[[nodiscard]] std::string_view forceTableTitle(ForceTableKind kind);        ///< "Joints"
+[[nodiscard]] std::string_view forceTableTitle(ForceTableKind kind);        ///< "Torques"
 [[nodiscard]] std::string_view forceTableCommandName(ForceTableKind kind);  ///< "joint-torques", of the CSV
 
 struct ForceColumn {

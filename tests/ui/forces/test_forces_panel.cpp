@@ -244,6 +244,30 @@ class ForcesPanelTest : public QObject {
     QVERIFY(panel->model().kind() == ForceTableKind::joints);
   }
 
+  /// What the document engages counts without a state, and not in one.
+  void couplingsThatTheDocumentEngages() {
+    Mechanism gearbox = test::eightSpeed();
+    gearbox.engaged = gearbox.states[0].engaged;
+    gearbox.inputs = std::vector<Input>{{gearbox.turningJoints[0].id, Number(1), {}}};
+    gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
+    gearbox.balances = std::vector<Balance>{{Balance::OnLink{gearbox.links[2].id, {}}}};
+    open(gearbox);
+    panel->showTable(ForceTableKind::couplings);
+    QCOMPARE(panel->model().rowCount(), 3);
+    const QString torque = cell(0, "torque");
+    QVERIFY(torque.toDouble() != 0);
+    panel->showState(0);
+    QTRY_VERIFY(panel->isUpToDate());
+    QCOMPARE(cell(0, "torque"), torque);
+    panel->showState(1);
+    QTRY_VERIFY(panel->isUpToDate());
+    QCOMPARE(panel->model().rowCount(), 3);
+    QVERIFY(cell(0, "torque") != torque);
+    panel->showTable(ForceTableKind::states);
+    QCOMPARE(panel->model().rowCount(), 9);
+    QCOMPARE(cell(5, "latent").toDouble(), 0.0);  // direct drive: no tooth rolls
+  }
+
   void asleepNothingIsWorkedOut() {
     panel->setAwake(false);
     open(set());
@@ -260,7 +284,7 @@ class ForcesPanelTest : public QObject {
     QCOMPARE(wanted[0][0].toString(), QStringLiteral("joint-torques.csv"));
     QVERIFY(wanted[0][1].toString().contains(QLatin1String("torque [N m]")));
     press("copyForces");
-    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QLatin1String("joint\tturns\t")));
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QLatin1String("at\tturns\t")));
   }
 };
 

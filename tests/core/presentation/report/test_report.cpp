@@ -6,6 +6,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/presentation/report/report.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
 
 namespace geargraph {
@@ -136,6 +137,19 @@ class ReportTest : public QObject {
     QVERIFY(reportHtml(report, {}).find("id=\"eq17-dual\">(17*)<") != std::string::npos);
     // Without loads there is no such part.
     QVERIFY(numbered(reportOf(test::example("robot")), true).empty());
+  }
+
+  // An engaged coupling is in the cutset equations of the joints on its circuit.
+  void engagedCouplingsAreInTheCutsets() {
+    Mechanism gearbox = test::eightSpeed();
+    gearbox.engaged = gearbox.states[0].engaged;
+    gearbox.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(1)}}};
+    const Report report = reportOf(gearbox);
+    check(report);
+    const std::string cutsets = numbered(report, true).at(19);
+    for (const CouplingId& engaged : gearbox.engaged)
+      QVERIFY2(cutsets.find("T_{" + engaged.text() + "}") != std::string::npos, cutsets.c_str());
+    QVERIFY(cutsets.find("T_{E}") == std::string::npos);
   }
 
   void loadsThatNothingHoldsAreReportedInTheDerivation() {

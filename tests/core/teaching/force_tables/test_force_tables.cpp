@@ -52,7 +52,7 @@ class TestForceTables : public QObject {
     const Picture picture;
     const StaticsCase train(picture.mechanism);
     const ForceTable table = tableOf(train, reportOf(train, picture.options), ForceTableKind::joints);
-    QCOMPARE(column(table, "joint"), (std::vector<std::string>{"5", "6", "7", "8"}));
+    QCOMPARE(column(table, "at"), (std::vector<std::string>{"5", "6", "7", "8"}));
     QCOMPARE(column(table, "turns").front(), std::string("1 sun"));
     QCOMPARE(column(table, "carried by"), (std::vector<std::string>{"load", "balance", "balance", "free"}));
     QCOMPARE(column(table, "lossless"), (std::vector<std::string>{"10", "25", "-35", "0"}));
@@ -61,6 +61,28 @@ class TestForceTables : public QObject {
     QCOMPARE(column(table, "rate"), (std::vector<std::string>{"100", "0", "28.5714", "-95.2381"}));
     QCOMPARE(column(table, "power"), (std::vector<std::string>{"1000", "0", "-971.714", "0"}));
     QVERIFY(table.rows[0].elements.front() == ElementId(train.mechanism.turningJoints[0].id));
+  }
+
+  /// What acts on links from outside stands below the joints.
+  void loadsAndBalancesOnLinks() {
+    const StaticsCase train(eightSpeed());
+    StaticsOptions options;
+    options.state = 0;
+    const LinkId third("3");
+    options.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(2)}},
+                     {{}, LinkForce{third, {Number(0), Number(1), Number(0)}, {}}}};
+    const StaticsReport report = reportOf(train, options);
+    QVERIFY(report.lossless.isBalanced());
+    const ForceTable table = tableOf(train, report, ForceTableKind::joints);
+    const auto joints = static_cast<std::size_t>(train.model.t());
+    QCOMPARE(table.rows.size(), joints + 3);
+    QCOMPARE(column(table, "at")[joints], std::string("link 1"));
+    QCOMPARE(column(table, "exact torque")[joints], std::string("2"));
+    QCOMPARE(column(table, "carried by")[joints + 1], std::string("force"));
+    QCOMPARE(column(table, "exact torque")[joints + 1], std::string());
+    QCOMPARE(column(table, "carried by")[joints + 2], std::string("balance"));
+    QCOMPARE(column(table, "exact torque")[joints + 2], std::string("-216/23"));
+    QCOMPARE(column(table, "power")[joints + 2], std::string("-2"));
   }
 
   void everyCellBelongsToAColumnThatIsExplained() {
@@ -116,7 +138,7 @@ class TestForceTables : public QObject {
     writeForceCsv(sink, table);
     const std::string csv = sink.take();
     QCOMPARE(csv.substr(0, csv.find("\n8,")),
-             std::string("joint,turns,carried by,lossless [N m],torque [N m],rate [rad/s],power [W]\n"
+             std::string("at,turns,carried by,lossless [N m],torque [N m],rate [rad/s],power [W]\n"
                          "5,1 sun,load,10,10,100,1000\n"
                          "6,2,balance,25,24.01,0,0\n"
                          "7,3,balance,-35,-34.01,28.571428571428573,-971.7142857142857"));
