@@ -7,10 +7,10 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -82,6 +82,7 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, QWidget* pare
   layout->setSpacing(2);
   layout->addWidget(makeBar());
   layout->addWidget(makeMiddle(), 1);
+  layout->addWidget(makeTotals());
   layout->addWidget(m_remark);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
@@ -157,35 +158,28 @@ QWidget* ForcesPanel::makeMiddle() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(scaledPixels(236));
-  scroll->setMaximumWidth(scaledPixels(300));
+  m_loads->installEventFilter(this);
+  m_loadsView = scroll;
   auto* middle = new QWidget(this);
   auto* layout = new QHBoxLayout(middle);
   layout->setContentsMargins(0, 0, 10, 0);
   layout->setSpacing(6);
   layout->addWidget(scroll);
   layout->addWidget(m_pages, 1);
-  layout->addWidget(makeCard(), 0, Qt::AlignTop);
   return middle;
 }
 
-QFrame* ForcesPanel::makeCard() {
-  auto* card = new QFrame(this);
-  card->setProperty("look", "card");
-  card->setFixedWidth(scaledPixels(212));
-  auto* layout = new QGridLayout(card);
-  layout->setContentsMargins(10, 6, 10, 6);
-  layout->setVerticalSpacing(2);
-  auto* label = new QLabel(tr("η of a mesh"), card);
-  label->setToolTip(
-      tr("The efficiency of meshes that state none: the power that a mesh delivers over what it "
-         "takes, seen from its carrier. Empty: they lose nothing."));
-  m_efficiency = new NumberField(card);
+QWidget* ForcesPanel::makeTotals() {
+  auto* strip = new QWidget(this);
+  auto* layout = new QHBoxLayout(strip);
+  layout->setContentsMargins(12, 2, 10, 4);
+  layout->setSpacing(14);
+  m_efficiency = new NumberField(strip);
   m_efficiency->setObjectName(QStringLiteral("meshEfficiency"));
   m_efficiency->setOptional(true);
   m_efficiency->setEmptyText(tr("none"));
   m_efficiency->setStep(Rational(1, 100));
-  m_efficiency->setToolTip(label->toolTip());
+  m_efficiency->setFixedWidth(scaledPixels(92));
   connect(m_efficiency, &NumberField::edited, this, [this](const std::optional<Number>& eta) {
     if (eta && (eta->exact().sign() <= 0 || eta->exact() > Rational(1)))
       return m_efficiency->reject(tr("An efficiency is above 0 and at most 1."));
@@ -193,8 +187,10 @@ QFrame* ForcesPanel::makeCard() {
     m_eta = eta ? std::optional(eta->exact()) : std::nullopt;
     request();
   });
-  layout->addWidget(label, 0, 0);
-  layout->addWidget(m_efficiency, 0, 1);
+  addColumn(layout, tr("η of a mesh"),
+            tr("The efficiency of meshes that state none: the power that a mesh delivers over what it takes, "
+               "seen from its carrier. Empty: they lose nothing."),
+            m_efficiency);
   addTotal(layout, "fed", tr("fed, W"), tr("The power that loads and balances feed into the train."));
   addTotal(layout, "taken", tr("taken, W"), tr("The power that loads and balances take from the train."));
   addTotal(layout, "lost", tr("lost, W"), tr("What the meshes lose: fed less taken."));
@@ -204,35 +200,42 @@ QFrame* ForcesPanel::makeCard() {
   addTotal(layout, "latent", tr("latent ratio"),
            tr("What all meshes pass, seen from their carriers, over the power fed: the losses are about this "
               "many times those of one mesh."));
-  addTotal(layout, "circulating", tr("circulating"),
-           tr("The greatest power that goes round in a loop of shafts and gear sets, W."));
+  addTotal(layout, "circulating", tr("circulating, W"),
+           tr("The greatest power that goes round in a loop of shafts and gear sets."));
   m_share = controlButton(QStringLiteral("shareByStiffness"), tr("Share by stiffness"),
                           tr("Meshes that share a load in unknown parts: assume that all teeth are equally "
                              "stiff, without clearance, on rigid bodies"),
-                          card);
+                          strip);
   m_share->setCheckable(true);
   connect(m_share, &QToolButton::toggled, this, [this] { request(); });
-  m_verdict = new QLabel(card);
+  m_verdict = new QLabel(strip);
   m_verdict->setWordWrap(true);
   m_verdict->setProperty("look", "hint");
-  layout->addWidget(m_share, layout->rowCount(), 0, 1, 2);
-  layout->addWidget(m_verdict, layout->rowCount(), 0, 1, 2);
-  return card;
+  layout->addWidget(m_share);
+  layout->addWidget(m_verdict, 1);
+  return strip;
 }
 
-void ForcesPanel::addTotal(QGridLayout* layout, const char* name, const QString& text,
-                           const QString& meaning) {
-  const int line = layout->rowCount();
+/// A title above its value.
+void ForcesPanel::addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning,
+                            QWidget* value) {
   auto* title = new QLabel(text, this);
   title->setProperty("look", "hint");
   title->setToolTip(meaning);
+  value->setToolTip(meaning);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addWidget(title);
+  column->addWidget(value);
+  layout->addLayout(column);
+}
+
+void ForcesPanel::addTotal(QHBoxLayout* layout, const char* name, const QString& text,
+                           const QString& meaning) {
   auto* value = new QLabel(this);
   value->setObjectName(QStringLiteral("total.") + QLatin1String(name));
-  value->setAlignment(Qt::AlignRight);
-  value->setToolTip(meaning);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  layout->addWidget(title, line, 0);
-  layout->addWidget(value, line, 1);
+  addColumn(layout, text, meaning, value);
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
@@ -378,7 +381,7 @@ void ForcesPanel::showRemark() {
   QStringList all;
   if (shown && shown->report) {
     for (const Diagnostic& each : shown->report->diagnostics) {
-      // The card offers the efficiency of meshes that state none.
+      // The panel offers the efficiency of meshes that state none.
       if (each.code == Code::noEfficiency) continue;
       all += shownText(each.message);
       if (gravest == nullptr || each.severity() < gravest->severity()) gravest = &each;
@@ -416,8 +419,15 @@ void ForcesPanel::hoverRow(int row) {
   m_selection->hover(m_model->elementsAt(row));
 }
 
+/// The list of loads is as wide as its rows need.
+void ForcesPanel::fitLoads() {
+  const int width = m_loads->minimumSizeHint().width() + m_loadsView->verticalScrollBar()->sizeHint().width();
+  m_loadsView->setFixedWidth(std::max(width, scaledPixels(236)));
+}
+
 bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Leave) m_selection->unhover();
+  if (watched == m_loads && event->type() == QEvent::LayoutRequest) fitLoads();
+  if (watched == m_table->viewport() && event->type() == QEvent::Leave) m_selection->unhover();
   return QWidget::eventFilter(watched, event);
 }
 

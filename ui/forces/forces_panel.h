@@ -9,9 +9,9 @@
 
 class QButtonGroup;
 class QComboBox;
-class QFrame;
-class QGridLayout;
+class QHBoxLayout;
 class QLabel;
+class QScrollArea;
 class QStackedWidget;
 class QTableView;
 class QToolButton;
@@ -48,7 +48,7 @@ class ForcesPanel : public QWidget {
   [[nodiscard]] QString remark() const;
   /// What the table is replaced by; empty while it is shown.
   [[nodiscard]] QString emptyText() const;
-  /// A value of the card, by its name: "fed", "forward".
+  /// A value below the table, by its name: "fed", "forward".
   [[nodiscard]] QString total(const QString& name) const;
 
  signals:
@@ -62,8 +62,9 @@ class ForcesPanel : public QWidget {
  private:
   QWidget* makeBar();
   QWidget* makeMiddle();
-  QFrame* makeCard();
-  void addTotal(QGridLayout* layout, const char* name, const QString& text, const QString& meaning);
+  QWidget* makeTotals();
+  void addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning, QWidget* value);
+  void addTotal(QHBoxLayout* layout, const char* name, const QString& text, const QString& meaning);
   void request();
   void renewStates();
   void showForces();
@@ -72,6 +73,7 @@ class ForcesPanel : public QWidget {
   void setTotal(const char* name, const QString& text);
   void selectRow();
   void hoverRow(int row);
+  void fitLoads();
   void wantExport();
   void copy();
   [[nodiscard]] QString whyEmpty() const;
@@ -81,6 +83,7 @@ class ForcesPanel : public QWidget {
   ForcesService* m_service;
   ForceTableModel* m_model;
   LoadsList* m_loads;
+  QScrollArea* m_loadsView = nullptr;
   QTableView* m_table;
   QStackedWidget* m_pages;
   QLabel* m_empty;

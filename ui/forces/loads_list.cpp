@@ -193,7 +193,7 @@ LoadsList::Row LoadsList::makeRow(int load, int line) {
 NumberField* LoadsList::makeField(int load, std::size_t component) {
   auto* field = new NumberField(this);
   field->setObjectName(QStringLiteral("load.%1.%2").arg(load).arg(component));
-  field->setMinimumWidth(56);
+  field->setMinimumWidth(64);
   field->setAlignment(Qt::AlignRight);
   connect(field, &NumberField::editingStarted, this, [this] { m_gesture = m_document->newGesture(); });
   connect(field, &NumberField::edited, this, [this, load, component](const std::optional<Number>& size) {
