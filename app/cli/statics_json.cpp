@@ -64,6 +64,10 @@ class StaticsJson {
     m_json.key(name);
     value ? real(*value) : m_json.null();
   }
+  void null(std::string_view name) {
+    m_json.key(name);
+    m_json.null();
+  }
   void vector(std::string_view name, const Vector3& value) {
     m_json.key(name);
     m_json.beginArray(Layout::row);
@@ -253,10 +257,8 @@ class StaticsJson {
     member("headTorque",
            determined(mesh, Real(senseAt(m_placement, geometry.head, geometry.headClass)) * ports.head));
     if (m_report.forces.meshes.empty() || !m_solution.isDetermined(mesh)) {
-      m_json.key("tangentialForce");
-      m_json.null();
-      m_json.key("force");
-      m_json.null();
+      null("tangentialForce");
+      null("force");
     } else {
       m_json.member("tangentialForce", m_report.forces.meshes[at].tangential);
       vector("force", m_report.forces.meshes[at].force);
@@ -315,10 +317,8 @@ class StaticsJson {
         vector("force", bearing.force);
         vector("moment", bearing.moment);
       } else {
-        m_json.key("force");
-        m_json.null();
-        m_json.key("moment");
-        m_json.null();
+        null("force");
+        null("moment");
       }
       m_json.member("determinate", bearing.isDetermined);
       m_json.endObject();
@@ -438,8 +438,7 @@ class StaticsJson {
         entry ? m_json.string(entry->toText()) : m_json.null();
       });
     } else {
-      m_json.key("symbolic");
-      m_json.null();
+      null("symbolic");
     }
     m_json.endObject();
   }
