@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QMenu>
+#include <algorithm>
 
 #include "core/mechanism/model/pins.h"
 #include "ui/canvas/canvas_edits.h"
@@ -39,13 +40,23 @@ const Coupling* couplingOf(const Mechanism& mechanism, CouplingKind kind, const 
   return nullptr;
 }
 
+/// To engage a coupling, or to release it.
+void addEngage(QMenu& menu, const Mechanism& mechanism, CouplingId coupling, const ContextActions& actions) {
+  const auto& engaged = mechanism.engaged;
+  const bool isEngaged = std::find(engaged.begin(), engaged.end(), coupling) != engaged.end();
+  const QString what = describe(mechanism, {coupling});
+  add(menu, (isEngaged ? tr("Release %1") : tr("Engage %1")).arg(what), {},
+      [actions, coupling, isEngaged] { actions.engage(coupling, !isEngaged); });
+}
+
 void fillForBrake(QMenu& menu, const Mechanism& mechanism, LinkId link, const ContextActions& actions) {
   const bool ground = mechanism.links.front().id == link;
   if (const Coupling* brake = couplingOf(mechanism, CouplingKind::brake, {link})) {
     const ElementId id = brake->id;
+    addEngage(menu, mechanism, brake->id, actions);
     add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {}, [actions, id] { actions.takeOff(id); });
   } else {
-    add(menu, tr("Hold it with a brake"), {}, actions.hold,
+    add(menu, tr("Hold it with a brake"), "B", actions.hold,
         ground ? tr("the ground does not move") : QString());
   }
 }
@@ -62,6 +73,7 @@ void fillForClutch(QMenu& menu, const Mechanism& mechanism, const ContextActions
   const LinkId other = links[1];
   if (const Coupling* clutch = couplingOf(mechanism, CouplingKind::clutch, {one, other})) {
     const ElementId id = clutch->id;
+    addEngage(menu, mechanism, clutch->id, actions);
     return add(menu, tr("Take %1 off").arg(describe(mechanism, {id})), {},
                [actions, id] { actions.takeOff(id); });
   }
@@ -159,6 +171,7 @@ void fillContextMenu(QMenu& menu, const Mechanism& mechanism, const std::optiona
   } else if (element->kind == ElementKind::axis) {
     fillForAxis(menu, mechanism, AxisId(element->id), actions);
   } else if (element->kind == ElementKind::coupling) {
+    addEngage(menu, mechanism, CouplingId(element->id), actions);
     add(menu, tr("Take it off"), {}, [actions, id = *element] { actions.takeOff(id); });
   } else {
     fillForArrow(menu, mechanism, *element, actions);

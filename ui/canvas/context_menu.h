@@ -23,8 +23,9 @@ struct ContextActions {
   std::function<void(const ElementId&, bool)> pin;  ///< an axis, a link or a mesh
   std::function<void(MeshKind)> makeKind;           ///< of the mesh
   std::function<void(bool)> flipSide;               ///< of a bevel mesh: its tail or its head
-  std::function<void()> hold;                       ///< a brake on the link
-  std::function<void(LinkId, LinkId)> tie;          ///< a clutch between two links
+  std::function<void()> hold;                       ///< the link, with a new brake
+  std::function<void(LinkId, LinkId)> tie;          ///< two links, with a new clutch
+  std::function<void(CouplingId, bool)> engage;     ///< or release a brake or a clutch
   std::function<void(const ElementId&)> takeOff;    ///< a brake or a clutch goes
   std::function<void()> remove;
   std::function<void()> addLink;

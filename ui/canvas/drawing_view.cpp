@@ -305,6 +305,12 @@ void DrawingView::toggleInputs() {
   if (!why.isEmpty()) setHint(why);
 }
 
+void DrawingView::toggleBrake() {
+  const std::set<ElementId>& selected = m_selection->selected();
+  if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return;
+  m_commands.toggleBrake(LinkId(selected.begin()->id));
+}
+
 void DrawingView::renameSelected() {
   const std::set<ElementId>& selected = m_selection->selected();
   if (selected.size() != 1 || selected.begin()->kind != ElementKind::link) return;
@@ -356,8 +362,9 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   actions.pin = [this](const ElementId& which, bool on) { m_commands.pin(which, on); };
   actions.makeKind = [this, mesh](MeshKind kind) { m_commands.makeKind(mesh, kind); };
   actions.flipSide = [this, mesh](bool ofTail) { m_commands.flipSide(mesh, ofTail); };
-  actions.hold = [this, link] { m_commands.addBrake(link); };
-  actions.tie = [this](LinkId one, LinkId other) { m_commands.addClutch(one, other); };
+  actions.hold = [this, link] { m_commands.hold(link); };
+  actions.tie = [this](LinkId one, LinkId other) { m_commands.tie(one, other); };
+  actions.engage = [this](CouplingId coupling, bool engaged) { m_commands.engage(coupling, engaged); };
   actions.takeOff = [this](const ElementId& coupling) { m_commands.takeOff(coupling); };
   actions.remove = [this] { deleteSelected(); };
   actions.selectAll = [this] { selectAll(); };

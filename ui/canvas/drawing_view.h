@@ -75,6 +75,7 @@ class DrawingView : public QGraphicsView {
   void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
   toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
+  void toggleBrake();     ///< holds the one selected link, or releases it
   virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
 
  signals:

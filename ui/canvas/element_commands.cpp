@@ -3,11 +3,13 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
+#include "core/theory/states/state_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph::inline canvas {
@@ -41,6 +43,13 @@ std::optional<SheetPoint> placeBeside(const Mechanism& mechanism, LinkId link) {
     }
   }
   return SheetPoint{node->second.x + kDistance, node->second.y};
+}
+
+/// The coupling that was added is engaged at once.
+Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
+  if (!added) return added;
+  const CouplingId coupling = added->couplings.back().id;
+  return withCouplingEngaged(*std::move(added), coupling, true);
 }
 
 }  // namespace
@@ -134,19 +143,38 @@ void ElementCommands::flipSide(MeshId mesh, bool ofTail) {
         [mesh, ofTail](const PlacedMechanism& before) { return withBevelSideFlipped(before, mesh, ofTail); });
 }
 
-void ElementCommands::addBrake(LinkId link) {
-  apply(tr("Add brake"), [link](const Mechanism& mechanism) { return withBrake(mechanism, link); });
+void ElementCommands::hold(LinkId link) {
+  apply(tr("Hold %1").arg(describe(*m_document.mechanism(), {link})),
+        [link](const Mechanism& mechanism) { return withLastEngaged(withBrake(mechanism, link)); });
 }
 
-void ElementCommands::addClutch(LinkId one, LinkId other) {
-  apply(tr("Add clutch"),
-        [one, other](const Mechanism& mechanism) { return withClutch(mechanism, one, other); });
+void ElementCommands::tie(LinkId one, LinkId other) {
+  apply(tr("Connect links"), [one, other](const Mechanism& mechanism) {
+    return withLastEngaged(withClutch(mechanism, one, other));
+  });
+}
+
+void ElementCommands::engage(CouplingId coupling, bool engaged) {
+  const QString what = describe(*m_document.mechanism(), {coupling});
+  apply((engaged ? tr("Engage %1") : tr("Release %1")).arg(what),
+        [=](const Mechanism& mechanism) { return withCouplingEngaged(mechanism, coupling, engaged); });
+}
+
+void ElementCommands::toggleBrake(LinkId link) {
+  const Mechanism& now = *m_document.mechanism();
+  const auto brake = std::find_if(now.couplings.begin(), now.couplings.end(), [&](const Coupling& each) {
+    return each.kind == CouplingKind::brake && each.links.front() == link;
+  });
+  if (brake == now.couplings.end()) return hold(link);
+  engage(brake->id, std::find(now.engaged.begin(), now.engaged.end(), brake->id) == now.engaged.end());
 }
 
 void ElementCommands::takeOff(const ElementId& coupling) {
   apply(tr("Take off %1").arg(describe(*m_document.mechanism(), {coupling})),
-        [coupling](const Mechanism& mechanism) {
-          return withoutElements(mechanism, std::vector<ElementId>{coupling});
+        [coupling](const Mechanism& mechanism) -> Expected<Mechanism> {
+          Expected<Mechanism> released = withCouplingEngaged(mechanism, CouplingId(coupling.id), false);
+          if (!released) return released;
+          return withoutElements(*std::move(released), std::vector<ElementId>{coupling});
         });
 }
 

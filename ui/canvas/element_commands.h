@@ -28,8 +28,11 @@ class ElementCommands {
            bool pinned);  ///< an axis, a link for the teeth of its gears, or a mesh for its module
   void makeKind(MeshId mesh, MeshKind kind);  ///< axes and pitch points follow
   void flipSide(MeshId mesh, bool ofTail);    ///< of a bevel: to the other side of the apex
-  void addBrake(LinkId link);
-  void addClutch(LinkId one, LinkId other);
+  void hold(LinkId link);                     ///< with a new brake that is engaged
+  void tie(LinkId one, LinkId other);         ///< with a new clutch that is engaged
+  void engage(CouplingId coupling, bool engaged);
+  /// Engages the brake of the link, a new one where it has none, or releases it.
+  void toggleBrake(LinkId link);
   void takeOff(const ElementId& coupling);
 
  private:

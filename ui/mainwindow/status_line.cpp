@@ -11,6 +11,19 @@
 #include "ui/theme/icons.h"
 
 namespace geargraph::inline mainwindow {
+namespace {
+
+/// "A, B, C"; empty where nothing is engaged.
+QString engagedNames(const Mechanism& mechanism) {
+  constexpr std::size_t kMostNames = 6;
+  QStringList names;
+  for (std::size_t i = 0; i < mechanism.engaged.size() && i < kMostNames; ++i)
+    names << shownText(mechanism.engaged[i].text());
+  if (mechanism.engaged.size() > kMostNames) names << QStringLiteral("…");
+  return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
 
 StatusLine::StatusLine(Selection* selection, QWidget* parent)
     : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
@@ -95,8 +108,18 @@ void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {
   m_meshes->setText(tr("c %1").arg(snapshot->mechanism->c()));
   // Without a tree, or with a mesh that has no geometry, there is no coefficient matrix to take a rank of.
   const MatroidAnalysis* matroid = snapshot->matroid();
-  m_rank->setText(matroid != nullptr ? tr("rank %1").arg(matroid->rank) : tr("rank –"));
-  m_freedom->setText(matroid != nullptr ? tr("DOF %1").arg(matroid->dof) : tr("DOF –"));
+  const QString engaged = engagedNames(*snapshot->mechanism);
+  if (matroid == nullptr) {
+    m_rank->setText(tr("rank –"));
+    m_freedom->setText(tr("DOF –"));
+  } else if (engaged.isEmpty()) {
+    m_rank->setText(tr("rank %1").arg(matroid->rank));
+    m_freedom->setText(tr("DOF %1").arg(matroid->dof));
+  } else {
+    m_rank->setText(
+        tr("rank %1 + %2").arg(matroid->independentMeshes.size()).arg(matroid->independentHeld.size()));
+    m_freedom->setText(tr("DOF %1 (engaged: %2)").arg(QString::number(matroid->dof), engaged));
+  }
 }
 
 /// Which joints turn together takes long to tell of a large train: only when it is read.
@@ -121,6 +144,7 @@ std::set<ElementId> StatusLine::counted(const QObject* chip) const {
     const Digraph& graph = *m_snapshot->graph;
     if (chip == m_rank) {
       for (const int mesh : matroid->independentMeshes) elements.insert(graph.edgeId(graph.t() + mesh));
+      elements.insert(mechanism.engaged.begin(), mechanism.engaged.end());
     } else {
       for (const int joint : matroid->choice.joints) elements.insert(graph.edgeId(joint));
     }

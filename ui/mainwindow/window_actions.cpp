@@ -126,6 +126,12 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
                     {QKeySequence(QStringLiteral("Ctrl+G"))});
   drive = make("mechanism.drive", words("Dri&ve"), words("Drive the selected joints, or stop driving them"),
                {QKeySequence(QStringLiteral("Ctrl+I"))}, QStringLiteral("input"));
+  hold = make("mechanism.hold", words("Hold with a &brake"),
+              words("Engage the brake of the selected link, a new one where it has none, or release it"),
+              {QKeySequence(QStringLiteral("B"))});
+  releaseAll = make("mechanism.releaseAll", words("&Release brakes and clutches"),
+                    words("Release every brake and clutch; the motion goes on"),
+                    {QKeySequence(QStringLiteral("Ctrl+B"))});
   insertSet =
       make("mechanism.insertSet", words("&Insert set…"),
            words("A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist"),

@@ -53,6 +53,8 @@ struct WindowActions {
   QAction* attachGear;
   QAction* drive;
   QAction* tidy;
+  QAction* hold;
+  QAction* releaseAll;
   QAction* insertSet;
   std::array<QAction*, 5> planets{};  ///< 2 to 6 of the selected one
 

@@ -24,6 +24,7 @@
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/engagement_edits.h"
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
@@ -75,7 +76,7 @@ void MainWindow::makeMenus() {
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
   mechanism->addSeparator();
-  mechanism->addActions({a.flip, a.drive, a.attachGear, a.makeGround});
+  mechanism->addActions({a.flip, a.drive, a.hold, a.releaseAll, a.attachGear, a.makeGround});
   mechanism->addSeparator();
   mechanism->addAction(a.insertSet);
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
@@ -115,6 +116,8 @@ void MainWindow::wireActions() {
   });
   connect(a.flip, &QAction::triggered, this, [this] { drawing().flipSelected(); });
   connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });
+  connect(a.hold, &QAction::triggered, this, [this] { drawing().toggleBrake(); });
+  connect(a.releaseAll, &QAction::triggered, this, [this] { m_document->apply(releaseAllEdit()); });
   connect(a.tidy, &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a.makeGround, &QAction::triggered, m_commands, &EditCommands::makeGround);
   connect(a.insertSet, &QAction::triggered, this, &MainWindow::showInsertSet);
@@ -222,6 +225,11 @@ void MainWindow::renewActions() {
   WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));
   WindowActions::setAvailable(a.drive, joints + links > 0 && !onlyGround,
                               tr("Select a turning joint, or the link it carries."));
+  WindowActions::setAvailable(
+      a.hold, links == 1 && arrows == 0 && !onlyGround,
+      onlyGround ? tr("The ground does not move.") : tr("Select one link to hold it."));
+  WindowActions::setAvailable(a.releaseAll, !mechanism.engaged.empty(),
+                              tr("No brake and no clutch is engaged."));
   for (QAction* planets : a.planets)
     WindowActions::setAvailable(planets, links == 1 && !onlyGround, tr("Select one planet."));
   const bool oneLink = links == 1 && arrows == 0;

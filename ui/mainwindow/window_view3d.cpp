@@ -35,7 +35,7 @@ void MainWindow::wireView3DCommands() {
   connect(m_view3d, &View3D::menuOpening, this, [this](QMenu* menu, const std::optional<ElementId>& element) {
     if (!element) return;
     menu->addSeparator();
-    menu->addActions({m_actions->drive, m_actions->makeGround, m_actions->rename});
+    menu->addActions({m_actions->drive, m_actions->hold, m_actions->makeGround, m_actions->rename});
     menu->addAction(tr("Attached 3D files…"), this, [this, link = LinkId(element->id)] {
       (new ShapesDialog(m_document, link, this))->show();
     });

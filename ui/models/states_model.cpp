@@ -1,7 +1,9 @@
 #include "ui/models/states_model.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "core/mechanism/model/shift_edits.h"
 #include "ui/models/printed_number.h"
 
 namespace geargraph::inline models {
@@ -21,7 +23,10 @@ void StatesModel::setMechanism(const MechanismPtr& mechanism) {
   const bool same = m_mechanism && mechanism && m_mechanism->states == mechanism->states &&
                     m_mechanism->couplings == mechanism->couplings && m_mechanism->links == mechanism->links;
   if (same) {
+    const bool engages = m_mechanism->engaged != mechanism->engaged;
     m_mechanism = mechanism;
+    renewRows();
+    if (engages && couplingCount() > 0) emit headerDataChanged(Qt::Horizontal, 1, couplingCount());
     return;
   }
   beginResetModel();
@@ -34,6 +39,10 @@ void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
   const bool isFirstStep = snapshot && !snapshot->isComplete && !snapshot->states;
   if (isFirstStep && m_snapshot && m_snapshot->states) return;
   m_snapshot = snapshot;
+  renewRows();
+}
+
+void StatesModel::renewRows() {
   const std::vector<Row> before = std::exchange(m_rows, rowsNow());
   if (m_rows == before) return;
   for (int row = 0; row < rowCount(); ++row) tellChange(row, before[static_cast<std::size_t>(row)]);
@@ -57,11 +66,12 @@ void StatesModel::tellChange(int row, const Row& before) {
 
 std::vector<StatesModel::Row> StatesModel::rowsNow() const {
   std::vector<Row> rows(static_cast<std::size_t>(rowCount()));
+  const int running = m_mechanism ? engagedState(*m_mechanism) : -1;
   for (int row = 0; row < rowCount(); ++row) {
     Row& shown = rows[static_cast<std::size_t>(row)];
     for (std::size_t tail = 0; tail < shown.tails.size(); ++tail)
       shown.tails[tail] = tailText(row, static_cast<Tail>(tail));
-    shown.isRunning = runs(row);
+    shown.isRunning = row == running;
     const StateSolution* solution = solutionAt(row);
     shown.isRemark = solution == nullptr || !solution->ratio;
   }
@@ -87,20 +97,10 @@ const StateSolution* StatesModel::solutionAt(int row) const {
   return &(*m_snapshot->states)[static_cast<std::size_t>(row)];
 }
 
-bool StatesModel::runs(int row) const {
-  const StateSolution* state = solutionAt(row);
-  const bool isExact = m_snapshot && m_snapshot->solved && m_snapshot->solved->exact;
-  if (state == nullptr || !state->isSolved() || !isExact) return false;
-  const std::vector<Rational>& now = m_snapshot->solved->exact->rates;
-  std::optional<Rational> pace;  // the drive's speed
-  for (std::size_t joint = 0; joint < now.size(); ++joint) {
-    if (now[joint].isZero() != state->rates[joint].isZero()) return false;
-    if (now[joint].isZero()) continue;
-    const Rational here = now[joint] / state->rates[joint];
-    if (pace && *pace != here) return false;
-    pace = here;
-  }
-  return pace.has_value();
+bool StatesModel::isEngagedNow(int coupling) const {
+  const auto& engaged = m_mechanism->engaged;
+  const CouplingId id = m_mechanism->couplings[static_cast<std::size_t>(coupling)].id;
+  return std::find(engaged.begin(), engaged.end(), id) != engaged.end();
 }
 
 int StatesModel::rowCount(const QModelIndex& parent) const {
@@ -204,7 +204,8 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
     const Coupling& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
     const bool isBrake = coupling.kind == CouplingKind::brake;
     if (role == Qt::DisplayRole) return shown(coupling.id.text());
-    if (role == Qt::UserRole) {
+    if (role == EngagedRole) return isEngagedNow(position);
+    if (role == HoldsRole) {
       return isBrake ? tr("%1 = 0").arg(linkText(coupling.links.front()))
                      : tr("%1 = %2").arg(linkText(coupling.links.front()), linkText(coupling.links.back()));
     }

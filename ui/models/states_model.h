@@ -18,8 +18,9 @@ class StatesModel : public QAbstractTableModel {
  public:
   enum Role {
     EngagedRole = Qt::UserRole,  ///< bool: the column's coupling is engaged in the row's state
-    RunningRole,                 ///< bool: the inputs' speeds are those of the row's state
+    RunningRole,                 ///< bool: the row's state is engaged now
     RemarkRole,                  ///< bool: the text says why there is no ratio
+    HoldsRole,                   ///< text of a head: what its coupling holds, "2 = 0"
   };
   /// What stands behind the couplings.
   enum class Tail { links, ratio, decimal, step, count };
@@ -35,6 +36,7 @@ class StatesModel : public QAbstractTableModel {
   /// The coupling of a column, -1 where it is none.
   [[nodiscard]] int couplingAt(int column) const;
   [[nodiscard]] bool isTail(int column, Tail tail) const;
+  [[nodiscard]] bool isEngagedNow(int coupling) const;
   /// Null until the snapshot of these states is there.
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
   [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }
@@ -45,7 +47,7 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
   /// Emits renamed(); the document answers.
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
-  /// Of a coupling: its name, and in Qt::UserRole what it holds.
+  /// Of a coupling: its name, in EngagedRole whether it is engaged now, and in HoldsRole what it holds.
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                     int role = Qt::DisplayRole) const override;
 
@@ -64,7 +66,7 @@ class StatesModel : public QAbstractTableModel {
 
   [[nodiscard]] std::vector<Row> rowsNow() const;
   void tellChange(int row, const Row& before);
-  [[nodiscard]] bool runs(int row) const;
+  void renewRows();
   [[nodiscard]] QString textOf(int row, int column) const;
   [[nodiscard]] QString ratioText(int row) const;
   [[nodiscard]] QString tailText(int row, Tail tail) const;

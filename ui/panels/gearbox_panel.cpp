@@ -9,7 +9,9 @@
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/shift_edits.h"
+#include "core/theory/states/state_edits.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/engagement_edits.h"
 #include "ui/panels/states_table.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/empty_label.h"
@@ -28,6 +30,8 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
       m_clutch(makeButton("addClutch", tr("+ Clutch"),
                           tr("Make two links turn as one: the two selected, or choose"))),
       m_state(makeButton("addState", tr("+ State"), tr("A new row: what is engaged together"))),
+      m_release(makeButton("releaseAll", tr("Release all"),
+                           tr("Release every brake and clutch; the motion goes on (Ctrl+B)"))),
       m_pages(new QStackedWidget(this)),
       m_empty(emptyLabel(this)),
       m_remark(new QLabel(this)) {
@@ -46,6 +50,7 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
   buttons->setSpacing(2);
   for (QToolButton* button : {m_brake, m_clutch, m_state}) buttons->addWidget(button);
   buttons->addStretch(1);
+  buttons->addWidget(m_release);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 8);
   layout->setSpacing(2);
@@ -58,6 +63,7 @@ GearboxPanel::GearboxPanel(Document* document, Selection* selection, QWidget* pa
   connect(m_brake, &QToolButton::clicked, this, &GearboxPanel::addBrake);
   connect(m_clutch, &QToolButton::clicked, this, &GearboxPanel::addClutch);
   connect(m_state, &QToolButton::clicked, this, &GearboxPanel::addState);
+  connect(m_release, &QToolButton::clicked, this, &GearboxPanel::releaseAll);
   connect(document, &Document::changed, this, &GearboxPanel::renew);
   wireTable();
   renew();
@@ -85,14 +91,14 @@ void GearboxPanel::wireTable() {
   });
   StatesHeader& heads = m_table->heads();
   connect(&heads, &StatesHeader::customContextMenuRequested, this, &GearboxPanel::headMenu);
-  connect(&heads, &StatesHeader::sectionDoubleClicked, this, [this, &heads](int section) {
-    if (m_model->couplingAt(section) >= 0) heads.rename(section);
-  });
   connect(&heads, &StatesHeader::sectionPressed, this, [this](int section) {
     const int coupling = m_model->couplingAt(section);
     if (coupling < 0) return;
     const auto& links = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].links;
     m_selection->select({links.begin(), links.end()});
+  });
+  connect(&heads, &StatesHeader::sectionClicked, this, [this](int section) {
+    if (const int coupling = m_model->couplingAt(section); coupling >= 0) toggleCoupling(coupling);
   });
   connect(&heads, &StatesHeader::renamed, this, [this](int section, const QString& name) {
     const int coupling = m_model->couplingAt(section);
@@ -124,6 +130,8 @@ void GearboxPanel::renew() {
   m_brake->setEnabled(moves);
   m_clutch->setEnabled(mechanism->n() > 1);
   m_state->setEnabled(moves);
+  m_release->setVisible(!mechanism->couplings.empty());
+  m_release->setEnabled(!mechanism->engaged.empty());
   paintRemark();
 }
 
@@ -145,9 +153,10 @@ void GearboxPanel::paintRemark() {
     text = shownText(finding->message);
     role = finding->severity() == Severity::error ? ColorRole::error : ColorRole::warning;
   } else if (m_model->rowCount() > 0) {
-    text = tr("Click a state to run the train in it, a dot to engage or release.");
+    text = tr(
+        "Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.");
   } else if (m_model->couplingCount() > 0) {
-    text = tr("Add a state, then click its dots.");
+    text = tr("Click a letter to engage or release; add a state, then click its dots.");
   }
   m_remark->setText(text);
   m_remark->setVisible(!text.isEmpty());
@@ -218,37 +227,46 @@ void GearboxPanel::addState() {
   apply(tr("Add state"), [](const Mechanism& before) { return withState(before); });
 }
 
-void GearboxPanel::run(int state) {
+void GearboxPanel::engage(int state) {
   m_shownState = state;
   paintRemark();
-  const StateSolution* solution = m_model->solutionAt(state);
-  const SnapshotPtr& snapshot = m_model->snapshot();
-  if (solution == nullptr || !solution->isSolved() || snapshot->matroid() == nullptr) return;
-  std::vector<Input> inputs;
-  for (const int joint : snapshot->matroid()->choice.joints) {
-    const auto position = static_cast<std::size_t>(joint);
-    inputs.push_back(
-        {snapshot->mechanism->turningJoints[position].id, Number(solution->rates[position]), {}});
-  }
-  apply(tr("Run state %1").arg(m_model->index(state, 0).data().toString()),
-        [inputs](const Mechanism& before) { return withInputs(before, inputs); });
+  apply(tr("Engage state %1").arg(m_model->index(state, 0).data().toString()),
+        [state](const Mechanism& before) { return withStateEngaged(before, state); });
+}
+
+void GearboxPanel::toggleCoupling(int coupling) {
+  const CouplingId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
+  const bool engaged = !m_model->isEngagedNow(coupling);
+  apply((engaged ? tr("Engage %1") : tr("Release %1")).arg(shownText(id.text())),
+        [id, engaged](const Mechanism& before) { return withCouplingEngaged(before, id, engaged); });
+}
+
+void GearboxPanel::releaseAll() {
+  m_document->apply(releaseAllEdit());
+}
+
+/// What is engaged follows where it is the state that changes.
+void GearboxPanel::toggleDot(int state, int coupling, bool engaged) {
+  m_shownState = state;
+  const CouplingId id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id;
+  apply((engaged ? tr("Put %1 into the state") : tr("Take %1 out of the state")).arg(shownText(id.text())),
+        [=](const Mechanism& before) {
+          Expected<Mechanism> changed = withEngaged(before, state, id, engaged);
+          const bool isNow = engagedState(before) == state;
+          return changed && isNow ? withStateEngaged(*std::move(changed), state) : changed;
+        });
 }
 
 void GearboxPanel::onClick(const QModelIndex& index) {
   const int row = index.row();
   const int coupling = m_model->couplingAt(index.column());
   if (coupling >= 0) {
-    m_shownState = row;
-    apply(tr("Engage coupling"),
-          [row, id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id,
-           engaged = !index.data(StatesModel::EngagedRole).toBool()](const Mechanism& before) {
-            return withEngaged(before, row, id, engaged);
-          });
+    toggleDot(row, coupling, !index.data(StatesModel::EngagedRole).toBool());
   } else if (m_model->isTail(index.column(), StatesModel::Tail::links)) {
     const QRect cell = m_table->visualRect(index);
     chooseLinks(row, m_table->viewport()->mapToGlobal(cell.bottomLeft()));
   } else {
-    run(row);
+    engage(row);
   }
 }
 
@@ -279,7 +297,7 @@ void GearboxPanel::rowMenu(const QPoint& at) {
   if (!index.isValid()) return;
   const int row = index.row();
   QMenu menu(this);
-  menu.addAction(tr("Run"), this, [this, row] { run(row); });
+  menu.addAction(tr("Engage"), this, [this, row] { engage(row); });
   menu.addAction(tr("Rename"), this, [this, row] { m_table->edit(m_model->index(row, 0)); });
   menu.addSeparator();
   menu.addAction(tr("Delete"), this, [this, row] {
@@ -293,13 +311,16 @@ void GearboxPanel::headMenu(const QPoint& at) {
   const int coupling = m_model->couplingAt(section);
   if (coupling < 0) return;
   QMenu menu(this);
+  menu.addAction(m_model->isEngagedNow(coupling) ? tr("Release") : tr("Engage"), this,
+                 [this, coupling] { toggleCoupling(coupling); });
   menu.addAction(tr("Rename"), this, [this, section] { m_table->heads().rename(section); });
   menu.addSeparator();
   menu.addAction(tr("Delete"), this,
                  [this, id = m_document->mechanism()->couplings[static_cast<std::size_t>(coupling)].id] {
-                   apply(tr("Delete coupling"), [id](const Mechanism& before) {
+                   apply(tr("Delete coupling"), [id](const Mechanism& before) -> Expected<Mechanism> {
                      const std::vector<ElementId> gone{id};
-                     return withoutElements(before, gone);
+                     Expected<Mechanism> released = withCouplingEngaged(before, id, false);
+                     return released ? withoutElements(*std::move(released), gone) : released;
                    });
                  });
   menu.exec(m_table->heads().mapToGlobal(at));

@@ -15,9 +15,9 @@ namespace geargraph::inline panels {
 
 class StatesTable;
 
-/// Brakes, clutches and the shift table. A click on a dot engages or releases a coupling in a state; a click
-/// on a state gives the inputs its speeds, so that the 3D view and the results run in it. All of it is undone
-/// like any edit.
+/// Brakes, clutches and the shift table. A click on a dot puts a coupling into a state or takes it out; a
+/// click on a state engages it in the document, the letters above engage or release single couplings. All
+/// views are of the train as engaged, and all of it is undone like any edit.
 class GearboxPanel : public QWidget {
   Q_OBJECT
 
@@ -30,8 +30,10 @@ class GearboxPanel : public QWidget {
   [[nodiscard]] QString remark() const;
 
  public slots:
-  /// The inputs get the speeds that the state makes for its drive at 1 rad/s.
-  void run(int state);
+  /// Engages the state; its drive turns at 1 rad/s.
+  void engage(int state);
+  void toggleCoupling(int coupling);
+  void releaseAll();
   void addBrake();
   void addClutch();
   void addState();
@@ -45,6 +47,7 @@ class GearboxPanel : public QWidget {
   void apply(const QString& text, Reduce reduce);
   void renew();
   void paintRemark();
+  void toggleDot(int state, int coupling, bool engaged);
   void onClick(const QModelIndex& index);
   void chooseLinks(int state, const QPoint& at);
   void rowMenu(const QPoint& at);
@@ -61,6 +64,7 @@ class GearboxPanel : public QWidget {
   QToolButton* m_brake;
   QToolButton* m_clutch;
   QToolButton* m_state;
+  QToolButton* m_release;
   QStackedWidget* m_pages;
   QLabel* m_empty;
   QLabel* m_remark;

@@ -11,8 +11,10 @@
 #include <cmath>
 
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/theory/matroid/input_roles.h"
 #include "ui/models/term_tips.h"
+#include "ui/panels/engagement_edits.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/rate_label.h"
 #include "ui/panels/results_delegate.h"
@@ -57,12 +59,26 @@ InputsPanel::InputsPanel(Document* document, Selection* selection, QWidget* pare
   m_choose->setObjectName(QStringLiteral("chooseInputs"));
   m_choose->setProperty("look", "control");
   connect(m_choose, &QToolButton::clicked, this, [this] { drive(m_snapshot->matroid()->choice.joints); });
+  m_engaged = new QLabel(this);
+  m_engaged->setObjectName(QStringLiteral("engaged"));
+  m_engaged->setWordWrap(true);
+  m_release = new QToolButton(this);
+  m_release->setObjectName(QStringLiteral("releaseAll"));
+  m_release->setProperty("look", "control");
+  m_release->setText(tr("Release all"));
+  m_release->setToolTip(tr("Release every brake and clutch; the motion goes on (Ctrl+B)"));
+  connect(m_release, &QToolButton::clicked, this, [this] { m_document->apply(releaseAllEdit()); });
+  auto* engaged = new QHBoxLayout;
+  engaged->setContentsMargins(16, 8, 12, 0);
+  engaged->addWidget(m_engaged, 1);
+  engaged->addWidget(m_release, 0, Qt::AlignTop);
   m_grid->setContentsMargins(16, 8, 16, 4);
   m_grid->setHorizontalSpacing(10);
   m_grid->setVerticalSpacing(4);
   m_grid->setColumnStretch(2, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(engaged);
   layout->addLayout(m_grid);
   layout->addWidget(m_more, 0, Qt::AlignHCenter);
   layout->addWidget(m_empty);
@@ -102,6 +118,38 @@ void InputsPanel::renew() {
   m_more->setText(tr("Show more: %1 of %2 inputs are listed").arg(shown).arg(inputs.size()));
   m_more->setVisible(shown < inputs.size());
   m_empty->setVisible(inputs.empty());
+  renewEngaged();
+}
+
+/// "Engaged: state 1, with A (2 held), C (1 = 6)".
+void InputsPanel::renewEngaged() {
+  constexpr int kMostNames = 12;
+  const Mechanism& mechanism = *m_document->mechanism();
+  const bool any = !mechanism.engaged.empty();
+  m_engaged->setVisible(any);
+  m_release->setVisible(any);
+  if (!any) return;
+  const ElementIndex& index = m_document->elements();
+  const auto label = [&](LinkId link) { return shownText(index.labelOf(link).value()); };
+  QStringList names;
+  for (const CouplingId id : mechanism.engaged) {
+    const Coupling& coupling = *mechanism.find(id);
+    const QString holds =
+        coupling.kind == CouplingKind::brake
+            ? tr("link %1 held").arg(label(coupling.links.front()))
+            : tr("links %1 and %2 as one").arg(label(coupling.links.front()), label(coupling.links.back()));
+    names << tr("%1 (%2)").arg(shownText(id.text()), holds);
+    if (names.size() == kMostNames) {
+      names << QStringLiteral("…");
+      break;
+    }
+  }
+  const int state = engagedState(mechanism);
+  const QString list = names.join(QStringLiteral(", "));
+  m_engaged->setText(state < 0
+                         ? tr("Engaged: %1").arg(list)
+                         : tr("Engaged: state %1, with %2")
+                               .arg(shownText(mechanism.states[static_cast<std::size_t>(state)].name), list));
 }
 
 void InputsPanel::clearRows() {

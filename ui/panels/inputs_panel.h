@@ -55,9 +55,12 @@ class InputsPanel : public QWidget {
   void fillExchange(QMenu& menu, JointId input);
   void renewEmptyText();
   void renewChoice();
+  void renewEngaged();
 
   Document* m_document;
   Selection* m_selection;
+  QLabel* m_engaged;  ///< what is engaged
+  QToolButton* m_release;
   QGridLayout* m_grid;
   QLabel* m_empty;
   QToolButton* m_more;

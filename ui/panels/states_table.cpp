@@ -23,7 +23,11 @@ void paintDot(QPainter& painter, const QPointF& centre, bool engaged, Theme them
   }
 }
 
-/// A triangle before the name of the state that runs.
+int advanceOf(const QFont& font, const QString& text) {
+  return QFontMetrics(font).horizontalAdvance(text);
+}
+
+/// A triangle before the name of the state that is engaged.
 void paintRunning(QPainter& painter, const QPointF& at, Theme theme) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
@@ -99,14 +103,22 @@ void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
     QFont bold = font();
     bold.setBold(true);
     painter->setFont(bold);
-    painter->setPen(qColor(ColorRole::ink, theme));
+    const bool engaged = states->headerData(section, Qt::Horizontal, StatesModel::EngagedRole).toBool();
+    if (engaged) {
+      const int half = std::max(20, advanceOf(bold, text) + 12) / 2;
+      painter->setRenderHint(QPainter::Antialiasing);
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(qColor(ColorRole::ink, theme));
+      painter->drawRoundedRect(QRect(rect.center().x() - half, rect.top() + 4, 2 * half, 18), 9, 9);
+    }
+    painter->setPen(qColor(engaged ? ColorRole::sheet : ColorRole::ink, theme));
     painter->drawText(rect.adjusted(0, 4, 0, -20), Qt::AlignCenter, text);
     QFont small = font();
     small.setPixelSize(smallPixels() - 1);
     painter->setFont(small);
     painter->setPen(qColor(ColorRole::secondary, theme));
     painter->drawText(rect.adjusted(0, 21, 0, -3), Qt::AlignCenter,
-                      states->headerData(section, Qt::Horizontal, Qt::UserRole).toString());
+                      states->headerData(section, Qt::Horizontal, StatesModel::HoldsRole).toString());
   } else {
     painter->setPen(qColor(ColorRole::secondary, theme));
     const bool last = section == states->columnCount() - 1;
@@ -153,8 +165,8 @@ int StatesTable::widthOf(int column) const {
   constexpr int kRowsMeasured = 200;
   const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };
   if (m_model->couplingAt(column) >= 0) {
-    return std::max(
-        {36, 10 + advance(Face::bold, head(Qt::DisplayRole)), 8 + advance(Face::small, head(Qt::UserRole))});
+    return std::max({36, 10 + advance(Face::bold, head(Qt::DisplayRole)),
+                     8 + advance(Face::small, head(StatesModel::HoldsRole))});
   }
   const bool isBold = column == 0 || m_model->isTail(column, StatesModel::Tail::ratio);
   int width = advance(Face::plain, head(Qt::DisplayRole));

@@ -13,6 +13,8 @@ namespace geargraph::inline fixes {
 [[nodiscard]] std::vector<Fix> meshFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 /// invalid-inputs.
 [[nodiscard]] std::vector<Fix> inputFixes(const AnalysisSnapshot& snapshot);
+/// redundant-coupling, and locked by engaged couplings.
+[[nodiscard]] std::vector<Fix> couplingFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 /// assembly, undercut, locked, dead-joint.
 [[nodiscard]] std::vector<Fix> teethFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& snapshot);
 

@@ -23,9 +23,14 @@ std::vector<Fix> allFixes(const Diagnostic& diagnostic, const AnalysisSnapshot& 
       return meshFixes(diagnostic, snapshot);
     case Code::invalidInputs:
       return inputFixes(snapshot);
+    case Code::redundantCoupling:
+      return couplingFixes(diagnostic, snapshot);
+    case Code::locked:
+      if (snapshot.matroid() != nullptr && !snapshot.matroid()->independentHeld.empty())
+        return couplingFixes(diagnostic, snapshot);
+      [[fallthrough]];
     case Code::assembly:
     case Code::undercut:
-    case Code::locked:
     case Code::deadJoint:
       return teethFixes(diagnostic, snapshot);
     default:

@@ -238,7 +238,7 @@ class TestDigraphCommands : public QObject {
     d.document.apply({"", [](const Mechanism& m) { return withInputs(m, std::nullopt); }, 0});
     QCOMPARE(entries(*menuAt(d, d.middle(MeshId("17")))),
              (QStringList{"[Drive it (only turning joints can be driven)]", "Flip the arrow",
-                          "Make it internal", "Module pinned", "Delete"}));
+                          "Make it internal", "Pin the module", "Delete"}));
     const auto menu = menuAt(d, d.middle(JointId("12")));
     entry(*menu, "Drive it")->trigger();
     QVERIFY(isInput(d.mechanism(), JointId("12")));
@@ -255,16 +255,21 @@ class TestDigraphCommands : public QObject {
     QCOMPARE(d.mechanism().couplings.size(), std::size_t{1});
     QCOMPARE(d.mechanism().couplings[0].links, std::vector<LinkId>{LinkId("3")});
     QCOMPARE(d.mechanism().couplings[0].kind, CouplingKind::brake);
+    QCOMPARE(d.mechanism().engaged, std::vector{CouplingId("A")});  // it holds
     d.selection.select({LinkId("2"), LinkId("5")});
-    entry(*menuAt(d, d.center(5)), "Tie link 2 and link 5")->trigger();
+    entry(*menuAt(d, d.center(5)), "Connect link 2 and link 5")->trigger();
     QCOMPARE(d.mechanism().couplings[1].kind, CouplingKind::clutch);
     QCOMPARE(d.steps(), 2);
+    entry(*menuAt(d, d.center(3)), "Release brake A")->trigger();
+    QCOMPARE(d.mechanism().engaged, std::vector{CouplingId("B")});
+    QVERIFY(entry(*menuAt(d, d.center(3)), "Engage brake A")->isEnabled());
     d.selection.select({LinkId("2"), LinkId("5")});
     entry(*menuAt(d, d.center(5)), "Take clutch B off")->trigger();
+    QVERIFY(d.mechanism().engaged.empty());
     entry(*menuAt(d, d.center(3)), "Take brake A off")->trigger();
     QVERIFY(d.mechanism().couplings.empty());
     d.selection.select({LinkId("0"), LinkId("5")});
-    QVERIFY(!entry(*menuAt(d, d.center(5)), "Tie link 0")->isEnabled());
+    QVERIFY(!entry(*menuAt(d, d.center(5)), "Connect link 0")->isEnabled());
   }
 
   void menuPinsAxesTeethAndModules() {
@@ -276,9 +281,9 @@ class TestDigraphCommands : public QObject {
     QVERIFY(isPinned(*d.mechanism().find(AxisId("c"))));
     entry(*menuAt(d, d.middle(JointId("12"))), "Axis c pinned")->trigger();
     QVERIFY(!isPinned(*d.mechanism().find(AxisId("c"))));
-    entry(*menuAt(d, d.middle(MeshId("17"))), "Module pinned")->trigger();
+    entry(*menuAt(d, d.middle(MeshId("17"))), "Pin the module")->trigger();
     QVERIFY(isPinned(*d.mechanism().find(MeshId("17"))));
-    QVERIFY(entry(*menuAt(d, d.middle(MeshId("17"))), "Module pinned")->isChecked());
+    QVERIFY(entry(*menuAt(d, d.middle(MeshId("17"))), "Pin the module")->isChecked());
     QCOMPARE(d.steps(), 4);
   }
 

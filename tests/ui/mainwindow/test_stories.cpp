@@ -1,6 +1,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabBar>
@@ -271,10 +272,26 @@ class StoriesTest : public QObject {
     QTRY_VERIFY(window->isSettled());
     StatesModel& states = window->gearbox().model();
     QCOMPARE(states.rowCount(), 9);
-    window->gearbox().run(4);
+    window->gearbox().engage(4);
     QTRY_VERIFY(window->isSettled());
     QVERIFY(states.isRunning(4));
     QVERIFY(!states.isRunning(0));
+    QCOMPARE(now()->inputs->size(), std::size_t(1));  // nothing that is held is a motor
+    const auto chip = [&](const char* name) {
+      return window->findChild<QToolButton*>(QLatin1String(name))->text();
+    };
+    QCOMPARE(chip("chip.rank"), QStringLiteral("rank 8 + 3"));
+    QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 1 (engaged: B, C, D)"));
+    const auto* engaged = window->findChild<QLabel*>(QStringLiteral("engaged"));
+    QVERIFY(engaged->text().startsWith(QStringLiteral("Engaged: state 5, with B (link 3 held)")));
+    QTest::keyClick(window, Qt::Key_B, Qt::ControlModifier);
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(now()->engaged.empty());
+    QVERIFY(!states.isRunning(4));
+    QCOMPARE(chip("chip.dof"), QStringLiteral("DOF 4"));
+    window->actions().undo->trigger();
+    QTRY_VERIFY(window->isSettled());
+    QVERIFY(states.isRunning(4));
   }
 };
 

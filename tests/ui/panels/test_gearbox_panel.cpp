@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QHeaderView>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
@@ -111,17 +112,83 @@ class GearboxPanelTest : public QObject {
     QVERIFY(!ratios().contains(QStringLiteral("…")));
   }
 
-  void aClickOnAStateGivesTheInputsItsSpeeds() {
+  void aClickOnAStateEngagesIt() {
     click(0, panel->model().columnCount() - 2);
     QVERIFY(panel->model().isRunning(0));
     QVERIFY(!panel->model().isRunning(1));
     QCOMPARE(document->undoStack().count(), 1);
+    QCOMPARE(document->mechanism()->engaged, document->mechanism()->states[0].engaged);
     const SnapshotPtr snapshot = analyze(document->mechanism());
+    QCOMPARE(snapshot->matroid()->dof, 1);
     QCOMPARE(snapshot->solved->exact->rates[1], Rational(23, 108));
     click(8, 0);
     QVERIFY(panel->model().isRunning(8) && !panel->model().isRunning(0));
     document->undoStack().undo();
     settle();
+    QVERIFY(panel->model().isRunning(0));
+  }
+
+  /// Before, a state was a copy of speeds: it was over after the next change of teeth.
+  void anEditKeepsTheStateThatIsEngaged() {
+    click(0, 0);
+    const MeshId mesh("25");
+    const GearMesh& drawn = *document->mechanism()->find(mesh);
+    const int tail = drawn.tailTeeth, head = drawn.headTeeth + 2;
+    document->apply({"teeth", [=](const Mechanism& m) { return withTeeth(m, mesh, tail, head); }, 0});
+    settle();
+    QVERIFY(panel->model().isRunning(0));
+    const SnapshotPtr snapshot = analyze(document->mechanism());
+    const StateSolution& state = (*snapshot->states)[0];
+    QCOMPARE(snapshot->solved->exact->rates, state.rates);
+    QVERIFY(snapshot->solved->agreement->equal);
+  }
+
+  void oneClickReleasesEverything() {
+    auto* release = panel->findChild<QToolButton*>(QStringLiteral("releaseAll"));
+    QVERIFY(!release->isEnabled());
+    click(3, 0);
+    const SnapshotPtr engaged = analyze(document->mechanism());
+    QVERIFY(release->isEnabled());
+    press("releaseAll");
+    QVERIFY(document->mechanism()->engaged.empty());
+    QVERIFY(!panel->model().isRunning(3) && !release->isEnabled());
+    const SnapshotPtr released = analyze(document->mechanism());
+    QVERIFY(!hasErrors(released->diagnostics));
+    QCOMPARE(released->solved->exact->rates, engaged->solved->exact->rates);  // the motion goes on
+  }
+
+  void aLetterEngagesItsCouplingAlone() {
+    QHeaderView& heads = *table().horizontalHeader();
+    const auto press = [&](int section) {
+      const QPoint at(heads.sectionViewportPosition(section) + heads.sectionSize(section) / 2, 12);
+      QTest::mouseClick(heads.viewport(), Qt::LeftButton, Qt::NoModifier, at);
+      settle();
+    };
+    press(2);  // brake B
+    QCOMPARE(document->mechanism()->engaged, std::vector{CouplingId("B")});
+    QVERIFY(panel->model().headerData(2, Qt::Horizontal, StatesModel::EngagedRole).toBool());
+    QVERIFY(!panel->model().headerData(1, Qt::Horizontal, StatesModel::EngagedRole).toBool());
+    press(1);
+    QCOMPARE(document->mechanism()->engaged, (std::vector{CouplingId("A"), CouplingId("B")}));
+    press(2);
+    QCOMPARE(document->mechanism()->engaged, std::vector{CouplingId("A")});
+    QCOMPARE(document->undoStack().count(), 3);
+  }
+
+  void aStateThatCannotRunSaysWhy() {
+    click(0, 4);  // D, on top of A, B and C
+    click(0, 0);
+    QVERIFY(panel->remark().contains(QStringLiteral("locks its drive")));
+    QCOMPARE(analyze(document->mechanism())->matroid()->dof, 0);
+  }
+
+  void theEngagementFollowsTheDotsOfItsState() {
+    click(0, 0);
+    click(0, 4);
+    QCOMPARE(document->mechanism()->engaged.size(), std::size_t(4));
+    click(0, 4);
+    QCOMPARE(document->mechanism()->engaged, document->mechanism()->states[0].engaged);
+    click(5, 1);  // of another state
     QVERIFY(panel->model().isRunning(0));
   }
 

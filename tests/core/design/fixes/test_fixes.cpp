@@ -5,6 +5,7 @@
 #include "core/design/fixes/fixes.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/shift_edits.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/example_files.h"
 
@@ -235,6 +236,21 @@ class FixesTest : public QObject {
     QVERIFY(!offered(code).isEmpty());
     eachMends(code);
     QVERIFY(snapshot->matroid()->dof > 0);
+  }
+
+  /// What couplings lock, releasing one of them frees; what holds nothing is released.
+  void engagedCouplingsAreReleased() {
+    const Mechanism box = test::example("eight-speed-gearbox");
+    const std::vector<CouplingId> most{CouplingId("A"), CouplingId("B"), CouplingId("C"), CouplingId("D")};
+    provoke(*withEngagement(box, most));
+    QCOMPARE(offered(Code::locked).first(), QStringLiteral("Release brake A"));
+    eachMends(Code::locked);
+    QCOMPARE(snapshot->matroid()->dof, 1);
+    provoke(*withEngagement(*withBrake(*withEngagement(box, {}), LinkId("2"), "A2"),
+                            {CouplingId("A"), CouplingId("A2")}));
+    QCOMPARE(offered(Code::redundantCoupling), QStringList(QStringLiteral("Release brake A2")));
+    eachMends(Code::redundantCoupling);
+    QCOMPARE(snapshot->mechanism->engaged, std::vector{CouplingId("A")});
   }
 
   void ratiosRoundALoopAreMadeToAgree() {
