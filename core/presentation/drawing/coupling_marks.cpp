@@ -1,5 +1,6 @@
 #include "core/presentation/drawing/coupling_marks.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/presentation/drawing/arrow_marks.h"
@@ -132,6 +133,8 @@ std::vector<CouplingPlace> placedCouplings(const Mechanism& mechanism, const Dig
     place.coupling = coupling.id;
     place.kind = coupling.kind;
     place.name = elided(coupling.id.text(), kLongestName);
+    place.isEngaged =
+        std::find(mechanism.engaged.begin(), mechanism.engaged.end(), coupling.id) != mechanism.engaged.end();
     if (coupling.kind == CouplingKind::brake) {
       place = placedBrake(place, *centers[static_cast<std::size_t>(ends[0])], ends[0], taken);
     } else {
@@ -159,26 +162,30 @@ Extent couplingExtent(const CouplingPlace& place) {
 DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis) {
   DisplayList list;
   Pen pen(list, place.coupling);
-  const Tint tint = emphasis.selected ? ColorRole::accent : ColorRole::secondary;
+  const Tint tint = emphasis.selected ? ColorRole::accent
+                    : place.isEngaged ? ColorRole::ink
+                                      : ColorRole::secondary;
+  const double gap = place.isEngaged ? kPlateWidth : kPlateGap;  // the plates touch
   if (emphasis.any()) {
     pen.put(MarkRole::halo, kHaloDepth, Stroke{place.line, ColorRole::halo, 9, Dash::solid});
     pen.put(MarkRole::halo, kHaloDepth, Fill{Box{platesExtent(place).grown(4), 4}, ColorRole::halo});
   }
-  pen.put(MarkRole::line, kLineDepth, Stroke{place.line, tint, kLineWidth, Dash::dashed});
+  pen.put(MarkRole::line, kLineDepth,
+          Stroke{place.line, tint, kLineWidth, place.isEngaged ? Dash::solid : Dash::dashed});
   const SheetPoint across = kPlateHalf * turned(place.way);
-  // The dashed line does not run through between the plates.
-  pen.put(MarkRole::line, kLineDepth + 1,
-          Stroke{Polyline{
-                     {place.plates - (kPlateGap / 2) * place.way, place.plates + (kPlateGap / 2) * place.way},
-                     false},
-                 ColorRole::sheet, 4, Dash::solid});
+  if (!place.isEngaged) {  // the dashed line does not run through between the plates
+    const SheetPoint half = (kPlateGap / 2) * place.way;
+    pen.put(MarkRole::line, kLineDepth + 1,
+            Stroke{Polyline{{place.plates - half, place.plates + half}, false}, ColorRole::sheet, 4,
+                   Dash::solid});
+  }
   for (const double side : {-0.5, 0.5}) {
-    const SheetPoint middle = place.plates + side * kPlateGap * place.way;
+    const SheetPoint middle = place.plates + side * gap * place.way;
     pen.put(MarkRole::line, kLineDepth + 2,
             Stroke{Polyline{{middle - across, middle + across}, false}, tint, kPlateWidth, Dash::solid});
   }
   if (place.kind == CouplingKind::brake) {
-    const SheetPoint base = place.plates + (kPlateGap / 2) * place.way;
+    const SheetPoint base = place.plates + (gap / 2) * place.way;
     for (const double share : {-0.8, -0.25, 0.3, 0.85}) {
       const SheetPoint foot = base + share * across;
       pen.put(MarkRole::hatching, kLineDepth + 2,
@@ -186,7 +193,13 @@ DisplayList couplingDrawing(const CouplingPlace& place, const Emphasis& emphasis
                      Dash::solid});
     }
   }
-  pen.put(MarkRole::label, kLabelDepth, Text{place.name, place.labelCenter, kNameSizeOf, true, tint});
+  if (place.isEngaged) {
+    const Extent label = labelExtentOf(place);
+    pen.put(MarkRole::label, kLabelDepth, Fill{Box{label.grown(3), 7}, tint});
+  }
+  pen.put(MarkRole::label, kLabelDepth + (place.isEngaged ? 1 : 0),
+          Text{place.name, place.labelCenter, kNameSizeOf, true,
+               place.isEngaged ? Tint(ColorRole::sheet) : tint});
   list.outlines.push_back({place.coupling, kLineDepth, place.line, 5});
   list.outlines.push_back({place.coupling, kLabelDepth, Box{couplingExtent(place), 0}, 0});
   return list;

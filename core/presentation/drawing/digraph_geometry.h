@@ -66,11 +66,12 @@ struct EdgePlace {
 struct CouplingPlace {
   CouplingId coupling;
   CouplingKind kind = CouplingKind::brake;
-  std::string name;        ///< as shown
-  Curve line;              ///< brake: from the link's rim outward; clutch: from rim to rim
-  SheetPoint plates;       ///< between both plates
-  SheetPoint way;          ///< from the link's plate to the other one, a unit vector
-  SheetPoint labelCenter;  //
+  std::string name;   ///< as shown
+  Curve line;         ///< brake: from the link's rim outward; clutch: from rim to rim
+  SheetPoint plates;  ///< between both plates
+  SheetPoint way;     ///< from the link's plate to the other one, a unit vector
+  SheetPoint labelCenter;
+  bool isEngaged = false;  ///< drawn closed
   friend bool operator==(const CouplingPlace&, const CouplingPlace&) = default;
 };
 

@@ -52,6 +52,8 @@ class CouplingPlacer {
       links.push_back(static_cast<int>(found - all.begin()));
     }
     m_coupling = coupling.id;
+    const std::vector<CouplingId>& engaged = m_part.mechanism.engaged;
+    m_isEngaged = std::find(engaged.begin(), engaged.end(), coupling.id) != engaged.end();
     if (coupling.kind == CouplingKind::brake) {
       addBrake(links[0]);
     } else if (!addFacing(links[0], links[1])) {
@@ -119,6 +121,11 @@ class CouplingPlacer {
     stroke({middle - across, middle + across}, tint, kPlateWidth);
   }
   void anchor(const Plates& plates) {
+    if (m_isEngaged) {  // closed: nothing is left between the plates
+      m_section.marks.push_back({m_coupling, MarkRole::line, kDepth + 1,
+                                 Stroke{Polyline{{plates.at(-1), plates.at(kPlateGap + 1)}, false},
+                                        ColorRole::ink, 2 * kPlateHalf - 2, Dash::solid}});
+    }
     Section::Anchors anchors{m_coupling, {}};
     const SheetPoint middle = plates.at(kPlateGap / 2);
     const SheetPoint across = kPlateHalf * turned(plates.way);
@@ -231,6 +238,7 @@ class CouplingPlacer {
   ArmLanes m_lanes;
   ArmRouter m_router;
   ElementId m_coupling;
+  bool m_isEngaged = false;
 };
 
 }  // namespace
