@@ -190,7 +190,7 @@ class MainWindow : public QMainWindow {
   std::vector<DrawingView*> m_allDrawings;
   std::vector<QDockWidget*> m_docks;
   std::vector<QAction*> m_panelActions;  ///< of the docks
-  QByteArray m_layout;  ///< to be restored when the window is shown
+  QByteArray m_layout;                   ///< to be restored when the window is shown
   bool m_layoutApplied = false;
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
   bool m_isOpened = false;    ///< since the last complete snapshot

@@ -35,7 +35,8 @@ QString WindowExports::whyNoDerivation() const {
   if (m_workbench.document().mechanism()->n() == 0)
     return tr("There is nothing drawn to derive anything for.");
   if (m_workbench.document().mechanism()->n() <= kMostReportLinks) return {};
-  return tr("A derivation of more than %1 links is not written: it would be too long to read.").arg(kMostReportLinks);
+  return tr("A derivation of more than %1 links is not written: it would be too long to read.")
+      .arg(kMostReportLinks);
 }
 
 void WindowExports::chooseAndExportDerivation() {

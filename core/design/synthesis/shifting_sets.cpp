@@ -80,10 +80,10 @@ Expected<Mechanism> ravigneauxSet(const RavigneauxTeeth& teeth, int pairs) {
         "planet differ by more than short + long planet. What fits: sums that are nearer.");
   }
   if (teeth.largeSun - teeth.smallSun < 4) {
-    return refusal(
-        Code::teethGeometry,
-        "The long planets, which extend through both planes, interfere with the small sun. What fits: a large "
-        "sun with at least 4 teeth more than the small one.");
+    return refusal(Code::teethGeometry,
+                   "The long planets, which extend through both planes, interfere with the small sun. What "
+                   "fits: a large "
+                   "sun with at least 4 teeth more than the small one.");
   }
   if (!pairsClear(teeth, *places, pairs))
     return refusal(Code::teethGeometry,

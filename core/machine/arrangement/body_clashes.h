@@ -16,9 +16,9 @@ struct BodyClash {
 };
 
 /// Pairs of links whose planned bodies run into each other or into the gears of the other. On one axis, where
-/// levels and sleeves keep bodies apart, only shafts that run through wheels. In the reference pose, as hulls of discs
-/// (disc_hull.h); rings, drums and cups, which are hollow, are left out. Incomplete when `stop` was requested
-/// meanwhile. Cost: O(parts^2), most of them by their balls.
+/// levels and sleeves keep bodies apart, only shafts that run through wheels. In the reference pose, as hulls
+/// of discs (disc_hull.h); rings, drums and cups, which are hollow, are left out. Incomplete when `stop` was
+/// requested meanwhile. Cost: O(parts^2), most of them by their balls.
 [[nodiscard]] std::vector<BodyClash> bodyClashes(const Arrangement& plan, const GearTrain& train,
                                                  const std::stop_token& stop = {});
 

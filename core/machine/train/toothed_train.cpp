@@ -78,8 +78,7 @@ Diagnostics placeDiagnostics(const Mechanism& mechanism, const Placement& placem
     const TrainGear& other = train.gears[static_cast<std::size_t>(b)];
     const bool bevels = one.spec.kind == GearKind::bevel && other.spec.kind == GearKind::bevel;
     found.push_back(finding(Detail::wheelsOverlap,
-                            "Gears " + one.name + " and " + other.name +
-                                " overlap and do not mesh. " +
+                            "Gears " + one.name + " and " + other.name + " overlap and do not mesh. " +
                                 (bevels ? "Use smaller face widths, or leave them or a pitch point open."
                                         : "Move the pitch point of one along its axis, or leave it open."),
                             {mechanism.links[static_cast<std::size_t>(one.link)].id,

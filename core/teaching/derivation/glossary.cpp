@@ -53,8 +53,7 @@ const std::vector<Definition>& glossary() {
        "bearings as bars about them, gears as pitch lines, the frame hatched.",
        0},
       {Term::link, "", "Link", "A rigid body: a gear, a carrier arm, a shaft, or several of them in one.", 0},
-      {Term::ground, "0", "Ground",
-       "The fixed link. All others are connected to it by turning joints.", 0},
+      {Term::ground, "0", "Ground", "The fixed link. All others are connected to it by turning joints.", 0},
       {Term::turningJoint, "", "Turning joint",
        "Two links that turn relative to each other about an axis. Positive speed turns the head about the "
        "axis' direction relative to the tail.",

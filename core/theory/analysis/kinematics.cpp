@@ -22,8 +22,8 @@ class SymbolicPass {
     const ExactSolution& exact = *m_result.exact;
     const std::size_t entries = exact.inputs.size() * exact.outputs.size();
     if (entries > SolvedKinematics::kMostSymbolicEntries) {
-      m_result.diagnostics.push_back(skipped("The symbolic solution has " + std::to_string(entries) +
-                                             " entries; it was left out."));
+      m_result.diagnostics.push_back(
+          skipped("The symbolic solution has " + std::to_string(entries) + " entries; it was left out."));
       return true;
     }
     return byMatroid() && byTtGraph();

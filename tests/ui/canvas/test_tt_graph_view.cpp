@@ -153,7 +153,7 @@ class TestTtGraphView : public QObject {
     QVERIFY(d.view.notice().isEmpty());
     QVERIFY(d.document.apply(
         {"mesh", [](const Mechanism& m) { return withGearMesh(m, LinkId("4"), LinkId("3")); }, 0}));
-    QVERIFY2(d.view.notice().join(" ").contains("Mesh 19"), qPrintable(d.view.notice().join(" ")));
+    QVERIFY2(d.view.notice().join(" ").contains("mesh 19"), qPrintable(d.view.notice().join(" ")));
   }
 
   void whatIsMissingIsSaidAboveTheDrawing() {

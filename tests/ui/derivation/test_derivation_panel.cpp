@@ -213,7 +213,7 @@ class DerivationPanelTest : public QObject {
     showNow(snapshotOf(robot()));
     QCOMPARE(picture().pixelColor(1, 1), qColor(ColorRole::sheet, Theme::light));
     applyTheme(*qApp, Theme::dark);
-    QCOMPARE(picture().pixelColor(1, 1), qColor(ColorRole::sheet, Theme::dark));
+    QTRY_COMPARE(picture().pixelColor(1, 1), qColor(ColorRole::sheet, Theme::dark));
     applyTheme(*qApp, Theme::light);
   }
 

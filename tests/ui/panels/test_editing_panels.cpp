@@ -49,6 +49,7 @@ class EditingPanelsTest : public QObject, private EditingPanels {
     focus(numberOf("highLimit"));
     numberOf("highLimit")->selectAll();
     QTest::keyClick(numberOf("highLimit"), Qt::Key_Delete);
+    QTest::keyClick(numberOf("highLimit"), Qt::Key_Return);
     QCOMPARE(limits(), JointLimits());
   }
 
