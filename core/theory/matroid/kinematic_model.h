@@ -97,12 +97,7 @@ class KinematicModel {
     const MeshRow& row = meshRow(mesh);
     addMeshRow(rows, mesh, field, field.fromInteger(row.tailTeeth), field.fromInteger(row.headTeeth));
   }
-  /// Any equation, added likewise.
-  template <class Field>
-  void addEquation(SparseRows<typename Field::Value>& rows, int equation, const Field& field) const {
-    if (equation < c()) return addMeshRow(rows, equation, field);
-    addHeldRow(rows, heldRow(equation), field);
-  }
+  /// The row of an engaged coupling, added likewise.
   template <class Field>
   static void addHeldRow(SparseRows<typename Field::Value>& rows, const HeldRow& row, const Field& field) {
     for (const HeldRow::Term& term : row.links) rows.add(term.of - 1, field.fromInteger(term.factor));

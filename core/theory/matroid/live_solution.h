@@ -18,8 +18,13 @@ template <class Field>
     std::span<const int> inputs, std::pmr::memory_resource* memory = std::pmr::get_default_resource()) {
   SparseRows<typename Field::Value> rows(memory);
   rows.reserve(equations.size() + inputs.size(), 4 * equations.size() + 3 * inputs.size());
+  const int meshes = model.c();
   for (const int equation : equations) {
-    model.addEquation(rows, equation, field);
+    if (equation < meshes) {
+      model.addMeshRow(rows, equation, field);
+    } else {
+      KinematicModel::addHeldRow(rows, model.heldRow(equation), field);
+    }
     rows.endRow();
   }
   const auto minus = field.fromInteger(-1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <stop_token>
 #include <vector>
 
@@ -44,8 +45,13 @@ template <class Field>
                                                              int count) {
   SparseRows<typename Field::Value> rows;
   rows.reserve(static_cast<std::size_t>(count), 3 * static_cast<std::size_t>(count));
-  for (int equation = 0; equation < count; ++equation) {
-    model.addEquation(rows, equation, field);
+  const int meshes = std::min(model.c(), count);
+  for (int mesh = 0; mesh < meshes; ++mesh) {
+    model.addMeshRow(rows, mesh, field);
+    rows.endRow();
+  }
+  for (int equation = meshes; equation < count; ++equation) {
+    KinematicModel::addHeldRow(rows, model.heldRow(equation), field);
     rows.endRow();
   }
   return rows;
