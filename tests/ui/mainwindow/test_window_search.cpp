@@ -88,7 +88,7 @@ class WindowSearchTest : public QObject {
   void aPanelBehindAnotherComesToTheFront() {
     auto* panel = window->findChild<QDockWidget*>("dock.gearbox");
     QVERIFY(panel->visibleRegion().isEmpty());
-    ask("brake");
+    ask("shift");
     press(Qt::Key_Return);
     QTRY_VERIFY(!panel->visibleRegion().isEmpty());
     ask("gearbox");  // it stays
