@@ -18,6 +18,7 @@
 
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/loads_list.h"
+#include "ui/forces/sideways_scroll.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/application_theme.h"
@@ -80,9 +81,9 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, QWidget* pare
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(makeBar());
+  layout->addWidget(new SidewaysScroll(makeBar(), this));
   layout->addWidget(makeMiddle(), 1);
-  layout->addWidget(makeTotals());
+  layout->addWidget(new SidewaysScroll(makeTotals(), this));
   layout->addWidget(m_remark);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);

@@ -97,6 +97,12 @@ class ForcesPanelTest : public QObject {
     QCOMPARE(panel->total(QStringLiteral("circulating")), QStringLiteral("none"));
   }
 
+  void itDoesNotKeepTheWindowWide() {
+    open(set());
+    QVERIFY2(panel->minimumSizeHint().width() < 480,
+             qPrintable(QString::number(panel->minimumSizeHint().width())));
+  }
+
   void everyTableIsShownAndExplained() {
     open(set());
     QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
