@@ -22,6 +22,16 @@ Vector3 towardsSmaller(const Placement& placement, const MeshGeometry& mesh) {
   return dot(across, towards) < 0 ? -1.0 * across : across;
 }
 
+/// Without the components that are no more than the rounding of the sums they come from: -2e-15 N m beside 5.
+Vector3 withoutRounding(Vector3 vector) {
+  constexpr double kRounding = 1e-13;
+  const double noise = kRounding * length(vector);
+  for (double& component : vector) {
+    if (std::abs(component) <= noise) component = 0;
+  }
+  return vector;
+}
+
 /// Sums the wrenches on links, moments about a point near the train.
 class LinkWrenches {
  public:
@@ -144,8 +154,8 @@ class ForceSum {
       bearing.point = axis.point + offset * axis.direction;
       // On the child it is opposite to all that acts beyond; on the head, if that is the parent, the same.
       const double sign = tree.directionToGround(joint) > 0 ? 1 : -1;
-      bearing.force = sign * m_wrenches.force(*link);
-      bearing.moment = sign * m_wrenches.momentAbout(*link, bearing.point);
+      bearing.force = withoutRounding(sign * m_wrenches.force(*link));
+      bearing.moment = withoutRounding(sign * m_wrenches.momentAbout(*link, bearing.point));
       bearing.isDetermined = m_keys[static_cast<std::size_t>(*link)] == 0;
       const int parent = tree.parent(*link);
       m_wrenches.pass(*link, parent);
