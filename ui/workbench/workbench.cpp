@@ -28,6 +28,11 @@ Workbench::Workbench(QObject* parent)
   });
 }
 
+/// The analysis calls the stages from its own thread, through this object: it ends while both are whole.
+Workbench::~Workbench() {
+  delete m_analysis;
+}
+
 void Workbench::request() {
   m_stages->setFolder(folderOf(*m_document));
   m_analysis->request({m_document->geometry(), m_document->mechanicsRevision()});

@@ -16,6 +16,7 @@ class Workbench final : public QObject {
 
  public:
   explicit Workbench(QObject* parent = nullptr);
+  ~Workbench() override;
 
   [[nodiscard]] Document& document() { return *m_document; }
   [[nodiscard]] Selection& selection() { return *m_selection; }
@@ -32,7 +33,7 @@ class Workbench final : public QObject {
   Document* m_document;
   Selection* m_selection;
   AnalysisService* m_analysis;
-  StageService* m_stages;  ///< after the analysis, which calls it: children are deleted in this order
+  StageService* m_stages;
   MotionCheckService* m_motionCheck;
 };
 

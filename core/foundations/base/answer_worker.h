@@ -103,8 +103,8 @@ class AnswerWorker {
   /// being delivered.
   void cancel() {
     const std::lock_guard lock(m_asking);
+    m_cancelled = m_newest;  // first: work that sees the stop may answer at once
     m_worker.cancel();
-    m_cancelled = m_newest;
   }
 
   /// The last reply to a request, as soon as it has been delivered; none if that takes longer than `most`.
