@@ -35,10 +35,15 @@ class TeethFitter {
       settle(axisPairOf(geometry(m_change.mesh)), m_change.mesh);
     while (m_refusals.empty()) {
       const auto next = nextPair();
-      if (!next) return std::move(m_fit);
+      if (!next) break;
       settle(next->first, next->second);
     }
-    return std::move(m_refusals);
+    // Also of meshes that no pair was settled by: their gears may have been given equal teeth.
+    for (int mesh = 0; m_refusals.empty() && mesh < m_mechanism.c(); ++mesh) {
+      if (newReach(mesh) == 0) refuseEqual(mesh);
+    }
+    if (!m_refusals.empty()) return std::move(m_refusals);
+    return std::move(m_fit);
   }
 
  private:
@@ -106,8 +111,7 @@ class TeethFitter {
   }
 
   void settle(const AxisPair& pair, int base) {
-    if (newReach(base) == 0)
-      return refuse(base, "an internal pair needs different tooth counts, the ring the larger one.");
+    if (newReach(base) == 0) return refuseEqual(base);
     const bool stays = areBothPinned(pair);
     for (const int mesh : m_pairs.at(pair)) {
       if (mesh != base && !stays) bend(base, mesh);
@@ -200,6 +204,10 @@ class TeethFitter {
 
   void refusePinned(int mesh) {
     if (m_refusals.empty()) m_refusals.push_back(pinRefusal(m_mechanism, m_placement, mesh));
+  }
+
+  void refuseEqual(int mesh) {
+    refuse(mesh, "an internal pair needs different tooth counts, the ring the larger one.");
   }
 
   void refuse(int mesh, const std::string& why) {

@@ -10,6 +10,7 @@
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/mechanism/fitting/fitted_trains.h"
+#include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
 using namespace geargraph::test;
@@ -44,6 +45,21 @@ class TestFitting : public QObject {
       QCOMPARE(mesh(after, 2 * planet + 1).headTeeth, 64);
     }
     QVERIFY(misfit(after) < 1e-9);
+  }
+
+  /// The ring cannot follow by whole teeth, and would get as many as the planet.
+  void anInternalPairIsNotGivenEqualTeeth() {
+    TrainSketch sketch(3);
+    sketch.axis("a", {"0", "0", "0"}).axis("b", {"41", "0", "0"});
+    sketch.joint(0, 1, "a").joint(0, 2, "a").joint(2, 3, "b");
+    sketch.mesh(1, 3, 20, 21, MeshKind::external, {"20", "0", "0"});
+    sketch.mesh(3, 0, 21, 60, MeshKind::internal, {"820/13", "0", "0"});
+    const Mechanism before = sketch.build();
+    const auto after = withTeethFitted(before, mesh(before, 0).id, 20, 60);
+    QVERIFY(!after.has_value());
+    QCOMPARE(after.error().front().code, Code::teethGeometry);
+    QVERIFY(after.error().front().message.find("different tooth counts") != std::string::npos);
+    QVERIFY(withTeethFitted(before, mesh(before, 0).id, 20, 40).has_value());
   }
 
   void anAxisMayBeMovedOntoAnother() {
