@@ -16,7 +16,8 @@ constexpr double kSeenAtFirst = 40;  // s: of a long period all would be a wall 
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNearest = 1e-4;  // of the whole time: no nearer
 constexpr int kDragBegins = 4;
-constexpr double kUnseen = 0.2;   // px, that a curve may be off
+constexpr double kUnseen = 0.2;  // px, that a curve may be off
+constexpr std::size_t kMostFineCurves = 40;
 constexpr double kMargin = 0.08;  // of the values, above and below
 
 QString text(double value, int digits = 5) {
@@ -80,6 +81,7 @@ void MotionPlot::setSheet(const CurveSheet& sheet) {
   const bool sameTimes =
       !m_sheet.times.empty() && !sheet.times.empty() && m_sheet.times.back() == sheet.times.back();
   m_sheet = sheet;
+  ++m_sheetNumber;
   if (!sameTimes) m_times = {0, sheet.times.empty() ? 1 : std::min(sheet.times.back(), kSeenAtFirst)};
   fitValues();
   update();
@@ -143,10 +145,27 @@ void MotionPlot::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (m_sheet.times.size() < 2) return;
-  paintAxes(painter);
-  paintCurves(painter);
+  renewPainted();
+  painter.drawPixmap(0, 0, m_painted.picture);
   paintMoments(painter);
   paintLegend(painter);
+}
+
+/// Axes and curves are kept as a picture: while the motion plays only the moment moves over them.
+void MotionPlot::renewPainted() {
+  Painted wanted{
+      {},    m_sheetNumber, m_times, m_values, size(), devicePixelRatioF(), palette().color(QPalette::Base),
+      font()};
+  if (!m_painted.picture.isNull() && m_painted.looksLike(wanted)) return;
+  m_painted = std::move(wanted);
+  m_painted.picture = QPixmap((QSizeF(size()) * m_painted.ratio).toSize());
+  m_painted.picture.setDevicePixelRatio(m_painted.ratio);
+  m_painted.picture.fill(m_painted.ground);
+  QPainter painter(&m_painted.picture);
+  painter.setFont(font());
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintAxes(painter);
+  paintCurves(painter);
 }
 
 void MotionPlot::paintAxes(QPainter& painter) const {
@@ -180,12 +199,16 @@ void MotionPlot::paintAxes(QPainter& painter) const {
 void MotionPlot::paintCurves(QPainter& painter) const {
   painter.save();
   painter.setClipRect(area());
+  // Many curves hide each other's style, and wide lines with gaps take a hundred times as long.
+  const bool isFine = m_sheet.curves.size() <= kMostFineCurves;
+  painter.setRenderHint(QPainter::Antialiasing, isFine);
   int coordinate = 0;
   for (const MotionCurve& curve : m_sheet.curves) {
     coordinate = curve.isComponent ? coordinate + 1 : 0;
     QPen pen(inkOf(curve), curve.isComponent ? 1.2 : 2.0);
     constexpr Qt::PenStyle kStyles[] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
-    pen.setStyle(kStyles[coordinate % 4]);
+    if (isFine) pen.setStyle(kStyles[coordinate % 4]);
+    if (!isFine) pen.setWidth(1);
     painter.setPen(pen);
     std::vector<QPointF> points;
     for (std::size_t i = 0; i < curve.values.size(); ++i)

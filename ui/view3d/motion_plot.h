@@ -1,5 +1,8 @@
 #pragma once
 
+#include <QColor>
+#include <QFont>
+#include <QPixmap>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -38,9 +41,12 @@ class MotionPlot : public QWidget {
     double low = 0;
     double high = 1;
     [[nodiscard]] double size() const { return high - low; }
+    friend bool operator==(const Range&, const Range&) = default;
   };
   [[nodiscard]] const Range& times() const { return m_times; }
   [[nodiscard]] const Range& values() const { return m_values; }
+  /// Of the picture that axes and curves are kept as: another one where they have been painted anew.
+  [[nodiscard]] qint64 pictureKey() const { return m_painted.picture.cacheKey(); }
   [[nodiscard]] double timeAt(double x) const;
   [[nodiscard]] QRectF area() const;  ///< of the curves
 
@@ -67,7 +73,25 @@ class MotionPlot : public QWidget {
   void paintLegend(QPainter& painter) const;
   void paintMoments(QPainter& painter) const;
 
+  /// The picture of axes and curves, and all that it depends on.
+  struct Painted {
+    QPixmap picture;
+    quint64 sheet = 0;
+    Range times, values;
+    QSize size;
+    qreal ratio = 1;
+    QColor ground;
+    QFont font;
+    [[nodiscard]] bool looksLike(const Painted& other) const {
+      return sheet == other.sheet && times == other.times && values == other.values && size == other.size &&
+             ratio == other.ratio && ground == other.ground && font == other.font;
+    }
+  };
+  void renewPainted();
+
   CurveSheet m_sheet;
+  quint64 m_sheetNumber = 0;  ///< one more with every sheet
+  Painted m_painted;
   Range m_times;
   Range m_values;
   double m_time = 0;

@@ -78,6 +78,25 @@ class MotionPlotTest : public QObject {
     QCOMPARE(plot.times().high, 10.0);  // never farther than all
   }
 
+  void whilePlayingOnlyTheMomentIsPainted() {
+    MotionPlot plot;
+    plot.resize(600, 200);
+    plot.setSheet(sineSheet());
+    const QImage before = plot.grab().toImage();
+    const qint64 kept = plot.pictureKey();
+    plot.setTime(4);
+    const QImage after = plot.grab().toImage();
+    QCOMPARE(plot.pictureKey(), kept);
+    QVERIFY(before != after);  // the moment has moved
+    wheel(plot, plot.area().center(), 240);
+    (void)plot.grab();
+    QVERIFY(plot.pictureKey() != kept);
+    const qint64 zoomed = plot.pictureKey();
+    plot.setSheet(sineSheet());
+    (void)plot.grab();
+    QVERIFY(plot.pictureKey() != zoomed);
+  }
+
   void aClickGoesToItsTime() {
     MotionPlot plot;
     plot.resize(600, 200);
