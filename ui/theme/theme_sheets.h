@@ -11,10 +11,9 @@ class QWidget;
 namespace geargraph::inline theme {
 
 /// Gives the style sheet of the program to the parts of its windows: each dock, bar, dialog and menu has its
-/// own, not the application one for all. A change of the theme can so go through them one after the other, a
-/// part in a turn of the event loop: one sheet for all takes 100 to 300 ms at once in a window of 600
-/// widgets, a part at most
-/// 10. The windows repaint when all have it. A hidden part gets the new sheet when it is shown.
+/// own, and the application has none. A change of the theme then takes one part in each turn of the event
+/// loop, at most 10 ms; one sheet for the application takes 100 to 300 ms at once in a window of 600 widgets.
+/// The windows repaint when all parts have the new sheet; a hidden part gets it when it is shown.
 class ThemeSheets : public QObject {
   Q_OBJECT
 

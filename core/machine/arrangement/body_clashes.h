@@ -8,7 +8,7 @@
 
 namespace geargraph::inline arrangement {
 
-/// Two links whose bodies are in each other's way.
+/// Two links whose bodies collide.
 struct BodyClash {
   int one = 0;  ///< the smaller
   int other = 0;

@@ -21,9 +21,9 @@ struct DrawnTrain {
   Arrangement arrangement;  ///< axes with their bearings, arms, shafts, cups, walls, pins and tees
 };
 
-/// Of a document whose turning joints are no spanning tree it is the train of the part alone. Nothing where
-/// the part has no tree, or `stop` was requested meanwhile. Cost: DerivedGeometry::arrangement(),
-/// O(everything).
+/// The part's share of the document's train; where the document's turning joints are no spanning tree, the
+/// train of the part alone. std::nullopt if the part has no tree, or if cancelled. Cost:
+/// DerivedGeometry::arrangement(), and linear in the train.
 /// @pre the part is the document's
 [[nodiscard]] std::optional<DrawnTrain> drawnTrain(const DrawnPart& part, const DerivedGeometry& document,
                                                    const std::stop_token& stop = {});

@@ -40,7 +40,7 @@ double ShaftPlanner::laneHeight(int a, int link, double place) const {
   return shaft == kNoShaft ? 0 : m_depths[shaft] * kLaneHeight;
 }
 
-/// Of the rim of the link's ring at this coordinate, if the radius is that of its body.
+/// The height of the rim of the link's ring at this coordinate, if the radius is that of its body.
 std::optional<double> ShaftPlanner::rimHeight(int a, int link, double coordinate, double radius) const {
   for (std::size_t w = 0; w < m_layout.wheels.size(); ++w) {
     const SheetWheel& wheel = m_layout.wheels[w];
@@ -55,8 +55,8 @@ std::optional<double> ShaftPlanner::rimHeight(int a, int link, double coordinate
   return std::nullopt;
 }
 
-/// Of a level wall: to scale, but clear of what lies within it in the machine. `number`: of the wall in the
-/// arrangement; those of smaller radius have their heights.
+/// The height of a level wall: to scale, but clear of what it encloses in the machine. `number`: its position
+/// in the arrangement. @pre walls of smaller radius have their heights
 double ShaftPlanner::levelHeight(const WallPlan& wall, std::size_t number) const {
   for (const double end : {wall.fromAt, wall.toAt}) {
     if (const auto rim = rimHeight(wall.axisClass, wall.link, end, wall.fromRadius)) return *rim;
@@ -104,7 +104,7 @@ void ShaftPlanner::layWalls() {
   }
 }
 
-/// Of an end of an upright wall: that of the level wall, the ring or the pin that it joins there.
+/// The height of an end of an upright wall: that of the level wall, the ring or the pin that it joins there.
 double ShaftPlanner::heightOf(const WallPlan& wall, double coordinate, double radius) const {
   const double same = 1e-6 * line(wall.axisClass).module;
   const std::vector<WallPlan>& walls = m_train.arrangement.walls;

@@ -111,8 +111,8 @@ FormulaNode partOf(const FormulaNode& table, std::size_t begin, std::size_t end)
   return part;
 }
 
-/// What a matrix is certainly wider than, where it becomes parts of so many columns each: its widest part
-/// without brackets and without the room between columns. Much cheaper than setting the parts.
+/// A lower bound of the width of a matrix broken into parts of `each` columns: its widest part without
+/// brackets and without the gaps between columns. Much cheaper than setting the parts.
 double leastWidth(const std::vector<double>& columns, std::size_t each) {
   double widest = 0;
   for (std::size_t begin = 1; begin < columns.size(); begin += each) {
