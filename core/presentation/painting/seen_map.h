@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/foundations/base/contract.h"
+
 #include "core/presentation/painting/camera.h"
 
 namespace geargraph::inline painting {
@@ -16,7 +18,12 @@ struct SeenMap {
   std::vector<float> depths;           ///< by cell: of the depth buffer, 0..1
   Eigen::Matrix4d toWorld = Eigen::Matrix4d::Identity();  ///< from the cube of -1..1 that the picture shows
 
+  [[nodiscard]] bool has(int column, int row) const {
+    return column >= 0 && row >= 0 && column < columns && row < rows;
+  }
+  /// The position of a cell in both lists. @pre has(column, row)
   [[nodiscard]] std::size_t at(int column, int row) const {
+    GEARGRAPH_REQUIRE(has(column, row));
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);
   }

@@ -42,8 +42,7 @@ class LabelMap {
 
   [[nodiscard]] const SeenMap& map() const { return m_map; }
   [[nodiscard]] int owner(int column, int row) const {
-    const bool inside = column >= 0 && row >= 0 && column < m_map.columns && row < m_map.rows;
-    return inside ? m_owners[m_map.at(column, row)] : kNobody;
+    return m_map.has(column, row) ? m_owners[m_map.at(column, row)] : kNobody;
   }
   /// Logical pixels from the middle of the cell to the border of its part, about.
   [[nodiscard]] double room(int column, int row) const {
@@ -63,8 +62,10 @@ class LabelMap {
       const int own = owner(column, row);
       int nearest = m_map.columns + m_map.rows;
       for (const auto& [right, down] : {std::pair(side, 0), std::pair(0, side)}) {
-        const bool same = owner(column + right, row + down) == own;
-        nearest = std::min(nearest, same ? m_rooms[m_map.at(column + right, row + down)] : 0);
+        const int x = column + right;
+        const int y = row + down;
+        const bool same = m_map.has(x, y) && m_owners[m_map.at(x, y)] == own;
+        nearest = std::min(nearest, same ? m_rooms[m_map.at(x, y)] : 0);
       }
       return nearest + 1;
     };

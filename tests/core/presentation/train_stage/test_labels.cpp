@@ -38,6 +38,11 @@ class Shown {
     m_map = m_host->seen(m_seen.frame(kSize, 1), cells.width, cells.height);
     return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, &m_map});
   }
+  /// With the same picture, every cell of which shows the instance of this number.
+  std::vector<LabelPlate> labelsWithAllCellsOf(std::uint32_t number) {
+    std::fill(m_map.numbers.begin(), m_map.numbers.end(), number);
+    return places.find({*m_stage, m_seen.poses(), m_seen.showing(), view.camera, kSize, 1, &m_map});
+  }
   void fit(double yaw, double pitch) {
     m_seen.show(view);
     view.camera = Camera::from(yaw, pitch).fitted(m_seen.corners(), kSize);
@@ -111,6 +116,14 @@ class TestLabels : public QObject {
       }
     }
     QVERIFY(plated > 0);
+  }
+
+  // Parts without a label up to the border of the picture: the room of a cell is measured within the map.
+  void aMapFullOfPartsWithoutALabelHasNoPlates() {
+    Shown shown(test::toyStage());
+    shown.fit(0.7, 0.5);
+    QVERIFY(!shown.labels().empty());
+    QVERIFY(shown.labelsWithAllCellsOf(1'000'000).empty());
   }
 
   void theMapShowsWhatPicksFind() {
