@@ -101,6 +101,8 @@ FormulaNode partOf(const FormulaNode& table, std::size_t begin, std::size_t end)
   };
   columns(table.alignment, part.alignment);
   columns(table.bars, part.bars);
+  part.bars.resize(std::max<std::size_t>(part.bars.size(), 2),
+                   0);  // rows may have more columns than were stated
   part.bars[1] = 1;
   for (const auto& row : table.cells) {
     part.cells.emplace_back();
