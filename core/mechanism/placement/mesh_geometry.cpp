@@ -206,6 +206,9 @@ bool checkGeometry(const Mechanism& mechanism, int mesh, const GearPair<double>&
     return refuse(wrongKind(mechanism, mesh, *said, position));
   }
   if (said && *said != geometry.kind) return refuse(wrongSign(mechanism, mesh, pair, position, geometry));
+  // Radii of nearly coincident axes fit equal teeth, but no such gears lie in each other.
+  if (geometry.kind == MeshKind::internal && pair.tailTeeth == pair.headTeeth)
+    return refuse(equalInternalTeeth(mechanism, mesh));
   const double a = tailLength * pair.headTeeth;
   const double b = headLength * pair.tailTeeth;
   if (std::abs(a - b) <= kGeometryFits * std::max(a, b)) return true;

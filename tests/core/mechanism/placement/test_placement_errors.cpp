@@ -98,6 +98,11 @@ class TestPlacementErrors : public QObject {
   }
 
   void anInternalPairOfEqualTeethIsRefused() {
+    Mechanism near = pair(MeshKind::internal, {});
+    near.axes[1].point = NumberTriple{*Number::fromText("1e-3"), 0, 0};
+    near.gearMeshes[0].headTeeth = 20;
+    near.gearMeshes[0].pitchPoint = NumberTriple{100, 0, 0};
+    QCOMPARE(only(near).detail, Detail::equalInternalTeeth);
     Mechanism equal = pair(MeshKind::internal, {});
     equal.gearMeshes[0].headTeeth = 20;
     QCOMPARE(only(equal).code, Code::teethGeometry);
