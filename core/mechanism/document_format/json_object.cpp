@@ -143,14 +143,16 @@ std::optional<Number> JsonObject::number(std::string_view name) {
   return value ? numberOf(*value, pointerTo(name)) : std::nullopt;
 }
 
-std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
+template <std::size_t count>
+std::optional<std::array<Number, count>> JsonObject::numbers(std::string_view name,
+                                                             std::string_view expected) {
   const auto value = member(name);
   if (!value) return std::nullopt;
-  if (!value->is(JsonKind::array) || value->size() != 3) {
-    wrong(name, *value, "a list of three numbers");
+  if (!value->is(JsonKind::array) || value->size() != count) {
+    wrong(name, *value, expected);
     return std::nullopt;
   }
-  NumberTriple result;
+  std::array<Number, count> result;
   bool complete = true;
   value->forEachElement([&](JsonValue element, std::size_t position) {
     const auto number = numberOf(element, pointerTo(name) + pointerStep(position));
@@ -159,6 +161,14 @@ std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
   });
   if (!complete) return std::nullopt;
   return result;
+}
+
+std::optional<NumberTriple> JsonObject::triple(std::string_view name) {
+  return numbers<3>(name, "a list of three numbers");
+}
+
+std::optional<InertiaNumbers> JsonObject::inertia(std::string_view name) {
+  return numbers<6>(name, "a list of six numbers, xx, yy, zz, xy, xz, yz");
 }
 
 std::optional<bool> JsonObject::flag(std::string_view name) {

@@ -39,6 +39,7 @@ class JsonObject {
   [[nodiscard]] std::optional<std::string> shortText(std::string_view name);
   [[nodiscard]] std::optional<Number> number(std::string_view name);
   [[nodiscard]] std::optional<NumberTriple> triple(std::string_view name);
+  [[nodiscard]] std::optional<InertiaNumbers> inertia(std::string_view name);
   [[nodiscard]] std::optional<bool> flag(std::string_view name);
   /// The ends of a range: a list of two, each a number or null.
   using Ends = std::array<std::optional<Number>, 2>;
@@ -53,6 +54,9 @@ class JsonObject {
 
  private:
   [[nodiscard]] std::optional<Atom> idOf(JsonValue value, const std::string& pointer);
+  template <std::size_t count>
+  [[nodiscard]] std::optional<std::array<Number, count>> numbers(std::string_view name,
+                                                                 std::string_view expected);
   [[nodiscard]] std::optional<Number> numberOf(JsonValue value, const std::string& pointer);
   void wrongAt(const std::string& pointer, JsonValue found, std::string_view expected);
   [[nodiscard]] std::string pointerTo(std::string_view name) const { return m_pointer + pointerStep(name); }

@@ -111,6 +111,8 @@ class MechanismReader {
     readInputs(root);
     readShifting(root);
     readLoads(root);
+    m_mechanism.density = root.number("density");
+    m_mechanism.gravity = root.triple("gravity");
     if (const auto view = root.member("view")) m_mechanism.view = readView(m_findings, *view);
   }
 
@@ -141,11 +143,23 @@ class MechanismReader {
   void readLink(JsonObject& from, Link& link) {
     link.name = from.shortText("name").value_or("");
     link.pinned = from.flag("pinned").value_or(false);
+    readMass(from, link);
     const auto shapes = from.member("shapes");
     const std::string pointer = from.pointer() + "/shapes";
     if (!shapes || m_findings.covers(pointer)) return;
     if (!shapes->is(JsonKind::array)) return from.wrong("shapes", *shapes, "a list of 3D files");
     link.shapes = readShapes(m_findings, *shapes, pointer, link.id);
+  }
+
+  static void readMass(JsonObject& from, Link& link) {
+    const auto mass = from.number("mass");
+    const auto center = from.triple("centerOfMass");
+    const auto inertia = from.inertia("inertia");
+    if (mass) link.mass = LinkMass{*mass, center, inertia};
+    if (from.member("mass")) return;
+    for (const char* const name : {"centerOfMass", "inertia"}) {
+      if (const auto value = from.member(name)) from.wrong(name, *value, "a \"mass\" beside it");
+    }
   }
 
   void readGears(JsonObject& root) {

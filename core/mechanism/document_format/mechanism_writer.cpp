@@ -33,6 +33,8 @@ class MechanismWriter {
     if (!mechanism.engaged.empty()) ids("engaged", mechanism.engaged);
     if (!mechanism.loads.empty()) list("loads", mechanism.loads);
     if (mechanism.balances) list("balances", *mechanism.balances);
+    number("density", mechanism.density);
+    triple("gravity", mechanism.gravity);
     view(mechanism);
     unknown(mechanism.unknown);
     m_json.endObject();
@@ -65,10 +67,21 @@ class MechanismWriter {
     id("id", link.id);
     if (!link.name.empty()) m_json.member("name", link.name);
     pinned(link.pinned);
+    if (link.mass) mass(*link.mass);
     if (link.shapes.empty()) return;
     m_json.key("shapes");
     m_json.beginArray(Layout::row);
     for (const LinkShape& shape : link.shapes) object(shape);
+    m_json.endArray();
+  }
+
+  void mass(const LinkMass& mass) {
+    number("mass", mass.mass);
+    triple("centerOfMass", mass.center);
+    if (!mass.inertia) return;
+    m_json.key("inertia");
+    m_json.beginArray(Layout::row);
+    for (const Number& number : *mass.inertia) value(number);
     m_json.endArray();
   }
 

@@ -76,7 +76,8 @@ Difference differenceOf(const Mechanism& before, const Mechanism& after) {
                      before.wheels != after.wheels || before.gearDefaults != after.gearDefaults ||
                      before.couplings != after.couplings || before.states != after.states ||
                      before.engaged != after.engaged || before.loads != after.loads ||
-                     before.balances != after.balances || before.view.camera != after.view.camera ||
+                     before.balances != after.balances || before.density != after.density ||
+                     before.gravity != after.gravity || before.view.camera != after.view.camera ||
                      before.view.unknown != after.view.unknown || before.unknown != after.unknown ||
                      reordered;
   return difference;
@@ -86,7 +87,7 @@ bool isSameButForView(const Mechanism& a, const Mechanism& b) {
   const auto rest = [](const Mechanism& m) {
     return std::tie(m.name, m.notes, m.unit, m.links, m.axes, m.turningJoints, m.gearMeshes, m.wheels,
                     m.gearDefaults, m.inputs, m.couplings, m.states, m.engaged, m.loads, m.balances,
-                    m.unknown);
+                    m.density, m.gravity, m.unknown);
   };
   return rest(a) == rest(b);
 }

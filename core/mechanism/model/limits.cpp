@@ -69,6 +69,7 @@ class RangeCheck {
         triple(link.id, shape.orientation, "number", shapeAt + "/orientation");
         number({link.id}, shape.scale, "number", shapeAt + "/scale");
       }
+      if (link.mass) mass(link.id, *link.mass, at);
     });
     each(mechanism.axes, ElementKind::axis, [this](const Axis& axis, const std::string& at) {
       triple(axis.id, axis.point, "coordinate", at + "/point");
@@ -93,6 +94,9 @@ class RangeCheck {
       number({}, mechanism.gearDefaults->backlash, "number", "/gearDefaults/backlash");
       number({}, mechanism.gearDefaults->faceWidth, "length", "/gearDefaults/faceWidth");
     }
+    number({}, mechanism.density, "density", "/density");
+    for (std::size_t i = 0; mechanism.gravity && i < mechanism.gravity->size(); ++i)
+      number({}, (*mechanism.gravity)[i].value(), "component", "/gravity/" + std::to_string(i));
     each(mechanism.loads, ElementKind::load, [this](const Load& load, const auto& at) { action(load, at); });
     places(mechanism.view.nodes, "/view/nodes/");
     places(mechanism.view.ttNodes, "/view/ttNodes/");
@@ -117,6 +121,12 @@ class RangeCheck {
               const std::string& pointer) {
     for (std::size_t i = 0; values && i < values->size(); ++i)
       number({element}, (*values)[i].value(), what, pointer + "/" + std::to_string(i));
+  }
+  void mass(LinkId link, const LinkMass& mass, const std::string& at) {
+    number({link}, mass.mass.value(), "mass", at + "/mass");
+    triple(link, mass.center, "coordinate", at + "/centerOfMass");
+    for (std::size_t i = 0; mass.inertia && i < mass.inertia->size(); ++i)
+      number({link}, (*mass.inertia)[i].value(), "moment", at + "/inertia/" + std::to_string(i));
   }
   void action(const Load& load, const std::string& at) {
     if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/foundations/base/id.h"
+#include "core/foundations/base/shared_optional.h"
+#include "core/mechanism/model/link_mass.h"
 #include "core/mechanism/model/load.h"
 #include "core/mechanism/model/number.h"
 
@@ -33,6 +35,7 @@ struct Link {
   std::string name;
   bool pinned = false;  ///< its gears keep their teeth while others are fitted (pins.h)
   std::vector<LinkShape> shapes = {};
+  SharedOptional<LinkMass> mass = {};
   UnknownMembers unknown = {};
   friend bool operator==(const Link&, const Link&) = default;
 };
@@ -204,6 +207,8 @@ struct Mechanism {
   std::vector<CouplingId> engaged;  ///< couplings that are engaged now: the analysis is of the train so held
   std::vector<Load> loads;
   std::optional<std::vector<Balance>> balances;
+  std::optional<Number> density;        ///< of all solids, kg/m³; none: kSteelDensity
+  std::optional<NumberTriple> gravity;  ///< acceleration of free fall, m/s², base frame; none: no gravity
   View view;
   UnknownMembers unknown;
 

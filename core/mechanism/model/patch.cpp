@@ -211,6 +211,8 @@ MechanismPatch::MechanismPatch(const Mechanism& before, const Mechanism& after)
       m_inputsAfter(after.inputs.has_value()),
       m_gearDefaults(valuePatch(before.gearDefaults, after.gearDefaults)),
       m_balances(valuePatch(before.balances, after.balances)),
+      m_density(valuePatch(before.density, after.density)),
+      m_gravity(valuePatch(before.gravity, after.gravity)),
       m_nodes(nodePatch(before.view.nodes, after.view.nodes)),
       m_ttNodes(nodePatch(before.view.ttNodes, after.view.ttNodes)),
       m_camera(cameraPatch(before.view.camera, after.view.camera)),
@@ -273,6 +275,8 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
   if (forward ? m_inputsAfter : m_inputsBefore) mechanism.inputs = std::move(inputs);
   geargraph::apply(m_gearDefaults, mechanism.gearDefaults, forward);
   geargraph::apply(m_balances, mechanism.balances, forward);
+  geargraph::apply(m_density, mechanism.density, forward);
+  geargraph::apply(m_gravity, mechanism.gravity, forward);
   apply(m_nodes, mechanism.view.nodes, forward);
   apply(m_ttNodes, mechanism.view.ttNodes, forward);
   geargraph::apply(m_camera, mechanism.view.camera, forward);
@@ -283,8 +287,9 @@ void MechanismPatch::apply(Mechanism& mechanism, bool forward) const {
 void MechanismPatch::count() {
   ByteCount bytes;
   bytes.add(m_name, m_notes, m_unit, m_links, m_axes, m_turningJoints, m_gearMeshes, m_wheels, m_couplings,
-            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_nodes.before, m_nodes.after,
-            m_ttNodes.before, m_ttNodes.after, m_camera, m_viewMembers, m_members);
+            m_inputs, m_states, m_engaged, m_loads, m_gearDefaults, m_balances, m_density, m_gravity,
+            m_nodes.before, m_nodes.after, m_ttNodes.before, m_ttNodes.after, m_camera, m_viewMembers,
+            m_members);
   m_bytes = sizeof(MechanismPatch) + bytes.total();
 }
 

@@ -54,7 +54,14 @@ class ByteCount {
     add(shape.file, shape.position, shape.orientation, shape.scale, shape.unknown);
   }
   void one(const ViewCamera& camera) { add(camera.unknown); }
-  void one(const Link& link) { add(link.name, link.shapes, link.unknown); }
+  void one(const LinkMass& mass) { add(mass.mass, mass.center, mass.inertia); }
+  template <class Value>
+  void one(const SharedOptional<Value>& value) {
+    if (!value) return;
+    block(sizeof(Value));
+    one(*value);
+  }
+  void one(const Link& link) { add(link.name, link.shapes, link.mass, link.unknown); }
   void one(const Axis& axis) { add(axis.point, axis.direction, axis.unknown); }
   void one(const TurningJoint& joint) {
     add(joint.offset, joint.limits.low, joint.limits.high, joint.unknown);

@@ -9,6 +9,7 @@
 #include "core/mechanism/model/element_pointer.h"
 #include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/load_checks.h"
+#include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/shapes.h"
 
 namespace geargraph::inline model {
@@ -46,6 +47,7 @@ class WellFormedCheck {
     checkStates();
     checkEngaged();
     for (Diagnostic& wrong : loadDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
+    for (Diagnostic& wrong : massDiagnostics(m_mechanism)) m_findings.push_back(std::move(wrong));
     checkCamera();
     return std::move(m_findings);
   }

@@ -1,0 +1,65 @@
+#include "core/mechanism/model/mass_edits.h"
+
+#include <algorithm>
+
+#include "core/mechanism/model/limits.h"
+
+namespace geargraph::inline model {
+namespace {
+
+/// The edited mechanism, or what is wrong with the member at this pointer.
+Expected<Mechanism> massChecked(Mechanism mechanism, std::string_view pointer) {
+  for (const Diagnostics& findings : {massDiagnostics(mechanism), limitDiagnostics(mechanism)}) {
+    for (const Diagnostic& finding : findings) {
+      if (!finding.pointer.starts_with(pointer)) continue;
+      Diagnostic refusal = finding;
+      refusal.pointer.clear();  // the file does not exist yet
+      return refusal;
+    }
+  }
+  return mechanism;
+}
+
+}  // namespace
+
+Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional<LinkMass> mass) {
+  const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                                  [link](const Link& each) { return each.id == link; });
+  if (found == mechanism.links.end()) {
+    return Diagnostic{Code::unknownId, "There is no \"" + link.text() + "\" in links.", {link}, {}, 0, 0};
+  }
+  found->mass = mass ? SharedOptional<LinkMass>(std::move(*mass)) : SharedOptional<LinkMass>();
+  const auto position = found - mechanism.links.begin();
+  return massChecked(std::move(mechanism), "/links/" + std::to_string(position) + "/");
+}
+
+Expected<Mechanism> withDensity(Mechanism mechanism, std::optional<Number> density) {
+  mechanism.density = std::move(density);
+  return massChecked(std::move(mechanism), "/density");
+}
+
+Expected<Mechanism> withGravity(Mechanism mechanism, std::optional<NumberTriple> gravity) {
+  mechanism.gravity = std::move(gravity);
+  return massChecked(std::move(mechanism), "/gravity");
+}
+
+Diagnostics massDiagnostics(const Mechanism& mechanism) {
+  Diagnostics findings;
+  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
+    const Link& link = mechanism.links[i];
+    if (!link.mass) continue;
+    if (auto problem = massProblem(*link.mass)) {
+      findings.push_back({Code::schema,
+                          std::move(problem->message),
+                          {link.id},
+                          "/links/" + std::to_string(i) + "/" + problem->member,
+                          0,
+                          0});
+    }
+  }
+  if (mechanism.density && mechanism.density->exact().sign() <= 0)
+    findings.push_back({Code::schema, "A density is above 0, in kg/m³.", {}, "/density", 0, 0});
+  return findings;
+}
+
+}  // namespace geargraph::inline model
