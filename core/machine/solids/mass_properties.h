@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/machine/solids/solid.h"
+
+namespace geargraph::inline solids {
+
+/// Mass of a body, and how it is spread. Any consistent units: density times length to the third, and so on.
+struct MassProperties {
+  double mass = 0;
+  Eigen::Vector3d center{0, 0, 0};                    ///< of mass
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass
+};
+
+/// Of the homogeneous body that a closed mesh bounds. Where shells of one solid overlap, the overlap counts
+/// twice. Identity: integrals over the tetrahedra between the triangles and a point near them. Cost:
+/// O(triangles).
+[[nodiscard]] MassProperties massProperties(const Solid& solid, double density);
+
+/// Of both bodies as one rigid body (parallel axis theorem).
+[[nodiscard]] MassProperties joined(const MassProperties& a, const MassProperties& b);
+/// Of the body at another place.
+[[nodiscard]] MassProperties moved(const MassProperties& body, const Eigen::Isometry3d& placed);
+/// Of the same body in a unit of length of which `factor` make one of the old unit; the mass stays.
+[[nodiscard]] MassProperties rescaled(const MassProperties& body, double factor);
+
+}  // namespace geargraph::inline solids
