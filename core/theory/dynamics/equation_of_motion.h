@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/machine/solids/mass_properties.h"
+#include "core/theory/pose/forward_kinematics.h"
+
+namespace geargraph::inline dynamics {
+
+/// A load that acts on a moving train. Torques N m, forces N, lengths m; directions and points in the
+/// reference pose, base frame.
+struct MovingLoad {
+  /// In a turning joint, by its tail on its head; -1: on a link.
+  int joint = -1;
+  int link = 0;
+  /// In a joint: the torque is its first component. On a link: a couple, whose direction moves with
+  /// `carrier`.
+  Eigen::Vector3d torque{0, 0, 0};
+  int carrier = 0;
+  /// Keeps its direction in the base frame; its point moves with the link.
+  Eigen::Vector3d force{0, 0, 0};
+  Eigen::Vector3d point{0, 0, 0};
+};
+
+/// What a train of rigid links is made of, as dynamics needs it. Lengths in m.
+struct DynamicTrain {
+  SpanningTreePtr tree;
+  std::vector<TurningLine> lines;     ///< by joint, reference pose
+  Eigen::MatrixXd gains;              ///< K, joints x inputs: theta_joint = K theta_inputs
+  std::vector<MassProperties> links;  ///< by link, reference pose; the ground's does not matter
+  Eigen::Vector3d gravity{0, 0, 0};   ///< acceleration of free fall
+  std::vector<MovingLoad> loads;
+
+  [[nodiscard]] Eigen::Index inputs() const { return gains.cols(); }
+};
+
+/// The equation of motion in the inputs, at one pose and speed:
+///     M theta'' + h = tau + load,
+/// with theta the angles of the inputs and tau the torques of their motors, by the tail of the joint on its
+/// head.
+struct EquationOfMotion {
+  /// M_E = sum over the links of J_l^T diag(m, I) J_l, E x E, kg m²: symmetric, positive semidefinite.
+  Eigen::MatrixXd inertia;
+  /// h: what motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight; N m.
+  Eigen::VectorXd bias;
+  Eigen::VectorXd load;  ///< of the loads, N m
+  double kinetic = 0;    ///< energy, J
+  double potential = 0;  ///< of weight, J; 0 with all centres of mass at the origin of `lines`
+};
+
+/// Evaluates the equation of motion; keeps its memory from one call to the next. Not for two threads at once.
+class TrainDynamics {
+ public:
+  explicit TrainDynamics(DynamicTrain train);
+
+  [[nodiscard]] const DynamicTrain& train() const { return m_train; }
+
+  /// At these angles and speeds of the inputs (rad, rad/s). Identities: M is the Hessian of the kinetic
+  /// energy by the speeds; d(kinetic + potential)/dt = (tau + load) . theta'.
+  /// Cost: O(n E²).
+  /// @pre an angle and a speed for each input
+  const EquationOfMotion& at(const Eigen::VectorXd& angles, const Eigen::VectorXd& speeds);
+
+  /// The inertia that each link has at each motor while the others stand still, links x inputs, kg m²: for a
+  /// link that turns about one axis its moment of inertia times the square of its ratio. The sum of a column
+  /// is the diagonal entry of M.
+  /// Cost: O(n E).
+  [[nodiscard]] Eigen::MatrixXd reflectedInertias(const Eigen::VectorXd& angles);
+
+ private:
+  using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< angular, linear of the origin's point
+  using Twist = Eigen::Matrix<double, 6, 1>;
+
+  void place(const Eigen::VectorXd& angles);
+  [[nodiscard]] Eigen::Matrix<double, 6, 6> spatialInertia(int link) const;
+  void addLoad(const MovingLoad& load);
+
+  DynamicTrain m_train;
+  ForwardKinematics m_kinematics;
+  std::vector<double> m_jointAngles;
+  std::vector<Eigen::Isometry3d> m_poses;
+  std::vector<Twists> m_twists;  ///< by link: the twist for unit speeds of the inputs
+  std::vector<Twist> m_screws;   ///< by link: of its joint towards the ground, for unit rate of the joint
+  EquationOfMotion m_equation;
+};
+
+}  // namespace geargraph::inline dynamics
