@@ -22,12 +22,12 @@
 #include "core/mechanism/model/drawn_mesh.h"
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
-#include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/schematic/sheet_edits.h"
 #include "core/theory/states/state_edits.h"
+#include "tests/soak/edit_kind.h"
 #include "ui/canvas/canvas_edits.h"
 
 namespace geargraph::soak {
@@ -67,30 +67,6 @@ SheetFrame sheet(Random& random) {
     frame.axes.push_back({axis.id, random.place(), upright ? SheetPoint{0, 1} : SheetPoint{1, 0}});
   }
   return frame;
-}
-
-decltype(Load::action) loadAction(Random& random) {
-  switch (random.below(3)) {
-    case 0:
-      return JointTorque{random.joint(), random.number()};
-    case 1:
-      return LinkTorque{random.link(), random.maybe(random.axis()), random.number()};
-    default:
-      return LinkForce{random.link(), random.triple(), random.triple()};
-  }
-}
-
-std::optional<std::vector<Balance>> balances(Random& random) {
-  if (random.oneIn(3)) return std::nullopt;
-  std::vector<Balance> found(static_cast<std::size_t>(random.below(3)));
-  for (Balance& balance : found) {
-    if (random.oneIn(2)) {
-      balance.at = random.joint();
-    } else {
-      balance.at = Balance::OnLink{random.link(), random.maybe(random.axis())};
-    }
-  }
-  return found;
 }
 
 Mechanism anySet(Random& random) {
@@ -183,27 +159,6 @@ std::vector<LinkShape> shapes(Random& random) {
   return worn;
 }
 
-Expected<Mechanism> mechanismOf(Expected<Mechanism> edited) {
-  return edited;
-}
-Expected<Mechanism> mechanismOf(const Expected<PlacedMechanism>& edited) {
-  if (!edited) return edited.error();
-  return edited->mechanism();
-}
-
-/// A kind of edit whose arguments, after the mechanism, are what `draw` draws.
-template <auto function, class Draw>
-EditKind kind(std::string name, Draw draw, int weight = 4) {
-  return {std::move(name),
-          [draw](Random& random) -> Reduce {
-            return [arguments = draw(random)](const Mechanism& before) {
-              return mechanismOf(
-                  std::apply([&](const auto&... each) { return function(before, each...); }, arguments));
-            };
-          },
-          weight};
-}
-
 /// A kind of edit of states, where there are any.
 template <auto function, class Draw>
 EditKind ofState(std::string name, Draw draw) {
@@ -212,44 +167,6 @@ EditKind ofState(std::string name, Draw draw) {
     return random.mechanism().states.empty() ? Reduce() : make(random);
   };
   return made;
-}
-
-/// An edit of one of the loads; none where there are none.
-template <class EditAt>
-Reduce ofALoad(Random& random, EditAt edit) {
-  const auto count = static_cast<int>(random.mechanism().loads.size());
-  if (count == 0) return {};
-  return [edit, load = random.below(count)](const Mechanism& before) { return edit(before, load); };
-}
-
-std::vector<EditKind> loadEdits() {
-  return {
-      kind<withLoad>(
-          "withLoad",
-          [](Random& r) {
-            return std::tuple{Load{LoadId(r.oneIn(2) ? r.id() : std::string()), loadAction(r), {}}};
-          }),
-      {"withLoadAction",
-       [](Random& r) -> Reduce {
-         return ofALoad(r, [action = loadAction(r)](const Mechanism& before, int load) {
-           return withLoadAction(before, load, action);
-         });
-       }},
-      {"withoutLoad",
-       [](Random& r) -> Reduce {
-         return ofALoad(r, [](const Mechanism& before, int load) { return withoutLoad(before, load); });
-       }},
-      kind<withBalances>("withBalances", [](Random& r) { return std::tuple{balances(r)}; }),
-      kind<withMeshLosses>("withMeshLosses",
-                           [](Random& r) {
-                             return std::tuple{r.mesh(), r.maybe(r.number()), r.maybe(r.number())};
-                           }),
-      kind<withDefaultLosses>("withDefaultLosses",
-                              [](Random& r) {
-                                return std::tuple{r.maybe(r.number()), r.maybe(r.number())};
-                              }),
-      kind<withAllFlipped>("withAllFlipped", [](Random& r) { return std::tuple{r.elements(4)}; }),
-  };
 }
 
 std::vector<EditKind> drawnEdits() {
@@ -282,6 +199,7 @@ std::vector<EditKind> drawnEdits() {
                              }),
       kind<withoutElements>(
           "withoutElements", [](Random& r) { return std::tuple{r.elements(3)}; }, 8),
+      kind<withAllFlipped>("withAllFlipped", [](Random& r) { return std::tuple{r.elements(4)}; }),
       kind<withFlipped>("withFlipped", [](Random& r) { return std::tuple{r.element()}; }),
       kind<withName>("withName",
                      [](Random& r) {
@@ -505,7 +423,7 @@ std::vector<EditKind> gearboxEdits() {
 const std::vector<EditKind>& editKinds() {
   static const std::vector<EditKind> all = [] {
     std::vector<EditKind> kinds = drawnEdits();
-    for (std::vector<EditKind>& more : std::array{numberEdits(), gearboxEdits(), loadEdits()}) {
+    for (std::vector<EditKind>& more : std::array{numberEdits(), gearboxEdits(), forceEdits()}) {
       kinds.insert(kinds.end(), more.begin(), more.end());
     }
     return kinds;

@@ -92,8 +92,8 @@ struct BrokenDocument {
        "schema /gearMeshes/0/tailWheel [gearMeshes:7] [wheels:w]"},
 
       {"coupling engaged twice", "[\"C\"]", "[\"C\", \"C\"]", "duplicate-id /engaged/1 [couplings:C]"},
-      {"link id twice", "{\"id\": \"planet\"}", "{\"id\": \"planet\"}, {\"id\": \"arm\"}",
-       "duplicate-id /links/4/id [links:arm]"},
+      {"link id twice", "{\"id\": \"planet\",", "{\"id\": \"arm\"}, {\"id\": \"planet\",",
+       "duplicate-id /links/3/id [links:arm]"},
       {"number and text are one id", "{\"id\": 5,", "{\"id\": \"4\",",
        "duplicate-id /turningJoints/1/id [turningJoints:4]"},
       {"input twice", "{\"joint\": 4, \"speed\": \"1/3\"}",
@@ -171,6 +171,16 @@ struct BrokenDocument {
       {"balance in no joint", "\"balances\": [{\"joint\": 4}", "\"balances\": [{\"joint\": 44}",
        "unknown-id /balances/0/joint [turningJoints:44]"},
       {"balances of another type", "\"balances\": [", "\"balances\": null, \"y\": [", "schema /balances"},
+
+      {"mass below 0", "\"mass\": 0.80", "\"mass\": -1", "schema /links/3/mass [links:planet]"},
+      {"mass as text", "\"mass\": 0.80", "\"mass\": \"heavy\"", "schema /links/3/mass [links:planet]"},
+      {"centre of no mass", "\"mass\": 0.80, ", "",
+       "schema /links/3/centerOfMass [links:planet]; schema /links/3/inertia [links:planet]"},
+      {"inertia of no body", "[1e-3, \"1/500\", 0.0015,", "[1e-3, \"1/500\", 0.0035,",
+       "schema /links/3/inertia [links:planet]"},
+      {"inertia of five numbers", "0, -1e-5, 0]", "0, -1e-5]", "schema /links/3/inertia [links:planet]"},
+      {"density 0", "\"density\": 2700.0", "\"density\": 0", "schema /density"},
+      {"gravity downwards", "\"gravity\": [0, \"-981/100\", 0]", "\"gravity\": 9.81", "schema /gravity"},
 
       {"pinned as a number", "[0, 0, 1e-3], \"pinned\": true", "[0, 0, 1e-3], \"pinned\": 1",
        "schema /axes/0/pinned [axes:a]"},

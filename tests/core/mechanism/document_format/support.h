@@ -43,7 +43,8 @@ inline std::string with(std::string text, const std::string& from, const std::st
 inline const std::string kEverything = R"({
   "format": "geargraph", "version": 1, "name": "stage", "notes": "free\ntext", "unit": "in",
   "links": [{"id": 0, "name": "ground"}, {"id": "sun"}, {"id": "arm", "pinned": true, "shapes": [
-    {"file": "parts/arm.stl", "position": [0, 0, "1/2"], "orientation": [90, 0, 0.0], "scale": 0.25}]}, {"id": "planet"}],
+    {"file": "parts/arm.stl", "position": [0, 0, "1/2"], "orientation": [90, 0, 0.0], "scale": 0.25}]},
+    {"id": "planet", "mass": 0.80, "centerOfMass": [0, "1/3", 2.50], "inertia": [1e-3, "1/500", 0.0015, 0, -1e-5, 0]}],
   "axes": [{"id": "a", "point": [0, "22/7", 0.10], "direction": [0, 0, 1e-3], "pinned": true}, {"id": "p"}],
   "turningJoints": [
     {"id": 4, "tail": 0, "head": "sun", "axis": "a", "offset": -1.50},
@@ -61,6 +62,7 @@ inline const std::string kEverything = R"({
   "loads": [{"id": "pull", "joint": 6, "torque": -12.50}, {"link": "planet", "axis": "p", "torque": "5/2"},
     {"link": "arm", "torque": 3}, {"link": "sun", "force": [0, 1.0, "-20/3"], "point": [0, 40, 132]}],
   "balances": [{"joint": 4}, {"link": "arm", "axis": "a"}, {"link": "planet"}],
+  "density": 2700.0, "gravity": [0, "-981/100", 0],
   "view": {"nodes": {"0": [1, 2.5], "sun": [-3, 4]}, "ttNodes": {"0": [-5, 6]},
     "camera": {"target": [0, 1, 2.5], "azimuth": -26, "elevation": 20, "distance": 400}, "grid": {"zoom": 1.50}}
 })";

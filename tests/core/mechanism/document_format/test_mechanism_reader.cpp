@@ -108,7 +108,7 @@ void TestMechanismReader::schemaErrors_sayPointerAndWhatWasExpectedAndFound() {
 
 void TestMechanismReader::findings_knowTheirPlaceInTheFile() {
   const auto read = readMechanism(with(kEverything, "\"axis\": \"p\"", "\"axis\": \"q\""));
-  QCOMPARE(read.error().at(0).line, 9);
+  QCOMPARE(read.error().at(0).line, 10);
   QCOMPARE(read.error().at(0).column, 56);
 }
 

@@ -89,6 +89,10 @@ void TestMechanismRoundTrip::everyMemberIsRead() {
   QVERIFY((std::get<Balance::OnLink>(m.balances->at(1).at) == Balance::OnLink{LinkId("arm"), AxisId("a")}));
   QVERIFY(!std::get<Balance::OnLink>(m.balances->at(2).at).axis);
   QVERIFY(shape.scale->exact() == Rational(1, 4) && m.links[1].shapes.empty());
+  QVERIFY(m.links[3].mass && !m.links[2].mass);
+  QVERIFY(m.links[3].mass->mass.text() == "0.80" && m.links[3].mass->center->at(1).exact() == Rational(1, 3));
+  QVERIFY(m.links[3].mass->inertia->at(1).exact() == Rational(1, 500));
+  QVERIFY(m.density->value() == 2700 && m.gravity->at(1).exact() == Rational(-981, 100));
 }
 
 void TestMechanismRoundTrip::writingAndReading_isTheIdentity() {

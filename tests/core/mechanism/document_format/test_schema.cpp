@@ -108,6 +108,7 @@ class TestSchema : public QObject {
     const std::set<std::string> beyondSchemas{"direction of length 0",
                                               "direction too short for a double",
                                               "efficiency above 1",
+                                              "inertia of no body",
                                               "load on the ground",
                                               "balance on the ground",
                                               "fraction beyond the range",

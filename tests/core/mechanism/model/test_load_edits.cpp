@@ -4,6 +4,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/patch.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/support/trains.h"
@@ -147,6 +148,20 @@ class TestLoadEdits : public QObject {
     const MechanismPatch patch(before, after);
     QVERIFY(patch.forward(before) == after && patch.back(after) == before && !patch.isEmpty());
     QVERIFY(patch.bytes() > sizeof(MechanismPatch));
+  }
+
+  void historyGivesEitherMass() {
+    const Mechanism before = loaded();
+    const InertiaNumbers inertia{*Number::fromText("1/3"), 1, 1, 0, 0, 0};
+    Mechanism after = *withLinkMass(before, LinkId("3"), LinkMass{Number(2), NumberTriple{1, 2, 3}, inertia});
+    const MechanismPatch oneMass(before, after);
+    QVERIFY(oneMass.forward(before) == after && oneMass.back(after) == before);
+    after = *withGravity(*withDensity(after, Number(2700)), NumberTriple{0, 0, -10});
+    const MechanismPatch patch(before, after);
+    QVERIFY(patch.forward(before) == after && patch.back(after) == before);
+    QVERIFY(patch.bytes() > MechanismPatch(before, before).bytes() + sizeof(LinkMass));
+    QVERIFY(!isSameButForView(before, after) && differenceOf(before, after).other);
+    QVERIFY(isSameTrain(before, after));  // masses move no wheel
   }
 };
 
