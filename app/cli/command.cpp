@@ -11,7 +11,7 @@ namespace geargraph::cli {
 
 std::span<const Command* const> commands() {
   static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates,
-                                           &kStatics, &kExport,   &kPose};
+                                           &kStatics, &kDynamics, &kExport, &kPose};
   return kCommands;
 }
 

@@ -30,6 +30,7 @@ extern const Command kValidate;
 extern const Command kInputs;
 extern const Command kStates;
 extern const Command kStatics;
+extern const Command kDynamics;
 extern const Command kExport;
 extern const Command kPose;
 

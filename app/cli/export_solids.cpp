@@ -5,6 +5,7 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/load_train.h"
+#include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
 #include "core/presentation/drawing/palette.h"
 #include "core/presentation/meshfile/assembly.h"
@@ -17,22 +18,6 @@ constexpr double kFinest = 1e-4;
 constexpr double kCoarsest = 0.2;
 constexpr double kLongestAnimation = 1e6;  // s
 constexpr double kMostFrames = 10'000;
-
-/// The number that an option gives, within bounds; `otherwise` where it is not given.
-std::variant<double, UsageError> number(const Arguments& arguments, std::string_view option, double otherwise,
-                                        double least, double most) {
-  const auto text = arguments.value(option);
-  if (!text) return otherwise;
-  const auto value = numberFrom<double>(*text);
-  if (value && *value >= least && *value <= most) return *value;
-  const auto shown = [](double bound) {
-    std::string digits = std::to_string(bound);
-    digits.erase(digits.find_last_not_of('0') + 1);
-    return digits.back() == '.' ? digits.substr(0, digits.size() - 1) : digits;
-  };
-  return UsageError{std::string(option) + " takes a number from " + shown(least) + " to " + shown(most) +
-                    ", not \"" + *text + "\"."};
-}
 
 int failure(const Arguments& arguments, const MeshFileError& error) {
   if (error.kind == MeshFileError::Kind::stopped) return outOfTime(arguments, "the file");
@@ -158,8 +143,8 @@ std::variant<MeshScene, int> trainScene(const LoadedTrain& loaded, const Argumen
 }  // namespace
 
 int exportSolids(const Arguments& arguments, MeshFormat format) {
-  const auto tolerance = number(arguments, "--tolerance", kExportTolerance, kFinest, kCoarsest);
-  const auto seconds = number(arguments, "--animate", 0, 1e-3, kLongestAnimation);
+  const auto tolerance = numberWithin(arguments, "--tolerance", kExportTolerance, kFinest, kCoarsest);
+  const auto seconds = numberWithin(arguments, "--animate", 0, 1e-3, kLongestAnimation);
   for (const auto* read : {&tolerance, &seconds}) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }
@@ -186,8 +171,9 @@ int exportSolids(const Arguments& arguments, MeshFormat format) {
 }
 
 int exportAssembly(const Arguments& arguments) {
-  const auto tolerance = number(arguments, "--tolerance", kExportTolerance, kFinest, kCoarsest);
-  const auto frames = number(arguments, "--frames", 24, static_cast<double>(kFewestFrames), kMostFrames);
+  const auto tolerance = numberWithin(arguments, "--tolerance", kExportTolerance, kFinest, kCoarsest);
+  const auto frames =
+      numberWithin(arguments, "--frames", 24, static_cast<double>(kFewestFrames), kMostFrames);
   for (const auto* read : {&tolerance, &frames}) {
     if (const auto* error = std::get_if<UsageError>(read)) return wrongUsage(kExport, error->message);
   }

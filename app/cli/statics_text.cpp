@@ -1,19 +1,13 @@
 #include "app/cli/statics_text.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <vector>
+
+#include "app/cli/text_table.h"
 
 namespace geargraph::cli {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
-std::string decimal(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", value == 0 ? 0.0 : value);
-  return buffer;
-}
+using Rows = TextRows;
 
 /// "80/27 (2.96296)", "10".
 std::string text(const Real& value) {
@@ -24,22 +18,6 @@ std::string text(const Real& value) {
 
 std::string text(const Vector3& vector) {
   return "(" + decimal(vector[0]) + ", " + decimal(vector[1]) + ", " + decimal(vector[2]) + ")";
-}
-
-std::string aligned(const std::string& title, const Rows& rows) {
-  if (rows.size() <= 1) return {};
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string result = title + "\n";
-  for (const auto& row : rows) {
-    std::string line = "  ";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
-    line.erase(line.find_last_not_of(' ') + 1);
-    result += line + '\n';
-  }
-  return result;
 }
 
 class StaticsText {

@@ -1,0 +1,244 @@
+// `dynamics FILE ...`: masses, the equation of motion in the inputs, and the motion that torques cause.
+
+#include <unistd.h>
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <numbers>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/dynamics_output.h"
+#include "app/cli/engagement_options.h"
+#include "app/cli/input_options.h"
+#include "app/cli/number_options.h"
+#include "app/cli/time_limit.h"
+#include "core/foundations/files/file.h"
+#include "core/machine/bodies/derived_geometry.h"
+#include "core/machine/train/train.h"
+#include "core/mechanism/model/mass_edits.h"
+
+namespace geargraph::cli {
+namespace {
+
+constexpr double kMostSeconds = 1e6;
+constexpr double kLeastInterval = 1e-6;
+
+/// `--density` and `--gravity` in place of the document's.
+std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const Arguments& arguments) {
+  if (const auto word = arguments.value("--density")) {
+    const auto density = Number::fromText(*word);
+    auto next = density ? withDensity(mechanism, *density) : Expected<Mechanism>(Diagnostic{});
+    if (!next) return UsageError{"--density is above 0, in kg/m³, not \"" + *word + "\"."};
+    mechanism = *std::move(next);
+  }
+  const auto word = arguments.value("--gravity");
+  if (!word) return mechanism;
+  NumberTriple gravity;
+  std::string_view rest = *word;
+  for (std::size_t i = 0; i < gravity.size(); ++i) {
+    const std::size_t comma = i + 1 < gravity.size() ? rest.find(',') : rest.size();
+    const auto number =
+        comma == std::string_view::npos ? std::nullopt : Number::fromText(rest.substr(0, comma));
+    if (!number) return UsageError{"--gravity is like 0,0,-9.81, in m/s², not \"" + *word + "\"."};
+    gravity.at(i) = *number;
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  auto next = withGravity(std::move(mechanism), gravity);
+  if (!next) return UsageError{next.error().front().message};
+  return *std::move(next);
+}
+
+/// Sets a number of one input by a word like "8=1.5Nm"; `units` are those that may follow the number, with
+/// what they are worth.
+std::optional<UsageError> setByInput(const DynamicsResult& result, std::string_view option,
+                                     std::string_view word,
+                                     std::span<const std::pair<std::string_view, double>> units,
+                                     const std::function<void(std::size_t, double)>& set) {
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const std::string_view label = word.substr(0, equals);
+  std::string_view text = word.substr(std::min(equals + 1, word.size()));
+  double worth = 1;
+  for (const auto& [unit, value] : units) {
+    if (!text.ends_with(unit)) continue;
+    text.remove_suffix(unit.size());
+    worth = value;
+    break;
+  }
+  const auto number = Number::fromText(text);
+  if (!number) {
+    return UsageError{std::string(option) + " names an input and its number, like 8=1.5" +
+                      std::string(units.empty() ? "" : units.front().first) + ", not \"" + std::string(word) +
+                      "\"."};
+  }
+  for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
+    if (std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[i])) != label) continue;
+    set(i, worth * number->value());
+    return std::nullopt;
+  }
+  return UsageError{"Joint \"" + std::string(label) + "\" is not an input; see --inputs."};
+}
+
+/// Motors, start and length of the motion.
+std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arguments) {
+  using Unit = std::pair<std::string_view, double>;
+  static constexpr std::array kTorques = {Unit{"kNm", 1000}, Unit{"Nmm", 1e-3}, Unit{"Nm", 1}};
+  static constexpr std::array kAngles = {Unit{"deg", std::numbers::pi / 180}, Unit{"rad", 1}};
+  SimulationOptions& start = result.start;
+  const auto inputs = static_cast<Eigen::Index>(result.dynamics.inputs.size());
+  start.motors.resize(result.dynamics.inputs.size());
+  start.angles = Eigen::VectorXd::Zero(inputs);
+  start.speeds = Eigen::VectorXd::Zero(inputs);
+  const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+  for (const std::string& word : arguments.values("--torque")) {
+    if (const auto error = setByInput(result, "--torque", word, kTorques,
+                                      [&](std::size_t i, double torque) { start.motors[i].torque = torque; }))
+      return error;
+  }
+  bool isNegative = false;
+  for (const std::string& word : arguments.values("--damping")) {
+    if (const auto error = setByInput(result, "--damping", word, {}, [&](std::size_t i, double damping) {
+          start.motors[i].damping = damping;
+          isNegative = isNegative || damping < 0;
+        }))
+      return error;
+  }
+  if (isNegative) return UsageError{"--damping is at least 0, in N m s."};
+  for (const std::string& word : arguments.values("--angle")) {
+    if (const auto error = setByInput(result, "--angle", word, kAngles,
+                                      [&](std::size_t i, double angle) { start.angles[at(i)] = angle; }))
+      return error;
+  }
+  for (const std::string& word : arguments.values("--start-speed")) {
+    if (const auto error = setByInput(result, "--start-speed", word, {},
+                                      [&](std::size_t i, double speed) { start.speeds[at(i)] = speed; }))
+      return error;
+  }
+  const auto seconds = numberWithin(arguments, "--seconds", 1, kLeastInterval, kMostSeconds);
+  if (const auto* error = std::get_if<UsageError>(&seconds)) return *error;
+  start.seconds = std::get<double>(seconds);
+  const auto interval =
+      numberWithin(arguments, "--interval", start.seconds / 100, kLeastInterval, kMostSeconds);
+  if (const auto* error = std::get_if<UsageError>(&interval)) return *error;
+  start.interval = std::get<double>(interval);
+  if (start.seconds / start.interval >= static_cast<double>(kMostSamples))
+    return UsageError{"--seconds over --interval are at most a million samples."};
+  start.limits = angleLimits(*result.snapshot->mechanism);
+  return std::nullopt;
+}
+
+/// The equation of motion at the start, and the motion where it is asked for.
+void solve(DynamicsResult& result, const Arguments& arguments) {
+  TrainDynamics dynamics(result.dynamics.train);
+  result.equation = dynamics.at(result.start.angles, result.start.speeds);
+  result.reflected = dynamics.reflectedInertias(result.start.angles);
+  result.torques = Eigen::VectorXd::Zero(result.equation.bias.size());
+  for (std::size_t i = 0; i < result.start.motors.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const Motor& motor = result.start.motors[i];
+    result.torques[at] = motor.torque - motor.damping * result.start.speeds[at];
+  }
+  result.accelerations = accelerationsFor(result.equation, result.torques);
+  if (arguments.has("--seconds") || arguments.has("-o"))
+    result.simulation = simulate(dynamics, result.start, arguments.stop);
+}
+
+std::string asJson(const DynamicsResult* result, const Diagnostics& diagnostics) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    writeDynamicsJson(json, result, diagnostics);
+  }
+  return sink.take();
+}
+
+int writeCsv(const std::string& path, const DynamicsResult& result) {
+  if (path == "-") {
+    DescriptorSink out(STDOUT_FILENO);
+    writeMotionCsv(out, result, {});
+    return out.failed() ? fileFailure("Standard output could not be written.") : kFine;
+  }
+  AtomicFile file(path);
+  writeMotionCsv(file, result, {});
+  const auto error = file.commit();
+  return error ? fileFailure(error->message) : kFine;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kDynamics, "One file is needed.");
+  const std::string& file = arguments.files.front();
+  auto document = loadEngaged(kDynamics, arguments);
+  if (const int* status = std::get_if<int>(&document)) return *status;
+  auto driven = withInputOptions(std::get<Mechanism>(std::move(document)), arguments);
+  if (const auto* error = std::get_if<UsageError>(&driven)) return wrongUsage(kDynamics, error->message);
+  auto mechanism = withMassOptions(std::get<Mechanism>(std::move(driven)), arguments);
+  if (const auto* error = std::get_if<UsageError>(&mechanism)) return wrongUsage(kDynamics, error->message);
+  DynamicsResult result;
+  result.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(mechanism))),
+                                0, arguments.stop);
+  if (!result.snapshot) return outOfTime(arguments, "the analysis");
+  const AnalysisSnapshot& snapshot = *result.snapshot;
+  std::cerr << diagnosticLines(file, snapshot.diagnostics);
+  const MatroidAnalysis* const matroid = snapshot.matroid();
+  if (hasErrors(snapshot.diagnostics) || matroid == nullptr || !matroid->solution) {
+    return arguments.has("--json") ? print(asJson(nullptr, snapshot.diagnostics), kMechanismErrors)
+                                   : kMechanismErrors;
+  }
+  const bool isTooLarge =
+      matroid->solution->inputs.size() * matroid->solution->outputs.size() > LiveSolution::kMostLiveEntries;
+  if (isTooLarge) {
+    std::cerr << "geargraph-cli: Dynamics is computed for up to " << LiveSolution::kMostLiveEntries
+              << " entries of the solution (inputs times other joints).\n";
+    return kResourceLimit;
+  }
+  const auto train = snapshot.geometry->train(arguments.stop);
+  if (!train) return outOfTime(arguments, "the gear train");
+  auto dynamics = dynamicsOf(*snapshot.mechanism, *snapshot.kinematics->model,
+                             snapshot.kinematics->placement(), *matroid, *train, arguments.stop);
+  if (!dynamics) return outOfTime(arguments, "the masses");
+  if (!*dynamics) {
+    std::cerr << diagnosticLines(file, dynamics->error());
+    return arguments.has("--json") ? print(asJson(nullptr, dynamics->error()), kMechanismErrors)
+                                   : kMechanismErrors;
+  }
+  result.dynamics = **std::move(dynamics);
+  if (const auto error = readStart(result, arguments)) return wrongUsage(kDynamics, error->message);
+  solve(result, arguments);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");
+  if (const auto path = arguments.value("-o")) {
+    if (result.simulation->samples.empty()) {
+      std::cerr << "geargraph-cli: A motion of the inputs moves no mass: there is no motion to write.\n";
+      return kMechanismErrors;
+    }
+    const int status = writeCsv(*path, result);
+    if (status != kFine || *path == "-") return status;
+  }
+  return print(arguments.has("--json") ? asJson(&result, snapshot.diagnostics) : dynamicsText(result));
+}
+
+constexpr std::array kOptions = {
+    Option{"--torque", "8=1.5Nm", "the torque of an input's motor (without it 0); may be given again"},
+    Option{"--damping", "8=0.01", "less this for each rad/s, N m s; may be given again"},
+    Option{"--angle", "8=30deg", "the angle of an input at the start; may be given again"},
+    Option{"--start-speed", "8=1", "its speed at the start, rad/s (without it 0); may be given again"},
+    Option{"--seconds", "10", "follow the motion for so long"},
+    Option{"--interval", "0.01", "seconds between samples (without it a hundredth of the motion)"},
+    Option{"-o", "OUT.csv", "write the samples of the motion as CSV"},
+    Option{"--gravity", "0,0,-9.81", "acceleration of free fall, m/s², instead of the document's"},
+    Option{"--density", "7850", "of all solids, kg/m³, instead of the document's"},
+    Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
+    kStateOption,
+    kEngageOption,
+    Option{"--json", "", "as JSON"},
+};
+
+}  // namespace
+
+const Command kDynamics = {"dynamics",
+                           "FILE [--torque 8=1.5Nm ...] [--gravity 0,0,-9.81] [--seconds 10 [-o OUT.csv]] "
+                           "[--state NAME | --engage A,B] [--json]",
+                           "Masses, the inertia that motors feel, and the motion that torques cause.",
+                           kOptions, run};
+
+}  // namespace geargraph::cli

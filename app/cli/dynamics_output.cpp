@@ -1,0 +1,240 @@
+#include "app/cli/dynamics_output.h"
+
+#include <array>
+#include <utility>
+
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/text_table.h"
+
+namespace geargraph::cli {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+std::string labelOfInput(const DynamicsResult& result, std::size_t input) {
+  return std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[input]));
+}
+
+/// The quantities of a sample with a value for each input, as they are named and found.
+constexpr std::array<std::pair<const char*, Eigen::VectorXd MotionSample::*>, 4> kPerInput = {
+    {{"angle", &MotionSample::angles},
+     {"speed", &MotionSample::speeds},
+     {"acceleration", &MotionSample::accelerations},
+     {"torque", &MotionSample::torques}}};
+constexpr std::array<std::pair<const char*, double MotionSample::*>, 3> kEnergies = {
+    {{"kinetic", &MotionSample::kinetic},
+     {"potential", &MotionSample::potential},
+     {"work", &MotionSample::work}}};
+
+/// "time", "angle 8", ..., "work".
+std::vector<std::string> columnsOf(const DynamicsResult& result) {
+  std::vector<std::string> columns{"time"};
+  for (const auto& [name, values] : kPerInput) {
+    for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
+      columns.push_back(std::string(name) + ' ' + labelOfInput(result, i));
+  }
+  for (const auto& [name, value] : kEnergies) columns.emplace_back(name);
+  return columns;
+}
+
+/// In the order of columnsOf().
+std::vector<double> valuesOf(const MotionSample& sample) {
+  std::vector<double> values{sample.time};
+  for (const auto& [name, vector] : kPerInput)
+    values.insert(values.end(), (sample.*vector).begin(), (sample.*vector).end());
+  for (const auto& [name, value] : kEnergies) values.push_back(sample.*value);
+  return values;
+}
+
+template <class Vector>
+void writeNumbers(JsonWriter& json, const Vector& values) {
+  json.beginArray(Layout::row);
+  for (const double value : values) json.number(value);
+  json.endArray();
+}
+
+void writeMatrixRows(JsonWriter& json, const Eigen::MatrixXd& matrix) {
+  json.beginArray();
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) writeNumbers(json, matrix.row(row));
+  json.endArray();
+}
+
+void writeLinks(JsonWriter& json, const DynamicsResult& result) {
+  json.beginObject();
+  for (std::size_t i = 1; i < result.dynamics.links.size(); ++i) {
+    const LinkInertia& link = result.dynamics.links[i];
+    const Eigen::Matrix3d& inertia = link.body.inertia;
+    json.key(std::to_string(i));
+    json.beginObject(Layout::row);
+    json.member("mass", link.body.mass);
+    json.key("center");
+    writeNumbers(json, link.body.center);
+    json.key("inertia");
+    writeNumbers(json, std::array{inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
+                                  inertia(1, 2)});
+    json.member("source", std::string_view(massSourceName(link.source)));
+    json.key("reflected");
+    writeNumbers(json, result.reflected.row(static_cast<Eigen::Index>(i)));
+    json.endObject();
+  }
+  json.endObject();
+}
+
+void writeSimulation(JsonWriter& json, const DynamicsResult& result) {
+  if (!result.simulation) return json.null();
+  const Simulation& simulation = *result.simulation;
+  json.beginObject();
+  json.member("end", endName(simulation.end));
+  if (simulation.limitJoint >= 0)
+    json.member("limitJoint", result.snapshot->graph->edgeLabel(simulation.limitJoint));
+  json.key("columns");
+  json.beginArray(Layout::row);
+  for (const std::string& column : columnsOf(result)) json.string(column);
+  json.endArray();
+  json.key("rows");
+  json.beginArray();
+  for (const MotionSample& sample : simulation.samples) writeNumbers(json, valuesOf(sample));
+  json.endArray();
+  json.endObject();
+}
+
+std::string endSentence(const DynamicsResult& result) {
+  const Simulation& simulation = *result.simulation;
+  switch (simulation.end) {
+    case SimulationEnd::atLimit:
+      return "It ends where joint " +
+             std::to_string(result.snapshot->graph->edgeLabel(simulation.limitJoint)) +
+             " reaches the end of its range.\n";
+    case SimulationEnd::massless:
+      return "A motion of the inputs moves no mass: torques determine no acceleration.\n";
+    case SimulationEnd::unbounded:
+      return "It ends where speeds grow beyond what can be followed.\n";
+    case SimulationEnd::complete:
+    case SimulationEnd::stopped:
+      break;
+  }
+  return {};
+}
+
+/// The last row of the motion: what it has come to.
+std::string motionText(const DynamicsResult& result) {
+  const Simulation& simulation = *result.simulation;
+  if (simulation.samples.empty()) return "\nMotion\n  " + endSentence(result);
+  const MotionSample& last = simulation.samples.back();
+  TextRows rows{{"input", "angle, rad", "speed, rad/s", "torque, N m"}};
+  for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    rows.push_back({labelOfInput(result, i), decimal(last.angles[at]), decimal(last.speeds[at]),
+                    decimal(last.torques[at])});
+  }
+  std::string text = '\n' + aligned("Motion, after " + decimal(last.time) + " s", rows);
+  text += "  kinetic energy " + decimal(last.kinetic) + " J, potential " + decimal(last.potential) +
+          " J, work of motors and loads " + decimal(last.work) + " J\n";
+  const std::string end = endSentence(result);
+  return end.empty() ? text : text + "  " + end;
+}
+
+}  // namespace
+
+std::string_view endName(SimulationEnd end) {
+  switch (end) {
+    case SimulationEnd::complete:
+      return "complete";
+    case SimulationEnd::atLimit:
+      return "limit";
+    case SimulationEnd::massless:
+      return "massless";
+    case SimulationEnd::unbounded:
+      return "unbounded";
+    case SimulationEnd::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+std::string dynamicsText(const DynamicsResult& result) {
+  TextRows links{{"link", "mass, kg", "from"}};
+  for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
+    links.front().push_back("at motor " + labelOfInput(result, i) + ", kg m²");
+  for (std::size_t link = 1; link < result.dynamics.links.size(); ++link) {
+    const LinkInertia& inertia = result.dynamics.links[link];
+    std::vector<std::string> cells{std::to_string(link), decimal(inertia.body.mass),
+                                   massSourceName(inertia.source)};
+    for (const double reflected : result.reflected.row(static_cast<Eigen::Index>(link)))
+      cells.push_back(decimal(reflected));
+    links.push_back(std::move(cells));
+  }
+  TextRows motors{{"input", "inertia, kg m²", "holding torque, N m", "torque, N m", "acceleration, rad/s²"}};
+  for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    motors.push_back({labelOfInput(result, i), decimal(result.equation.inertia(at, at)),
+                      decimal(result.equation.bias[at] - result.equation.load[at]),
+                      decimal(result.torques[at]),
+                      result.accelerations ? decimal((*result.accelerations)[at]) : "moves no mass"});
+  }
+  std::string text = aligned("Links, and the inertia that each has at the motors", links) + '\n' +
+                     aligned("Inputs, at the start", motors);
+  if (result.dynamics.inputs.size() > 1) {
+    TextRows rows{{""}};
+    for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
+      rows.front().push_back(labelOfInput(result, i));
+    for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
+      rows.push_back({labelOfInput(result, i)});
+      for (const double entry : result.equation.inertia.row(static_cast<Eigen::Index>(i)))
+        rows.back().push_back(decimal(entry));
+    }
+    text += '\n' + aligned("Generalised inertia M, kg m²", rows);
+  }
+  return result.simulation ? text + motionText(result) : text;
+}
+
+void writeDynamicsJson(JsonWriter& json, const DynamicsResult* result, const Diagnostics& diagnostics) {
+  json.beginObject();
+  json.member("format", "geargraph-dynamics");
+  json.member("version", 1);
+  if (result != nullptr) {
+    json.key("inputs");
+    json.beginArray(Layout::row);
+    for (const int input : result->dynamics.inputs)
+      json.number(std::int64_t{result->snapshot->graph->edgeLabel(input)});
+    json.endArray();
+    json.key("gravity");
+    writeNumbers(json, result->dynamics.train.gravity);
+    json.key("links");
+    writeLinks(json, *result);
+    json.key("inertia");
+    writeMatrixRows(json, result->equation.inertia);
+    json.key("bias");
+    writeNumbers(json, result->equation.bias);
+    json.key("load");
+    writeNumbers(json, result->equation.load);
+    json.key("torques");
+    writeNumbers(json, result->torques);
+    json.key("accelerations");
+    if (result->accelerations) {
+      writeNumbers(json, *result->accelerations);
+    } else {
+      json.null();
+    }
+    json.key("simulation");
+    writeSimulation(json, *result);
+  } else {
+    for (const char* const name : {"inputs", "gravity", "links", "inertia", "bias", "load", "torques",
+                                   "accelerations", "simulation"}) {
+      json.key(name);
+      json.null();
+    }
+  }
+  json.key("diagnostics");
+  writeDiagnostics(json, diagnostics);
+  json.endObject();
+}
+
+void writeMotionCsv(ByteSink& sink, const DynamicsResult& result, const CsvOptions& options) {
+  CsvWriter csv(sink, columnsOf(result), options);
+  for (std::size_t i = 0; i < result.simulation->samples.size() && !csv.failed(); ++i) {
+    csv.row(std::to_string(i), valuesOf(result.simulation->samples[i]));
+  }
+}
+
+}  // namespace geargraph::cli

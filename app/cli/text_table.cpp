@@ -1,0 +1,30 @@
+#include "app/cli/text_table.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace geargraph::cli {
+
+std::string decimal(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value == 0 ? 0.0 : value);
+  return buffer;
+}
+
+std::string aligned(const std::string& title, const TextRows& rows) {
+  if (rows.size() <= 1) return {};
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string result = title + "\n";
+  for (const auto& row : rows) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    result += line + '\n';
+  }
+  return result;
+}
+
+}  // namespace geargraph::cli
