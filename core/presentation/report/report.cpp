@@ -16,20 +16,6 @@ void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
   report.blocks.emplace_back(std::move(findings));
 }
 
-void addAgreement(Report& report, const AnalysisSnapshot& snapshot) {
-  if (!snapshot.solved || !snapshot.solved->agreement) return;
-  const Agreement& agreement = *snapshot.solved->agreement;
-  report.blocks.emplace_back(ReportHeading{1, "Both methods compared"});
-  if (!agreement.equal) {
-    report.blocks.emplace_back(ReportParagraph{
-        plainWords("The two methods differ by up to " + agreement.largestDifference.toString() + ".")});
-    return;
-  }
-  report.blocks.emplace_back(
-      ReportParagraph{plainWords("Both methods give the same fractions: all " +
-                                 std::to_string(agreement.compared) + " entries agree.")});
-}
-
 }  // namespace
 
 Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {
@@ -41,7 +27,7 @@ Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop
   addDigraphPart(report, *snapshot);
   addMatroidPart(report, snapshot, stop);
   addTtGraphPart(report, *snapshot, stop);
-  addAgreement(report, *snapshot);
+  addComparisonPart(report, *snapshot, stop);
   addStaticsPart(report, *snapshot, stop);
   return report;
 }

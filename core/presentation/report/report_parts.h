@@ -16,6 +16,10 @@ void addMatroidPart(Report& report, const SnapshotPtr& snapshot, const std::stop
 /// Carriers, terminal and f-circuit equations, the chain of substitutions, Eqs. (26)-(45).
 void addTtGraphPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
 
+/// Both methods side by side: that they agree, step by step, mesh by mesh, counted, and what the paper
+/// concludes.
+void addComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);
+
 /// Cutset equations, the transposed solution and the torques under the document's loads, by both methods;
 /// nothing without loads. Starred equations stand beside those of the kinematics that they are the duals of.
 void addStaticsPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop);

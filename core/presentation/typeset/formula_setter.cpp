@@ -18,7 +18,7 @@ constexpr double kSkew = 0.118;  // how far a slanted letter's top leans, for it
 SetAtom setNode(const FormulaNode& node, SetStyle style);
 
 AtomClass classOf(std::string_view sign) {
-  static constexpr std::array kBinary{"+", "−", "×", "⋅", "∘", "*"};
+  static constexpr std::array kBinary{"+", "−", "×", "⋅", "∘", "±", "*"};
   static constexpr std::array kRelations{"=", "≈", "|", "<", ">", ":"};
   if (std::find(kBinary.begin(), kBinary.end(), sign) != kBinary.end()) return AtomClass::binary;
   if (std::find(kRelations.begin(), kRelations.end(), sign) != kRelations.end()) return AtomClass::relation;

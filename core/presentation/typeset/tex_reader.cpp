@@ -16,7 +16,7 @@ const std::map<std::string_view, std::string_view>& letters() {
 
 const std::map<std::string_view, std::string_view>& signs() {
   static const std::map<std::string_view, std::string_view> known{
-      {"times", "×"}, {"circ", "∘"}, {"cdot", "⋅"}, {"mid", "|"}, {"approx", "≈"}};
+      {"times", "×"}, {"circ", "∘"}, {"cdot", "⋅"}, {"pm", "±"}, {"mid", "|"}, {"approx", "≈"}};
   return known;
 }
 

@@ -1,0 +1,157 @@
+#include "core/presentation/report/report_parts.h"
+#include "core/presentation/report/report_words.h"
+#include "core/teaching/comparison/comparison_families.h"
+#include "core/theory/ttgraph/notation.h"
+
+namespace geargraph::inline report {
+namespace {
+
+/// Both methods side by side [AU, section 5], counted on this mechanism.
+class ComparisonPart : private ReportPart {
+ public:
+  ComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop)
+      : ReportPart(report, stop), m_snapshot(snapshot), m_graph(*snapshot.graph), m_token(stop) {}
+
+  void add() {
+    if (!m_snapshot.solved || !m_snapshot.solved->agreement) return;
+    heading(1, "Both methods compared");
+    addAgreement(*m_snapshot.solved->agreement);
+    const auto comparison = compareMethods(m_snapshot, ComparisonDepth::symbols, m_token);
+    if (!comparison) return;
+    addSteps();
+    addMeshes(*comparison);
+    addCounts(*comparison);
+    if (isStopped()) return;
+    addFamilies();
+    addClaims(*comparison);
+  }
+
+ private:
+  void addAgreement(const Agreement& agreement) {
+    if (agreement.equal) {
+      return paragraph("Both methods give the same fractions: all " + std::to_string(agreement.compared) +
+                       " entries agree.");
+    }
+    paragraph("The two methods differ by up to " + agreement.largestDifference.toString() + ".");
+  }
+
+  void addSteps() {
+    heading(2, "Step by step");
+    ReportTable table{{"", "Matroid method", "T-T graph method", "Relation"}, {}};
+    for (const ComparedStep& step : comparedSteps()) {
+      table.rows.push_back({plainWords(step.name), reportWords(step.matroid), reportWords(step.ttGraph),
+                            reportWords(step.relationWords)});
+    }
+    put(std::move(table));
+  }
+
+  void addMeshes(const MethodComparison& comparison) {
+    heading(2, "Mesh by mesh");
+    paragraph(
+        "On the left the row of $P$, divided by the radius of the head's gear; on the right the terminal "
+        "equation with both circuits put in, times $N_{tail} / N_{head}$.");
+    ReportTable table{{"Mesh", "Matroid method", "T-T graph method", "Sign of the pair"}, {}};
+    for (const ComparedMesh& mesh : comparison.perMesh) {
+      if (static_cast<int>(table.rows.size()) == kMostListed) break;
+      table.rows.push_back({plainWords(label(m_graph.t() + mesh.mesh)), reportWords(row(mesh, true)),
+                            reportWords(row(mesh, false)),
+                            reportWords(mesh.sign < 0 ? "$-$, against each other" : "$+$, the same way")});
+    }
+    put(std::move(table));
+  }
+
+  [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
+
+  /// "$i_{15} \dot{\theta}_8 + \dot{\theta}_{10} = 0$"; a coefficient that is no ratio is 1.
+  [[nodiscard]] std::string row(const ComparedMesh& mesh, bool ofMatroid) const {
+    std::string text;
+    for (const ComparedMesh::Term& term : mesh.terms) {
+      const Rational& value = ofMatroid ? term.matroid : term.ttGraph;
+      if (value.isZero()) continue;
+      const bool isNegative = value.sign() < 0;
+      if (!text.empty() || isNegative) text += isNegative ? (text.empty() ? "-" : " - ") : " + ";
+      if (onTail(mesh, term)) text += "i_{" + label(m_graph.t() + mesh.mesh) + "} ";
+      text += ofMatroid ? rateName(m_graph, term.joint) : branchName(m_graph, term.joint).toLatex();
+    }
+    return "$" + text + " = 0$";
+  }
+  [[nodiscard]] bool onTail(const ComparedMesh& mesh, const ComparedMesh::Term& term) const {
+    const Placement& placement = m_snapshot.kinematics->placement();
+    const MeshGeometry& geometry = *placement.meshes[static_cast<std::size_t>(mesh.mesh)];
+    return placement.classes->classOf[static_cast<std::size_t>(term.joint)] == geometry.tailClass;
+  }
+
+  static std::string countText(const Operations& operations) {
+    return std::to_string(operations.products) + (operations.products == 1 ? " product, " : " products, ") +
+           std::to_string(operations.sums) + (operations.sums == 1 ? " sum" : " sums");
+  }
+  static std::string countText(const std::optional<Operations>& operations) {
+    return operations ? countText(*operations) : "too long to write";
+  }
+
+  void addCounts(const MethodComparison& comparison) {
+    heading(2, "Counted");
+    paragraph(
+        "Products and quotients, sums and differences of the calculation by hand for this mechanism; those "
+        "with "
+        "$0$ and $\\pm 1$ cost nothing.");
+    const MethodSize& matroid = comparison.matroid;
+    const MethodSize& ttGraph = comparison.ttGraph;
+    ReportTable table{{"", "Matroid method", "T-T graph method"}, {}};
+    const auto add = [&](const char* what, const std::string& left, const std::string& right) {
+      table.rows.push_back({plainWords(what), reportWords(left), reportWords(right)});
+    };
+    const auto number = [](long long value) { return "$" + std::to_string(value) + "$"; };
+    const auto size = [](const MethodSize& of) {
+      return "$" + std::to_string(of.rows) + " \\times " + std::to_string(of.columns) + "$";
+    };
+    add("Unknowns", number(matroid.unknowns), number(ttGraph.unknowns));
+    add("Equations", number(matroid.equations), number(ttGraph.equations));
+    add("Matrix of the equations", size(matroid), size(ttGraph));
+    add("Entries that are not 0", number(matroid.nonZeros), number(ttGraph.nonZeros));
+    add("From the drawing to the equations", countText(matroid.setUp), countText(ttGraph.setUp));
+    add("From the equations to the solution", countText(matroid.numbers), countText(ttGraph.numbers));
+    add("The same in gear ratios", countText(matroid.symbols), countText(ttGraph.symbols));
+    put(std::move(table));
+  }
+
+  void addFamilies() {
+    heading(2, "With more links");
+    paragraph(
+        "The same counted on larger trains. The chain of substitutions grows with the number of meshes times "
+        "that of the inputs; the inverse of $P_r$ holds all products along the way and grows with its "
+        "square.");
+    ReportTable table{{"Train", "Moving links", "Meshes", "Inverse and product", "Substitution"}, {}};
+    for (const FamilyCount& count : familyCounts()) {
+      table.rows.push_back({plainWords(std::to_string(count.size) + " " + familyName(count.family)),
+                            plainWords(std::to_string(count.links)), plainWords(std::to_string(count.meshes)),
+                            reportWords(countText(count.matroid)), reportWords(countText(count.ttGraph))});
+    }
+    put(std::move(table));
+  }
+
+  void addClaims(const MethodComparison& comparison) {
+    heading(2, "What the paper concludes");
+    for (const ComparedClaim& claim : claimsOf(comparison)) {
+      paragraph(claim.claim);
+      ReportList evidence;
+      for (const std::string& each : claim.evidenceFor)
+        evidence.items.push_back(reportWords("For it: " + each));
+      for (const std::string& each : claim.evidenceAgainst)
+        evidence.items.push_back(reportWords("Against it: " + each));
+      put(std::move(evidence));
+    }
+  }
+
+  const AnalysisSnapshot& m_snapshot;
+  const Digraph& m_graph;
+  std::stop_token m_token;
+};
+
+}  // namespace
+
+void addComparisonPart(Report& report, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  if (!stop.stop_requested()) ComparisonPart(report, snapshot, stop).add();
+}
+
+}  // namespace geargraph::inline report

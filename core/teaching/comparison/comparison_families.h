@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/teaching/comparison/method_comparison.h"
+
+namespace geargraph::inline comparison {
+
+/// Trains of one pattern and any size, on which both methods are counted.
+enum class TrainFamily {
+  chain,  ///< spur gears on the ground, each in mesh with the next
+  stack,  ///< planetary sets in line: the carrier of one is the sun's link of the next, the rings on the
+          ///< ground
+  wrist,  ///< nested arms about axes that meet at right angles, each driven by bevel gears from the ground
+};
+[[nodiscard]] const char* familyName(TrainFamily family);
+
+/// With so many gears, sets or arms: at least 2, 1 and 1. Its inputs are chosen by the program.
+[[nodiscard]] Mechanism familyTrain(TrainFamily family, int size);
+
+/// Both methods, counted on trains of a family.
+struct FamilyCount {
+  TrainFamily family = TrainFamily::chain;
+  int size = 0;
+  int links = 0;
+  int meshes = 0;
+  Operations matroidSetUp;
+  Operations matroid;
+  Operations ttGraph;
+};
+/// Of all families, each by size, up to some thirty links. Computed once in a program. Cost: some tens of
+/// milliseconds.
+[[nodiscard]] const std::vector<FamilyCount>& familyCounts();
+
+}  // namespace geargraph::inline comparison

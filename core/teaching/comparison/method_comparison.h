@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/teaching/comparison/hand_calculation.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline comparison {
+
+// Both methods side by side, for one mechanism: which step of one answers to which of the other, what each
+// writes down, and how much arithmetic it takes by hand. Everything is counted on this mechanism.
+
+/// How a step of one method answers to one of the other.
+enum class StepRelation {
+  same,        ///< both do the same
+  equivalent,  ///< one follows from the other: two ways to one statement
+  onlyMatroid,
+  onlyTtGraph,
+};
+
+/// A step of both methods, in words with formulas between dollar signs; empty where a method has none.
+struct ComparedStep {
+  std::string name;
+  std::string matroid;
+  std::string ttGraph;
+  std::string relationWords;  ///< what they share, or what the other one lacks
+  StepRelation relation = StepRelation::same;
+};
+/// The steps, with the numbers of the paper's equations.
+[[nodiscard]] const std::vector<ComparedStep>& comparedSteps();
+
+/// One mesh by both methods: a term for each joint of its cycle.
+struct ComparedMesh {
+  struct Term {
+    int joint = 0;
+    Rational matroid;  ///< the entry of P, divided by the radius of the head's gear
+    /// The joint's coefficient in w_ik - s n w_jk with both circuits put in, times N_tail / N_head and the
+    /// row's sign.
+    Rational ttGraph;
+  };
+  int mesh = 0;
+  std::vector<Term> terms;  ///< by joint
+  bool isEqual = false;     ///< all terms, exactly
+  int sign = 0;             ///< of the terminal equation
+};
+
+/// What a method writes down until the rates are there.
+struct MethodSize {
+  int unknowns = 0;
+  int equations = 0;
+  int rows = 0;  ///< of its matrix
+  int columns = 0;
+  long long nonZeros = 0;
+  /// From the drawing to the equations. T-T: none but the quotient of teeth of each mesh; the signs are seen.
+  Operations setUp;
+  Operations numbers;                 ///< from the equations to the solution matrix
+  std::optional<Operations> symbols;  ///< the same in gear ratios; none where entries grow too long, or
+                                      ///< were not asked for
+};
+
+struct MethodComparison {
+  int links = 0;  ///< moving
+  int meshes = 0;
+  std::vector<ComparedMesh> perMesh;
+  MethodSize matroid;
+  MethodSize ttGraph;
+  bool isEqual = false;  ///< both hand calculations came to the same matrix
+};
+
+/// Hand calculations of more links are not carried out.
+constexpr int kMostComparedLinks = 60;
+
+/// Nothing where the mechanism is larger, a method has no solution for it, or `stop` was requested.
+/// Cost: O(n^3) operations on fractions and on functions of the ratios.
+/// @pre the snapshot is complete
+enum class ComparisonDepth { numbers, symbols };
+[[nodiscard]] std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot,
+                                                             ComparisonDepth depth = ComparisonDepth::symbols,
+                                                             const std::stop_token& stop = {});
+
+/// A sentence of the paper's conclusion, and what this comparison says for and against it; with formulas
+/// between dollar signs.
+struct ComparedClaim {
+  std::string claim;
+  std::vector<std::string> evidenceFor;
+  std::vector<std::string> evidenceAgainst;
+};
+[[nodiscard]] std::vector<ComparedClaim> claimsOf(const MethodComparison& comparison);
+
+}  // namespace geargraph::inline comparison
