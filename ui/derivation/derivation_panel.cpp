@@ -63,6 +63,23 @@ void DerivationPanel::setAwake(bool awake) {
   renew();
 }
 
+void DerivationPanel::showSection(const QString& heading) {
+  m_section = heading;
+  if (m_view->report() != nullptr && isUpToDate()) showWantedSection();
+}
+
+void DerivationPanel::showWantedSection() {
+  if (m_section.isEmpty()) return;
+  int section = 0;
+  for (std::size_t i = 0; i < m_view->headings().size(); ++i) {
+    const auto& block = m_view->report()->report().blocks[m_view->headings()[i]];
+    if (QString::fromStdString(std::get<ReportHeading>(block).text) == m_section)
+      section = static_cast<int>(i);
+  }
+  m_section.clear();
+  m_view->showHeading(section);
+}
+
 void DerivationPanel::renew() {
   if (!m_whyNot.isEmpty()) return showText(m_whyNot);
   if (!m_isAwake || m_snapshot == nullptr || m_wanted == m_snapshot) return;
@@ -80,6 +97,7 @@ void DerivationPanel::showReport(const SetReportPtr& report) {
   m_pages->setCurrentWidget(m_view);
   m_sections->setEnabled(true);
   m_export->setEnabled(true);
+  showWantedSection();
   emit reportShown();
 }
 

@@ -23,6 +23,9 @@ class DerivationPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot, const QString& whyNot);
   /// Is it in sight?
   void setAwake(bool awake);
+  /// Brings the section with this heading into sight, once the derivation is there; the beginning where it
+  /// has none.
+  void showSection(const QString& heading);
   /// Is the derivation that is shown the newest snapshot's?
   [[nodiscard]] bool isUpToDate() const { return m_shown == m_snapshot; }
 
@@ -40,6 +43,7 @@ class DerivationPanel : public QWidget {
   void renew();
   void showReport(const SetReportPtr& report);
   void showText(const QString& text);
+  void showWantedSection();
   void fillSections();
 
   DerivationService* m_service;
@@ -52,6 +56,7 @@ class DerivationPanel : public QWidget {
   SnapshotPtr m_wanted;  ///< asked for last
   SnapshotPtr m_shown;
   QString m_whyNot;
+  QString m_section;  ///< the heading that is to come into sight with the next report
   bool m_isAwake = false;
 };
 

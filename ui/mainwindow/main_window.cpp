@@ -325,7 +325,8 @@ void MainWindow::renewExport() {
                                   : tr("This matrix needs the turning joints to be a spanning tree."));
   const QString why = m_exports->whyNoDerivation();
   WindowActions::setAvailable(m_actions->exportDerivation, why.isEmpty(), why);
-  WindowActions::setAvailable(m_actions->showDerivation, why.isEmpty(), why);
+  for (QAction* action : {m_actions->showDerivation, m_actions->compareMethods})
+    WindowActions::setAvailable(action, why.isEmpty(), why);
 }
 
 bool MainWindow::openDocument(const QString& path) {

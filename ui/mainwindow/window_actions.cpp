@@ -93,6 +93,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   showDerivation =
       make("learn.derivation", words("Show the &derivation"),
            words("Both methods worked out step by step for this mechanism"), {QKeySequence(Qt::Key_F6)});
+  compareMethods = make("learn.compare", words("&Compare the methods"),
+                        words("Both methods side by side, counted for this mechanism"), {});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
   quit =
       make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});

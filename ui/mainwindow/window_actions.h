@@ -32,6 +32,7 @@ struct WindowActions {
   QAction* exportPicture;
   QAction* exportDerivation;
   QAction* showDerivation;
+  QAction* compareMethods;
   QAction* close;
   QAction* quit;
 

@@ -89,7 +89,7 @@ void MainWindow::makeMenus() {
   motion->addSeparator();
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-  menu(tr("&Learn"))->addActions({a.showDerivation, a.lookUp});
+  menu(tr("&Learn"))->addActions({a.showDerivation, a.compareMethods, a.lookUp});
   menu(tr("&Help"))->addActions({a.search, a.shortcuts, a.about});
 }
 
@@ -100,6 +100,10 @@ void MainWindow::wireActions() {
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.exportDerivation, &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
   connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
+  connect(a.compareMethods, &QAction::triggered, this, [this] {
+    showDerivation();
+    m_derivation->showSection(QString::fromLatin1(kComparisonHeading));
+  });
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

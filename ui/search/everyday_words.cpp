@@ -32,6 +32,7 @@ constexpr Words kWords[] = {
     {"file.exportCsv", "table spreadsheet excel matlab numpy save matrix"},
     {"file.exportPicture", "image png svg pdf glb film video animation 3d save drawing"},
     {"learn.derivation", "proof steps explanation equations"},
+    {"learn.compare", "difference advantage versus similar both methods matroid t-t graph"},
     {"learn.lookUp", "glossary definition dictionary meaning"},
     {"help.shortcuts", "keys hotkeys keyboard"},
     {"motion.play", "animate simulate run move turn start"},

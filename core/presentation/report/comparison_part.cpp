@@ -14,7 +14,7 @@ class ComparisonPart : private ReportPart {
 
   void add() {
     if (!m_snapshot.solved || !m_snapshot.solved->agreement) return;
-    heading(1, "Both methods compared");
+    heading(1, kComparisonHeading);
     addAgreement(*m_snapshot.solved->agreement);
     const auto comparison = compareMethods(m_snapshot, ComparisonDepth::symbols, m_token);
     if (!comparison) return;

@@ -67,6 +67,9 @@ struct Report {
 /// Reports of more links would be thousands of pages.
 constexpr int kMostReportLinks = 200;
 
+/// The heading of the part that compares the methods; a mechanism without a solution has none.
+inline constexpr const char* kComparisonHeading = "Both methods compared";
+
 /// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
 /// error of the geometry the digraph's matrices, and so on; what is missing is said with the findings.
 /// Of no use when `stop` was requested meanwhile. Cost: that of the matrices' entries.

@@ -106,6 +106,20 @@ class DerivationPanelTest : public QObject {
     QCOMPARE(panel->sections().currentIndex(), 0);
   }
 
+  // Learn > Compare the methods, before the derivation is worked out and after.
+  void aSectionIsBroughtIntoSightOnceItIsThere() {
+    const QString comparison = QString::fromLatin1(kComparisonHeading);
+    panel->showSection(comparison);
+    showNow(snapshotOf(robot()));
+    QCOMPARE(panel->sections().currentText(), comparison);
+    view().verticalScrollBar()->setValue(0);
+    QCOMPARE(panel->sections().currentIndex(), 0);
+    panel->showSection(comparison);
+    QCOMPARE(panel->sections().currentText(), comparison);
+    panel->showSection(QStringLiteral("No such section"));
+    QCOMPARE(panel->sections().currentIndex(), 0);
+  }
+
   void theMouseOverAnEquationMeansItsMesh() {
     showNow(snapshotOf(robot()));
     const QPoint place = bringUp(28);
@@ -199,7 +213,7 @@ class DerivationPanelTest : public QObject {
   void whatIsTooWideEvenInPartsScrolls() {
     showNow(snapshotOf(robot()));
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
-    panel->resize(220, 300);
+    panel->resize(280, 300);
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
     view().setZoom(DerivationView::kMostZoom);
     QVERIFY(view().horizontalScrollBar()->maximum() > 0);
