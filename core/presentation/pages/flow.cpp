@@ -120,25 +120,42 @@ class FlowWriter {
     }
     return width;
   }
-  /// As wide as the widest cell; where that is too much the wide ones share what the narrow ones leave.
+  /// Formulas do not break.
+  double widestFormula(const ReportWords& words) {
+    double widest = 0;
+    for (const ReportSpan& span : words) {
+      if (span.isFormula) widest = std::max(widest, m_report.inLine(span.text)->width * m_flow.formulaSize);
+    }
+    return widest;
+  }
+  /// As wide as the widest cell; where that is too much the wide ones share what the narrow ones leave, but
+  /// none is narrower than its formulas.
   std::vector<double> columnWidths(const ReportTable& table, const std::vector<ReportWords>& head) {
     std::vector<double> widths;
+    std::vector<double> least;
     for (std::size_t column = 0; column < head.size(); ++column) {
       double width = naturalWidth(head[column]);
+      double formula = widestFormula(head[column]);
       for (const auto& row : table.rows) {
-        if (column < row.size()) width = std::max(width, naturalWidth(row[column]));
+        if (column >= row.size()) continue;
+        width = std::max(width, naturalWidth(row[column]));
+        formula = std::max(formula, widestFormula(row[column]));
       }
       widths.push_back(width + 0.01);
+      least.push_back(std::max(formula + 0.01, m_flow.size));
     }
     double room = m_flow.width - gap() * static_cast<double>(widths.size() - 1);
-    std::vector<std::size_t> order(widths.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return widths[a] < widths[b]; });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const double share = room / static_cast<double>(order.size() - i);
-      widths[order[i]] = std::max(std::min(widths[order[i]], share), m_flow.size);
-      room -= widths[order[i]];
+    std::vector<std::size_t> open(widths.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return widths[a] < widths[b]; });
+    while (!open.empty()) {
+      const double share = room / static_cast<double>(open.size());
+      const auto needsMore =
+          std::find_if(open.begin(), open.end(), [&](std::size_t i) { return least[i] > share; });
+      const auto next = needsMore != open.end() ? needsMore : open.begin();
+      widths[*next] = std::max(std::min(widths[*next], share), least[*next]);
+      room -= widths[*next];
+      open.erase(next);
     }
     return widths;
   }

@@ -48,21 +48,19 @@ class ComparisonPart : private ReportPart {
   void addMeshes(const MethodComparison& comparison) {
     heading(2, "Mesh by mesh");
     paragraph(
-        "On the left the row of $P$, divided by the radius of the head's gear; on the right the terminal "
+        "For each mesh, above: its row of $P$, divided by the radius of the head's gear. Below: its terminal "
         "equation with both circuits put in, times $N_{tail} / N_{head}$.");
-    ReportTable table{{"Mesh", "Matroid method", "T-T graph method", "Sign of the pair"}, {}};
+    int listed = 0;
     for (const ComparedMesh& mesh : comparison.perMesh) {
-      if (static_cast<int>(table.rows.size()) == kMostListed) break;
-      table.rows.push_back({plainWords(label(m_graph.t() + mesh.mesh)), reportWords(row(mesh, true)),
-                            reportWords(row(mesh, false)),
-                            reportWords(mesh.sign < 0 ? "$-$, against each other" : "$+$, the same way")});
+      if (isStopped() || ++listed > kMostListed) return;
+      equation(texLines({row(mesh, true), row(mesh, false)}), std::nullopt,
+               {m_snapshot.mechanism->gearMeshes[static_cast<std::size_t>(mesh.mesh)].id});
     }
-    put(std::move(table));
   }
 
   [[nodiscard]] std::string label(int edge) const { return std::to_string(m_graph.edgeLabel(edge)); }
 
-  /// "$i_{15} \dot{\theta}_8 + \dot{\theta}_{10} = 0$"; a coefficient that is no ratio is 1.
+  /// "i_{15} \dot{\theta}_8 + \dot{\theta}_{10} = 0"; a coefficient that is no ratio is 1.
   [[nodiscard]] std::string row(const ComparedMesh& mesh, bool ofMatroid) const {
     std::string text;
     for (const ComparedMesh::Term& term : mesh.terms) {
@@ -73,7 +71,7 @@ class ComparisonPart : private ReportPart {
       if (onTail(mesh, term)) text += "i_{" + label(m_graph.t() + mesh.mesh) + "} ";
       text += ofMatroid ? rateName(m_graph, term.joint) : branchName(m_graph, term.joint).toLatex();
     }
-    return "$" + text + " = 0$";
+    return text + " = 0";
   }
   [[nodiscard]] bool onTail(const ComparedMesh& mesh, const ComparedMesh::Term& term) const {
     const Placement& placement = m_snapshot.kinematics->placement();

@@ -173,8 +173,7 @@ const std::vector<ComparedStep>& comparedSteps() {
        "oriented graph: the same nodes and branches, and for each mesh two chords to its carrier (Figs. 4 to "
        "6)",
        "The turning joints are the tree in both, the meshes close its cycles.", StepRelation::same},
-      {"Tree and cycles",
-       "incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C = [T \\mid U]$ (5)",
+      {"Tree and cycles", "incidence matrix (1), (2), path matrix $Z$ (3), spanning tree (4), $C$ (5)",
        "levels of the branches; f-circuits of the chords (31)-(38)",
        "The cycle of a mesh is the circuit of its tail's chord less that of its head's chord.",
        StepRelation::equivalent},
@@ -185,7 +184,7 @@ const std::vector<ComparedStep>& comparedSteps() {
       {"Mesh",
        "screws about the pitch point (6)-(13), one row of $P$ (16)-(19): $i_c$ on the tail's axis, $\\pm 1$ "
        "on the head's",
-       "terminal equation (26)-(30): $\\omega_{ik} = \\pm n_{ji} \\omega_{jk}$",
+       "terminal equation (26)-(30): speeds seen from the carrier, a ratio and a sign",
        "The terminal equation with its two circuits put in is the row of $P$.", StepRelation::equivalent},
       {"Sign", "comes with the diameters in the reference frame",
        "from the turning senses of the two gears, seen along their axes",
@@ -199,9 +198,9 @@ const std::vector<ComparedStep>& comparedSteps() {
       {"Relative velocities", "of the two gears of a mesh to each other (15), after the solution",
        "of each gear to its carrier: the chords, on the way to the solution",
        "(15) is the difference of the two chords, as vectors.", StepRelation::equivalent},
-      {"Forces", "rows of $P^T$: $\\tau = P^T F$ (not in the paper)",
+      {"Forces", "columns of $P$ (not in the paper)",
        "complementary terminal variables and f-cutsets (not worked out in the paper)",
-       "The cutset matrix $Q = [U \\mid -T^T]$ serves both.", StepRelation::equivalent},
+       "The cutset matrix $Q$ serves both.", StepRelation::equivalent},
   };
   return steps;
 }

@@ -213,7 +213,7 @@ class DerivationPanelTest : public QObject {
   void whatIsTooWideEvenInPartsScrolls() {
     showNow(snapshotOf(robot()));
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
-    panel->resize(280, 300);
+    panel->resize(220, 300);
     QCOMPARE(view().horizontalScrollBar()->maximum(), 0);
     view().setZoom(DerivationView::kMostZoom);
     QVERIFY(view().horizontalScrollBar()->maximum() > 0);
