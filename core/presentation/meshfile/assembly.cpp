@@ -1,13 +1,10 @@
 #include "core/presentation/meshfile/assembly.h"
 
-#include <unistd.h>
-
 #include <numbers>
 #include <set>
-#include <system_error>
 
 #include "core/foundations/base/contract.h"
-#include "core/foundations/files/file.h"
+#include "core/foundations/files/folder.h"
 #include "core/foundations/files/json_writer.h"
 
 namespace geargraph::inline meshfile {
@@ -61,11 +58,9 @@ void writeGear(JsonWriter& out, const AssemblyGear& gear, const std::string& fil
   out.endObject();
 }
 
-/// One file of the export and its bytes.
-using Files = std::vector<std::pair<std::string, std::string>>;
-
-std::variant<Files, MeshFileError> encodedFiles(const Assembly& assembly, const MeshWriteOptions& options) {
-  Files files;
+std::variant<FolderFiles, MeshFileError> encodedFiles(const Assembly& assembly,
+                                                      const MeshWriteOptions& options) {
+  FolderFiles files;
   MeshWriteOptions each = options;
   each.progress = {};
   const std::vector<std::string> names = gearFiles(assembly);
@@ -82,46 +77,6 @@ std::variant<Files, MeshFileError> encodedFiles(const Assembly& assembly, const 
   }
   files.emplace_back(kIndexFile, assemblyJson(assembly));
   return files;
-}
-
-std::optional<MeshFileError> writeInto(const fs::path& folder, const Files& files,
-                                       const MeshWriteOptions& options) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (options.stop.stop_requested()) {
-      return MeshFileError{MeshFileError::Kind::stopped, "Stopped; the folder is not complete."};
-    }
-    if (const auto error = writeFile(folder / files[i].first, files[i].second)) {
-      return MeshFileError{MeshFileError::Kind::file, error->message};
-    }
-    if (options.progress) {
-      options.progress(0.5 + 0.5 * static_cast<double>(i + 1) / static_cast<double>(files.size()));
-    }
-  }
-  return std::nullopt;
-}
-
-MeshFileError folderError(const fs::path& folder, const std::string& why) {
-  return {MeshFileError::Kind::file,
-          "The folder \"" + folder.string() + "\" could not be made: " + why + "."};
-}
-
-/// Makes the folder under another name beside its place, which it takes when it is complete.
-std::optional<MeshFileError> writeNewFolder(const fs::path& folder, const Files& files,
-                                            const MeshWriteOptions& options) {
-  const fs::path place = folder.has_filename() ? folder : folder.parent_path();
-  const fs::path temporary =
-      place.parent_path() / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
-  std::error_code error;
-  if (place.has_parent_path()) fs::create_directories(place.parent_path(), error);
-  if (!error) fs::create_directory(temporary, error);
-  if (error) return folderError(folder, error.message());
-  auto failure = writeInto(temporary, files, options);
-  if (!failure) {
-    fs::rename(temporary, place, error);
-    if (error) failure = folderError(folder, error.message());
-  }
-  if (failure) fs::remove_all(temporary, error);
-  return failure;
 }
 
 }  // namespace
@@ -184,18 +139,12 @@ std::optional<MeshFileError> writeAssembly(const Assembly& assembly, const fs::p
                                            const MeshWriteOptions& options) {
   const auto encoded = encodedFiles(assembly, options);
   if (const auto* error = std::get_if<MeshFileError>(&encoded)) return *error;
-  const Files& files = std::get<Files>(encoded);
-
-  std::error_code error;
-  if (!fs::exists(folder, error)) return writeNewFolder(folder, files, options);
-  if (!fs::is_directory(folder, error)) return folderError(folder, "there is a file of that name");
-  for (const auto& file : files) {
-    if (fs::exists(folder / file.first, error) && !overwrite) {
-      return MeshFileError{MeshFileError::Kind::file, "\"" + (folder / file.first).string() +
-                                                          "\" is there already; nothing was written."};
-    }
-  }
-  return writeInto(folder, files, options);
+  FolderOptions into{overwrite, options.stop, {}};
+  if (options.progress) into.progress = [&](double part) { options.progress(0.5 + 0.5 * part); };
+  const auto error = writeFolder(folder, std::get<FolderFiles>(encoded), into);
+  if (!error) return std::nullopt;
+  return MeshFileError{error->isStopped ? MeshFileError::Kind::stopped : MeshFileError::Kind::file,
+                       error->message};
 }
 
 }  // namespace geargraph::inline meshfile
