@@ -12,43 +12,18 @@
 #include "app/cli/dynamics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
+#include "app/cli/mass_options.h"
 #include "app/cli/number_options.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
-#include "core/mechanism/model/mass_edits.h"
 
 namespace geargraph::cli {
 namespace {
 
 constexpr double kMostSeconds = 1e6;
 constexpr double kLeastInterval = 1e-6;
-
-/// `--density` and `--gravity` in place of the document's.
-std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism, const Arguments& arguments) {
-  if (const auto word = arguments.value("--density")) {
-    const auto density = Number::fromText(*word);
-    auto next = density ? withDensity(mechanism, *density) : Expected<Mechanism>(Diagnostic{});
-    if (!next) return UsageError{"--density is above 0, in kg/m³, not \"" + *word + "\"."};
-    mechanism = *std::move(next);
-  }
-  const auto word = arguments.value("--gravity");
-  if (!word) return mechanism;
-  NumberTriple gravity;
-  std::string_view rest = *word;
-  for (std::size_t i = 0; i < gravity.size(); ++i) {
-    const std::size_t comma = i + 1 < gravity.size() ? rest.find(',') : rest.size();
-    const auto number =
-        comma == std::string_view::npos ? std::nullopt : Number::fromText(rest.substr(0, comma));
-    if (!number) return UsageError{"--gravity is like 0,0,-9.81, in m/s², not \"" + *word + "\"."};
-    gravity.at(i) = *number;
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  auto next = withGravity(std::move(mechanism), gravity);
-  if (!next) return UsageError{next.error().front().message};
-  return *std::move(next);
-}
 
 /// Sets a number of one input by a word like "8=1.5Nm"; `units` are those that may follow the number, with
 /// what they are worth.
@@ -225,8 +200,8 @@ constexpr std::array kOptions = {
     Option{"--seconds", "10", "follow the motion for so long"},
     Option{"--interval", "0.01", "seconds between samples (without it a hundredth of the motion)"},
     Option{"-o", "OUT.csv", "write the samples of the motion as CSV"},
-    Option{"--gravity", "0,0,-9.81", "acceleration of free fall, m/s², instead of the document's"},
-    Option{"--density", "7850", "of all solids, kg/m³, instead of the document's"},
+    kGravityOption,
+    kDensityOption,
     Option{"--inputs", "8,9,11", "drive these joints (by label) instead of the document's"},
     kStateOption,
     kEngageOption,

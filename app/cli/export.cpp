@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
+#include "app/cli/mass_options.h"
 
 namespace geargraph::cli {
 namespace {
@@ -20,7 +21,8 @@ constexpr unsigned kAnimation = 1U << 4U;
 constexpr unsigned kSeenSolids = 1U << 5U;
 constexpr unsigned kSolids = 1U << 6U;
 constexpr unsigned kAssembly = 1U << 7U;
-constexpr unsigned kEverything = (1U << 8U) - 1;
+constexpr unsigned kSimulator = 1U << 8U;
+constexpr unsigned kEverything = (1U << 9U) - 1;
 
 constexpr std::string_view kOfMatrices = "Matrices (--to csv)";
 constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md or pdf)";
@@ -28,34 +30,41 @@ constexpr std::string_view kOfViews = "Drawings and 3D pictures (--to svg, pdf o
 constexpr std::string_view kOf3D = "3D pictures (--to png --view 3d)";
 constexpr std::string_view kOfAnimations = "Animations (--to png --view 3d)";
 constexpr std::string_view kOfSolids = "Solids (--to stl, obj, ply, glb or 3mf)";
+constexpr std::string_view kOfSimulators = "Simulators (--to mjcf or urdf)";
 
 /// What --help, and the rejection of an option, call what is written.
-constexpr std::array<std::string_view, 8> kNames = {"--to csv",
+constexpr std::array<std::string_view, 9> kNames = {"--to csv",
                                                     "derivations (--to html, latex, md, pdf)",
                                                     "drawings (--view digraph, ttgraph, schematic)",
                                                     "3D pictures (--to png --view 3d)",
                                                     "animations (--turntable, --motion)",
                                                     "--to glb --view 3d",
                                                     "--to stl, obj, ply, glb, 3mf",
-                                                    "--to assembly"};
+                                                    "--to assembly",
+                                                    "--to mjcf, urdf"};
 
 struct ExportOption {
   Option option;
   unsigned uses = 0;
 };
 
+constexpr Option grouped(Option option, std::string_view group) {
+  option.group = group;
+  return option;
+}
+
 constexpr std::array kExportOptions = {
     ExportOption{
         {"--to", "FORM",
          "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
-         "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check"},
+         "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators"},
         kEverything},
     ExportOption{{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"}, kEverything},
     ExportOption{
         {"--all", "", "every matrix, or every picture of an animation, into the folder that -o names"},
         kMatrices | kAnimation},
     ExportOption{{"--force", "", "with a folder: overwrite files that are there"},
-                 kMatrices | kAnimation | kAssembly},
+                 kMatrices | kAnimation | kAssembly | kSimulator},
     ExportOption{
         {"--matrix", "NAME",
          "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution; of "
@@ -120,9 +129,18 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--tolerance", "MODULES",
          "farthest chord from the exact form (0.002; of large trains as fine as 10 million triangles "
-         "allow); also with assembly",
+         "allow); also with assembly, mjcf and urdf (0.01)",
          kOfSolids},
-        kSolids | kAssembly},
+        kSolids | kAssembly | kSimulator},
+    ExportOption{grouped(kGravityOption, kOfSimulators), kSimulator},
+    ExportOption{grouped(kDensityOption, kOfSimulators), kSimulator},
+    ExportOption{
+        {"--motor", "NAME", "mjcf: speed (servos with rotors, the default), torque or none", kOfSimulators},
+        kSimulator},
+    ExportOption{{"--armature", "I", "mjcf: inertia of the rotors, kg m² (100 times what the input feels)",
+                  kOfSimulators},
+                 kSimulator},
+    ExportOption{{"--timestep", "S", "mjcf: seconds (0.001)", kOfSimulators}, kSimulator},
 };
 
 constexpr auto kOptions = [] {
@@ -160,6 +178,11 @@ std::optional<Exporter> exporterOf(const Arguments& arguments, const std::string
   if (const auto report = reportFormFromName(form))
     return Exporter{kDerivation, to, [&arguments, report] { return exportReport(arguments, *report); }};
   if (form == "assembly") return Exporter{kAssembly, to, [&arguments] { return exportAssembly(arguments); }};
+  if (form == "mjcf" || form == "urdf") {
+    const auto simulator = form == "mjcf" ? SimulatorForm::mjcf : SimulatorForm::urdf;
+    return Exporter{kSimulator, to,
+                    [&arguments, simulator] { return exportSimulator(arguments, simulator); }};
+  }
   if (form == "csv") return Exporter{kMatrices, to, [&arguments] { return exportCsv(arguments); }};
   return std::nullopt;
 }
@@ -180,10 +203,15 @@ std::optional<UsageError> uselessOption(const Arguments& arguments, const Export
 
 int run(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExport, "One file is needed.");
+  if (arguments.value("--to") == "sdf") {
+    return wrongUsage(
+        kExport, "SDF is not written: no current Gazebo runs its gear joints. --to urdf is read by Gazebo.");
+  }
   const auto exporter = exporterOf(arguments, arguments.value("--to").value_or(""));
   if (!exporter) {
     return wrongUsage(
-        kExport, "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly.");
+        kExport,
+        "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf.");
   }
   if (const auto error = uselessOption(arguments, *exporter)) return wrongUsage(kExport, error->message);
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
@@ -192,9 +220,9 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-const Command kExport = {
-    "export", "FILE --to FORM [...] -o OUT",
-    "Writes matrices as CSV, the worked derivation, pictures and animations, and gears as 3D files.",
-    kOptions, run};
+const Command kExport = {"export", "FILE --to FORM [...] -o OUT",
+                         "Writes matrices as CSV, the worked derivation, pictures and animations, gears as "
+                         "3D files, and models for simulators.",
+                         kOptions, run};
 
 }  // namespace geargraph::cli

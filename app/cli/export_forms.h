@@ -18,6 +18,11 @@ int exportSolids(const Arguments& arguments, MeshFormat format);
 /// `export FILE --to assembly [--frames N] [--tolerance MODULES] [--force] -o FOLDER`.
 int exportAssembly(const Arguments& arguments);
 
+enum class SimulatorForm { mjcf, urdf };
+/// `export FILE --to mjcf/urdf [--gravity X,Y,Z] [--density N] [--timestep S] [--motor NAME] [--armature I]
+/// [--tolerance MODULES] [--force] -o FOLDER`.
+int exportSimulator(const Arguments& arguments, SimulatorForm form);
+
 /// `export FILE --to png --view 3d [--size WxH] [--from VIEW | --camera AZ,EL] [--time SECONDS] ... -o OUT`;
 /// with --turntable or --motion an animated PNG, with --all its pictures in a folder. `asSolids`: --to glb,
 /// the solids as the view shows them.

@@ -27,10 +27,15 @@ std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, c
 
 }  // namespace
 
-std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments) {
+std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments, const AdaptDocument& adapt) {
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
+  if (adapt) {
+    auto adapted = adapt(std::get<Mechanism>(std::move(document)));
+    if (const auto* error = std::get_if<UsageError>(&adapted)) return wrongUsage(kExport, error->message);
+    document = std::get<Mechanism>(std::move(adapted));
+  }
   const int links = std::get<Mechanism>(document).n();
   if (links > kMostStageLinks && !arguments.has("--gear") && !arguments.has("--link")) {
     std::cerr << "geargraph-cli: A train of " << links << " links has no 3D, which is made of up to "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -28,6 +29,9 @@ struct LoadedTrain {
 /// Reads the file and makes its gears. Findings go to standard error. The exit status where there is nothing
 /// to export: it could not be read, has errors, is too large, or the
 /// time limit was over.
-[[nodiscard]] std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments);
+/// `adapt`: applied to the document first; what is wrong with its options is wrong usage of `export`.
+using AdaptDocument = std::function<std::variant<Mechanism, UsageError>(Mechanism)>;
+[[nodiscard]] std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments,
+                                                       const AdaptDocument& adapt = {});
 
 }  // namespace geargraph::cli

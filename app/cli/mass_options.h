@@ -1,0 +1,19 @@
+#pragma once
+
+#include <variant>
+
+#include "app/cli/arguments.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph::cli {
+
+/// `--density` and `--gravity` in place of the document's.
+[[nodiscard]] std::variant<Mechanism, UsageError> withMassOptions(Mechanism mechanism,
+                                                                  const Arguments& arguments);
+
+inline constexpr Option kGravityOption{"--gravity", "0,0,-9.81",
+                                       "acceleration of free fall, m/s², instead of the document's"};
+inline constexpr Option kDensityOption{"--density", "7850",
+                                       "of all solids, kg/m³, instead of the document's"};
+
+}  // namespace geargraph::cli

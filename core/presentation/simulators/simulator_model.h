@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/foundations/files/folder.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/machine/solids/mass_properties.h"
+#include "core/machine/train/train.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline simulators {
+
+/// How the inputs are driven in the simulator.
+enum class SimulatorMotor : std::uint8_t {
+  speed,   ///< servos that hold the document's speeds, with rotors
+  torque,  ///< motors that take a torque
+  none,
+};
+
+struct SimulatorOptions {
+  double timestep = 0.001;  ///< s
+  SimulatorMotor motor = SimulatorMotor::speed;
+  std::optional<double> armature;  ///< inertia of each rotor, kg m²; none: 100 times what the input feels
+  double tolerance = kScreenTolerance;  ///< of the meshes that are shown, modules
+};
+
+/// A link as a rigid body with the joint that ties it to its parent. Lengths in m; all frames are parallel to
+/// the base frame in the reference pose.
+struct SimulatedLink {
+  int link = 0;
+  int parent = 0;    ///< link; the ground is its own
+  std::string name;  ///< its id
+  int joint = -1;    ///< ordinal; -1 for the ground
+  std::string jointName;
+  /// Of the joint's rotation: its direction where the joint's arrow leads away from the ground, else the
+  /// opposite, so that the angle is the document's.
+  Eigen::Vector3d axis{0, 0, 1};
+  Eigen::Vector3d origin{0, 0, 0};  ///< of its frame, on the axis at the bearing, in the base frame
+  MassProperties body;              ///< base frame
+  bool isBall = false;              ///< it has no solid and no stated mass: a ball of a bearing's size
+  std::string mesh;                 ///< file within the folder, base frame, document's unit; empty: none
+};
+
+/// A linear equation of joint angles that holds: a mesh, or an engaged coupling.
+struct SimulatedRow {
+  std::string name;
+  std::vector<std::pair<int, double>>
+      joints;  ///< with coefficients; of a mesh in m, so that its force is in N
+  bool isActive = true;
+};
+
+struct SimulatedInput {
+  int joint = 0;
+  double speed = 0;    ///< rad/s
+  double inertia = 0;  ///< that it feels in the reference pose, the others at rest, kg m²
+};
+
+/// A mechanism for programs that simulate rigid bodies.
+struct SimulatorModel {
+  std::string name;
+  double metres = 0.001;  ///< in one of the document's unit
+  double density = 7850;
+  Eigen::Vector3d gravity{0, 0, 0};
+  std::vector<SimulatedLink> links;  ///< by ordinal, the ground first
+  std::vector<int> order;            ///< links, parents before children, without the ground
+  std::vector<std::string> joints;   ///< names by ordinal
+  std::vector<SimulatedRow> rows;
+  std::vector<SimulatedInput> inputs;
+  /// K by joint and input, exact: which joints follow which.
+  std::vector<std::vector<Rational>> gains;
+  FolderFiles meshes;
+  std::vector<std::string> notes;  ///< what a reader of the file has to know, sentences
+};
+
+/// Why there is no model, as a sentence.
+struct SimulatorError {
+  enum class Kind : std::uint8_t { stopped, limit, model };
+  Kind kind = Kind::model;
+  std::string message;
+};
+
+/// The model of a mechanism as engaged. Rows of meshes are teeth times metres per tooth (pitch radius of the
+/// tail over its teeth): the ratio is that of the teeth, exactly.
+/// Fails for links too light for simulators, unknown units of length, and over the limit of triangles.
+/// Cost: that of the solids and masses.
+/// @pre the snapshot has no errors, a tree and a solution with its matrix; `train` is its own
+[[nodiscard]] std::variant<SimulatorModel, SimulatorError> simulatorModel(const AnalysisSnapshot& snapshot,
+                                                                          const GearTrain& train,
+                                                                          const SimulatorOptions& options,
+                                                                          const std::stop_token& stop = {});
+
+/// The model as MJCF, the format of MuJoCo: every mesh a fixed tendon that an equality holds, couplings
+/// likewise.
+[[nodiscard]] std::string mjcfText(const SimulatorModel& model, const SimulatorOptions& options);
+
+/// The model as URDF, in which a joint follows at most one other joint.
+/// Fails where a joint follows several; the message gives the equation of the first three.
+[[nodiscard]] std::variant<std::string, SimulatorError> urdfText(const SimulatorModel& model);
+
+}  // namespace geargraph::inline simulators
