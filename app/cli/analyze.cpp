@@ -6,7 +6,6 @@
 #include <array>
 #include <memory>
 
-#include "app/cli/analyze_json.h"
 #include "app/cli/analyze_text.h"
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
@@ -14,6 +13,7 @@
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/presentation/results/analysis_json.h"
 
 namespace geargraph::cli {
 namespace {
@@ -53,7 +53,7 @@ int run(const Arguments& arguments) {
                  status);
   }
   DescriptorSink out(STDOUT_FILENO);
-  writeAnalysisJson(out, snapshot.get(), diagnostics, arguments.has("--dense"));
+  writeAnalysisJson(out, snapshot.get(), diagnostics, {.dense = arguments.has("--dense")});
   return out.failed() ? fileFailure("Standard output could not be written.") : status;
 }
 

@@ -7,15 +7,12 @@
 #include "core/design/collision/motion_findings.h"
 #include "core/foundations/base/diagnostic.h"
 #include "core/foundations/files/json_writer.h"
+#include "core/presentation/results/diagnostics_json.h"
 
 namespace geargraph::cli {
 
 /// One line a finding, as compilers print theirs: "robot.geargraph:12:5: error: ... [schema]".
 [[nodiscard]] std::string diagnosticLines(std::string_view file, const Diagnostics& diagnostics);
-
-/// The value of the member "diagnostics": severity, code, message, the ids by their lists; for collisions
-/// in motion the time; for findings in the text of the file pointer, line and column.
-void writeDiagnostics(JsonWriter& json, const Diagnostics& diagnostics);
 
 /// The member "motion": what a check of the motion has covered; null if there was nothing to check.
 void writeMotionCheck(JsonWriter& json, const std::optional<MotionReport>& report);

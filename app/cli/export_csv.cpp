@@ -9,12 +9,12 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/csv_tables.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
+#include "core/presentation/results/csv_tables.h"
 
 namespace geargraph::cli {
 namespace {

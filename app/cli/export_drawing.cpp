@@ -4,11 +4,11 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/drawings.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
+#include "core/presentation/results/named_drawings.h"
 
 namespace geargraph::cli {
 namespace {
@@ -31,7 +31,7 @@ std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& argumen
 int exportDrawing(const Arguments& arguments, PictureForm form) {
   const std::string view = arguments.value("--view").value_or("");
   const std::string name(pictureFormName(form));
-  const Drawing* drawing = drawingNamed(view);
+  const NamedDrawing* drawing = drawingNamed(view);
   if (drawing == nullptr) {
     if (view == "3d") return wrongUsage(kExport, "--view 3d is made of pixels: it needs --to png.");
     const std::string solid = form == PictureForm::png ? ", 3d" : "";

@@ -6,13 +6,13 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/drawings.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/input_options.h"
 #include "app/cli/time_limit.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/results/named_drawings.h"
 
 namespace geargraph::cli {
 namespace {

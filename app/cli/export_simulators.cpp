@@ -46,7 +46,7 @@ int failureOf(const SimulatorError& error, const Arguments& arguments) {
 }
 
 /// What the user should know about the freedom of what was written.
-void tellFreedom(const LoadedTrain& loaded, const Arguments& arguments) {
+void tellFreedom(const ExportTrain& loaded, const Arguments& arguments) {
   const std::vector<int>& inputs = loaded.snapshot->matroid()->choice.joints;
   if (inputs.empty()) {
     std::cerr << "geargraph-cli: Nothing can move; the model holds still.\n";
@@ -73,7 +73,7 @@ int exportSimulator(const Arguments& arguments, SimulatorForm form) {
   const auto loaded = loadTrain(
       arguments, [&](Mechanism mechanism) { return withMassOptions(std::move(mechanism), arguments); });
   if (const int* status = std::get_if<int>(&loaded)) return *status;
-  const LoadedTrain& train = std::get<LoadedTrain>(loaded);
+  const ExportTrain& train = std::get<ExportTrain>(loaded);
   const MatroidAnalysis* const matroid = train.snapshot->matroid();
   if (matroid == nullptr || !matroid->solution) {
     std::cerr << "geargraph-cli: There is no solution to drive the model by; nothing was written.\n";

@@ -6,28 +6,11 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/time_limit.h"
-#include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/train_stage/train_stage.h"
 
 namespace geargraph::cli {
-namespace {
 
-std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  std::vector<std::vector<Rational>> motions;
-  const MatroidAnalysis* matroid = snapshot.matroid();
-  if (matroid == nullptr || !matroid->solution) return motions;
-  const std::vector<int>& inputs = matroid->choice.joints;
-  for (const auto& speeds : {matroid->speeds, restlessSpeeds(inputs.size())}) {
-    if (auto solution = solveExact(*snapshot.kinematics->model, inputs, speeds, stop)) {
-      motions.push_back(std::move(solution->rates));
-    }
-  }
-  return motions;
-}
-
-}  // namespace
-
-std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments, const AdaptDocument& adapt) {
+std::variant<ExportTrain, int> loadTrain(const Arguments& arguments, const AdaptDocument& adapt) {
   const std::string& file = arguments.files.front();
   auto document = loadEngaged(kExport, arguments);
   if (const int* status = std::get_if<int>(&document)) return *status;
@@ -42,29 +25,33 @@ std::variant<LoadedTrain, int> loadTrain(const Arguments& arguments, const Adapt
               << kMostStageLinks << " links; --gear and --link export a part of it. Nothing was written.\n";
     return static_cast<int>(kResourceLimit);
   }
-  LoadedTrain loaded;
-  loaded.snapshot = analyzeLive(std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))),
-                                0, arguments.stop);
-  if (!loaded.snapshot) return outOfTime(arguments, "the analysis");
-  const AnalysisSnapshot& snapshot = *loaded.snapshot;
-  std::cerr << diagnosticLines(file, snapshot.diagnostics);
-  if (hasErrors(snapshot.diagnostics) || !snapshot.kinematics) {
-    std::cerr << "geargraph-cli: A mechanism with errors has no gears; nothing was written.\n";
-    return static_cast<int>(kMechanismErrors);
-  }
-  const auto train = snapshot.geometry->train(arguments.stop);
-  const auto found = snapshot.geometry->diagnostics(arguments.stop);
-  if (!train || !found) return outOfTime(arguments, "the gear train");
-  loaded.train = *train;
-  std::cerr << diagnosticLines(file, *found);
+  const SnapshotPtr snapshot = analyzeLive(
+      std::make_shared<const Mechanism>(std::get<Mechanism>(std::move(document))), 0, arguments.stop);
+  if (!snapshot) return outOfTime(arguments, "the analysis");
+  std::cerr << diagnosticLines(file, snapshot->diagnostics);
+  auto made = exportTrain(snapshot, arguments.stop);
+  if (const auto* why = std::get_if<ExportFailure>(&made)) return exportFailure(arguments, *why);
+  auto& loaded = std::get<ExportTrain>(made);
+  std::cerr << diagnosticLines(file, loaded.diagnostics);
   if (loaded.train.hasSimpleBodies) {
     std::cerr << "geargraph-cli: A train of " << loaded.train.gears.size() << " gears (over "
               << kMostRoutedGears
               << "): wheels are plain discs, shafts and arms are straight and pass through other parts.\n";
   }
-  loaded.motions = motionsOf(snapshot, arguments.stop);
-  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the motion");
-  return loaded;
+  return std::move(loaded);
+}
+
+int exportFailure(const Arguments& arguments, const ExportFailure& why) {
+  using Kind = ExportFailure::Kind;
+  if (why.kind == Kind::stopped) return outOfTime(arguments, why.message);
+  if (why.kind == Kind::choice) return wrongUsage(kExport, why.message + ".");
+  std::cerr << diagnosticLines(arguments.files.front(), why.diagnostics);
+  if (why.kind == Kind::mechanism && !why.message.empty())
+    std::cerr << "geargraph-cli: " << why.message << "; nothing was written.\n";
+  if (why.kind == Kind::triangles)
+    std::cerr << "geargraph-cli: " << why.message << "; choose a coarser --tolerance.\n";
+  if (why.kind == Kind::limit) std::cerr << "geargraph-cli: " << why.message << ".\n";
+  return why.kind == Kind::mechanism ? kMechanismErrors : kResourceLimit;
 }
 
 }  // namespace geargraph::cli

@@ -15,21 +15,14 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/time_limit.h"
+#include "core/presentation/results/input_pose.h"
 #include "core/theory/analysis/analysis.h"
-#include "core/theory/pose/angle.h"
 #include "core/theory/pose/joint_limits.h"
-#include "core/theory/pose/turning_lines.h"
 
 namespace geargraph::cli {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// Angles of the inputs, in column order, as they were written: so whole turns of any number stay exact.
-struct InputAngles {
-  std::vector<Rational> degrees;
-  std::vector<Rational> radians;
-};
 
 std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string_view word,
                                    InputAngles& angles) {
@@ -54,36 +47,6 @@ std::optional<UsageError> setAngle(const AnalysisSnapshot& snapshot, std::string
   return UsageError{"Joint \"" + label + "\" is not an input; see --inputs."};
 }
 
-/// The angles of all joints in rad, by joint, without whole turns: the rates' own relation, theta = K
-/// theta_E. Turns are taken off while the numbers are exact.
-std::vector<double> jointAngles(const AnalysisSnapshot& snapshot, const InputAngles& inputs) {
-  const KinematicModel& model = *snapshot.kinematics->model;
-  const std::vector<int>& joints = snapshot.matroid()->choice.joints;
-  const auto inDegrees = solveExact(model, joints, inputs.degrees);
-  const auto inRadians = solveExact(model, joints, inputs.radians);
-  std::vector<double> angles(static_cast<std::size_t>(model.t()));
-  for (std::size_t joint = 0; joint < angles.size(); ++joint) {
-    angles[joint] = reducedAngle(inDegrees->rates[joint] / 360, inRadians->rates[joint]);
-  }
-  return angles;
-}
-
-std::vector<Eigen::Isometry3d> poses(const AnalysisSnapshot& snapshot, const std::vector<double>& angles) {
-  return ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(angles);
-}
-
-/// The same with all their turns, which limits count.
-std::vector<double> wholeAngles(const AnalysisSnapshot& snapshot, const InputAngles& inputs) {
-  const KinematicModel& model = *snapshot.kinematics->model;
-  const std::vector<int>& joints = snapshot.matroid()->choice.joints;
-  const auto inDegrees = solveExact(model, joints, inputs.degrees);
-  const auto inRadians = solveExact(model, joints, inputs.radians);
-  std::vector<double> angles(static_cast<std::size_t>(model.t()));
-  for (std::size_t joint = 0; joint < angles.size(); ++joint)
-    angles[joint] = inDegrees->rates[joint].toDouble() * kDegree + inRadians->rates[joint].toDouble();
-  return angles;
-}
-
 /// "170 deg", "-133.33333 deg", or "none" for an open end.
 std::string limitText(double angle) {
   if (!std::isfinite(angle)) return "none";
@@ -94,13 +57,13 @@ std::string limitText(double angle) {
 
 /// One line a joint that is turned beyond its limits.
 std::string warningsBeyondLimits(const std::string& file, const AnalysisSnapshot& snapshot,
-                                 const std::vector<double>& angles, const std::vector<int>& beyond) {
+                                 const InputPose& pose) {
   const std::vector<AngleLimits> limits = angleLimits(*snapshot.mechanism);
   std::string text;
-  for (const int joint : beyond) {
+  for (const int joint : pose.beyondLimits) {
     const auto j = static_cast<std::size_t>(joint);
     text += file + ": warning: joint " + std::to_string(snapshot.graph->edgeLabel(joint)) + " at " +
-            limitText(angles[j]) + " is beyond its limits (" + limitText(limits[j].low) + ", " +
+            limitText(pose.wholeAngles[j]) + " is beyond its limits (" + limitText(limits[j].low) + ", " +
             limitText(limits[j].high) + ")\n";
   }
   return text;
@@ -112,8 +75,8 @@ void writeTriple(JsonWriter& json, const Eigen::Vector3d& triple) {
   json.endArray();
 }
 
-std::string asJson(const AnalysisSnapshot& snapshot, const std::vector<double>& angles,
-                   const std::vector<Eigen::Isometry3d>& links, const std::vector<int>& beyond) {
+std::string asJson(const AnalysisSnapshot& snapshot, const InputPose& pose) {
+  const auto& [angles, whole, links, beyond] = pose;
   TextSink sink;
   {
     JsonWriter json(sink);
@@ -158,22 +121,21 @@ std::string rounded(double value) {
   return text.str();
 }
 
-std::string asText(const AnalysisSnapshot& snapshot, const std::vector<double>& angles,
-                   const std::vector<Eigen::Isometry3d>& links) {
+std::string asText(const AnalysisSnapshot& snapshot, const InputPose& pose) {
   const auto triple = [](const Eigen::Vector3d& v) {
     return "(" + rounded(v.x()) + ", " + rounded(v.y()) + ", " + rounded(v.z()) + ")";
   };
   std::string text = "Joints\n";
-  for (std::size_t joint = 0; joint < angles.size(); ++joint) {
+  for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
     text += "  " + std::to_string(snapshot.graph->edgeLabel(static_cast<int>(joint))) + " turned by " +
-            rounded(angles[joint] / kDegree) + " deg\n";
+            rounded(pose.angles[joint] / kDegree) + " deg\n";
   }
   text += "\nLinks, against the reference pose: turned, and where the point went that was at the origin\n";
-  for (std::size_t node = 1; node < links.size(); ++node) {
-    const Eigen::AngleAxisd turn(links[node].linear());
+  for (std::size_t node = 1; node < pose.links.size(); ++node) {
+    const Eigen::AngleAxisd turn(pose.links[node].linear());
     text += "  " + std::to_string(snapshot.graph->nodeLabel(static_cast<int>(node))) + " by " +
             rounded(turn.angle() / kDegree) + " deg about " + triple(turn.axis()) + " to " +
-            triple(links[node].translation()) + '\n';
+            triple(pose.links[node].translation()) + '\n';
   }
   return text;
 }
@@ -191,18 +153,14 @@ int run(const Arguments& arguments) {
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   if (hasErrors(snapshot->diagnostics) || snapshot->matroid() == nullptr) return kMechanismErrors;
 
-  const std::vector<Rational> zeros(snapshot->matroid()->choice.joints.size());
-  InputAngles inputs{zeros, zeros};
+  InputAngles inputs = restingInputs(*snapshot);
   for (const std::string& word : arguments.values("--angle")) {
     if (const auto error = setAngle(*snapshot, word, inputs)) return wrongUsage(kPose, error->message);
   }
-  const std::vector<double> angles = jointAngles(*snapshot, inputs);
-  const auto links = poses(*snapshot, angles);
-  const std::vector<double> whole = wholeAngles(*snapshot, inputs);
-  const std::vector<int> beyond = jointsBeyondLimits(angleLimits(*snapshot->mechanism), whole);
-  std::cerr << warningsBeyondLimits(file, *snapshot, whole, beyond);
-  return print(arguments.has("--json") ? asJson(*snapshot, angles, links, beyond)
-                                       : asText(*snapshot, angles, links));
+  const auto pose = poseOfInputs(*snapshot, inputs, arguments.stop);
+  if (!pose) return outOfTime(arguments, "the pose");
+  std::cerr << warningsBeyondLimits(file, *snapshot, *pose);
+  return print(arguments.has("--json") ? asJson(*snapshot, *pose) : asText(*snapshot, *pose));
 }
 
 constexpr std::array kOptions = {

@@ -12,10 +12,10 @@
 #include "app/cli/engagement_options.h"
 #include "app/cli/input_options.h"
 #include "app/cli/load.h"
-#include "app/cli/statics_json.h"
 #include "app/cli/statics_options.h"
 #include "app/cli/statics_text.h"
 #include "app/cli/time_limit.h"
+#include "core/presentation/results/statics_json.h"
 
 namespace geargraph::cli {
 namespace {

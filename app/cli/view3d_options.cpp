@@ -1,11 +1,11 @@
 #include "app/cli/view3d_options.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "app/cli/export_forms.h"
+#include "core/presentation/results/shot_names.h"
 
 namespace geargraph::cli {
 namespace {
@@ -27,37 +27,6 @@ std::vector<std::string> parts(std::string_view text, char between) {
   }
   return result;
 }
-
-template <class Value, std::size_t Count>
-const Value* named(const std::array<std::pair<std::string_view, Value>, Count>& values,
-                   std::string_view name) {
-  for (const auto& [known, value] : values) {
-    if (known == name) return &value;
-  }
-  return nullptr;
-}
-
-using ViewName = std::pair<std::string_view, StandardView>;
-constexpr std::array kViews = {
-    ViewName{"front", StandardView::front},  ViewName{"back", StandardView::back},
-    ViewName{"left", StandardView::left},    ViewName{"right", StandardView::right},
-    ViewName{"top", StandardView::top},      ViewName{"bottom", StandardView::bottom},
-    ViewName{"iso", StandardView::isometric}};
-
-using FacesName = std::pair<std::string_view, Faces>;
-constexpr std::array kFaces = {FacesName{"shaded", Faces::shaded}, FacesName{"lines", Faces::hiddenLine},
-                               FacesName{"edges", Faces::wireframe}};
-
-using MarkName = std::pair<std::string_view, bool MarkChoice::*>;
-constexpr std::array kMarks = {
-    MarkName{"pitch-circles", &MarkChoice::pitchCircles}, MarkName{"pitch-points", &MarkChoice::pitchPoints},
-    MarkName{"axes", &MarkChoice::axes}, MarkName{"instant-axes", &MarkChoice::instantAxes},
-    MarkName{"velocities", &MarkChoice::velocities}};
-
-using OverlayName = std::pair<std::string_view, bool OverlayChoice::*>;
-constexpr std::array kOverlays = {
-    OverlayName{"labels", &OverlayChoice::links}, OverlayName{"joint-labels", &OverlayChoice::joints},
-    OverlayName{"axis-labels", &OverlayChoice::axes}, OverlayName{"scale", &OverlayChoice::scaleBar}};
 
 /// Reads options one by one into a shot; the first that is wrong stays said.
 class ShotReader {
@@ -93,8 +62,8 @@ class ShotReader {
     if (m_arguments.has("--from") && m_arguments.has("--camera"))
       return wrong("Give --from or --camera, not both.");
     if (const auto text = m_arguments.value("--from")) {
-      const StandardView* view = named(kViews, *text);
-      if (view == nullptr) return wrong("--from is one of front, back, left, right, top, bottom, iso.");
+      const auto view = standardViewNamed(*text);
+      if (!view) return wrong("--from is one of front, back, left, right, top, bottom, iso.");
       m_shot.view.camera = Camera::looking(*view);
     }
     if (const auto text = m_arguments.value("--camera")) {
@@ -135,15 +104,14 @@ class ShotReader {
     const Theme theme = m_arguments.has("--dark") ? Theme::dark : Theme::light;
     m_shot.view.look = pictureLook(theme, m_arguments.has("--transparent"));
     if (const auto text = m_arguments.value("--faces")) {
-      const Faces* faces = named(kFaces, *text);
-      if (faces == nullptr) return wrong("--faces is one of shaded, lines, edges.");
+      const auto faces = facesNamed(*text);
+      if (!faces) return wrong("--faces is one of shaded, lines, edges.");
       m_shot.view.look.faces = *faces;
     }
     for (const std::string& name : parts(m_arguments.value("--show").value_or(""), ',')) {
-      const auto* mark = named(kMarks, name);
-      if (mark != nullptr) {
-        m_shot.view.marks.*(*mark) = true;
-      } else if (m_arguments.has("--show") && named(kOverlays, name) == nullptr) {
+      OverlayChoice overlay;
+      const bool isKnown = showMark(m_shot.view.marks, name) || showOverlay(overlay, name);
+      if (m_arguments.has("--show") && !isKnown) {
         wrong(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
             "instant-axes, velocities, with commas.");
@@ -189,9 +157,8 @@ std::optional<ElementId> linkLabelled(const Mechanism& mechanism, const std::str
 
 OverlayChoice overlayOf(const Arguments& arguments) {
   OverlayChoice choice;
-  for (const std::string& name : parts(arguments.value("--show").value_or(""), ',')) {
-    if (const auto* shown = named(kOverlays, name)) choice.*(*shown) = true;
-  }
+  for (const std::string& name : parts(arguments.value("--show").value_or(""), ','))
+    showOverlay(choice, name);
   return choice;
 }
 

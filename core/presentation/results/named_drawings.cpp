@@ -1,4 +1,4 @@
-#include "app/cli/drawings.h"
+#include "core/presentation/results/named_drawings.h"
 
 #include <array>
 
@@ -8,7 +8,7 @@
 #include "core/presentation/drawing/tt_graph_layout.h"
 #include "core/presentation/schematic/schematic.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 namespace {
 
 DisplayList digraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*stop*/) {
@@ -26,17 +26,17 @@ DisplayList schematic(const AnalysisSnapshot& snapshot, const std::stop_token& s
   return schematicDrawing(schematicGeometry(*snapshot.geometry, stop), {});
 }
 
-constexpr std::array kDrawings = {Drawing{"digraph", digraph}, Drawing{"ttgraph", ttGraph},
-                                  Drawing{"schematic", schematic}};
+constexpr std::array kDrawings = {NamedDrawing{"digraph", digraph}, NamedDrawing{"ttgraph", ttGraph},
+                                  NamedDrawing{"schematic", schematic}};
 
 }  // namespace
 
-std::span<const Drawing> drawings() {
+std::span<const NamedDrawing> drawings() {
   return kDrawings;
 }
 
-const Drawing* drawingNamed(std::string_view name) {
-  for (const Drawing& drawing : kDrawings) {
+const NamedDrawing* drawingNamed(std::string_view name) {
+  for (const NamedDrawing& drawing : kDrawings) {
     if (drawing.name == name) return &drawing;
   }
   return nullptr;
@@ -44,8 +44,9 @@ const Drawing* drawingNamed(std::string_view name) {
 
 std::string drawingNames() {
   std::string names;
-  for (const Drawing& drawing : kDrawings) names += (names.empty() ? "" : ", ") + std::string(drawing.name);
+  for (const NamedDrawing& drawing : kDrawings)
+    names += (names.empty() ? "" : ", ") + std::string(drawing.name);
   return names;
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

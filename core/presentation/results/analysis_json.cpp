@@ -1,13 +1,13 @@
-#include "app/cli/analyze_json.h"
+#include "core/presentation/results/analysis_json.h"
 
 #include <vector>
 
-#include "app/cli/diagnostics_output.h"
-#include "app/cli/kinematics_json.h"
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/shift_edits.h"
+#include "core/presentation/results/diagnostics_json.h"
+#include "core/presentation/results/kinematics_json.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -15,8 +15,8 @@ using Layout = JsonWriter::Layout;
 /// Writes the parts of one analysis, a function a part.
 class AnalysisJson {
  public:
-  AnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, bool dense)
-      : m_json(sink), m_snapshot(snapshot), m_dense(dense) {}
+  AnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const AnalysisJsonOptions& options)
+      : m_json(sink), m_snapshot(snapshot), m_options(options) {}
 
   void write(const Diagnostics& diagnostics) {
     m_json.beginObject();
@@ -25,8 +25,10 @@ class AnalysisJson {
     part("counts", m_snapshot != nullptr, &AnalysisJson::counts);
     if (m_snapshot != nullptr) engagement(m_snapshot->mechanism->engaged);
     part("labels", m_snapshot != nullptr, &AnalysisJson::labels);
-    part("matrices", m_snapshot != nullptr, &AnalysisJson::matrices);
-    part("cycles", m_snapshot != nullptr && m_snapshot->tree, &AnalysisJson::cycles);
+    if (m_options.matrices) {
+      part("matrices", m_snapshot != nullptr, &AnalysisJson::matrices);
+      part("cycles", m_snapshot != nullptr && m_snapshot->tree, &AnalysisJson::cycles);
+    }
     if (m_snapshot != nullptr && !m_snapshot->mechanism->engaged.empty())
       motion("couplingRows", writeCouplingRows);
     motion("transferVertices", writeTransferVertices);
@@ -134,7 +136,7 @@ class AnalysisJson {
 
   /// Too large to be written with all its zeros.
   [[nodiscard]] bool isTooLarge(int rows, int columns) const {
-    return !m_dense && static_cast<long long>(rows) * columns > kMostEntries;
+    return !m_options.dense && static_cast<long long>(rows) * columns > kMostEntries;
   }
 
   void integerMatrix(const IntegerMatrix& matrix) {
@@ -217,15 +219,15 @@ class AnalysisJson {
 
   JsonWriter m_json;
   const AnalysisSnapshot* m_snapshot;
-  bool m_dense;
+  AnalysisJsonOptions m_options;
   std::vector<MatrixEntry> m_entries;  ///< of the row at hand
 };
 
 }  // namespace
 
 void writeAnalysisJson(ByteSink& sink, const AnalysisSnapshot* snapshot, const Diagnostics& diagnostics,
-                       bool dense) {
-  AnalysisJson(sink, snapshot, dense).write(diagnostics);
+                       const AnalysisJsonOptions& options) {
+  AnalysisJson(sink, snapshot, options).write(diagnostics);
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

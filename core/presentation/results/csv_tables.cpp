@@ -1,4 +1,4 @@
-#include "app/cli/csv_tables.h"
+#include "core/presentation/results/csv_tables.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "core/teaching/derivation/quantity_table.h"
 #include "core/teaching/force_tables/force_table.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 namespace {
 
 /// The heading of a screw's row aligns its joint for the eye; a program wants one blank.
@@ -140,4 +140,4 @@ std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const StaticsReport
   return tables;
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

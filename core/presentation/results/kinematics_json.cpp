@@ -1,8 +1,8 @@
-#include "app/cli/kinematics_json.h"
+#include "core/presentation/results/kinematics_json.h"
 
 #include <span>
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -254,4 +254,4 @@ void writeLinkVelocities(JsonWriter& json, const AnalysisSnapshot& snapshot) {
   json.endObject();
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

@@ -1,12 +1,12 @@
-#include "app/cli/statics_json.h"
+#include "core/presentation/results/statics_json.h"
 
 #include <string>
 
-#include "app/cli/diagnostics_output.h"
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/presentation/results/diagnostics_json.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 namespace {
 
 using Layout = JsonWriter::Layout;
@@ -496,4 +496,4 @@ void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const 
   json.endObject();
 }
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

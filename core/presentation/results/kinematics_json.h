@@ -3,7 +3,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/theory/analysis/analysis.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 
 // The values of the members of `analyze --json` that speak of motion, a function each; null where the
 // mechanism leaves them undefined. Joints, meshes and links are given by label.
@@ -20,4 +20,4 @@ void writeAgreement(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeJointSpeeds(JsonWriter& json, const AnalysisSnapshot& snapshot);
 void writeLinkVelocities(JsonWriter& json, const AnalysisSnapshot& snapshot);
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

@@ -10,7 +10,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 
 /// A table that can be exported, under its name on the command line.
 struct CsvTable {
@@ -33,4 +33,4 @@ using StaticsReportPtr = std::shared_ptr<const StaticsReport>;
 /// Is the table with this name one of statics?
 [[nodiscard]] bool isOfStatics(std::string_view name);
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

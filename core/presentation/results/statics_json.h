@@ -4,7 +4,7 @@
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/statics/statics_report.h"
 
-namespace geargraph::cli {
+namespace geargraph::inline results {
 
 /// The object of `statics --json`, of one state or of none. Links, joints and meshes by label, axes and
 /// couplings by id; torques, powers and efficiencies as fractions, as numbers where they are not exact, null
@@ -12,4 +12,4 @@ namespace geargraph::cli {
 void writeStaticsJson(JsonWriter& json, const AnalysisSnapshot* snapshot, const StaticsReport* report,
                       int state, const StaticsOptions& options, const Diagnostics& diagnostics);
 
-}  // namespace geargraph::cli
+}  // namespace geargraph::inline results

@@ -1,0 +1,44 @@
+#include "core/presentation/results/input_pose.h"
+
+#include <numbers>
+
+#include "core/theory/pose/angle.h"
+#include "core/theory/pose/forward_kinematics.h"
+#include "core/theory/pose/joint_limits.h"
+#include "core/theory/pose/turning_lines.h"
+
+namespace geargraph::inline results {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+}  // namespace
+
+InputAngles restingInputs(const AnalysisSnapshot& snapshot) {
+  const std::vector<Rational> zeros(snapshot.matroid()->choice.joints.size());
+  return {zeros, zeros};
+}
+
+std::optional<InputPose> poseOfInputs(const AnalysisSnapshot& snapshot, const InputAngles& inputs,
+                                      const std::stop_token& stop) {
+  const KinematicModel& model = *snapshot.kinematics->model;
+  const std::vector<int>& joints = snapshot.matroid()->choice.joints;
+  const auto inDegrees = solveExact(model, joints, inputs.degrees, stop);
+  const auto inRadians = solveExact(model, joints, inputs.radians, stop);
+  if (!inDegrees || !inRadians) return std::nullopt;
+  InputPose pose;
+  pose.angles.resize(static_cast<std::size_t>(model.t()));
+  pose.wholeAngles.resize(pose.angles.size());
+  for (std::size_t joint = 0; joint < pose.angles.size(); ++joint) {
+    const Rational& degrees = inDegrees->rates[joint];
+    const Rational& radians = inRadians->rates[joint];
+    pose.angles[joint] = reducedAngle(degrees / 360, radians);
+    pose.wholeAngles[joint] = degrees.toDouble() * kDegree + radians.toDouble();
+  }
+  pose.links =
+      ForwardKinematics(*snapshot.tree, turningLines(snapshot.kinematics->placement())).poses(pose.angles);
+  pose.beyondLimits = jointsBeyondLimits(angleLimits(*snapshot.mechanism), pose.wholeAngles);
+  return pose;
+}
+
+}  // namespace geargraph::inline results

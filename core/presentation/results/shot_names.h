@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/presentation/painting/camera.h"
+#include "core/presentation/painting/look.h"
+#include "core/presentation/stage/stage_lines.h"
+#include "core/presentation/train_stage/stage_labels.h"
+
+namespace geargraph::inline results {
+
+// How programs name what a 3D picture shows.
+
+/// "front", "back", "left", "right", "top", "bottom", "iso".
+[[nodiscard]] std::optional<StandardView> standardViewNamed(std::string_view name);
+
+/// "shaded", "lines" (hidden ones left out), "edges" (all of them).
+[[nodiscard]] std::optional<Faces> facesNamed(std::string_view name);
+
+/// "pitch-circles", "pitch-points", "axes", "instant-axes", "velocities"; false for another name.
+bool showMark(MarkChoice& marks, std::string_view name);
+
+/// "labels", "joint-labels", "axis-labels", "scale"; false for another name.
+bool showOverlay(OverlayChoice& overlay, std::string_view name);
+
+}  // namespace geargraph::inline results

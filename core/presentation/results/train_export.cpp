@@ -1,0 +1,161 @@
+#include "core/presentation/results/train_export.h"
+
+#include <utility>
+
+#include "core/machine/bodies/derived_geometry.h"
+#include "core/presentation/drawing/palette.h"
+
+namespace geargraph::inline results {
+namespace {
+
+using Kind = ExportFailure::Kind;
+
+std::vector<std::vector<Rational>> motionsOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  std::vector<std::vector<Rational>> motions;
+  const MatroidAnalysis* matroid = snapshot.matroid();
+  if (matroid == nullptr || !matroid->solution) return motions;
+  const std::vector<int>& inputs = matroid->choice.joints;
+  for (const auto& speeds : {matroid->speeds, restlessSpeeds(inputs.size())}) {
+    if (auto solution = solveExact(*snapshot.kinematics->model, inputs, speeds, stop)) {
+      motions.push_back(std::move(solution->rates));
+    }
+  }
+  return motions;
+}
+
+Float3 colourOfLink(int label) {
+  const Color color = linkColor(label);
+  constexpr float kFull = 255;
+  return {static_cast<float>(color.red) / kFull, static_cast<float>(color.green) / kFull,
+          static_cast<float>(color.blue) / kFull};
+}
+
+/// None where gears that fine, or any at all, are within the limit.
+std::optional<ExportFailure> tooManyTriangles(const GearTrain& train, double tolerance) {
+  const double triangles = expectedTriangles(train, tolerance);
+  if (triangles <= static_cast<double>(kMostTriangles)) return std::nullopt;
+  return ExportFailure{Kind::triangles, "About " + std::to_string(static_cast<long long>(triangles)) +
+                                            " triangles are more than the limit of " +
+                                            std::to_string(kMostTriangles)};
+}
+
+/// The solids of a train at the tolerance chosen, and that tolerance.
+std::pair<TrainParts, double> fittingParts(const ExportTrain& from, const SolidsChoice& choice,
+                                           const std::stop_token& stop) {
+  std::vector<double> tolerances{choice.tolerance.value_or(kExportTolerance)};
+  if (!choice.tolerance)
+    tolerances.insert(tolerances.end(),
+                      {kScreenTolerance, kFarTolerance, kFarthestTolerance, kCoarsestTolerance});
+  std::pair<TrainParts, double> made;
+  for (const double each : tolerances) {
+    const bool isLast = each == tolerances.back();
+    if (!isLast && expectedTriangles(from.train, each) > static_cast<double>(kMostTriangles)) continue;
+    made = {};  // before the next are made: they take most of the memory
+    GearCache cache;
+    made = {trainParts(from.mechanism(), from.train, cache, each, stop), each};
+    std::size_t triangles = 0;
+    for (const LinkPart& part : made.first.parts) triangles += part.solid->triangles.size();
+    if (isLast || triangles <= kMostTriangles || stop.stop_requested()) break;
+  }
+  return made;
+}
+
+}  // namespace
+
+std::variant<ExportTrain, ExportFailure> exportTrain(SnapshotPtr snapshot, const std::stop_token& stop) {
+  if (hasErrors(snapshot->diagnostics) || !snapshot->kinematics)
+    return ExportFailure{Kind::mechanism, "A mechanism with errors has no gears"};
+  const auto train = snapshot->geometry->train(stop);
+  const auto found = snapshot->geometry->diagnostics(stop);
+  if (!train || !found) return ExportFailure{Kind::stopped, "the gear train"};
+  ExportTrain made{std::move(snapshot), *train, *found, {}};
+  made.motions = motionsOf(*made.snapshot, stop);
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the motion"};
+  return made;
+}
+
+const TrainGear* gearNamed(const ExportTrain& from, std::string_view name) {
+  for (const TrainMesh& mesh : from.train.meshes) {
+    const std::string label = std::to_string(from.mechanism().meshLabel(mesh.mesh));
+    if (name == label + ":tail") return &from.train.gears[static_cast<std::size_t>(mesh.tailGear)];
+    if (name == label + ":head") return &from.train.gears[static_cast<std::size_t>(mesh.headGear)];
+  }
+  for (const TrainGear& gear : from.train.gears) {
+    if (gear.name == name) return &gear;
+  }
+  return nullptr;
+}
+
+std::variant<TrainSolids, ExportFailure> trainSolids(const ExportTrain& from, const SolidsChoice& choice,
+                                                     const std::stop_token& stop) {
+  if (auto failure = tooManyTriangles(from.train, choice.tolerance.value_or(kCoarsestTolerance)))
+    return *std::move(failure);
+  const PlacedTrain placed = from.placed();
+  auto [made, tolerance] = fittingParts(from, choice, stop);
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the solids"};
+  if (!made.diagnostics.empty() && !from.train.hasSimpleBodies)
+    return ExportFailure{Kind::mechanism, {}, std::move(made.diagnostics)};
+  if (choice.link) {
+    std::erase_if(made.parts, [&](const LinkPart& part) {
+      return std::to_string(from.mechanism().linkLabel(part.link)) != *choice.link;
+    });
+    if (made.parts.empty())
+      return ExportFailure{Kind::choice, "There is no link \"" + *choice.link + "\" with solids"};
+  }
+  const LinkSceneSource source{from.mechanism(), *from.snapshot->tree, placed.kinematics, made.parts,
+                               colourOfLink};
+  std::optional<UniformMotion> motion;
+  if (choice.moves && !from.motions.empty()) {
+    motion = UniformMotion{from.motions.front(), std::nullopt};
+    if (choice.seconds > 0) motion->seconds = choice.seconds;
+  }
+  TrainSolids solids{{}, tolerance, std::move(made.diagnostics), {}};
+  auto scene = linkScene(source, motion);
+  if (const auto* error = std::get_if<MeshFileError>(&scene)) {
+    if (choice.seconds > 0) {
+      std::string message = error->message;
+      if (message.ends_with('.')) message.pop_back();
+      return ExportFailure{Kind::limit, std::move(message)};
+    }
+    solids.restsWhy = error->message;
+    scene = linkScene(source, std::nullopt);
+  }
+  solids.scene = std::get<MeshScene>(std::move(scene));
+  return solids;
+}
+
+std::variant<MeshScene, ExportFailure> gearScene(const ExportTrain& from, const std::string& name,
+                                                 double tolerance) {
+  const TrainGear* gear = gearNamed(from, name);
+  if (gear == nullptr)
+    return ExportFailure{Kind::choice,
+                         "There is no gear \"" + name + "\"; gears are named like 15:tail, 15:head"};
+  GearTrain alone;
+  alone.gears.push_back(*gear);
+  if (auto failure = tooManyTriangles(alone, tolerance)) return *std::move(failure);
+  auto solid = gearSolid(gear->spec, tolerance);
+  if (!solid) return ExportFailure{Kind::mechanism, {}, solid.error()};
+  const Link& link = from.mechanism().links[static_cast<std::size_t>(gear->link)];
+  const int label = from.mechanism().linkLabel(gear->link);
+  MeshScene scene{gear->name, from.mechanism().unit, {}, {}};
+  scene.materials.push_back(
+      {link.name.empty() ? "link " + std::to_string(label) : link.name, colourOfLink(label)});
+  MeshNode& node = scene.nodes.emplace_back();
+  node.name = gear->name;
+  node.solid = std::make_shared<const Solid>(*std::move(solid));
+  return scene;
+}
+
+std::variant<Assembly, ExportFailure> trainAssembly(const ExportTrain& from, double tolerance,
+                                                    std::size_t frames, const std::stop_token& stop) {
+  if (auto failure = tooManyTriangles(from.train, tolerance)) return *std::move(failure);
+  std::vector<std::vector<Rational>> motions = from.motions;
+  if (motions.empty()) motions.emplace_back(static_cast<std::size_t>(from.mechanism().t()));  // all at rest
+  GearCache cache;
+  auto assembly = assemblyOf(from.placed(), cache, tolerance, motions, frames);
+  if (stop.stop_requested()) return ExportFailure{Kind::stopped, "the assembly"};
+  if (!assembly) return ExportFailure{Kind::mechanism, {}, assembly.error()};
+  return *std::move(assembly);
+}
+
+}  // namespace geargraph::inline results
