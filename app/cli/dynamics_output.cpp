@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "app/cli/diagnostics_output.h"
 #include "app/cli/text_table.h"
+#include "core/presentation/results/diagnostics_json.h"
 
 namespace geargraph::cli {
 namespace {

@@ -22,7 +22,8 @@ constexpr unsigned kSeenSolids = 1U << 5U;
 constexpr unsigned kSolids = 1U << 6U;
 constexpr unsigned kAssembly = 1U << 7U;
 constexpr unsigned kSimulator = 1U << 8U;
-constexpr unsigned kEverything = (1U << 9U) - 1;
+constexpr unsigned kGraph = 1U << 9U;
+constexpr unsigned kEverything = (1U << 10U) - 1;
 
 constexpr std::string_view kOfMatrices = "Matrices (--to csv)";
 constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md or pdf)";
@@ -33,15 +34,16 @@ constexpr std::string_view kOfSolids = "Solids (--to stl, obj, ply, glb or 3mf)"
 constexpr std::string_view kOfSimulators = "Simulators (--to mjcf or urdf)";
 
 /// What --help, and the rejection of an option, call what is written.
-constexpr std::array<std::string_view, 9> kNames = {"--to csv",
-                                                    "derivations (--to html, latex, md, pdf)",
-                                                    "drawings (--view digraph, ttgraph, schematic)",
-                                                    "3D pictures (--to png --view 3d)",
-                                                    "animations (--turntable, --motion)",
-                                                    "--to glb --view 3d",
-                                                    "--to stl, obj, ply, glb, 3mf",
-                                                    "--to assembly",
-                                                    "--to mjcf, urdf"};
+constexpr std::array<std::string_view, 10> kNames = {"--to csv",
+                                                     "derivations (--to html, latex, md, pdf)",
+                                                     "drawings (--view digraph, ttgraph, schematic)",
+                                                     "3D pictures (--to png --view 3d)",
+                                                     "animations (--turntable, --motion)",
+                                                     "--to glb --view 3d",
+                                                     "--to stl, obj, ply, glb, 3mf",
+                                                     "--to assembly",
+                                                     "--to mjcf, urdf",
+                                                     "graphs (--to dot, graphml, node-link)"};
 
 struct ExportOption {
   Option option;
@@ -57,7 +59,8 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--to", "FORM",
          "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
-         "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators"},
+         "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; "
+         "dot, graphml, node-link: a graph"},
         kEverything},
     ExportOption{{"-o", "OUT", "the file (\"-\" is standard output), or with --all the folder"}, kEverything},
     ExportOption{
@@ -84,9 +87,12 @@ constexpr std::array kExportOptions = {
                  kDerivation},
     ExportOption{kStateOption, kEverything},
     ExportOption{kEngageOption, kEverything},
-    ExportOption{{"--view", "NAME",
-                  "digraph, ttgraph or schematic; with png and glb also 3d, the train as seen", kOfViews},
-                 kDrawing | kPicture | kAnimation | kSeenSolids},
+    ExportOption{
+        {"--view", "NAME",
+         "digraph, ttgraph or schematic; with png and glb also 3d, the train as seen; of graphs digraph "
+         "or ttgraph",
+         kOfViews},
+        kDrawing | kPicture | kAnimation | kSeenSolids | kGraph},
     ExportOption{{"--size", "WxH", "pixels (as large as the drawing is; 3d: 1600x1000)", kOfViews},
                  kDrawing | kPicture | kAnimation},
     ExportOption{{"--dark", "", "on a dark ground", kOfViews}, kDrawing | kPicture | kAnimation},
@@ -177,6 +183,8 @@ std::optional<Exporter> exporterOf(const Arguments& arguments, const std::string
   }
   if (const auto report = reportFormFromName(form))
     return Exporter{kDerivation, to, [&arguments, report] { return exportReport(arguments, *report); }};
+  if (const auto graph = graphFormFromName(form))
+    return Exporter{kGraph, to, [&arguments, graph] { return exportGraph(arguments, *graph); }};
   if (form == "assembly") return Exporter{kAssembly, to, [&arguments] { return exportAssembly(arguments); }};
   if (form == "mjcf" || form == "urdf") {
     const auto simulator = form == "mjcf" ? SimulatorForm::mjcf : SimulatorForm::urdf;
@@ -211,7 +219,8 @@ int run(const Arguments& arguments) {
   if (!exporter) {
     return wrongUsage(
         kExport,
-        "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf.");
+        "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, "
+        "dot, graphml, node-link.");
   }
   if (const auto error = uselessOption(arguments, *exporter)) return wrongUsage(kExport, error->message);
   if (!arguments.has("-o")) return wrongUsage(kExport, "-o says where to write.");
@@ -222,7 +231,7 @@ int run(const Arguments& arguments) {
 
 const Command kExport = {"export", "FILE --to FORM [...] -o OUT",
                          "Writes matrices as CSV, the worked derivation, pictures and animations, gears as "
-                         "3D files, and models for simulators.",
+                         "3D files, models for simulators, and graphs.",
                          kOptions, run};
 
 }  // namespace geargraph::cli

@@ -4,6 +4,7 @@
 #include "core/presentation/meshfile/mesh_format.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/report/report.h"
+#include "core/presentation/results/graph_files.h"
 
 namespace geargraph::cli {
 
@@ -35,6 +36,9 @@ int exportDrawing(const Arguments& arguments, PictureForm form);
 int exportReport(const Arguments& arguments, ReportForm form);
 /// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the same on pages.
 int exportReportPages(const Arguments& arguments);
+
+/// `export FILE --to dot/graphml/node-link [--view digraph/ttgraph] -o OUT`.
+int exportGraph(const Arguments& arguments, GraphForm form);
 
 // What both kinds of pictures share.
 
