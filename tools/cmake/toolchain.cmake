@@ -3,6 +3,7 @@
 option(GEARGRAPH_QT "Build the layers, programs and tests that need Qt" ON)
 option(GEARGRAPH_WERROR "Warnings are errors (on in CI, off on users' machines)" OFF)
 option(GEARGRAPH_UNITY "Compile the sources of a layer together, and the headers of tests once: half the time for all, more for one" OFF)
+option(GEARGRAPH_PYTHON "Build the Python module" ON)
 set(GEARGRAPH_SANITIZE "" CACHE STRING "Sanitizers, comma separated (address,undefined or thread)")
 
 option(GEARGRAPH_FUZZ "Build the libFuzzer programs (clang only; preset fuzz)" OFF)
@@ -22,6 +23,7 @@ target_compile_options(geargraph_warnings INTERFACE
   $<$<BOOL:${GEARGRAPH_WERROR}>:-Werror>)
 
 if(GEARGRAPH_SANITIZE)
+  set(GEARGRAPH_PYTHON OFF)   # the interpreter is not built with them
   add_compile_options(-fsanitize=${GEARGRAPH_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${GEARGRAPH_SANITIZE})
 endif()

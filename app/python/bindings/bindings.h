@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace geargraph::python {
+
+namespace py = pybind11;
+
+// The parts of the extension module `_geargraph`, a source file each. Each adds its types and functions. They
+// are thin: values go out as tuples, texts and bytes, of which the package `geargraph` makes what is
+// idiomatic in Python.
+
+void addDocument(py::module_& module);
+void addEdits(py::module_& module);
+void addAnalysis(py::module_& module);
+void addSteps(py::module_& module);
+void addStatics(py::module_& module);
+void addPictures(py::module_& module);
+void addExports(py::module_& module);
+void addSets(py::module_& module);
+
+}  // namespace geargraph::python

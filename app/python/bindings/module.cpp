@@ -1,0 +1,14 @@
+#include "app/python/bindings/bindings.h"
+
+PYBIND11_MODULE(_geargraph, module) {
+  using namespace geargraph::python;
+  module.attr("version") = GEARGRAPH_VERSION;
+  addDocument(module);
+  addEdits(module);
+  addSets(module);
+  addAnalysis(module);
+  addSteps(module);
+  addStatics(module);
+  addPictures(module);
+  addExports(module);
+}

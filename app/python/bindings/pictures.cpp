@@ -1,0 +1,182 @@
+// Drawings and 3D pictures.
+
+#include <filesystem>
+#include <numbers>
+
+#include "app/python/bindings/snapshot.h"
+#include "core/presentation/picture/picture.h"
+#include "core/presentation/results/named_drawings.h"
+#include "core/presentation/results/shot_names.h"
+#include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/train_stage/train_stage.h"
+
+namespace geargraph::python {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+using Size = std::optional<std::pair<int, int>>;
+
+void checkSize(const Size& size, int most) {
+  if (!size) return;
+  for (const int side : {size->first, size->second}) {
+    if (side < kLeastPictureSide || side > most) {
+      throw py::value_error("The sides of a picture are " + std::to_string(kLeastPictureSide) + " to " +
+                            std::to_string(most) + " pixels.");
+    }
+  }
+}
+
+py::bytes drawing(const Snapshot& self, const std::string& name, const std::string& form, bool dark,
+                  bool transparent, const Size& size) {
+  const NamedDrawing* const found = drawingNamed(name);
+  if (found == nullptr)
+    throw py::value_error("A drawing is one of " + drawingNames() + ", not \"" + name + "\".");
+  const auto pictureForm = pictureFormFromName(form);
+  if (!pictureForm) throw py::value_error("A drawing is written as svg, pdf or png, not \"" + form + "\".");
+  checkSize(size, kMostDrawingPixels);
+  DrawingPicture picture;
+  picture.form = *pictureForm;
+  picture.look.theme = dark ? Theme::dark : Theme::light;
+  picture.look.transparent = transparent;
+  if (size) picture.look.size = SheetLook::Size{size->first, size->second};
+  picture.title = self.mechanism().name;
+  return bytesOf(valueOrRaise(interruptible(
+      [&](const std::stop_token& stop) { return pictureOf(found->draw(*self.live(), stop), picture); })));
+}
+
+/// What a 3D picture shows, as Python gives it.
+struct Wish {
+  Size size;
+  bool dark = false;
+  bool transparent = false;
+  std::optional<std::string> from;
+  std::optional<std::pair<double, double>> camera;  ///< azimuth, elevation in degrees
+  double time = 0;
+  std::optional<std::pair<int, double>> section;
+  double explode = 0;
+  std::string faces = "shaded";
+  std::vector<std::string> show;
+  std::vector<std::string> hide;
+  std::optional<std::string> ride;
+  std::string folder;
+  std::string reader;
+
+  explicit Wish(const py::dict& wish)
+      : size(wish["size"].cast<Size>()),
+        dark(wish["dark"].cast<bool>()),
+        transparent(wish["transparent"].cast<bool>()),
+        from(wish["view"].cast<std::optional<std::string>>()),
+        camera(wish["camera"].cast<std::optional<std::pair<double, double>>>()),
+        time(wish["time"].cast<double>()),
+        section(wish["section"].cast<std::optional<std::pair<int, double>>>()),
+        explode(wish["explode"].cast<double>()),
+        faces(wish["faces"].cast<std::string>()),
+        show(wish["show"].cast<std::vector<std::string>>()),
+        hide(wish["hide"].cast<std::vector<std::string>>()),
+        ride(wish["ride"].cast<std::optional<std::string>>()),
+        folder(wish["folder"].cast<std::string>()),
+        reader(wish["reader"].cast<std::string>()) {}
+};
+
+std::pair<StageShot, OverlayChoice> shotOf(const Wish& wish) {
+  StageShot shot;
+  OverlayChoice overlay;
+  checkSize(wish.size, kMostPictureSide);
+  if (wish.size) shot.size = {wish.size->first, wish.size->second};
+  if (wish.from) {
+    const auto view = standardViewNamed(*wish.from);
+    if (!view) throw py::value_error("There is no view \"" + *wish.from + "\".");
+    shot.view.camera = Camera::looking(*view);
+  }
+  if (wish.camera)
+    shot.view.camera = Camera::from(wish.camera->first * kDegree, wish.camera->second * kDegree);
+  shot.view.time = wish.time;
+  if (wish.section) shot.view.section = SectionChoice{wish.section->first, wish.section->second, false};
+  shot.view.pulledApart = wish.explode;
+  shot.view.look = pictureLook(wish.dark ? Theme::dark : Theme::light, wish.transparent);
+  const auto faces = facesNamed(wish.faces);
+  if (!faces) throw py::value_error("There are no faces \"" + wish.faces + "\".");
+  shot.view.look.faces = *faces;
+  for (const std::string& name : wish.show) {
+    if (!showMark(shot.view.marks, name) && !showOverlay(overlay, name))
+      throw py::value_error("A 3D picture shows no \"" + name + "\".");
+  }
+  for (const std::string& id : wish.hide) shot.view.hidden.insert(LinkId(id));
+  if (wish.ride) shot.view.ridden = LinkId(*wish.ride);
+  return {std::move(shot), overlay};
+}
+
+/// The stage, or raises geargraph.Error where there is nothing to show.
+StagePtr stageOf(const Snapshot& self, const Wish& wish) {
+  if (self.mechanism().n() > kMostStageLinks)
+    raise("limit", "3D is made of up to " + std::to_string(kMostStageLinks) + " links.");
+  StagePtr stage = interruptible([&](const std::stop_token& stop) {
+    GearCache cache;
+    ShapeCache read(wish.reader.empty() ? foreignMeshReader() : std::filesystem::path(wish.reader));
+    const ShapeSource shapes{read, wish.folder, stop};
+    return trainStage(*self.live(), cache, &shapes, nullptr, stop);
+  });
+  if (stage->scene.instances.empty()) self.raiseUndefined("There is nothing to show.");
+  return stage;
+}
+
+ShotRun runWith(const OverlayChoice& overlay, bool dark) {
+  ShotRun run;
+  if (!overlay.any()) return run;
+  run.finish = [labels = StageLabels(overlay), theme = dark ? Theme::dark : Theme::light](
+                   Image& image, StagePainter& painter) mutable {
+    if (!paintOver(image.rgba, image.width, image.height, labels.over(painter), painter.pixelRatio(), theme))
+      image.rgba.clear();
+  };
+  return run;
+}
+
+py::bytes picture(const Snapshot& self, const py::dict& options) {
+  const Wish wish(options);
+  auto [made, overlay] = shotOf(wish);
+  StageShot shot = std::move(made);
+  shot.stage = stageOf(self, wish);
+  ShotRun run = runWith(overlay, wish.dark);
+  using Bytes = std::vector<std::uint8_t>;
+  const auto png = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<Bytes> {
+    auto created = StagePainter::create(std::move(shot), stop);
+    if (!created) return created.error();
+    if (!*created) return Bytes();  // stopped
+    StagePainter& painter = **created;
+    Image image = painter.paint(0);
+    if (run.finish && !image.rgba.empty()) run.finish(image, painter);
+    return pngBytes(image, stop);
+  }));
+  if (png.empty()) raise("graphics", "The memory does not suffice for the picture.");
+  return packed(png);
+}
+
+/// An animated PNG in a file. `kind`: "turntable" or "motion".
+void film(const Snapshot& self, const py::dict& options, const std::string& path, const std::string& kind,
+          int frames, double framesPerSecond) {
+  const Wish wish(options);
+  auto [made, overlay] = shotOf(wish);
+  StageShot shot = std::move(made);
+  if (frames < 2 || frames > kMostFilmFrames)
+    throw py::value_error("A film has 2 to " + std::to_string(kMostFilmFrames) + " frames.");
+  shot.film = Film{kind == "motion" ? FilmKind::motion : FilmKind::turntable, frames, framesPerSecond, 0};
+  shot.stage = stageOf(self, wish);
+  ShotRun run = runWith(overlay, wish.dark);
+  const auto failure = interruptible([&](const std::stop_token& stop) {
+    run.stop = stop;
+    return geargraph::writePicture(shot, path, run);
+  });
+  if (failure) raise(failure->kind == ShotFailure::Kind::file ? "file" : "graphics", failure->message);
+}
+
+}  // namespace
+
+void addPictures(py::module_& module) {
+  py::class_<Snapshot, std::shared_ptr<Snapshot>>(module.attr("Snapshot"))
+      .def("drawing", drawing)
+      .def("picture", picture)
+      .def("film", film);
+}
+
+}  // namespace geargraph::python

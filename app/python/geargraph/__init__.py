@@ -1,0 +1,85 @@
+"""Geared mechanisms: built, analysed by the Matroid and the T-T graph method, drawn and exported.
+
+    >>> import geargraph as gg
+    >>> m = gg.sets.planetary(sun=24, planet=18)
+    >>> m.analyze().joint_speeds[m.joint(9).label]
+    Fraction(2, 7)
+
+Lengths are in the document's unit, angles in rad, speeds in rad/s, torques in N m, forces in N,
+powers in W. Labels are the paper's numbers: links 0 (the ground) to n, turning joints n+1 to n+t,
+gear meshes n+t+1 to n+t+c. Equation numbers are those of S. Amirinezhad and M. K. Uyguroğlu,
+Kinematic analysis of geared robotic mechanism using Matroid and T-T graph methods (MED 2014).
+
+NumPy, pandas and SymPy are imported by the methods that give their types, and not before.
+"""
+
+from __future__ import annotations
+
+from . import _geargraph, sets
+from ._analysis import Analysis, Pose
+from ._derivation import Block, Derivation, Equation
+from ._elements import Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint
+from ._errors import Diagnostic, Element, Error
+from ._gears import Gear, Mesh3D, Solid
+from ._matrix import Heading, Matrix, Quantity
+from ._mechanism import Mechanism, PathLike
+from ._methods import (
+    Formula, MatroidMethod, MatroidStep, Term, TransferVertex, TtGraphMethod, TtStep,
+)
+from ._pictures import Drawing, Picture
+from ._results import InputSets, MotionCheck, State
+from ._statics import Balance, Bearing, Efficiency, MeshForce, Statics
+
+__version__: str = _geargraph.version
+
+__all__ = [
+    "Analysis", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation", "Diagnostic",
+    "Drawing", "Efficiency", "Element", "Equation", "Error", "Formula", "Gear", "GearMesh",
+    "Heading", "InputSets", "Link", "Load", "MatroidMethod", "MatroidStep", "Matrix", "Mechanism",
+    "Mesh3D", "MeshForce", "MotionCheck", "Picture", "Pose", "Quantity", "ShiftState", "Solid",
+    "State", "Statics", "Term", "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint",
+    "loads", "open", "sets",
+]
+
+
+def open(path: PathLike) -> Mechanism:
+    """Read a document (``*.geargraph``).
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+
+    Returns
+    -------
+    Mechanism
+        The document; 3D files that it names are looked for in its folder.
+
+    Raises
+    ------
+    Error
+        "file" if it cannot be read; "syntax", "schema", "version", ... with all problems of the
+        file, each with line and column.
+    """
+    return Mechanism.open(path)
+
+
+def loads(text: str) -> Mechanism:
+    """Read a document from its text.
+
+    Parameters
+    ----------
+    text : str
+        JSON, as a ``*.geargraph`` file holds it.
+
+    Returns
+    -------
+    Mechanism
+        The document.
+
+    Raises
+    ------
+    Error
+        As `open`.
+    """
+    return Mechanism.from_text(text)
