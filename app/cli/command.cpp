@@ -10,8 +10,8 @@
 namespace geargraph::cli {
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates,
-                                           &kStatics, &kDynamics, &kExport, &kPose};
+  static constexpr std::array kCommands = {&kAnalyze,  &kValidate, &kInputs, &kStates, &kStatics,
+                                           &kDynamics, &kExport,   &kPose,   &kSummary};
   return kCommands;
 }
 

@@ -33,6 +33,7 @@ extern const Command kStatics;
 extern const Command kDynamics;
 extern const Command kExport;
 extern const Command kPose;
+extern const Command kSummary;
 
 /// Every command, in the order of the help.
 [[nodiscard]] std::span<const Command* const> commands();

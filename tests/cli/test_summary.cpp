@@ -1,0 +1,74 @@
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+struct Run {
+  int status = -1;
+  QStringList lines;
+};
+
+Run run(const QStringList& words) {
+  QProcess program;
+  program.start(GEARGRAPH_CLI, QStringList{"summary"} + words);
+  if (!program.waitForFinished(60'000)) return {};
+  return {program.exitCode(), QString(program.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts)};
+}
+
+QString examples() {
+  return QString(SOURCE) + "/resources/examples";
+}
+
+}  // namespace
+
+class TestSummary : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aFolderIsARowForEachDocumentWhateverTheJobs() {
+    const Run one = run({"--jobs", "1", examples()});
+    const Run four = run({"--jobs", "4", examples()});
+    QCOMPARE(four.lines, one.lines);
+    const auto documents = QDir(examples()).entryList({"*.geargraph"}).size();
+    QCOMPARE(one.lines.size(), documents + 1);
+    const auto robot = one.lines.filter("/robot.geargraph,");
+    QCOMPARE(robot.size(), 1);
+    QVERIFY2(robot[0].contains(",ok,7,7,4,4,3,0,0,0,,"), qPrintable(robot[0]));
+  }
+
+  void whatIsWrongIsInItsRow() {
+    const QTemporaryDir folder;
+    QFile broken(folder.filePath("broken.geargraph"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{");
+    broken.close();
+    const Run errors = run({folder.path(), examples() + "/robot.geargraph"});
+    QCOMPARE(errors.status, 1);
+    QVERIFY2(errors.lines[1].contains(",errors,,,,,,,1,0,syntax,"), qPrintable(errors.lines[1]));
+    QVERIFY(errors.lines[2].contains(",ok,"));
+    const Run none = run({folder.filePath("none.geargraph")});
+    QCOMPARE(none.status, 2);
+    QVERIFY(none.lines[1].contains(",unreadable,"));
+  }
+
+  void wrongUsage() {
+    QCOMPARE(run({}).status, 2);
+    QCOMPARE(run({"--jobs", "0", examples()}).status, 2);
+    QCOMPARE(run({"--jobs", "many", examples()}).status, 2);
+  }
+
+  void theRowsGoIntoAFile() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("rows.csv");
+    QCOMPARE(run({examples() + "/robot.geargraph", "-o", path}).lines.size(), 0);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll().count('\n'), 2);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestSummary)
+#include "test_summary.moc"
