@@ -207,6 +207,18 @@ class TestExportSolids : public QObject {
     QVERIFY(refused.errors.find("coarser --tolerance") != std::string::npos);
   }
 
+  void aSmallGearOfATrainBeyondTheLimitIsExported() {
+    const Run alone =
+        run({"export", "-", "--to", "stl", "--gear", "5:tail", "--tolerance", "0.002", "-o", "-"},
+            rowOfWheels({20, 100'000}));
+    QCOMPARE(alone.status, 0);
+    QVERIFY(!alone.output.empty());
+    const Run large =
+        run({"export", "-", "--to", "stl", "--gear", "5:head", "--tolerance", "0.002", "-o", "-"},
+            rowOfWheels({20, 100'000}));
+    QCOMPARE(large.status, 3);
+  }
+
   void withoutAToleranceALargeTrainGetsOneThatFits() {
     const Run fitted = run({"export", "-", "--to", "stl", "-o", "-"}, rowOfWheels({20, 100'000}));
     QCOMPARE(fitted.status, 0);
