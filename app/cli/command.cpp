@@ -3,16 +3,49 @@
 #include <unistd.h>
 
 #include <array>
+#include <charconv>
 #include <iostream>
 
+#include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
 
 namespace geargraph::cli {
+namespace {
+
+/// "2.5", as the option gives it.
+std::string writtenSeconds(double seconds) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), seconds).ptr};
+}
+
+}  // namespace
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze,  &kValidate, &kInputs, &kStates, &kStatics,
-                                           &kDynamics, &kExport,   &kPose,   &kSummary};
+  static constexpr std::array kCommands = {&kAnalyze,  &kValidate, &kInputs, &kStates,  &kStatics,
+                                           &kDynamics, &kExport,   &kPose,   &kSummary, &kServe};
   return kCommands;
+}
+
+std::vector<Option> optionsOf(const Command& command) {
+  std::vector<Option> options(command.options.begin(), command.options.end());
+  options.push_back(kLimitOption);
+  return options;
+}
+
+int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds) {
+  auto parsed = parseArguments(words, optionsOf(command));
+  if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(command, error->message);
+  auto& arguments = std::get<Arguments>(parsed);
+  if (!seconds) {
+    const auto given = limitFrom(arguments);
+    if (const auto* error = std::get_if<UsageError>(&given)) return wrongUsage(command, error->message);
+    seconds = std::get<0>(given);
+  } else {
+    arguments.options[std::string(kLimitOption.name)] = {writtenSeconds(*seconds)};
+  }
+  const TimeLimit limit(command.limitsItself ? std::nullopt : seconds);
+  arguments.stop = limit.token();
+  return command.run(arguments);
 }
 
 int wrongUsage(const Command& command, std::string_view message) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/arguments.h"
 
@@ -23,6 +26,8 @@ struct Command {
   std::string_view summary;  ///< one line
   std::span<const Option> options;
   int (*run)(const Arguments& arguments);
+  bool limitsItself = false;  ///< --limit-seconds is not for the whole of it
+  bool isServed = true;       ///< also a method of `serve`: it reads one document
 };
 
 extern const Command kAnalyze;
@@ -34,6 +39,12 @@ extern const Command kDynamics;
 extern const Command kExport;
 extern const Command kPose;
 extern const Command kSummary;
+extern const Command kServe;
+
+/// Runs a command with its words, within `seconds`; the exit status. May throw std::bad_alloc.
+int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds);
+/// Its own options, and those of every command.
+[[nodiscard]] std::vector<Option> optionsOf(const Command& command);
 
 /// Every command, in the order of the help.
 [[nodiscard]] std::span<const Command* const> commands();

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/time_limit.h"
 
 namespace geargraph::cli {
 namespace {
@@ -27,13 +26,6 @@ std::string programHelp() {
     text += std::string(command->summary) + '\n';
   }
   return text + "\n--help and --version work on every command.\n" + std::string(kExitStatus);
-}
-
-/// Its own, and those of every command.
-std::vector<Option> optionsOf(const Command& command) {
-  std::vector<Option> options(command.options.begin(), command.options.end());
-  options.push_back(kLimitOption);
-  return options;
 }
 
 std::string optionLine(const Option& option) {
@@ -81,14 +73,7 @@ int run(const std::vector<std::string>& words) {
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (contains(rest, "--help")) return print(commandHelp(**command));
   if (contains(rest, "--version")) return print(version);
-  auto parsed = parseArguments(rest, optionsOf(**command));
-  if (const auto* error = std::get_if<UsageError>(&parsed)) return wrongUsage(**command, error->message);
-  auto& arguments = std::get<Arguments>(parsed);
-  const auto seconds = limitFrom(arguments);
-  if (const auto* error = std::get_if<UsageError>(&seconds)) return wrongUsage(**command, error->message);
-  const TimeLimit limit(std::get<0>(seconds));
-  arguments.stop = limit.token();
-  return (*command)->run(arguments);
+  return runCommand(**command, rest, std::nullopt);
 }
 
 }  // namespace

@@ -149,7 +149,12 @@ constexpr std::array kOptions = {
 
 }  // namespace
 
-const Command kSummary = {"summary", "FILE... [--jobs N] [-o OUT]",
-                          "A row for each file, or for each document in a folder, as CSV.", kOptions, run};
+const Command kSummary = {"summary",
+                          "FILE... [--jobs N] [-o OUT]",
+                          "A row for each file, or for each document in a folder, as CSV.",
+                          kOptions,
+                          run,
+                          false,
+                          false};
 
 }  // namespace geargraph::cli

@@ -1,0 +1,306 @@
+// `serve --stdio`: answers requests, one JSON object a line, until standard input ends.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/serve_edits.h"
+#include "app/cli/served_command.h"
+#include "app/cli/time_limit.h"
+#include "core/foundations/files/file.h"
+#include "core/foundations/files/json.h"
+#include "core/foundations/files/json_writer.h"
+#include "core/mechanism/document_format/mechanism_file.h"
+#include "core/presentation/results/diagnostics_json.h"
+
+namespace geargraph::cli {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+constexpr std::size_t kLargestRequest = 2 * kLargestFile;
+constexpr std::size_t kMostDocuments = 1'000;
+
+/// Why a request was not answered.
+struct Refusal {
+  std::string_view code;  ///< "request", "unknown-document", "limit", or that of the first finding
+  std::string message;
+  Diagnostics diagnostics = {};
+};
+
+/// A result as JSON, or a refusal.
+using Answer = std::variant<std::string, Refusal>;
+
+/// In one line, as the answers are.
+std::string oneLine(const std::string& json) {
+  const auto parsed = JsonDocument::parse(json);
+  return parsed ? parsed->root().compact() : "null";
+}
+
+template <class Write>
+std::string objectOf(const Write& write) {
+  TextSink sink;
+  {
+    JsonWriter json(sink);
+    json.beginObject();
+    write(json);
+    json.endObject();
+  }
+  return sink.take();
+}
+
+bool isUtf8(const std::string& bytes) {
+  std::string json;
+  appendJsonString(json, bytes);
+  return JsonDocument::parse(json).has_value() && JsonDocument::parse(json)->root().string() == bytes;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t at) -> unsigned {
+      return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
+    };
+    const unsigned three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    for (unsigned digit = 0; digit < 4; ++digit) {
+      const bool isThere = i + digit <= bytes.size();
+      text += isThere ? kDigits[three >> (18U - 6U * digit) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+/// Holds documents and answers requests about them.
+class Server {
+ public:
+  explicit Server(const ServedLimits& limits) : m_limits(limits) {}
+
+  /// The line of the answer, without its end.
+  std::string answerTo(const std::string& line) {
+    const auto parsed = JsonDocument::parse(line);
+    if (!parsed) return lineOf("null", refused(parsed.error()));
+    const JsonValue request = parsed->root();
+    if (!request.is(JsonKind::object))
+      return lineOf("null", Refusal{"request", "A request is a JSON object."});
+    const auto id = request.member("id");
+    return lineOf(id ? id->compact() : "null", answerTo(request));
+  }
+
+ private:
+  Answer answerTo(const JsonValue& request) {
+    const auto method = request.member("method");
+    const auto params = request.member("params");
+    if (!method || !method->is(JsonKind::string) || (params && !params->is(JsonKind::object)))
+      return Refusal{"request", "A request has a \"method\", a text, and \"params\", an object."};
+    if (!params) return Refusal{"request", "The member \"params\" is missing."};
+    const std::string name = method->string();
+    if (name == "open") return open(*params);
+    const auto document = documentOf(*params);
+    if (!document) {
+      return Refusal{"unknown-document", "The member \"document\" is the number that \"open\" has given."};
+    }
+    if (name == "edit") return edit(*document, *params);
+    if (name == "text") return text(*document);
+    if (name == "close") {
+      m_documents.erase(*document);
+      return std::string("{}");
+    }
+    for (const Command* command : commands()) {
+      if (command->name == name && command->isServed) return run(*command, *document, *params);
+    }
+    return Refusal{"request", "There is no method \"" + name + "\"."};
+  }
+
+  [[nodiscard]] std::optional<std::string> documentOf(const JsonValue& params) const {
+    const auto named = params.member("document");
+    if (!named || !named->is(JsonKind::string)) return std::nullopt;
+    const std::string name = named->string();
+    return m_documents.contains(name) ? std::optional(name) : std::nullopt;
+  }
+
+  Answer open(const JsonValue& params) {
+    if (m_documents.size() >= kMostDocuments) return Refusal{"limit", "Over 1,000 documents are open."};
+    const auto given = params.member("text");
+    if (!given || !(given->is(JsonKind::string) || given->is(JsonKind::object)))
+      return Refusal{"request", "\"open\" takes \"text\": a document, as a text or as an object."};
+    auto read = readMechanism(given->is(JsonKind::string) ? given->string() : std::string(given->slice()));
+    if (!read) return refused(read.error());
+    const std::string name = std::to_string(++m_opened);
+    m_documents.emplace(name, std::make_shared<const Mechanism>(std::move(read).value()));
+    return objectOf([&](JsonWriter& json) { json.member("document", name); });
+  }
+
+  Answer edit(const std::string& name, const JsonValue& params) {
+    const auto edits = params.member("edits");
+    if (!edits || !edits->is(JsonKind::array))
+      return Refusal{"request", "\"edit\" takes \"edits\", a list of objects."};
+    const MechanismPtr before = m_documents.at(name);
+    auto next = withServedEdits(*before, *edits);
+    if (!next) return refused(next.error());
+    const auto after = std::make_shared<const Mechanism>(std::move(next).value());
+    m_documents[name] = after;
+    return objectOf([&](JsonWriter& json) {
+      json.key("added");
+      json.beginObject(Layout::row);
+      writeAdded(json, ElementKind::link, before->links, after->links);
+      writeAdded(json, ElementKind::axis, before->axes, after->axes);
+      writeAdded(json, ElementKind::turningJoint, before->turningJoints, after->turningJoints);
+      writeAdded(json, ElementKind::gearMesh, before->gearMeshes, after->gearMeshes);
+      json.endObject();
+    });
+  }
+
+  template <class Element>
+  static void writeAdded(JsonWriter& json, ElementKind kind, const std::vector<Element>& before,
+                         const std::vector<Element>& after) {
+    std::vector<std::string> added;
+    for (const Element& element : after) {
+      const bool wasThere =
+          std::any_of(before.begin(), before.end(), [&](const Element& old) { return old.id == element.id; });
+      if (!wasThere) added.push_back(element.id.text());
+    }
+    if (added.empty()) return;
+    json.key(listName(kind));
+    json.beginArray();
+    for (const std::string& id : added) json.string(id);
+    json.endArray();
+  }
+
+  Answer text(const std::string& name) {
+    return objectOf([&](JsonWriter& json) { json.member("text", writeMechanism(*m_documents.at(name))); });
+  }
+
+  /// Words of a command that would reach beyond standard input and output are rejected.
+  static std::optional<Refusal> wrongWord(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::string& word = words[i];
+      const bool isOutput = word == "-o" && i + 1 < words.size() && words[i + 1] == "-";
+      if (word.starts_with("-o") && !isOutput)
+        return Refusal{"request", "A served command writes nothing but its answer: -o takes \"-\"."};
+      if (word == "--" || word == "--force" || word == "--all" || word.starts_with("--limit-seconds"))
+        return Refusal{"request", "A served command does not take " + word + "."};
+      if (!word.empty() && word.front() != '-' && (i == 0 || !words[i - 1].starts_with('-')))
+        return Refusal{"request", "A served command takes options only, not \"" + word + "\"."};
+    }
+    return std::nullopt;
+  }
+
+  Answer run(const Command& command, const std::string& name, const JsonValue& params) {
+    std::vector<std::string> words;
+    if (const auto given = params.member("arguments")) {
+      bool isFine = given->is(JsonKind::array);
+      if (isFine) {
+        given->forEachElement([&](const JsonValue& word, std::size_t /*position*/) {
+          isFine = isFine && word.is(JsonKind::string);
+          if (isFine) words.push_back(word.string());
+        });
+      }
+      if (!isFine) return Refusal{"request", "\"arguments\" is a list of texts."};
+    }
+    if (auto refusal = wrongWord(words)) return *std::move(refusal);
+    words.emplace_back("-");
+    const ServedOutcome outcome = runServed(command, words, writeMechanism(*m_documents.at(name)), m_limits);
+    if (!outcome.status) return Refusal{"limit", outcome.failure};
+    return objectOf([&](JsonWriter& json) {
+      json.member("status", *outcome.status);
+      const auto parsed = JsonDocument::parse(outcome.output);
+      if (parsed && parsed->root().is(JsonKind::object)) {
+        json.key("output");
+        json.json(parsed->root().compact());
+      } else if (isUtf8(outcome.output)) {
+        json.member("output", outcome.output);
+      } else {
+        json.member("base64", base64(outcome.output));
+      }
+      json.member("messages", outcome.messages);
+    });
+  }
+
+  static Refusal refused(const Diagnostics& diagnostics) {
+    return {codeName(diagnostics.front().code), diagnostics.front().message, diagnostics};
+  }
+
+  static std::string lineOf(const std::string& id, const Answer& answer) {
+    return oneLine(objectOf([&](JsonWriter& json) {
+      json.key("id");
+      json.json(id);
+      if (const auto* result = std::get_if<std::string>(&answer)) {
+        json.key("result");
+        json.json(*result);
+        return;
+      }
+      const auto& refusal = std::get<Refusal>(answer);
+      json.key("error");
+      json.beginObject();
+      json.member("code", refusal.code);
+      json.member("message", refusal.message);
+      json.key("diagnostics");
+      writeDiagnostics(json, refusal.diagnostics);
+      json.endObject();
+    }));
+  }
+
+  ServedLimits m_limits;
+  std::map<std::string, MechanismPtr> m_documents;
+  int m_opened = 0;
+};
+
+/// The next line of standard input, without its end; none at the end, or where it is too long.
+std::optional<std::string> nextLine() {
+  std::string line;
+  for (int c = std::cin.get(); c != std::char_traits<char>::eof(); c = std::cin.get()) {
+    if (c == '\n') return line;
+    line += static_cast<char>(c);
+    if (line.size() > kLargestRequest) {
+      std::cerr << "geargraph-cli: A request of over 128 MiB ends the program.\n";
+      return std::nullopt;
+    }
+  }
+  return line.empty() ? std::nullopt : std::optional(line);
+}
+
+int run(const Arguments& arguments) {
+  if (!arguments.files.empty() || !arguments.has("--stdio"))
+    return wrongUsage(kServe, "--stdio is needed, and no file.");
+  const auto seconds = limitFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&seconds)) return wrongUsage(kServe, error->message);
+  ServedLimits limits{std::get<0>(seconds), {}};
+  if (const auto word = arguments.value("--limit-memory")) {
+    limits.megabytes = numberFrom<std::size_t>(*word);
+    constexpr std::size_t kMostMegabytes = 1'000'000;
+    if (!limits.megabytes || *limits.megabytes == 0 || *limits.megabytes > kMostMegabytes)
+      return wrongUsage(kServe, "--limit-memory takes whole megabytes from 1 to 1000000.");
+  }
+  Server server(limits);
+  DescriptorSink out(STDOUT_FILENO);
+  while (const auto line = nextLine()) {
+    out.write(server.answerTo(*line) + '\n');
+    if (out.failed()) return fileFailure("Standard output could not be written.");
+  }
+  return kFine;
+}
+
+constexpr std::array kOptions = {
+    Option{"--stdio", "", "requests on standard input, answers on standard output"},
+    Option{"--limit-memory", "MB", "of address space, for each command"},
+};
+
+}  // namespace
+
+const Command kServe = {"serve",
+                        "--stdio [--limit-seconds S] [--limit-memory MB]",
+                        "Answers requests, a JSON object a line: open, edit, analyze, export, ...",
+                        kOptions,
+                        run,
+                        true,
+                        false};
+
+}  // namespace geargraph::cli
