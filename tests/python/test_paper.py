@@ -53,7 +53,7 @@ def test_identities_of_the_matrices(robot):
 
 def test_eq06_screws(robot):
     screws = robot.analyze().screws
-    assert screws.fractions.rows[0].text == "C15  8" or screws.fractions.rows[0].text == "C15 8"
+    assert screws.fractions.rows[0].text == "C15 8"
     assert screws.fractions.to_list()[:2] == [[0, 0, 1, -18, 0, 0], [0, 0, 1, 36, 0, 0]]
 
 
@@ -93,7 +93,7 @@ def test_eq39_to_eq42_are_the_steps(robot):
 
 def test_transfer_vertices(robot):
     vertices = robot.analyze().tt_graph.transfer_vertices
-    assert [vertex.carrier for vertex in vertices] == [0, 1, 2, 2] or len(vertices) == 4
+    assert [vertex.carrier for vertex in vertices] == [0, 1, 2, 2]
     assert vertices[0].path[0] == 4 and vertices[0].path[-1] == 1
 
 

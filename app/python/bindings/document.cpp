@@ -1,5 +1,8 @@
 #include "app/python/bindings/document.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/mechanism/model/validate.h"
 
@@ -39,6 +42,39 @@ Document edited(Expected<PlacedMechanism> result) {
   return Document(std::move(placed));
 }
 
+namespace {
+
+/// Calls visit(list) with the list of the elements of this kind; raises ValueError for a kind without one.
+template <class Visit>
+auto withList(const Mechanism& mechanism, const std::string& kind, const Visit& visit) {
+  if (kind == "link") return visit(mechanism.links);
+  if (kind == "axis") return visit(mechanism.axes);
+  if (kind == "joint") return visit(mechanism.turningJoints);
+  if (kind == "mesh") return visit(mechanism.gearMeshes);
+  if (kind == "coupling") return visit(mechanism.couplings);
+  if (kind == "load") return visit(mechanism.loads);
+  throw py::value_error("There is no list of \"" + kind + "\".");
+}
+
+std::vector<std::string> idsOf(const Document& self, const std::string& kind) {
+  return withList(self.mechanism(), kind, [](const auto& list) {
+    std::vector<std::string> ids;
+    for (const auto& element : list) ids.push_back(element.id.text());
+    return ids;
+  });
+}
+
+/// -1 where there is none.
+int positionOf(const Document& self, const std::string& kind, const std::string& id) {
+  return withList(self.mechanism(), kind, [&](const auto& list) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const auto& element) { return element.id.text() == id; });
+    return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+  });
+}
+
+}  // namespace
+
 void addDocument(py::module_& module) {
   py::class_<Document>(module, "Document")
       .def_static("empty", [] { return Document(emptyMechanism()); })
@@ -59,6 +95,17 @@ void addDocument(py::module_& module) {
                                const Mechanism& m = self.mechanism();
                                return py::make_tuple(m.n(), m.t(), m.c());
                              })
+      .def_property_readonly("name", [](const Document& self) { return self.mechanism().name; })
+      .def_property_readonly("notes", [](const Document& self) { return self.mechanism().notes; })
+      .def_property_readonly("unit", [](const Document& self) { return self.mechanism().unit; })
+      .def("ids", idsOf)
+      .def("position", positionOf)
+      .def("last",
+           [](const Document& self, const std::string& kind) {
+             return withList(self.mechanism(), kind, [](const auto& list) {
+               return list.empty() ? std::string() : list.back().id.text();
+             });
+           })
       .def("axes",
            [](const Document& self) {
              py::list axes;

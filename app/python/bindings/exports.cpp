@@ -52,7 +52,7 @@ py::tuple writeSolids(const Snapshot& self, const std::string& path, const std::
   if (!format)
     throw py::value_error("Solids are written as stl, obj, ply, glb or 3mf, not \"" + form + "\".");
   if (tolerance) (void)checked(*tolerance);
-  if (seconds != 0 && (seconds < kShortestAnimation || seconds > kLongestAnimation))
+  if (seconds != 0 && !(seconds >= kShortestAnimation && seconds <= kLongestAnimation))
     throw py::value_error("An animation plays 0.001 to 1,000,000 seconds.");
   const ExportTrain train = trainOf(self);
   const SolidsChoice choice{tolerance, link, carriesAnimation(*format), seconds};

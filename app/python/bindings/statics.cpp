@@ -39,7 +39,11 @@ std::string staticsJson(const Snapshot& self, const StaticsChoice& choice) {
   StaticsOptions options;
   options.state = statePosition(self.mechanism(), choice.state);
   options.losses = choice.losses || choice.efficiency;
-  if (choice.efficiency) options.efficiency = rationalFrom(*choice.efficiency);
+  if (choice.efficiency) {
+    options.efficiency = rationalFrom(*choice.efficiency);
+    if (options.efficiency->sign() <= 0 || *options.efficiency > Rational(1))
+      throw py::value_error("An efficiency is above 0 and at most 1.");
+  }
   options.stiffness = choice.stiffness;
   options.symbolic = choice.symbolic;
   const SnapshotPtr snapshot = analysedFor(self, options.state);

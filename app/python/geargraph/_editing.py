@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import (
     TYPE_CHECKING, Any, Iterable, List, Mapping, Optional, Sequence, Tuple, Union,
 )
@@ -37,7 +38,7 @@ class Edits(ShiftEdits):
             The last of the links.
         """
         self._document = self._document.with_link(name)
-        return self.links[-1]
+        return self._last(Link)
 
     def add_turning_joint(
         self,
@@ -78,15 +79,14 @@ class Edits(ShiftEdits):
             "self-joint", "unknown-id", "turning-loop" if it would close a loop of turning joints,
             "schema" for numbers beyond the limits of the format.
         """
-        known = {each.id for each in self.axes}
         name = axis.id if isinstance(axis, Axis) else (axis or "")
-        is_new = name not in known
+        is_new = self._document.position("axis", name) < 0
         made = self._document.with_turning_joint(
             self._id(Link, tail), self._id(Link, head), "" if is_new else name
         )
-        joint = self._peek(made).joints[-1]
+        joint = made.last("joint")
         if is_new:
-            letter = joint.axis.id
+            letter = made.last("axis")
             if name:
                 made, letter = made.with_renamed("axis", letter, name), name
             if point is not None or direction is not None:
@@ -96,11 +96,11 @@ class Edits(ShiftEdits):
         elif point is not None or direction is not None:
             raise ValueError("the axis exists; set_axis moves it")
         if text_of(offset) != "0":
-            made = made.with_offset(joint.id, text_of(offset))
+            made = made.with_offset(joint, text_of(offset))
         if limits is not None:
-            made = made.with_limits(joint.id, optional_text(limits[0]), optional_text(limits[1]))
+            made = made.with_limits(joint, optional_text(limits[0]), optional_text(limits[1]))
         self._document = made
-        return self.joints[-1]
+        return self._last(TurningJoint)
 
     def add_mesh(
         self,
@@ -141,7 +141,7 @@ class Edits(ShiftEdits):
             "self-joint", "unknown-id", "schema".
         """
         made = self._document.with_mesh(self._id(Link, tail), self._id(Link, head), *_pair(teeth))
-        id = self._peek(made).meshes[-1].id
+        id = made.last("mesh")
         if kind is not None:
             made = made.with_mesh_kind(id, kind)
         if pitch_point is not None:
@@ -149,7 +149,7 @@ class Edits(ShiftEdits):
         if efficiency is not None or friction is not None:
             made = made.with_losses(id, optional_text(efficiency), optional_text(friction))
         self._document = made
-        return self.meshes[-1]
+        return self._last(GearMesh)
 
     def attach_gear(
         self, gear: LinkLike, carrier: LinkLike, teeth: Optional[Tuple[int, int]] = None
@@ -175,9 +175,9 @@ class Edits(ShiftEdits):
         """
         made = self._document.with_gear_attached(self._id(Link, gear), self._id(Link, carrier))
         if teeth is not None:
-            made = made.with_teeth(self._peek(made).meshes[-1].id, *_pair(teeth))
+            made = made.with_teeth(made.last("mesh"), *_pair(teeth))
         self._document = made
-        return self.links[-1]
+        return self._last(Link)
 
     def add_planets(self, planet: LinkLike, total: int) -> None:
         """Spread equal planets evenly: copies of one with its joint and its meshes.
@@ -439,5 +439,7 @@ class Edits(ShiftEdits):
 
 
 def _pair(teeth: Tuple[int, int]) -> Tuple[int, int]:
-    tail, head = teeth
-    return int(tail), int(head)
+    tail, head = (index(count) for count in teeth)
+    if not 0 <= min(tail, head) <= max(tail, head) < 2**31:
+        raise ValueError(f"a gear has 1 to 100,000 teeth, not {tail} or {head}")
+    return tail, head

@@ -76,8 +76,14 @@ class Exports:
             wish["ride"] = self.mechanism.link(wish["ride"]).id
         if wish["section"] is not None:
             axis, place = wish["section"]
-            wish["section"] = ("xyz".index(axis), float(place))
-        wish["time"], wish["explode"] = float(wish["time"]), float(wish["explode"])
+            wish["section"] = ("xyz".index(axis), _between("section", place, 0, 1))
+        wish["time"] = _between("time", wish["time"], -1e9, 1e9)
+        wish["explode"] = _between("explode", wish["explode"], 0, 1)
+        if wish["camera"] is not None:
+            azimuth, elevation = wish["camera"]
+            wish["camera"] = (
+                _between("azimuth", azimuth, -360, 360), _between("elevation", elevation, -90, 90),
+            )
         wish["folder"] = self.mechanism._folder or os.getcwd()
         reader = os.path.join(os.path.dirname(__file__), "geargraph-mesh")
         wish["reader"] = reader if os.path.exists(reader) else ""
@@ -177,7 +183,8 @@ class Exports:
         """
         if kind not in ("motion", "turntable"):
             raise ValueError(f"a film is of the motion or a turntable, not {kind!r}")
-        self._snapshot.film(self._wish(options), os.fspath(path), kind, frames, fps)
+        rate = _between("fps", fps, 0.1, 100)
+        self._snapshot.film(self._wish(options), os.fspath(path), kind, frames, rate)
 
     # --- gears -----------------------------------------------------------------------------------
 
@@ -308,6 +315,8 @@ class Exports:
         Error
             "undefined" if the mechanism has no such table.
         """
+        if separator not in (",", ";", "\t") or decimal not in (".", ","):
+            raise ValueError("fields are separated by ',', ';' or a tab, decimals by '.' or ','")
         texts = self._snapshot.csv(table, separator, decimal, labels)
         if table not in texts:
             raise Error(f"The mechanism has no table {table!r}.", "undefined")
@@ -394,6 +403,13 @@ class Exports:
             "file" if files are there or cannot be written; the errors of the mechanism.
         """
         self._snapshot.write_assembly(os.fspath(folder), frames, tolerance, overwrite)
+
+
+def _between(name: str, value: Any, least: float, most: float) -> float:
+    number = float(value)
+    if not least <= number <= most:
+        raise ValueError(f"{name} is {least:g} to {most:g}, not {number}")
+    return number
 
 
 def _none(options: Dict[str, Any]) -> None:

@@ -6,13 +6,10 @@ from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Sequence, Tuple
 
 from . import _geargraph
 from ._elements import (
-    Axis, AxisLike, Coupling, GearMesh, JointLike, Link, LinkLike, Load, MeshLike, ShiftState,
+    Axis, AxisLike, GearMesh, JointLike, Link, LinkLike, Load, MeshLike, ShiftState,
     TurningJoint, _Handle,
 )
 from ._numbers import Number, optional_text, optional_triple, text_of, triple_of
-
-if TYPE_CHECKING:
-    from ._mechanism import Mechanism
 
 _Found = TypeVar("_Found", bound=_Handle)
 
@@ -26,28 +23,17 @@ class LoadEdits:
     if TYPE_CHECKING:
 
         @property
-        def links(self) -> Tuple[Link, ...]: ...
-        @property
-        def axes(self) -> Tuple[Axis, ...]: ...
-        @property
-        def joints(self) -> Tuple[TurningJoint, ...]: ...
-        @property
-        def meshes(self) -> Tuple[GearMesh, ...]: ...
-        @property
-        def couplings(self) -> Tuple[Coupling, ...]: ...
-        @property
         def states(self) -> Tuple[ShiftState, ...]: ...
         @property
         def loads(self) -> Tuple[Load, ...]: ...
         def _resolved(self, made: Type[_Found], reference: Any) -> _Found: ...
-        @classmethod
-        def _of(cls, document: _geargraph.Document, folder: str = "") -> Mechanism: ...
 
     def _id(self, made: Type[_Found], reference: Any) -> str:
         return self._resolved(made, reference).id
 
-    def _peek(self, document: _geargraph.Document) -> Mechanism:
-        return self._of(document, self._folder)
+    def _last(self, made: Type[_Found]) -> _Found:
+        mechanism: Any = self
+        return made(mechanism, self._document.last(made._kind))
 
     def add_torque(
         self,

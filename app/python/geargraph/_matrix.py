@@ -46,7 +46,7 @@ HeadingRow = Tuple[int, str, str, str]
 def headings_of(rows: List[HeadingRow]) -> Tuple[Heading, ...]:
     """Make headings of the rows that the compiled module gives."""
     return tuple(
-        Heading(label, text, Element(kind, element) if element else None)
+        Heading(label, " ".join(text.split()), Element(kind, element) if element else None)
         for label, text, kind, element in rows
     )
 

@@ -212,8 +212,7 @@ class Mechanism(Lookup):
     def _positions(self, kind: str) -> Dict[str, int]:
         cache = self._cache()
         if kind not in cache:
-            elements = self._members.get(LISTS[kind], ())
-            cache[kind] = {str(e["id"]): i for i, e in enumerate(elements) if "id" in e}
+            cache[kind] = {id: place for place, id in enumerate(self._document.ids(kind))}
         positions: Dict[str, int] = cache[kind]
         return positions
 
@@ -225,11 +224,11 @@ class Mechanism(Lookup):
         return element
 
     def _label(self, kind: str, id: str) -> int:
-        positions = self._positions(kind)
-        if id not in positions:
+        position = self._positions(kind).get(id)
+        if position is None:
             raise unknown(kind, id)
         first = {"link": 0, "joint": self.n + 1, "mesh": self.n + self.t + 1}[kind]
-        return first + positions[id]
+        return first + position
 
     def _axis_line(self, id: str) -> Tuple[Point, Point]:
         for axis, point, direction, _ in self._document.axes():
@@ -248,16 +247,15 @@ class Mechanism(Lookup):
     def _resolved(self, made: Type[_Found], reference: Any) -> _Found:
         kind = made._kind
         if isinstance(reference, _Handle):
-            if reference._kind == kind:
-                if reference.id in self._positions(kind):
-                    return made(self, reference.id)
+            if reference._kind == kind and self._document.position(kind, reference.id) >= 0:
+                return made(self, reference.id)
         elif isinstance(reference, int) and not isinstance(reference, bool):
             first = {"link": 0, "joint": self.n + 1, "mesh": self.n + self.t + 1}.get(kind)
-            ids = list(self._positions(kind))
+            ids = self._document.ids(kind) if first is not None else []
             if first is not None and 0 <= reference - first < len(ids):
                 return made(self, ids[reference - first])
         elif isinstance(reference, str):
-            if reference in self._positions(kind):
+            if self._document.position(kind, reference) >= 0:
                 return made(self, reference)
             if kind == "link":
                 named = [e["id"] for e in self._members["links"] if e.get("name") == reference]
@@ -268,7 +266,7 @@ class Mechanism(Lookup):
     @property
     def name(self) -> str:
         """What the mechanism is called. It may be set."""
-        return str(self._members.get("name", ""))
+        return self._document.name
 
     @name.setter
     def name(self, name: str) -> None:
@@ -277,7 +275,7 @@ class Mechanism(Lookup):
     @property
     def notes(self) -> str:
         """Free text. It may be set."""
-        return str(self._members.get("notes", ""))
+        return self._document.notes
 
     @notes.setter
     def notes(self, notes: str) -> None:
@@ -286,7 +284,7 @@ class Mechanism(Lookup):
     @property
     def unit(self) -> str:
         """The unit of all lengths. It may be set; numbers stay as they are."""
-        return str(self._members.get("unit", "mm"))
+        return self._document.unit
 
     @unit.setter
     def unit(self, unit: str) -> None:

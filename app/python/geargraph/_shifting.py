@@ -32,7 +32,7 @@ class ShiftEdits(LoadEdits):
             "unknown-id", "duplicate-id", "schema" for the ground.
         """
         self._document = self._document.with_brake(self._id(Link, link), id)
-        return self.couplings[-1]
+        return self._last(Coupling)
 
     def add_clutch(self, one: LinkLike, other: LinkLike, id: str = "") -> Coupling:
         """Add a clutch, which engaged makes two links turn as one.
@@ -57,7 +57,7 @@ class ShiftEdits(LoadEdits):
         self._document = self._document.with_clutch(
             self._id(Link, one), self._id(Link, other), id
         )
-        return self.couplings[-1]
+        return self._last(Coupling)
 
     def add_state(
         self,
