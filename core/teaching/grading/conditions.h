@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "core/teaching/grading/read_answer.h"
+
+namespace geargraph::inline grading {
+
+/// Does the condition hold of this answer? Fields that cannot be read fulfil none but `differs` of others.
+/// Cost: linear in the condition and the answer; `basis` and `dependent` an exact elimination, `rows` the
+/// square of the rows.
+/// @pre the condition belongs to the question that the answer was read by
+[[nodiscard]] bool holds(const Condition& condition, const ReadAnswer& answer);
+
+[[nodiscard]] bool allHold(std::span<const Condition> conditions, const ReadAnswer& answer);
+
+}  // namespace geargraph::inline grading

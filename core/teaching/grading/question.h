@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/foundations/base/id.h"
+
+namespace geargraph::inline grading {
+
+/// What a field of an answer takes: a whole number, any rational number, one of its options, or some of them.
+enum class FieldKind { integer, number, choice, set };
+
+/// One blank that the learner fills in. Answers are texts, one for each field of the question, in their
+/// order.
+struct AnswerField {
+  std::string name;  ///< unique in the question: "C16,10", "rank"
+  FieldKind kind = FieldKind::integer;
+  std::vector<std::string> options = {};  ///< of a choice or a set
+  std::vector<ElementId> elements = {};   ///< what lights up with the field
+  bool mayBeEmpty = false;                ///< an empty field is an answer, too
+  friend bool operator==(const AnswerField&, const AnswerField&) = default;
+};
+
+/// The tests of which accepted answers and mistakes are made. A test reads the texts `values` of its
+/// condition:
+enum class Test {
+  values,        ///< the fields read like one of the rows
+  differs,       ///< the fields can be read, and read like none of the rows
+  multiple,      ///< the fields are a multiple, not by 0, of the only row
+  rows,          ///< the fields, cut into rows, are the rows in any order, each up to its sign
+  spanningTree,  ///< of a set of edges; rows {edge, node, node}: it is a spanning tree of this graph
+  hasLoop,       ///< the same graph: some edges of the set close a loop
+  basis,         ///< rows {name, numbers ...}: the rows named by the set are a regular square matrix
+  dependent,     ///< the same rows: those named by the set are linearly dependent
+  fewer,         ///< the set has fewer elements than {{number}}
+  more,          ///< or more
+  includes,      ///< the set has every element of the only row
+  lacks,         ///< the set lacks an element of the only row
+  touches,       ///< the set has an element of the only row
+  quotient,      ///< the first field divided by the second is {{number}}
+  within,        ///< every field is a whole number from {{least, most}}
+  outside,       ///< some field is none
+};
+
+/// A statement about an answer that a small program can decide. `fields` are positions; without any all
+/// fields are read.
+struct Condition {
+  Test test = Test::values;
+  std::vector<int> fields = {};
+  std::vector<std::vector<std::string>> values = {};
+  friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+/// A mistake that is recognised by its answer: it was made if all of `when` hold and the answer is not
+/// accepted.
+struct Mistake {
+  std::string name;  ///< of mistake_names.h
+  std::vector<Condition> when;
+  std::vector<int> fields = {};          ///< where it is seen; empty: in the answer as a whole
+  std::vector<ElementId> elements = {};  ///< what lights up in the drawing
+  std::string reason;                    ///< one sentence: what was done, then what holds
+  friend bool operator==(const Mistake&, const Mistake&) = default;
+};
+
+/// Headings of fields that are laid out as a table, row by row. Without columns the fields form a list.
+struct AnswerTable {
+  std::vector<std::string> rows = {};
+  std::vector<std::string> columns = {};
+  std::optional<int> partition = {};  ///< the first column right of the dashed line
+  friend bool operator==(const AnswerTable&, const AnswerTable&) = default;
+};
+
+/// A question with its key, as data: texts, fields, what is accepted and which mistakes are known. An
+/// immutable value; two graders that know the tests agree about every answer.
+struct Question {
+  std::string kind;          ///< "cycle-basis": a name of the command line
+  std::string prompt;        ///< sentences, with formulas in TeX between dollar signs
+  std::string formula = {};  ///< in TeX, on a line of its own; may be empty
+  AnswerTable table = {};
+  std::vector<AnswerField> fields;
+  int points = 1;
+  std::vector<ElementId> elements = {};  ///< what the question is about
+
+  // The key.
+  std::vector<Condition> accepted;    ///< an answer is right if all hold
+  std::vector<std::string> solution;  ///< one right answer
+  std::string rule;                   ///< the reason for it in a sentence
+  std::vector<Mistake> mistakes;      ///< the first that holds is the one to be told
+
+  friend bool operator==(const Question&, const Question&) = default;
+};
+
+}  // namespace geargraph::inline grading
