@@ -1,0 +1,125 @@
+// A row of the coefficient matrix P.
+
+#include <algorithm>
+
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kMostCoefficients = 12;
+
+std::vector<std::string> picked(const std::vector<Rational>& row, const std::vector<int>& joints) {
+  std::vector<Rational> some;
+  for (const int joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
+  return asTexts(some);
+}
+
+}  // namespace
+
+Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const Digraph& graph = source.graph();
+  const int mesh = random.below(graph.c());
+  const std::string label = source.meshLabel(mesh);
+  const GearMesh& gears = source.mechanism().gearMeshes[static_cast<std::size_t>(mesh)];
+  const std::vector<Rational> row = source.teethRow(mesh);
+  std::vector<int> joints;
+  std::vector<int> others;
+  for (int joint = 0; joint < graph.t(); ++joint)
+    (row[static_cast<std::size_t>(joint)].isZero() ? others : joints).push_back(joint);
+  for (const int joint :
+       random.someOf(others, std::max(0, kMostCoefficients - static_cast<int>(joints.size()))))
+    joints.push_back(joint);
+  std::sort(joints.begin(), joints.end());
+
+  QuestionBuilder build(ExerciseKind::coefficients, 5);
+  build.question.prompt =
+      "Write the row of mesh $" + label + "$ of the coefficient matrix $P$. Mesh $" + label + "$ has $" +
+      asText(gears.tailTeeth) + "$ teeth on link $" + source.linkLabel(graph.meshEdge(mesh).tail) +
+      "$ and $" + asText(gears.headTeeth) + "$ on link $" + source.linkLabel(graph.meshEdge(mesh).head) +
+      "$. Any multiple of the row is right: radii, numbers of teeth or the ratio $i_{" + label + "}$.";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule =
+      "A joint on the axis of a gear counts with this gear's radius, the sign is that of the cycle, and "
+      "the joints of both gears have the signs of the mesh.";
+  std::vector<std::string> columns;
+  for (const int joint : joints) columns.push_back(source.edgeLabel(joint));
+  build.table({"C" + label}, columns, FieldKind::number);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    build.question.fields[i].elements = {source.edgeId(joints[i])};
+  const std::vector<std::string> right = picked(row, joints);
+  build.accept(right, {{Test::multiple, {}, {right}}});
+
+  const std::vector<ElementId> elements{source.meshId(mesh)};
+  const MeshKind kind = source.meshKind(mesh);
+  const char* const signName = kind == MeshKind::internal   ? "internal-as-external"
+                               : kind == MeshKind::external ? "external-as-internal"
+                                                            : "bevel-sign";
+  const std::string signReason =
+      kind == MeshKind::internal
+          ? "Mesh " + label + " is internal: both gears turn the same way, seen from their carrier."
+      : kind == MeshKind::external
+          ? "Mesh " + label + " is external: its gears turn against each other, seen from their carrier."
+          : "The sign of bevel mesh " + label +
+                " follows from where its pitch point is, seen from both axes.";
+  build.wrongMultiple(
+      "ratio-upside-down", picked(source.teethRow(mesh, RowChange::upsideDown), joints),
+      "You exchange the radii of both gears: the joints on an axis count with the radius of the gear on "
+      "it.",
+      elements);
+  build.wrongMultiple(signName, picked(source.teethRow(mesh, RowChange::signOfHead), joints), signReason,
+                      elements);
+  std::vector<Rational> cycle(row.size());
+  std::vector<Rational> senseless(row.size());
+  for (std::size_t joint = 0; joint < row.size(); ++joint) {
+    const int entry = source.matrix(MatrixKind::spanningTree)->entry(mesh, static_cast<int>(joint));
+    cycle[joint] = entry;
+    senseless[joint] = row[joint] * Rational(entry);
+  }
+  build.wrongMultiple(
+      "coefficients-left-out", picked(cycle, joints),
+      "This is the row of the cycle: in P its signs are multiplied by the radii of the gears.", elements);
+  build.wrongMultiple("arrow-sense-lost", picked(senseless, joints),
+                      "You write the radii without the signs of the cycle, which walks against some arrows.",
+                      elements);
+  for (std::size_t other = 0; other < source.mechanism().gearMeshes.size(); ++other) {
+    if (static_cast<int>(other) == mesh) continue;
+    build.wrongMultiple("another-cycle", picked(source.teethRow(static_cast<int>(other)), joints),
+                        "This is the row of mesh " + source.meshLabel(static_cast<int>(other)) + ".",
+                        {source.meshId(static_cast<int>(other))});
+  }
+  std::vector<std::string> bothWrong = picked(source.teethRow(mesh, RowChange::upsideDown), joints);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto joint = static_cast<std::size_t>(joints[i]);
+    const bool isHead = source.teethRow(mesh, RowChange::signOfHead)[joint] != row[joint];
+    if (isHead) bothWrong[i] = (-*Rational::fromText(bothWrong[i])).toString();
+  }
+  build.wrongMultiple("sign-and-ratio", bothWrong,
+                      "You exchange the radii of both gears, and the sign of the mesh is wrong, too.",
+                      elements);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto field = static_cast<int>(i);
+    const std::vector<ElementId> joint{source.edgeId(joints[i])};
+    const Rational& value = row[static_cast<std::size_t>(joints[i])];
+    std::vector<std::string> turned = right;
+    turned[i] = (-value).toString();
+    std::vector<std::string> without = right;
+    without[i] = "0";
+    const std::string name = "joint " + columns[i];
+    if (value.isZero()) {
+      build.wrongIf("joint-off-the-walk", {{Test::differs, {field}, {{"0"}}}},
+                    "The cycle of mesh " + label + " does not use " + name + ": 0.", joint, {field});
+      continue;
+    }
+    build.wrongIf("walked-against-arrow", {{Test::multiple, {}, {turned}}},
+                  "The sign of " + name + " is the opposite: the walk passes its arrow the other way.", joint,
+                  {field});
+    build.wrongIf("joint-left-out", {{Test::values, {field}, {{"0"}}}},
+                  "The cycle of mesh " + label + " uses " + name + ": its coefficient is not 0.", joint,
+                  {field});
+  }
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,206 @@
+// The fundamental cycles: which edges, in which senses.
+
+#include <algorithm>
+
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+/// The joints of the walk from a mesh's head back to its tail, with their senses.
+std::vector<PathStep> backThroughTree(const ExerciseSource& source, int mesh) {
+  const DigraphEdge& gears = source.graph().meshEdge(mesh);
+  return treePath(*source.tree(), gears.head, gears.tail);
+}
+
+std::vector<int> jointsOf(const std::vector<PathStep>& steps) {
+  std::vector<int> joints;
+  for (const PathStep& step : steps) joints.push_back(step.joint);
+  std::sort(joints.begin(), joints.end());
+  return joints;
+}
+
+std::string setOf(const ExerciseSource& source, const std::vector<int>& joints) {
+  std::vector<std::string> labels;
+  for (const int joint : joints) labels.push_back(source.edgeLabel(joint));
+  return setText(labels);
+}
+
+std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+std::vector<ElementId> idsOf(const ExerciseSource& source, const std::vector<int>& edges) {
+  std::vector<ElementId> ids;
+  for (const int edge : edges) ids.push_back(source.edgeId(edge));
+  return ids;
+}
+
+}  // namespace
+
+Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const Digraph& graph = source.graph();
+  const int mesh = random.below(graph.c());
+  const std::string label = source.meshLabel(mesh);
+  const DigraphEdge& gears = graph.meshEdge(mesh);
+  const std::vector<int> joints = jointsOf(backThroughTree(source, mesh));
+  QuestionBuilder build(ExerciseKind::cycle, 2);
+  build.question.prompt = "Which turning joints lie on the fundamental cycle of mesh $" + label + "$?";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule = "The cycle of mesh " + label +
+                        " consists of the mesh and of the path through the tree from link " +
+                        source.linkLabel(gears.tail) + " to link " + source.linkLabel(gears.head) + ".";
+  std::vector<std::string> options;
+  for (int edge = 0; edge < graph.edgeCount(); ++edge) options.push_back(source.edgeLabel(edge));
+  build.field("joints", FieldKind::set, options);
+  build.accept({setOf(source, joints)});
+
+  const std::vector<int> tailPath = jointsOf(treePath(*source.tree(), gears.tail, 0));
+  const std::vector<int> headPath = jointsOf(treePath(*source.tree(), gears.head, 0));
+  const std::vector<int> toGround = unionOf(tailPath, headPath);
+  std::vector<int> beyond;
+  std::set_difference(toGround.begin(), toGround.end(), joints.begin(), joints.end(),
+                      std::back_inserter(beyond));
+  build.wrong("paths-to-ground", {setOf(source, toGround)},
+              "You follow both paths to the ground: the cycle turns back at the first link that they share.",
+              idsOf(source, beyond));
+  for (const auto& [path, gear] : {std::pair(tailPath, gears.tail), std::pair(headPath, gears.head)}) {
+    if (path.empty()) continue;
+    build.wrong("one-gear-only", {setOf(source, path)},
+                "You follow the path of link " + source.linkLabel(gear) +
+                    " to the ground: the cycle needs the path between both gears.",
+                {source.linkId(gear)});
+  }
+  for (int other = 0; other < graph.c(); ++other) {
+    if (other == mesh) continue;
+    build.wrong("another-cycle", {setOf(source, jointsOf(backThroughTree(source, other)))},
+                "These are the joints on the cycle of mesh " + source.meshLabel(other) + ".",
+                {source.meshId(other)});
+  }
+  for (int other = 0; other < graph.c(); ++other) {
+    build.wrongIf("mesh-among-joints", {{Test::touches, {}, {{source.meshLabel(other)}}}},
+                  source.meshLabel(other) + " is a mesh: the question asks for the turning joints.",
+                  {source.meshId(other)});
+  }
+  for (int joint = 0; joint < graph.t(); ++joint) {
+    const std::string name = source.edgeLabel(joint);
+    if (std::binary_search(joints.begin(), joints.end(), joint)) {
+      build.wrongIf("joint-left-out", {{Test::lacks, {}, {{name}}}},
+                    "The path between links " + source.linkLabel(gears.tail) + " and " +
+                        source.linkLabel(gears.head) + " leads through joint " + name + ".",
+                    {source.edgeId(joint)});
+    } else {
+      build.wrongIf("joint-off-the-walk", {{Test::touches, {}, {{name}}}},
+                    "The path between links " + source.linkLabel(gears.tail) + " and " +
+                        source.linkLabel(gears.head) + " does not lead through joint " + name + ".",
+                    {source.edgeId(joint)});
+    }
+  }
+  return std::move(build.question);
+}
+
+Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const int mesh = random.below(source.graph().c());
+  const std::string label = source.meshLabel(mesh);
+  std::vector<PathStep> steps = backThroughTree(source, mesh);
+  std::sort(steps.begin(), steps.end(),
+            [](const PathStep& a, const PathStep& b) { return a.joint < b.joint; });
+  steps.push_back({source.graph().t() + mesh, 1});
+  QuestionBuilder build(ExerciseKind::cycleSense, 2);
+  build.question.prompt =
+      "Walk once round the cycle of mesh $" + label +
+      "$, in either sense: $1$ for each arrow that you follow, $-1$ for each that you walk against.";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule =
+      "One walk runs along mesh " + label +
+      " and back through the tree; the opposite walk has all signs exchanged and is right, too.";
+  std::vector<std::string> columns;
+  std::vector<int> right;
+  for (const PathStep& step : steps) {
+    columns.push_back(source.edgeLabel(step.joint));
+    right.push_back(step.direction);
+  }
+  build.table({"C" + label}, columns, FieldKind::integer);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    build.question.fields[i].elements = {source.edgeId(steps[i].joint)};
+  build.accept(asTexts(right), {asTexts(negated(right))});
+  build.wrong("signs-left-out", asTexts(magnitudes(right)),
+              "You give all edges one sense: some arrows point against every walk round the cycle.",
+              {source.meshId(mesh)});
+  build.wrong("signs-left-out", asTexts(negated(magnitudes(right))),
+              "You give all edges one sense: some arrows point against every walk round the cycle.",
+              {source.meshId(mesh)});
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::vector<int> turned = right;
+    turned[i] = -turned[i];
+    const auto field = static_cast<int>(i);
+    const std::string name = edgeName(source, steps[i].joint);
+    const std::vector<std::vector<std::string>> both{asTexts(turned), asTexts(negated(turned))};
+    if (steps.size() > 2) {
+      build.wrongIf("walked-against-arrow", {{Test::values, {}, both}},
+                    "Your walk passes " + name +
+                        " the other way: with the other senses that you give, its sign is the "
+                        "opposite.",
+                    {source.edgeId(steps[i].joint)}, {field});
+    }
+    build.wrongField("joint-left-out", field, {"0"},
+                     "Every walk round the cycle uses " + name + ": 1 or \u22121, not 0.",
+                     {source.edgeId(steps[i].joint)});
+  }
+  build.wrongNonSigns();
+  build.wrongIf(
+      "orientation-lost", {{Test::within, {}, {{"-1", "1"}}}},
+      "These senses belong to no single walk round the cycle: start at one link and follow the edges one by "
+      "one.",
+      {source.meshId(mesh)});
+  return std::move(build.question);
+}
+
+Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
+  const Digraph& graph = source.graph();
+  const IntegerMatrix& cycles = *source.matrix(MatrixKind::cycleBasis);
+  QuestionBuilder build(ExerciseKind::anyCycles, 6);
+  build.question.prompt =
+      "Write down all fundamental cycles, one in each row: in any order, each walked in either sense.";
+  build.question.rule =
+      "There is a cycle for each mesh; its row may be multiplied by \u22121, and rows may be exchanged.";
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
+  for (int edge = 0; edge < graph.edgeCount(); ++edge) columns.push_back(source.edgeLabel(edge));
+  std::vector<std::string> solution;
+  std::vector<std::string> unsignedRows;
+  std::vector<std::string> twice;
+  std::vector<std::string> withoutMeshes;
+  Condition accepted{Test::rows, {}, {}};
+  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+    rows.push_back("cycle " + asText(mesh + 1));
+    std::vector<std::string> row;
+    for (int edge = 0; edge < graph.edgeCount(); ++edge) {
+      row.push_back(asText(cycles.entry(mesh, edge)));
+      unsignedRows.push_back(asText(std::abs(cycles.entry(mesh, edge))));
+      twice.push_back(asText(cycles.entry(mesh + 1 < graph.c() ? mesh : 0, edge)));
+      withoutMeshes.push_back(edge < graph.t() ? row.back() : "0");
+    }
+    solution.insert(solution.end(), row.begin(), row.end());
+    accepted.values.push_back(std::move(row));
+  }
+  build.table(rows, columns, FieldKind::integer);
+  build.question.table.partition = graph.t();
+  for (int i = 0; i < graph.c() * graph.edgeCount(); ++i)
+    build.question.fields[static_cast<std::size_t>(i)].elements = {source.edgeId(i % graph.edgeCount())};
+  build.accept(solution, {accepted});
+  build.wrong("signs-left-out", unsignedRows,
+              "You mark the edges of the cycles without their senses: a walk that runs against an arrow has "
+              "\u22121.");
+  build.wrong("another-cycle", twice, "You write one cycle twice: each mesh closes a cycle of its own.");
+  build.wrong("own-mesh-left-out", withoutMeshes,
+              "You leave out the meshes: each cycle holds the mesh that closes it.");
+  build.wrongNonSigns();
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,162 @@
+#include "core/teaching/exercises/exercise_kinds.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/foundations/base/contract.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kMostTreeEdges = 24;
+constexpr int kMostAnyCycles = 3;
+constexpr int kMostAnyEdges = 14;
+
+/// What a kind needs, each the reason where it is missing.
+using Reason = std::optional<std::string>;
+
+Reason withoutEdges(const ExerciseSource& source) {
+  if (source.graph().edgeCount() == 0) return "no joints";
+  return std::nullopt;
+}
+Reason withoutTree(const ExerciseSource& source) {
+  if (source.tree() == nullptr) return "the turning joints are no spanning tree";
+  if (source.graph().t() == 0) return "no joints";
+  return std::nullopt;
+}
+Reason withoutMeshes(const ExerciseSource& source) {
+  if (const Reason reason = withoutTree(source)) return reason;
+  if (source.graph().c() == 0) return "no meshes";
+  return std::nullopt;
+}
+Reason withoutEquations(const ExerciseSource& source) {
+  if (const Reason reason = withoutMeshes(source)) return reason;
+  if (source.ttGraph() == nullptr || source.matroid() == nullptr) return "a mesh has no geometry";
+  return std::nullopt;
+}
+Reason withoutOneCycle(const ExerciseSource& source) {
+  if (const Reason reason = withoutMeshes(source)) return reason;
+  const bool isSmall = source.graph().c() <= kMostAnyCycles && source.graph().edgeCount() <= kMostAnyEdges;
+  return isSmall ? Reason() : "too many cycles";
+}
+Reason withoutSmallGraph(const ExerciseSource& source) {
+  if (const Reason reason = withoutMeshes(source)) return reason;
+  return source.graph().edgeCount() <= kMostTreeEdges ? Reason() : "too many edges";
+}
+Reason withoutSearchable(const ExerciseSource& source) {
+  if (const Reason reason = withoutEdges(source)) return reason;
+  return searchableMatrices(source).empty() ? Reason("the matrices are too large or too small")
+                                            : std::nullopt;
+}
+Reason withoutRedundancy(const ExerciseSource& source) {
+  if (const Reason reason = withoutEquations(source)) return reason;
+  return source.matroid()->redundancies.empty() ? Reason("no mesh is redundant") : std::nullopt;
+}
+Reason withoutFreedom(const ExerciseSource& source) {
+  if (const Reason reason = withoutEquations(source)) return reason;
+  return source.matroid()->dof == 0 ? Reason("nothing can move") : std::nullopt;
+}
+Reason withoutPredictable(const ExerciseSource& source) {
+  if (const Reason reason = withoutFreedom(source)) return reason;
+  constexpr int kMostInputs = 6;
+  if (source.matroid()->dof > kMostInputs) return "too many inputs";
+  return predictableJoints(source).empty() ? Reason("no speed follows from the inputs") : std::nullopt;
+}
+Reason withoutPlanets(const ExerciseSource& source) {
+  if (const Reason reason = withoutEquations(source)) return reason;
+  return planetPairs(source).empty() ? Reason("no planet between a sun and a ring") : std::nullopt;
+}
+Reason withoutStates(const ExerciseSource& source) {
+  if (const Reason reason = withoutEquations(source)) return reason;
+  if (source.mechanism().couplings.empty()) return "no brakes or clutches";
+  return statesWithRatio(source).empty() ? Reason("no states with a ratio") : std::nullopt;
+}
+
+struct KindEntry {
+  ExerciseKind kind;
+  std::string_view name;
+  std::string_view title;
+  Reason (*reason)(const ExerciseSource&);
+  Question (*make)(const ExerciseSource&, ExerciseRandom&);
+};
+
+constexpr std::array kKinds = {
+    KindEntry{ExerciseKind::incidence, "incidence", "Fill in \u0393\u2070", withoutEdges, incidenceQuestion},
+    KindEntry{ExerciseKind::orientation, "orientation", "Orient the digraph", withoutEdges,
+              orientationQuestion},
+    KindEntry{ExerciseKind::reducedIncidence, "reduced-incidence", "Fill in \u0393", withoutEdges,
+              reducedIncidenceQuestion},
+    KindEntry{ExerciseKind::path, "path", "Fill in Z", withoutTree, pathQuestion},
+    KindEntry{ExerciseKind::treeMatrix, "tree-matrix", "Fill in T", withoutMeshes, treeMatrixQuestion},
+    KindEntry{ExerciseKind::cycle, "cycle", "Find the cycle of a mesh", withoutMeshes, cycleQuestion},
+    KindEntry{ExerciseKind::cycleSense, "cycle-sense", "Walk a cycle in either sense", withoutMeshes,
+              cycleSenseQuestion},
+    KindEntry{ExerciseKind::cycleBasis, "cycle-basis", "Fill in a row of C", withoutMeshes,
+              cycleBasisQuestion},
+    KindEntry{ExerciseKind::anyCycles, "any-cycles", "Write all cycles", withoutOneCycle, anyCyclesQuestion},
+    KindEntry{ExerciseKind::spanningTree, "spanning-tree", "Choose a spanning tree", withoutSmallGraph,
+              spanningTreeQuestion},
+    KindEntry{ExerciseKind::wrongEntry, "wrong-entry", "Find the wrong entry", withoutSearchable,
+              wrongEntryQuestion},
+    KindEntry{ExerciseKind::coefficients, "p", "Fill in a row of P", withoutEquations, coefficientQuestion},
+    KindEntry{ExerciseKind::freedom, "freedom", "Rank and DOF", withoutEquations, freedomQuestion},
+    KindEntry{ExerciseKind::redundantMesh, "redundant-mesh", "Redundant mesh", withoutRedundancy,
+              redundantMeshQuestion},
+    KindEntry{ExerciseKind::inputs, "inputs", "Valid inputs", withoutFreedom, inputsQuestion},
+    KindEntry{ExerciseKind::speed, "speed", "Predict a speed", withoutPredictable, speedQuestion},
+    KindEntry{ExerciseKind::levels, "levels", "Levels and transfer vertex", withoutEquations, levelsQuestion},
+    KindEntry{ExerciseKind::terminalEquation, "terminal", "Terminal equation, sign", withoutEquations,
+              terminalEquationQuestion},
+    KindEntry{ExerciseKind::fundamentalCircuit, "f-circuit", "f-circuit equation", withoutEquations,
+              fundamentalCircuitQuestion},
+    KindEntry{ExerciseKind::cutset, "cutset", "Fill in a row of Q", withoutMeshes, cutsetQuestion},
+    KindEntry{ExerciseKind::portTorque, "port-torque", "Torque of a port, sign", withoutEquations,
+              portTorqueQuestion},
+    KindEntry{ExerciseKind::teeth, "teeth", "Teeth for a ratio", withoutEquations, teethQuestion},
+    KindEntry{ExerciseKind::ringTeeth, "ring-teeth", "Teeth of the ring", withoutPlanets, ringTeethQuestion},
+    KindEntry{ExerciseKind::engagement, "brakes", "Brakes for a gear", withoutStates, engagementQuestion},
+};
+
+const KindEntry& entryOf(ExerciseKind kind) {
+  const KindEntry& entry = kKinds[static_cast<std::size_t>(kind)];
+  GEARGRAPH_REQUIRE(entry.kind == kind);
+  return entry;
+}
+
+}  // namespace
+
+const std::vector<ExerciseKind>& allExerciseKinds() {
+  static const std::vector<ExerciseKind> kinds = [] {
+    std::vector<ExerciseKind> all;
+    for (const KindEntry& entry : kKinds) all.push_back(entry.kind);
+    return all;
+  }();
+  return kinds;
+}
+
+std::string_view kindName(ExerciseKind kind) {
+  return entryOf(kind).name;
+}
+
+std::string_view kindTitle(ExerciseKind kind) {
+  return entryOf(kind).title;
+}
+
+std::optional<ExerciseKind> kindFromName(std::string_view name) {
+  const auto found =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const KindEntry& e) { return e.name == name; });
+  if (found == kKinds.end()) return std::nullopt;
+  return found->kind;
+}
+
+std::optional<std::string> reasonAgainst(const ExerciseSource& source, ExerciseKind kind) {
+  return entryOf(kind).reason(source);
+}
+
+Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseRandom& random) {
+  GEARGRAPH_REQUIRE(!reasonAgainst(source, kind));
+  return entryOf(kind).make(source, random);
+}
+
+}  // namespace geargraph::inline exercises

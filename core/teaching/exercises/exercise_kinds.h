@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/teaching/exercises/exercise_random.h"
+#include "core/teaching/exercises/exercise_source.h"
+#include "core/teaching/grading/question.h"
+
+namespace geargraph::inline exercises {
+
+/// What can be asked about a mechanism, in the order of the paper.
+enum class ExerciseKind : std::uint8_t {
+  incidence,
+  orientation,
+  reducedIncidence,
+  path,
+  treeMatrix,
+  cycle,
+  cycleSense,
+  cycleBasis,
+  anyCycles,
+  spanningTree,
+  wrongEntry,
+  coefficients,
+  freedom,
+  redundantMesh,
+  inputs,
+  speed,
+  levels,
+  terminalEquation,
+  fundamentalCircuit,
+  cutset,
+  portTorque,
+  teeth,
+  ringTeeth,
+  engagement,
+};
+
+[[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();
+[[nodiscard]] std::string_view kindName(ExerciseKind kind);   ///< "cycle-basis": stable, of the command line
+[[nodiscard]] std::string_view kindTitle(ExerciseKind kind);  ///< "Fill in a row of C"
+[[nodiscard]] std::optional<ExerciseKind> kindFromName(std::string_view name);
+
+/// Why the mechanism gives no question of this kind: "no brakes or clutches". Nothing where it does.
+[[nodiscard]] std::optional<std::string> reasonAgainst(const ExerciseSource& source, ExerciseKind kind);
+
+/// A question of this kind; the random numbers choose the mesh, the cells, the numbers. The same numbers make
+/// the same question. @pre !reasonAgainst(source, kind)
+[[nodiscard]] Question makeQuestion(const ExerciseSource& source, ExerciseKind kind, ExerciseRandom& random);
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline exercises {
+
+/// More moving links than this make no exercise that can be answered on paper.
+constexpr int kMostExerciseLinks = 60;
+
+/// A row of P over the turning joints in numbers of teeth, zeros included, and the same with a change that a
+/// learner might make.
+enum class RowChange { none, upsideDown, signOfHead };
+
+/// Couplings that may be engaged together, and what they do to the drive and driven link of a state.
+struct EngagedSet {
+  std::vector<int> couplings;  ///< by position, ascending
+  StateSolution solution;
+};
+
+/// A mechanism and all that its exercises are made from: the train with every coupling released. An
+/// immutable value.
+class ExerciseSource {
+ public:
+  /// Cost: a live analysis, an exact solution; with states the solutions of all sets of couplings that are
+  /// considered (kMostEngagedSets). @pre at most kMostExerciseLinks moving links
+  explicit ExerciseSource(const Mechanism& mechanism);
+
+  [[nodiscard]] const Mechanism& mechanism() const { return *m_snapshot->mechanism; }
+  [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
+  [[nodiscard]] const Digraph& graph() const { return *m_snapshot->graph; }
+  [[nodiscard]] const IntegerMatrixPtr& matrix(MatrixKind kind) const { return m_snapshot->matrix(kind); }
+  /// Null where the turning joints are no spanning tree.
+  [[nodiscard]] const SpanningTree* tree() const { return m_snapshot->tree.get(); }
+  /// Null where a mesh has no equations.
+  [[nodiscard]] const TtGraph* ttGraph() const;
+  /// Null where a mesh has no geometry.
+  [[nodiscard]] const MatroidAnalysis* matroid() const { return m_snapshot->matroid(); }
+  [[nodiscard]] MeshKind meshKind(int mesh) const;
+
+  /// A valid set of inputs, and by joint its rate over them. @pre matroid()
+  [[nodiscard]] const std::vector<int>& inputs() const { return matroid()->choice.joints; }
+  [[nodiscard]] const std::vector<std::vector<Rational>>& rates() const { return m_rates; }
+  /// Over all joints. @pre matroid()
+  [[nodiscard]] std::vector<Rational> teethRow(int mesh, RowChange change = RowChange::none) const;
+
+  /// By state of the document: what each considered set of couplings does to its drive and driven link. Empty
+  /// without states.
+  static constexpr std::size_t kMostEngagedSets = 256;
+  [[nodiscard]] const std::vector<EngagedSet>& engagedSets(int state) const {
+    return m_engagedSets[static_cast<std::size_t>(state)];
+  }
+  /// The position among engagedSets(state) of the couplings that the state engages; none where it was not
+  /// considered.
+  [[nodiscard]] std::optional<std::size_t> setOfState(int state) const;
+
+  [[nodiscard]] std::string linkLabel(int node) const { return std::to_string(graph().nodeLabel(node)); }
+  [[nodiscard]] std::string edgeLabel(int edge) const { return std::to_string(graph().edgeLabel(edge)); }
+  [[nodiscard]] std::string meshLabel(int mesh) const { return edgeLabel(graph().t() + mesh); }
+  [[nodiscard]] ElementId linkId(int node) const { return graph().nodeId(node); }
+  [[nodiscard]] ElementId edgeId(int edge) const { return graph().edgeId(edge); }
+  [[nodiscard]] ElementId meshId(int mesh) const { return edgeId(graph().t() + mesh); }
+
+ private:
+  void solveRates();
+  void solveStates();
+
+  SnapshotPtr m_snapshot;
+  std::vector<std::vector<Rational>> m_rates;
+  std::vector<std::vector<EngagedSet>> m_engagedSets;
+};
+
+enum class Difficulty { easy, medium, hard };
+
+/// By cycles, inputs and what is uncommon about the mechanism.
+struct DifficultyNote {
+  Difficulty level = Difficulty::easy;
+  std::string text;  ///< "medium: 4 cycles, 3 inputs"
+};
+[[nodiscard]] DifficultyNote difficultyOf(const ExerciseSource& source);
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,198 @@
+// Rank, freedom, inputs, and meshes that add nothing.
+
+#include <algorithm>
+
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kMostPairs = 40;  ///< of proportional joints that are named
+
+/// The factor f with a = f b, if there is one and neither is 0.
+std::optional<Rational> factorBetween(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+  std::optional<Rational> factor;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].isZero() != b[i].isZero()) return std::nullopt;
+    if (a[i].isZero()) continue;
+    const Rational here = a[i] / b[i];
+    if (factor && *factor != here) return std::nullopt;
+    factor = here;
+  }
+  return factor;
+}
+
+}  // namespace
+
+Question freedomQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
+  const MatroidAnalysis& matroid = *source.matroid();
+  const int t = source.graph().t();
+  const int c = source.graph().c();
+  const int r = matroid.rank;
+  const int e = matroid.dof;
+  QuestionBuilder build(ExerciseKind::freedom, 3);
+  build.question.prompt =
+      "What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the "
+      "mechanism have"
+      " with every brake and clutch released?";
+  if (source.mechanism().couplings.empty())
+    build.question.prompt =
+        "What is the rank $r$ of the coefficient matrix $P$, and how many degrees of freedom $E$ does the "
+        "mechanism "
+        "have?";
+  const std::string counted = "r = " + asText(r) + ", E = t \u2212 r = " + asText(t) + " \u2212 " +
+                              asText(r) + " = " + asText(e) + ".";
+  std::vector<ElementId> redundant;
+  for (const Redundancy& found : matroid.redundancies) redundant.push_back(source.meshId(found.equation));
+  build.question.rule =
+      r < c ? "Of the " + asText(c) + " rows of P only " + asText(r) + " are independent: " + counted
+            : "All " + asText(c) + " rows of P are independent: " + counted;
+  build.field("r", FieldKind::integer);
+  build.field("E", FieldKind::integer);
+  const auto pair = [](int rank, int dof) { return std::vector<std::string>{asText(rank), asText(dof)}; };
+  build.accept(pair(r, e));
+  if (r < c) {
+    build.wrong("kutzbach-with-redundant-mesh", pair(c, t - c),
+                "You count every mesh as a constraint: " + asText(c - r) +
+                    (c - r == 1 ? " mesh follows" : " meshes follow") + " from the others, so that r is " +
+                    asText(r) + ".",
+                redundant);
+    build.wrongFields("kutzbach-with-redundant-mesh", {0}, {{asText(c)}},
+                      "The rank is not the number of meshes: " + asText(c - r) +
+                          (c - r == 1 ? " mesh follows" : " meshes follow") + " from the others.",
+                      redundant);
+  }
+  build.wrong("rank-and-dof-exchanged", pair(e, r),
+              "You exchange both numbers: r counts equations, E = t \u2212 r is left.");
+  build.wrong("ground-counted", pair(r, e + 1),
+              "You count the ground among the moving links: it has no turning joint of its own.",
+              {source.linkId(0)});
+  for (const int rank : {r, c, 2 * c}) {
+    build.wrong(
+        "mesh-takes-two", pair(rank, t - 2 * c),
+        "You take two degrees of freedom for each mesh: its gears roll and slide, so that it takes one.");
+    build.wrong(
+        "meshes-ignored", pair(rank, t),
+        "You count the freedoms of the turning joints only: each independent mesh takes one of them.");
+  }
+  build.wrong("meshes-ignored", pair(0, t),
+              "You count the freedoms of the turning joints only: each independent mesh takes one of them.");
+  build.wrongIf("not-t-minus-r", {{Test::values, {0}, {{asText(r)}}}, {Test::differs, {1}, {{asText(e)}}}},
+                "The rank is right, but E = t \u2212 r = " + asText(t) + " \u2212 " + asText(r) + ".", {},
+                {1});
+  return std::move(build.question);
+}
+
+Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
+  const MatroidAnalysis& matroid = *source.matroid();
+  const int t = source.graph().t();
+  const std::string count = asText(matroid.dof);
+  const auto& rates = source.rates();
+  QuestionBuilder build(ExerciseKind::inputs, 3);
+  build.question.prompt =
+      "Choose a valid set of inputs: turning joints whose speeds determine the whole motion.";
+  build.question.rule = "A valid set has " + count + (matroid.dof == 1 ? " joint" : " joints") +
+                        " whose speeds can be chosen freely and determine all others.";
+  std::vector<std::string> options;
+  std::vector<std::vector<std::string>> rows;
+  for (int joint = 0; joint < t; ++joint) {
+    options.push_back(source.edgeLabel(joint));
+    rows.push_back({source.edgeLabel(joint)});
+    for (const std::string& rate : asTexts(rates[static_cast<std::size_t>(joint)]))
+      rows.back().push_back(rate);
+  }
+  build.field("joints", FieldKind::set, options);
+  std::vector<int> inputs = source.inputs();
+  std::sort(inputs.begin(), inputs.end());
+  std::vector<std::string> solution;
+  for (const int joint : inputs) solution.push_back(source.edgeLabel(joint));
+  build.accept({setText(solution)}, {{Test::basis, {}, rows}});
+  for (int joint = 0; joint < t; ++joint) {
+    if (matroid.dead[static_cast<std::size_t>(joint)] == 0) continue;
+    build.wrongIf("dead-input", {{Test::touches, {}, {{source.edgeLabel(joint)}}}},
+                  "Joint " + source.edgeLabel(joint) + " can never turn, so that it cannot be driven.",
+                  {source.edgeId(joint)});
+  }
+  build.wrongIf("too-many-inputs", {{Test::more, {}, {{count}}}},
+                "With " + count + (matroid.dof == 1 ? " degree" : " degrees") +
+                    " of freedom the other joints you name follow from " + count + " of them.");
+  for (int joint = 0; joint < t; ++joint) {
+    if (matroid.idle[static_cast<std::size_t>(joint)] == 0) continue;
+    build.wrongIf("idle-joint-missing", {{Test::lacks, {}, {{source.edgeLabel(joint)}}}},
+                  "Joint " + source.edgeLabel(joint) +
+                      " is on no cycle, so that only an input can determine its speed.",
+                  {source.edgeId(joint)});
+  }
+  int pairs = 0;
+  for (int a = 0; a < t; ++a) {
+    for (int b = 0; b < a && pairs < kMostPairs; ++b) {
+      const auto factor =
+          factorBetween(rates[static_cast<std::size_t>(a)], rates[static_cast<std::size_t>(b)]);
+      if (!factor) continue;
+      ++pairs;
+      build.wrongIf("dependent-inputs", {{Test::includes, {}, {{source.edgeLabel(b), source.edgeLabel(a)}}}},
+                    "Joint " + source.edgeLabel(a) + " always turns at " + inWords(*factor) +
+                        " times the speed of joint " + source.edgeLabel(b) +
+                        ": only one of them can be chosen.",
+                    {source.edgeId(a), source.edgeId(b)});
+    }
+  }
+  build.wrongIf("dependent-inputs", {{Test::dependent, {}, rows}},
+                "The speeds of these joints depend on each other, so that some other joint stays free.");
+  if (matroid.dof == 1) return std::move(build.question);
+  build.wrongIf("too-few-inputs", {{Test::fewer, {}, {{count}}}},
+                "The mechanism has " + count + " degrees of freedom: your inputs leave a motion open.");
+  return std::move(build.question);
+}
+
+std::vector<char> dispensableMeshes(const ExerciseSource& source) {
+  std::vector<char> dispensable(static_cast<std::size_t>(source.graph().c()), 0);
+  for (const Redundancy& redundancy : source.matroid()->redundancies) {
+    dispensable[static_cast<std::size_t>(redundancy.equation)] = 1;
+    for (const int mesh : redundancy.dependsOn) dispensable[static_cast<std::size_t>(mesh)] = 1;
+  }
+  return dispensable;
+}
+
+Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& /*random*/) {
+  const int c = source.graph().c();
+  const std::string count = asText(c - source.matroid()->rank);
+  const std::vector<char> dispensable = dispensableMeshes(source);
+  QuestionBuilder build(ExerciseKind::redundantMesh, 3);
+  build.question.prompt =
+      "How many meshes are redundant, and which mesh could be left out without another motion? Name one of "
+      "them.";
+  std::vector<std::string> meshes;
+  std::vector<std::vector<std::string>> right;
+  std::vector<std::string> names;
+  for (int mesh = 0; mesh < c; ++mesh) {
+    meshes.push_back(source.meshLabel(mesh));
+    if (dispensable[static_cast<std::size_t>(mesh)] == 0) continue;
+    right.push_back({count, meshes.back()});
+    names.push_back(meshes.back());
+  }
+  build.question.rule = "The rank is " + asText(source.matroid()->rank) + " with " + asText(c) +
+                        " meshes, so that " + count + (count == "1" ? " is" : " are") +
+                        " redundant; each of " + listed(names, kAllNames) + " follows from others.";
+  build.field("redundant meshes", FieldKind::integer);
+  build.field("one of them", FieldKind::choice, meshes);
+  build.accept(right.front(), right);
+  build.wrongField("redundancy-overlooked", 0, {"0"},
+                   "The rows of P are not independent: their rank is " + asText(source.matroid()->rank) +
+                       ", fewer than " + asText(c) + " meshes.");
+  build.wrongIf("redundancy-miscounted", {{Test::differs, {0}, {{count}}}},
+                "There are as many redundant meshes as rows of P beyond its rank: " + asText(c) + " \u2212 " +
+                    asText(source.matroid()->rank) + ".",
+                {}, {0});
+  for (int mesh = 0; mesh < c; ++mesh) {
+    if (dispensable[static_cast<std::size_t>(mesh)] != 0) continue;
+    build.wrongField("independent-mesh", 1, {meshes[static_cast<std::size_t>(mesh)]},
+                     "Without mesh " + meshes[static_cast<std::size_t>(mesh)] +
+                         " the mechanism would gain a degree of freedom: it follows from no others.",
+                     {source.meshId(mesh)});
+  }
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

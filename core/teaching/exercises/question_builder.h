@@ -1,0 +1,72 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "core/foundations/base/wording.h"
+#include "core/teaching/exercises/exercise_kinds.h"
+#include "core/teaching/grading/read_answer.h"
+
+namespace geargraph::inline exercises {
+
+/// Collects a question. Mistakes are tried in the order in which they are added; one whose answer is accepted
+/// or explained by an earlier one on this mechanism is left out.
+class QuestionBuilder {
+ public:
+  QuestionBuilder(ExerciseKind kind, int points);
+
+  Question question;
+
+  /// A field of the list.
+  void field(std::string name, FieldKind kind, std::vector<std::string> options = {},
+             std::vector<ElementId> elements = {});
+  /// A table of whole numbers or others, its fields named "row,column".
+  void table(std::vector<std::string> rows, std::vector<std::string> columns, FieldKind kind);
+
+  /// These values, and nothing else but the alternatives.
+  void accept(std::vector<std::string> values,
+              const std::vector<std::vector<std::string>>& alternatives = {});
+  void accept(std::vector<std::string> solution, std::vector<Condition> conditions);
+
+  /// A whole answer that shows a mistake.
+  void wrong(const char* name, const std::vector<std::string>& values, std::string reason,
+             std::vector<ElementId> elements = {});
+  /// The same of an accepted multiple: any multiple of these values.
+  void wrongMultiple(const char* name, const std::vector<std::string>& values, std::string reason,
+                     std::vector<ElementId> elements = {});
+  /// What some fields read like, one text each in each row, whatever the others hold.
+  void wrongFields(const char* name, const std::vector<int>& fields,
+                   const std::vector<std::vector<std::string>>& values, std::string reason,
+                   std::vector<ElementId> elements = {});
+  void wrongField(const char* name, int field, const std::vector<std::string>& texts, std::string reason,
+                  std::vector<ElementId> elements = {});
+  /// Any conditions.
+  void wrongIf(const char* name, std::vector<Condition> when, std::string reason,
+               std::vector<ElementId> elements = {}, std::vector<int> fields = {});
+  /// Some field is none of -1, 0, 1.
+  void wrongNonSigns();
+
+ private:
+  [[nodiscard]] bool isCovered(const std::vector<std::string>& values) const;
+};
+
+// Texts of numbers in answers and in sentences.
+
+[[nodiscard]] std::string asText(int value);  ///< "-1"
+[[nodiscard]] std::vector<std::string> asTexts(const std::vector<int>& values);
+[[nodiscard]] std::vector<std::string> asTexts(const std::vector<Rational>& values);
+[[nodiscard]] std::string inWords(int value);  ///< "−1", as in print
+[[nodiscard]] std::string inWords(const Rational& value);
+[[nodiscard]] std::string asTex(const Rational& value);  ///< "-\frac{3}{2}"
+/// A user's name in a prompt, whose dollar signs would begin a formula.
+[[nodiscard]] std::string namedInPrompt(const std::string& name);
+
+[[nodiscard]] std::vector<int> negated(std::vector<int> values);
+[[nodiscard]] std::vector<int> magnitudes(std::vector<int> values);
+
+/// "joint 8", "mesh 16".
+[[nodiscard]] std::string edgeName(const ExerciseSource& source, int edge);
+[[nodiscard]] std::vector<int> firstNumbers(int count);  ///< 0 .. count-1
+
+}  // namespace geargraph::inline exercises

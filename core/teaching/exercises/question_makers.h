@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/teaching/exercises/exercise_kinds.h"
+
+namespace geargraph::inline exercises {
+
+// One function for each kind of question. @pre of each: its reason against the kind is none.
+
+Question incidenceQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question reducedIncidenceQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question pathQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question treeMatrixQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question cycleQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question cycleSenseQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question cycleBasisQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question anyCyclesQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question wrongEntryQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question coefficientQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question freedomQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question redundantMeshQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question inputsQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question speedQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question cutsetQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random);
+
+/// An external mesh and an internal one that share a planet, its axis and their carrier.
+struct PlanetPair {
+  int sunMesh = 0;
+  int ringMesh = 0;
+  int planet = 0, sun = 0, ring = 0;  ///< nodes
+  int sunTeeth = 0, planetTeethAtSun = 0, planetTeethAtRing = 0;
+};
+[[nodiscard]] std::vector<PlanetPair> planetPairs(const ExerciseSource& source);
+
+/// Matrices small enough to be searched for a wrong entry.
+[[nodiscard]] std::vector<MatrixKind> searchableMatrices(const ExerciseSource& source);
+
+/// Joints whose rate follows from the inputs and is not 0.
+[[nodiscard]] std::vector<int> predictableJoints(const ExerciseSource& source);
+
+/// States with a ratio, of which some couplings are engaged.
+[[nodiscard]] std::vector<int> statesWithRatio(const ExerciseSource& source);
+
+/// Meshes of which each of the others is a combination, or which are one: any of them may be left out. By
+/// mesh.
+[[nodiscard]] std::vector<char> dispensableMeshes(const ExerciseSource& source);
+
+}  // namespace geargraph::inline exercises

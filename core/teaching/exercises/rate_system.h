@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/foundations/base/rational.h"
+
+namespace geargraph::inline exercises {
+
+/// The rates of all joints from some linear equations and the rates of the inputs, by elimination in
+/// fractions: also of equations that a learner has set up wrongly. Nothing where the rates do not follow.
+/// Cost: cubic in the unknowns.
+/// @pre rows of one length
+[[nodiscard]] std::optional<std::vector<Rational>> ratesFrom(
+    std::vector<std::vector<Rational>> rows, std::span<const std::pair<int, Rational>> inputs);
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,102 @@
+// Which couplings make a gear of a gearbox.
+
+#include <algorithm>
+
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+std::string couplingSet(const ExerciseSource& source, const std::vector<int>& couplings) {
+  std::vector<std::string> names;
+  for (const int coupling : couplings)
+    names.push_back(source.mechanism().couplings[static_cast<std::size_t>(coupling)].id.text());
+  return setText(names);
+}
+
+std::vector<ElementId> couplingIds(const ExerciseSource& source, const std::vector<int>& couplings) {
+  std::vector<ElementId> ids;
+  for (const int coupling : couplings)
+    ids.emplace_back(source.mechanism().couplings[static_cast<std::size_t>(coupling)].id);
+  return ids;
+}
+
+std::string linkOf(const ExerciseSource& source, LinkId link) {
+  return source.linkLabel(source.graph().nodeOf(link));
+}
+
+}  // namespace
+
+std::vector<int> statesWithRatio(const ExerciseSource& source) {
+  std::vector<int> states;
+  for (std::size_t i = 0; i < source.mechanism().states.size(); ++i) {
+    const auto state = static_cast<int>(i);
+    const auto place = source.setOfState(state);
+    if (!place) continue;
+    const EngagedSet& set = source.engagedSets(state)[*place];
+    if (set.solution.ratio && !set.couplings.empty()) states.push_back(state);
+  }
+  return states;
+}
+
+Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const int asked = random.oneOf(statesWithRatio(source));
+  const ShiftState& state = source.mechanism().states[static_cast<std::size_t>(asked)];
+  const std::vector<EngagedSet>& sets = source.engagedSets(asked);
+  const EngagedSet& right = sets[*source.setOfState(asked)];
+  const Rational ratio = *right.solution.ratio;
+  QuestionBuilder build(ExerciseKind::engagement, 3);
+  build.question.prompt = "Which brakes and clutches have to be engaged for state \u201c" +
+                          namedInPrompt(state.name) + "\u201d, in which link $" +
+                          linkOf(source, *state.drive) + "$ turns at $" + asTex(ratio) +
+                          "$ times the speed of link $" + linkOf(source, *state.driven) + "$?";
+  build.question.rule = "With " + couplingSet(source, right.couplings) +
+                        " engaged one degree of freedom is left and the ratio is " + inWords(ratio) + ".";
+  std::vector<std::string> options;
+  for (const Coupling& coupling : source.mechanism().couplings) options.push_back(coupling.id.text());
+  build.field("engaged", FieldKind::set, options);
+  build.question.fields.front().mayBeEmpty = true;
+  std::vector<std::vector<std::string>> alternatives;
+  for (const EngagedSet& set : sets) {
+    if (set.solution.ratio && *set.solution.ratio == ratio)
+      alternatives.push_back({couplingSet(source, set.couplings)});
+  }
+  build.accept({couplingSet(source, right.couplings)}, alternatives);
+  for (std::size_t i = 0; i < source.mechanism().states.size(); ++i) {
+    const auto place = source.setOfState(static_cast<int>(i));
+    const ShiftState& other = source.mechanism().states[i];
+    if (static_cast<int>(i) == asked || !place) continue;
+    const std::vector<int>& couplings = source.engagedSets(static_cast<int>(i))[*place].couplings;
+    build.wrong(
+        "another-gear", {couplingSet(source, couplings)},
+        "These couplings engage state \u201c" + other.name + "\u201d, not \u201c" + state.name + "\u201d.",
+        couplingIds(source, couplings));
+  }
+  Condition locked{Test::values, {}, {}};
+  Condition free{Test::values, {}, {}};
+  Condition different{Test::values, {}, {}};
+  for (const EngagedSet& set : sets) {
+    const std::string text = couplingSet(source, set.couplings);
+    if (set.solution.ratio && *set.solution.ratio == ratio) continue;
+    if (set.solution.dof > 1) {
+      free.values.push_back({text});
+    } else if (!set.solution.driveTurns) {
+      locked.values.push_back({text});
+    } else {
+      different.values.push_back({text});
+    }
+  }
+  if (!free.values.empty())
+    build.wrongIf("too-free", {free},
+                  "More than one degree of freedom is left: another brake or clutch has to be engaged.");
+  if (!locked.values.empty())
+    build.wrongIf("drive-locked", {locked}, "These couplings together lock the drive.");
+  if (!different.values.empty()) {
+    build.wrongIf("another-ratio", {different},
+                  "The drive turns with these couplings, but its ratio is not " + inWords(ratio) + ".");
+  }
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,43 @@
+// The torques of a mesh's two ports.
+
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+
+Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const int mesh = random.below(source.graph().c());
+  const TerminalPair& pair = *source.ttGraph()->terminal(mesh);
+  const std::string label = source.meshLabel(mesh);
+  const std::string comma = source.graph().n() > 9 ? "," : "";
+  const std::string tail = source.linkLabel(pair.tail) + comma + source.linkLabel(pair.carrier);
+  const std::string head = source.linkLabel(pair.head) + comma + source.linkLabel(pair.carrier);
+  const Rational speed(pair.sign * pair.tailTeeth, pair.headTeeth);  // w_head = speed * w_tail
+  const Rational factor = -speed.inverse();
+  QuestionBuilder build(ExerciseKind::portTorque, 3);
+  build.question.prompt =
+      "The terminal equation of mesh $" + label + "$ is $\\omega_{" + head + "} = " + asTex(speed) +
+      " \\, \\omega_{" + tail +
+      "}$. No power is lost. Write the torque of the second port in terms of the first one's: the "
+      "factor $f$ with its sign.";
+  build.question.formula = "M_{" + head + "} = f \\, M_{" + tail + "}";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule =
+      "The powers of both ports add up to 0, so that the torques have the inverse ratio of the speeds with "
+      "the opposite sign: f = " +
+      inWords(factor) + ".";
+  build.field("f", FieldKind::number, {}, {source.meshId(mesh)});
+  build.accept({factor.toString()});
+  const std::vector<ElementId> elements{source.meshId(mesh)};
+  build.wrong("torque-sign", {(-factor).toString()},
+              "The ratio is right, but the sign is not: what one port takes in the other gives off.",
+              elements);
+  build.wrong("torque-as-speed", {speed.toString()},
+              "You use the relation of the speeds: torques have the inverse ratio and the opposite sign.",
+              elements);
+  build.wrong("ratio-upside-down", {factor.inverse().toString()},
+              "Your ratio is upside down: the gear that turns more slowly has the larger torque.", elements);
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,58 @@
+// Spanning trees of the whole graph, with meshes as edges.
+
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+
+Question spanningTreeQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const Digraph& graph = source.graph();
+  const int mesh = random.below(graph.c());
+  const std::string label = source.meshLabel(mesh);
+  const std::string count = asText(graph.n());
+  QuestionBuilder build(ExerciseKind::spanningTree, 3);
+  build.question.prompt =
+      "Take meshes and turning joints alike as edges of one graph. Choose a spanning tree of it that "
+      "contains mesh $" +
+      label + "$.";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule = "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
+                        " edges and no loop: take the mesh in and a joint of its cycle out.";
+  std::vector<std::string> options;
+  std::vector<std::vector<std::string>> edges;
+  for (int edge = 0; edge < graph.edgeCount(); ++edge) {
+    options.push_back(source.edgeLabel(edge));
+    edges.push_back({source.edgeLabel(edge), source.linkLabel(graph.edge(edge).tail),
+                     source.linkLabel(graph.edge(edge).head)});
+  }
+  build.field("edges", FieldKind::set, options);
+
+  const DigraphEdge& gears = graph.meshEdge(mesh);
+  const int out = treePath(*source.tree(), gears.tail, gears.head).front().joint;
+  std::vector<std::string> solution;
+  std::vector<std::string> turningTree;
+  for (int joint = 0; joint < graph.t(); ++joint) {
+    turningTree.push_back(source.edgeLabel(joint));
+    if (joint != out) solution.push_back(source.edgeLabel(joint));
+  }
+  solution.push_back(label);
+  build.accept({setText(solution)}, {{Test::spanningTree, {}, edges}, {Test::includes, {}, {{label}}}});
+  build.wrong("required-edge-missing", {setText(turningTree)},
+              "The turning joints are a spanning tree, but mesh " + label + " is not in it.",
+              {source.meshId(mesh)});
+  build.wrongIf("too-few-edges", {{Test::fewer, {}, {{count}}}},
+                "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
+                    " edges: yours leaves links loose.");
+  build.wrongIf("too-many-edges", {{Test::more, {}, {{count}}}},
+                "A spanning tree of " + asText(graph.n() + 1) + " links has " + count +
+                    " edges: with more of them some close a loop.");
+  build.wrongIf("closes-a-loop", {{Test::hasLoop, {}, edges}},
+                "Some of your edges close a loop, so that another link is left loose.");
+  build.wrongIf("required-edge-missing", {{Test::lacks, {}, {{label}}}},
+                "Your edges are a spanning tree, but mesh " + label + " is not among them.",
+                {source.meshId(mesh)});
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises

@@ -1,0 +1,272 @@
+// The T-T graph: levels and carriers, terminal equations, fundamental circuits.
+
+#include <algorithm>
+#include <set>
+
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+#include "core/theory/ttgraph/notation.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kMostBranches = 12;
+
+std::vector<std::string> linkLabels(const ExerciseSource& source) {
+  std::vector<std::string> labels;
+  for (int node = 0; node < source.graph().nodeCount(); ++node) labels.push_back(source.linkLabel(node));
+  return labels;
+}
+
+/// The nodes of the path between both gears, the gears included.
+std::vector<int> pathNodes(const ExerciseSource& source, const DigraphEdge& gears) {
+  std::vector<int> nodes{gears.tail};
+  for (const PathStep& step : treePath(*source.tree(), gears.tail, gears.head)) {
+    const DigraphEdge& joint = source.graph().turningEdge(step.joint);
+    nodes.push_back(joint.tail == nodes.back() ? joint.head : joint.tail);
+  }
+  return nodes;
+}
+
+/// What is mistaken about a carrier in field `field`.
+void addCarrierMistakes(const ExerciseSource& source, QuestionBuilder& build, int mesh, int field,
+                        int carrier) {
+  const DigraphEdge& gears = source.graph().meshEdge(mesh);
+  const std::vector<int> path = pathNodes(source, gears);
+  const std::string right = "the level changes at link " + source.linkLabel(carrier) + ".";
+  for (const int gear : {gears.tail, gears.head}) {
+    build.wrongField("gear-as-carrier", field, {source.linkLabel(gear)},
+                     "Link " + source.linkLabel(gear) + " is a gear of mesh " + source.meshLabel(mesh) +
+                         ", not its carrier: " + right,
+                     {source.linkId(gear), source.linkId(carrier)});
+  }
+  for (int node = 0; node < source.graph().nodeCount(); ++node) {
+    if (node == carrier || node == gears.tail || node == gears.head) continue;
+    const bool isOnPath = std::find(path.begin(), path.end(), node) != path.end();
+    const char* const name = node == 0  ? "ground-as-carrier"
+                             : isOnPath ? "wrong-level"
+                                        : "carrier-off-the-path";
+    const std::string why =
+        node == 0  ? "You measure from the ground, but "
+        : isOnPath ? "Both edges of the path at link " + source.linkLabel(node) + " are on one level: "
+                   : "Link " + source.linkLabel(node) + " is not on the path between both gears: ";
+    build.wrongField(name, field, {source.linkLabel(node)}, why + right,
+                     {source.linkId(node), source.linkId(carrier)});
+  }
+}
+
+std::vector<int> coefficientsOf(const ExerciseSource& source, std::span<const CircuitTerm> terms) {
+  std::vector<int> row(static_cast<std::size_t>(source.graph().t()), 0);
+  for (const CircuitTerm& term : terms) row[static_cast<std::size_t>(term.joint)] = term.coefficient;
+  return row;
+}
+
+std::vector<std::string> picked(const std::vector<int>& row, const std::vector<int>& joints) {
+  std::vector<int> some;
+  for (const int joint : joints) some.push_back(row[static_cast<std::size_t>(joint)]);
+  return asTexts(some);
+}
+
+}  // namespace
+
+Question levelsQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const TtGraph& graph = *source.ttGraph();
+  const int mesh = random.below(source.graph().c());
+  const DigraphEdge& gears = source.graph().meshEdge(mesh);
+  const TransferVertex vertex = *graph.transferVertices().ofMesh[static_cast<std::size_t>(mesh)];
+  const AxisLevels& levels = graph.levels();
+  const std::string tail = source.linkLabel(gears.tail);
+  const std::string head = source.linkLabel(gears.head);
+  const std::string carrier = source.linkLabel(vertex.carrier);
+  const std::string tailLevel = levels.name(vertex.tailLevel);
+  const std::string headLevel = levels.name(vertex.headLevel);
+  QuestionBuilder build(ExerciseKind::levels, 3);
+  build.question.prompt =
+      "Walk from link $" + tail + "$ through the tree branches to link $" + head + "$, the gears of mesh $" +
+      source.meshLabel(mesh) +
+      "$. On which levels do both gears turn in their carrier, and which link is the transfer vertex?";
+  build.question.elements = {source.meshId(mesh)};
+  build.question.rule = "The walk begins on level " + tailLevel + " and ends on level " + headLevel +
+                        "; the link where the level changes, " + carrier +
+                        ", is the transfer vertex: the carrier of the mesh.";
+  std::vector<std::string> names;
+  for (int level = 0; level < levels.count(); ++level) names.push_back(levels.name(level));
+  build.field("level of link " + tail, FieldKind::choice, names, {source.linkId(gears.tail)});
+  build.field("level of link " + head, FieldKind::choice, names, {source.linkId(gears.head)});
+  build.field("transfer vertex", FieldKind::choice, linkLabels(source));
+  build.accept({tailLevel, headLevel, carrier});
+  build.wrongFields("levels-exchanged", {0, 1}, {{headLevel, tailLevel}},
+                    "You exchange the levels: link " + tail + " turns on level " + tailLevel + ", link " +
+                        head + " on level " + headLevel + ".",
+                    {source.linkId(gears.tail), source.linkId(gears.head)});
+  addCarrierMistakes(source, build, mesh, 2, vertex.carrier);
+  for (const int field : {0, 1}) {
+    const std::string& right = field == 0 ? tailLevel : headLevel;
+    const std::string& other = field == 0 ? headLevel : tailLevel;
+    build.wrongField("levels-exchanged", field, {other},
+                     "Level " + other + " is that of the other gear: this one turns on level " + right + ".",
+                     {source.linkId(field == 0 ? gears.tail : gears.head)});
+    if (levels.count() == 2) continue;
+    build.wrongIf("level-off-the-path", {{Test::differs, {field}, {{right}, {other}}}},
+                  "The walk between both gears uses the levels " + tailLevel + " and " + headLevel + " only.",
+                  {source.linkId(field == 0 ? gears.tail : gears.head)}, {field});
+  }
+  return std::move(build.question);
+}
+
+Question terminalEquationQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const int mesh = random.below(source.graph().c());
+  const TerminalPair& pair = *source.ttGraph()->terminal(mesh);
+  const std::string label = source.meshLabel(mesh);
+  const std::string tail = source.linkLabel(pair.tail);
+  const std::string head = source.linkLabel(pair.head);
+  const std::string comma = source.graph().n() > 9 ? "," : "";
+  const Rational factor(pair.sign * pair.headTeeth, pair.tailTeeth);
+  QuestionBuilder build(ExerciseKind::terminalEquation, 4);
+  build.question.prompt = "Write the terminal equation of mesh $" + label + "$, with $N_{" + tail +
+                          "} = " + asText(pair.tailTeeth) + "$ and $N_{" + head +
+                          "} = " + asText(pair.headTeeth) +
+                          "$ teeth: the carrier $k$, and the factor $f$ with its sign.";
+  build.question.formula = "\\omega_{" + tail + comma + "k} = f \\, \\omega_{" + head + comma + "k}";
+  build.question.elements = {source.meshId(mesh)};
+  const MeshKind kind = source.meshKind(mesh);
+  const char* const kindName = kind == MeshKind::internal   ? "internal"
+                               : kind == MeshKind::external ? "external"
+                                                            : "bevel";
+  const std::string turn = pair.sign > 0 ? "the same way" : "against each other";
+  build.question.rule = "Seen from carrier " + source.linkLabel(pair.carrier) + ", the gears of this " +
+                        kindName + " mesh turn " + turn +
+                        ", each along its own axis: f = " + inWords(factor) + ".";
+  build.field("k", FieldKind::choice, linkLabels(source));
+  build.field("f", FieldKind::number, {}, {source.meshId(mesh)});
+  build.accept({source.linkLabel(pair.carrier), factor.toString()});
+
+  const std::vector<ElementId> elements{source.meshId(mesh)};
+  const char* const signName = kind == MeshKind::internal   ? "internal-as-external"
+                               : kind == MeshKind::external ? "external-as-internal"
+                                                            : "bevel-sign";
+  build.wrongField(signName, 1, {(-factor).toString()},
+                   "Mesh " + label + " is " + (kind == MeshKind::bevel ? "a bevel mesh" : kindName) +
+                       ": its gears turn " + turn + ", seen from the carrier, so that f is " +
+                       inWords(factor) + ".",
+                   elements);
+  build.wrongField(
+      "ratio-upside-down", 1, {factor.inverse().toString()},
+      "Your ratio is upside down: the gear with more teeth turns more slowly, f = " + inWords(factor) + ".",
+      elements);
+  build.wrongField("sign-and-ratio", 1, {(-factor.inverse()).toString()},
+                   "Your ratio is upside down, and the sign is wrong, too: f = " + inWords(factor) + ".",
+                   elements);
+  std::set<Rational> others;
+  for (int other = 0; other < source.graph().c(); ++other) {
+    const TerminalPair& next = *source.ttGraph()->terminal(other);
+    for (const auto& [link, teeth] :
+         {std::pair(next.tail, next.tailTeeth), std::pair(next.head, next.headTeeth)}) {
+      if (other == mesh) continue;
+      if (link == pair.tail && teeth != pair.tailTeeth)
+        others.insert(Rational(pair.sign * pair.headTeeth, teeth));
+      if (link == pair.head && teeth != pair.headTeeth)
+        others.insert(Rational(pair.sign * teeth, pair.tailTeeth));
+    }
+  }
+  for (const Rational& other : others) {
+    const bool isUsed =
+        other == factor || other == -factor || other == factor.inverse() || other == -factor.inverse();
+    if (isUsed) continue;
+    build.wrongField("teeth-of-another-wheel", 1, {other.toString()},
+                     "You take the teeth of another wheel on the same link: mesh " + label + " has " +
+                         asText(pair.tailTeeth) + " and " + asText(pair.headTeeth) + ".",
+                     elements);
+  }
+  addCarrierMistakes(source, build, mesh, 0, pair.carrier);
+  return std::move(build.question);
+}
+
+Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const TtGraph& graph = *source.ttGraph();
+  const int mesh = random.below(source.graph().c());
+  const bool isTail = random.below(2) == 0;
+  const TerminalPair& pair = *graph.terminal(mesh);
+  const int gear = isTail ? pair.tail : pair.head;
+  const std::vector<int> row =
+      coefficientsOf(source, isTail ? graph.tailCircuit(mesh) : graph.headCircuit(mesh));
+  const std::vector<int> other =
+      coefficientsOf(source, isTail ? graph.headCircuit(mesh) : graph.tailCircuit(mesh));
+  std::vector<int> toGround(row.size());
+  std::vector<int> whole(row.size());
+  std::vector<int> joints;
+  std::vector<int> rest;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto joint = static_cast<int>(i);
+    toGround[i] = -source.tree()->pathEntry(joint, gear);
+    whole[i] = row[i] - other[i];
+    (row[i] != 0 || other[i] != 0 || toGround[i] != 0 ? joints : rest).push_back(joint);
+  }
+  for (const int joint : random.someOf(rest, std::max(0, kMostBranches - static_cast<int>(joints.size()))))
+    joints.push_back(joint);
+  std::sort(joints.begin(), joints.end());
+
+  const std::string comma = source.graph().n() > 9 ? "," : "";
+  const std::string chord = source.linkLabel(gear) + comma + source.linkLabel(pair.carrier);
+  QuestionBuilder build(ExerciseKind::fundamentalCircuit, 3);
+  build.question.prompt = "Write the f-circuit equation of the chord between gear $" +
+                          source.linkLabel(gear) + "$ and carrier $" + source.linkLabel(pair.carrier) +
+                          "$: the coefficient of each branch in";
+  build.question.formula = "\\omega_{" + chord + "} = \\sum_e a_e \\, \\dot{\\theta}_e";
+  build.question.elements = {source.meshId(mesh), source.linkId(gear), source.linkId(pair.carrier)};
+  build.question.rule =
+      "The speed of gear " + source.linkLabel(gear) + " in carrier " + source.linkLabel(pair.carrier) +
+      " is the sum over the branches between them: 1 for a branch that points to the gear, \u22121 for one "
+      "that points to the carrier, as their axes do.";
+  std::vector<std::string> columns;
+  for (const int joint : joints) columns.push_back(source.edgeLabel(joint));
+  build.table({"a"}, columns, FieldKind::integer);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    build.question.fields[i].elements = {source.edgeId(joints[i])};
+  build.accept(picked(row, joints));
+  build.wrong("chord-backwards", picked(negated(row), joints),
+              "You write the speed of the carrier relative to the gear: all signs are the opposite.",
+              {source.linkId(gear), source.linkId(pair.carrier)});
+  build.wrong("another-chord", picked(other, joints),
+              "This is the circuit of the other chord of mesh " + source.meshLabel(mesh) + ", of gear " +
+                  source.linkLabel(isTail ? pair.head : pair.tail) + ".",
+              {source.linkId(isTail ? pair.head : pair.tail)});
+  build.wrong("circuit-to-ground", picked(toGround, joints),
+              "You write the speed relative to the ground: the chord ends at carrier " +
+                  source.linkLabel(pair.carrier) + ".",
+              {source.linkId(pair.carrier), source.linkId(0)});
+  build.wrong("whole-walk", picked(whole, joints),
+              "You follow the walk from gear to gear: the chord ends at carrier " +
+                  source.linkLabel(pair.carrier) + ".",
+              {source.linkId(pair.carrier)});
+  build.wrong("whole-walk", picked(negated(whole), joints),
+              "You follow the walk from gear to gear: the chord ends at carrier " +
+                  source.linkLabel(pair.carrier) + ".",
+              {source.linkId(pair.carrier)});
+  build.wrong("signs-left-out", picked(magnitudes(row), joints),
+              "You give all branches one sign: one that points from the gear to the carrier counts \u22121.");
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto field = static_cast<int>(i);
+    const int value = row[static_cast<std::size_t>(joints[i])];
+    const std::vector<ElementId> elements{source.edgeId(joints[i])};
+    const std::string name = "joint " + columns[i];
+    if (value == 0) {
+      build.wrongField("joint-off-the-walk", field, {"1", "-1"},
+                       "The branches between gear " + source.linkLabel(gear) + " and carrier " +
+                           source.linkLabel(pair.carrier) + " do not include " + name + ": 0.",
+                       elements);
+      continue;
+    }
+    build.wrongField("walked-against-arrow", field, {asText(-value)},
+                     "The sign of " + name +
+                         " is the opposite on the way from the carrier to the gear: " + inWords(value) + ".",
+                     elements);
+    build.wrongField("joint-left-out", field, {"0"},
+                     "The circuit closes through " + name + ": " + inWords(value) + ", not 0.", elements);
+  }
+  build.wrongNonSigns();
+  return std::move(build.question);
+}
+
+}  // namespace geargraph::inline exercises
