@@ -211,11 +211,17 @@ Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& rando
   std::vector<std::string> reversed;
   std::string head = "\\begin{array}{c|";
   std::string body;
+  std::vector<DigraphEdge> drawn;  // other arrows than those of the mechanism, which its drawing shows
   for (const int edge : edges) {
+    const DigraphEdge& own = graph.edge(edge);
+    drawn.push_back(random.below(2) == 0 ? own : DigraphEdge{own.head, own.tail});
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const int edge = edges[i];
     head += 'r';
     body += " & " + source.edgeLabel(edge);
     rows.push_back(source.edgeLabel(edge));
-    const DigraphEdge& ends = graph.edge(edge);
+    const DigraphEdge& ends = drawn[i];
     for (const int node : {ends.tail, ends.head}) right.push_back(source.linkLabel(node));
     for (const int node : {ends.head, ends.tail}) reversed.push_back(source.linkLabel(node));
   }
@@ -224,16 +230,16 @@ Question orientationQuestion(const ExerciseSource& source, ExerciseRandom& rando
   for (int node = 0; node < graph.nodeCount(); ++node) {
     links.push_back(source.linkLabel(node));
     body += source.linkLabel(node);
-    for (const int edge : edges) {
-      const DigraphEdge& ends = graph.edge(edge);
+    for (const DigraphEdge& ends : drawn) {
       body += " & " + asText(node == ends.head ? 1 : node == ends.tail ? -1 : 0);
     }
     body += node + 1 < graph.nodeCount() ? " \\\\\n" : "\n";
   }
   build.question.formula = head + "}\n" + body + "\\end{array}";
   build.question.prompt =
-      "These are columns of the incidence matrix $\\Gamma^0$. From which link to which link do the arrows "
-      "point?";
+      "The mechanism is drawn with other arrows: these are columns of its incidence matrix $\\Gamma^0$. From "
+      "which link "
+      "to which link do they point?";
   build.question.rule =
       "An arrow begins at the link whose entry is \u22121 and ends at the link whose entry is 1.";
   build.table(rows, {"from", "to"}, FieldKind::choice);

@@ -10,7 +10,7 @@
 
 namespace geargraph::inline exercises {
 
-constexpr int kMostVariants = 10'000;
+constexpr int kMostVariants = 1'000;
 constexpr int kMostQuestions = 100;
 
 /// Counts the changes of the generator after which the same seed makes other questions.

@@ -84,7 +84,7 @@ Expected<SheetFile> readSheet(std::string_view text) {
   sheet.plan.seed = seedFrom(reader, root);
   sheet.plan.variants = reader.memberNumber(root, "variants", "").value_or(0);
   if (sheet.plan.variants < 1 || sheet.plan.variants > kMostVariants)
-    reader.fail("/variants", "A sheet has 1 to 10,000 variants.");
+    reader.fail("/variants", "A sheet has 1 to 1,000 variants.");
   for (const std::string& name : reader.texts(root, "kinds", "", true)) {
     const auto kind = kindFromName(name);
     if (!kind) reader.fail("/kinds", "There is no kind of question \"" + name + "\".");

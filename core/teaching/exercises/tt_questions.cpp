@@ -212,15 +212,20 @@ Question fundamentalCircuitQuestion(const ExerciseSource& source, ExerciseRandom
   QuestionBuilder build(ExerciseKind::fundamentalCircuit, 3);
   build.question.prompt = "Write the f-circuit equation of the chord between gear $" +
                           source.linkLabel(gear) + "$ and carrier $" + source.linkLabel(pair.carrier) +
-                          "$: the coefficient of each branch in";
-  build.question.formula = "\\omega_{" + chord + "} = \\sum_e a_e \\, \\dot{\\theta}_e";
+                          "$: the coefficients of the branches.";
   build.question.elements = {source.meshId(mesh), source.linkId(gear), source.linkId(pair.carrier)};
   build.question.rule =
       "The speed of gear " + source.linkLabel(gear) + " in carrier " + source.linkLabel(pair.carrier) +
       " is the sum over the branches between them: 1 for a branch that points to the gear, \u22121 for one "
       "that points to the carrier, as their axes do.";
   std::vector<std::string> columns;
-  for (const int joint : joints) columns.push_back(source.edgeLabel(joint));
+  std::string sum;
+  for (const int joint : joints) {
+    columns.push_back(source.edgeLabel(joint));
+    sum += (sum.empty() ? "" : " + ") +
+           ("a_{" + columns.back() + "} \\, \\dot{\\theta}_{" + columns.back() + "}");
+  }
+  build.question.formula = "\\omega_{" + chord + "} = " + sum;
   build.table({"a"}, columns, FieldKind::integer);
   for (std::size_t i = 0; i < joints.size(); ++i)
     build.question.fields[i].elements = {source.edgeId(joints[i])};
