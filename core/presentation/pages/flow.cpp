@@ -85,7 +85,8 @@ class FlowWriter {
     put({line});
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       FlowLine next = tableRow(table.rows[row], widths, false);
-      next.keepsWithNext = row == 0 ? table.rows.size() > 1 : row + 2 == table.rows.size();
+      const bool isLast = row + 1 == table.rows.size();
+      next.keepsWithNext = !isLast && (table.isWhole || row == 0 || row + 2 == table.rows.size());
       put({next});
     }
   }

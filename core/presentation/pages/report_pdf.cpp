@@ -110,9 +110,8 @@ std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow, 
   const std::size_t none = report.report().blocks.size();
   std::vector<FlowLine> lines = paragraphLines(report, {{report.report().title, false}},
                                                {1.9 * kSize, true, false}, flow, measure, 0, kWidth);
-  for (FlowLine& line :
-       paragraphLines(report, {{"Worked out by the Matroid and the T-T graph method", false}},
-                      {1.1 * kSize, false, true}, flow, measure, 0, kWidth)) {
+  for (FlowLine& line : paragraphLines(report, {{report.report().subtitle, false}},
+                                       {1.1 * kSize, false, true}, flow, measure, 0, kWidth)) {
     lines.push_back(std::move(line));
   }
   for (FlowLine& line : lines) {

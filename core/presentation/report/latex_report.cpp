@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/presentation/report/report_words.h"
 
@@ -30,9 +32,31 @@ int columnsOf(std::string_view tex) {
   return most;
 }
 
+/// Signs that sentences use and that not every LaTeX program has in its text faces.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kTextSigns = {
+    {{"\u2212", "$-$"},
+     {"\u00b7", "$\\cdot$"},
+     {"\u00d7", "$\\times$"},
+     {"\u00a6", "$\\mid$"},
+     {"\u0393", "$\\Gamma$"},
+     {"\u03b8", "$\\theta$"},
+     {"\u03c9", "$\\omega$"},
+     {"\u2070", "$^0$"},
+     {"\u201c", "``"},
+     {"\u201d", "''"},
+     {"\u2026", "\\dots{}"}}};
+
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto sign = std::find_if(kTextSigns.begin(), kTextSigns.end(),
+                                   [&](const auto& s) { return text.substr(at).starts_with(s.first); });
+    if (sign != kTextSigns.end()) {
+      result += sign->second;
+      at += sign->first.size() - 1;
+      continue;
+    }
+    const char c = text[at];
     switch (c) {
       case '\\':
         result += "\\textbackslash{}";

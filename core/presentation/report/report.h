@@ -44,6 +44,7 @@ struct ReportEquation {
 struct ReportTable {
   std::vector<std::string> head;
   std::vector<std::vector<ReportWords>> rows;
+  bool isWhole = false;  ///< on pages: stays on one, if it fits
 };
 struct ReportList {
   std::vector<ReportWords> items;
@@ -62,6 +63,7 @@ using ReportBlock =
 struct Report {
   std::string title;
   std::vector<ReportBlock> blocks;
+  std::string subtitle = "Worked out by the Matroid and the T-T graph method";  ///< on pages
 };
 
 /// Reports of more links would be thousands of pages.
