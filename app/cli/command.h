@@ -45,6 +45,7 @@ extern const Command kServe;
 int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds);
 /// Its own options, and those of every command.
 [[nodiscard]] std::vector<Option> optionsOf(const Command& command);
+extern const Command kExercises;
 
 /// Every command, in the order of the help.
 [[nodiscard]] std::span<const Command* const> commands();

@@ -1,0 +1,86 @@
+// `exercises kinds|make|grade`: exercise sheets for a class, and their grading.
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/cli/exercise_forms.h"
+#include "app/cli/load.h"
+#include "core/teaching/exercises/exercise_sheet.h"
+
+namespace geargraph::cli {
+namespace {
+
+struct Action {
+  std::string_view name;
+  std::span<const std::string_view> options;
+  int (*run)(const Arguments&);
+};
+
+constexpr std::array<std::string_view, 8> kMakeOptions = {"--kinds", "--seed", "--variants", "--names",
+                                                          "--title", "--to",   "--force",    "-o"};
+constexpr std::array<std::string_view, 1> kGradeOptions = {"-o"};
+constexpr std::array kActions = {Action{"kinds", {}, listExerciseKinds},
+                                 Action{"make", kMakeOptions, makeExercises},
+                                 Action{"grade", kGradeOptions, gradeExercises}};
+
+int run(const Arguments& arguments) {
+  const auto action = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) {
+    return !arguments.files.empty() && arguments.files.front() == a.name;
+  });
+  if (action == kActions.end()) return wrongUsage(kExercises, "The first word is kinds, make or grade.");
+  for (const auto& [option, values] : arguments.options) {
+    const bool isKnown =
+        option == "--limit-seconds" ||
+        std::find(action->options.begin(), action->options.end(), option) != action->options.end();
+    if (!isKnown)
+      return wrongUsage(kExercises,
+                        option + " has no meaning for exercises " + std::string(action->name) + '.');
+  }
+  Arguments rest = arguments;
+  rest.files.erase(rest.files.begin());
+  return action->run(rest);
+}
+
+constexpr std::array kOptions = {
+    Option{"--kinds", "LIST", "kinds of questions, with commas; a kind may occur again (all)", "make"},
+    Option{"--seed", "N", "the same number makes the same sheets everywhere (1)", "make"},
+    Option{"--variants", "N", "how many different sheets, at most 1,000 (1)", "make"},
+    Option{"--names", "FILE", "a variant for each line of this text file", "make"},
+    Option{"--title", "TEXT", "the heading of the sheets (\"Exercises\")", "make"},
+    Option{"--to", "LIST", "forms: html,latex,pdf,json (html,latex,pdf)", "make"},
+    Option{"--force", "", "overwrites files in the folder", "make"},
+    Option{"-o", "OUT", "make: the folder; grade: the CSV file (standard output)"},
+};
+
+}  // namespace
+
+const Command kExercises = {
+    "exercises", "kinds FILE | make FILE [--seed N] ... -o FOLDER | grade SHEET ANSWERS... [-o CSV]",
+    "Makes exercise sheets from a mechanism and grades the answers.", kOptions, run};
+
+int listExerciseKinds(const Arguments& arguments) {
+  if (arguments.files.size() != 1) return wrongUsage(kExercises, "One file is needed.");
+  const auto mechanism = loadOrSay(arguments.files.front());
+  if (const int* status = std::get_if<int>(&mechanism)) return *status;
+  if (std::get<Mechanism>(mechanism).n() > kMostExerciseLinks) return tooLargeForExercises();
+  const ExerciseSource source(std::get<Mechanism>(mechanism));
+  std::string text = difficultyOf(source).text + '\n';
+  for (const ExerciseKind kind : allExerciseKinds()) {
+    std::string line = "  " + std::string(kindName(kind));
+    line.resize(std::max<std::size_t>(line.size() + 1, 22), ' ');
+    text += line + std::string(kindTitle(kind));
+    if (const auto reason = reasonAgainst(source, kind)) text += " (not offered: " + *reason + ')';
+    text += '\n';
+  }
+  return print(text);
+}
+
+int tooLargeForExercises() {
+  std::cerr << "geargraph-cli: Exercises are made of mechanisms of at most " << kMostExerciseLinks
+            << " moving links.\n";
+  return kResourceLimit;
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,203 @@
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include "core/foundations/files/file.h"
+#include "core/teaching/grading/question_json.h"
+#include "tests/cli/cli_run.h"
+#include "tests/core/support/example_files.h"
+
+namespace geargraph {
+
+using test::Run;
+using test::run;
+
+/// `geargraph-cli exercises`, as a teacher would use it.
+class CliExercisesTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  const QString kRobot = QString::fromStdString(test::examplePath("robot"));
+
+  [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+  [[nodiscard]] std::string contents(const QString& name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+  }
+  void save(const QString& name, const std::string& bytes) const {
+    QVERIFY(!writeFile(path(name).toStdString(), bytes));
+  }
+  [[nodiscard]] Run make(const QString& folder, const QStringList& more = {}) const {
+    return run(QStringList{"exercises", "make", kRobot, "-o", path(folder)} + more);
+  }
+  /// The answers file of a variant, filled with the solutions of its questions.
+  [[nodiscard]] AnswerSheet solved(const QString& folder, const QString& number) const {
+    auto answers = readAnswers(contents(folder + "/answers-" + number + ".json")).value();
+    const auto questions = readQuestions(contents(folder + "/solution-" + number + ".json")).value();
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      for (std::size_t field = 0; field < questions[i].fields.size(); ++field)
+        answers.answers[static_cast<int>(i) + 1][questions[i].fields[field].name] =
+            questions[i].solution[field];
+    }
+    return answers;
+  }
+  static QStringList lines(const std::string& csv) {
+    return QString::fromStdString(csv).split('\n', Qt::SkipEmptyParts);
+  }
+
+ private slots:
+  void aSheetIsMadeAndGraded() {
+    const Run made = make("class", {"--variants", "12", "--seed", "2026", "--to", "html,json", "--kinds",
+                                    "cycle-basis,terminal,inputs,speed,cycle-basis"});
+    QVERIFY2(made.status == 0, made.errors.c_str());
+    QCOMPARE(QDir(path("class")).entryList(QDir::Files | QDir::Hidden).size(), 1 + 12 * 5);
+    AnswerSheet right = solved("class", "03");
+    right.student = "Ada";
+    save("a.json", answersJson(right));
+    AnswerSheet wrong = solved("class", "04");
+    for (auto& [name, text] : wrong.answers[1]) text = text == "-1" ? "1" : text;
+    wrong.answers[2]["f"] = "";
+    wrong.answers[2]["k"] = "";
+    wrong.student = "=Bob, \"B.\"";
+    QVERIFY(QDir().mkpath(path("answers")));
+    save("answers/b.json", answersJson(wrong));
+    save("answers/notes.txt", "no answers");
+    save("answers/sheet.json", contents("class/sheet.json"));
+    const Run graded = run({"exercises", "grade", path("class/sheet.json"), path("a.json"), path("answers"),
+                            "-o", path("out.csv")});
+    QVERIFY2(graded.status == 0, graded.errors.c_str());
+    const QStringList table = lines(contents("out.csv"));
+    QCOMPARE(table.size(), 1 + 2 * 6);
+    QCOMPARE(table.first(),
+             QString("file,student,variant,question,kind,points,of,result,mistake,fields,reason"));
+    QCOMPARE(table[1], QString("a.json,Ada,3,1,cycle-basis,4,4,right,,,"));
+    QCOMPARE(table[6], QString("a.json,Ada,3,total,,20,20,,,,"));
+    QVERIFY2(table[7].startsWith("b.json,\"'=Bob, \"\"B.\"\"\",4,1,cycle-basis,0,4,wrong,signs-left-out,"),
+             qPrintable(table[7]));
+    QVERIFY2(table[8].endsWith("terminal,0,4,unanswered,unanswered,,The question is not answered."),
+             qPrintable(table[8]));
+    QVERIFY(table[12].startsWith("b.json,") && table[12].contains(",total,,12,20,"));
+    QCOMPARE(run({"exercises", "grade", path("class/sheet.json"), path("a.json")}).output.substr(0, 5),
+             std::string("file,"));
+  }
+
+  void aSheetHoldsNoAnswers() {
+    QCOMPARE(make("hidden", {"--to", "html,latex,json", "--kinds", "freedom,wrong-entry"}).status, 0);
+    for (const char* name : {"hidden/sheet.json", "hidden/sheet-1.html", "hidden/sheet-1.tex",
+                             "hidden/sheet-1.json", "hidden/answers-1.json"}) {
+      const std::string text = contents(name);
+      QVERIFY2(!text.empty(), name);
+      for (const char* secret :
+           {"independent: r", "\"solution\"", "\"accepted\"", "\"mistakes\"", "not −1.", "not 1."})
+        QVERIFY2(text.find(secret) == std::string::npos, name);
+    }
+    QVERIFY(contents("hidden/solution-1.html").find("independent: r") != std::string::npos);
+  }
+
+  void theSameSeedMakesTheSameFiles() {
+    for (const char* folder : {"one", "two"})
+      QCOMPARE(make(folder, {"--variants", "3", "--seed", "5", "--to", "json,latex"}).status, 0);
+    QCOMPARE(make("three", {"--variants", "3", "--seed", "6", "--to", "json,latex"}).status, 0);
+    QCOMPARE(contents("one/solution-2.json"), contents("two/solution-2.json"));
+    QCOMPARE(contents("one/sheet.json"), contents("two/sheet.json"));
+    QVERIFY(contents("one/solution-2.json") != contents("one/solution-3.json"));
+    QVERIFY(contents("one/solution-2.json") != contents("three/solution-2.json"));
+  }
+
+  void foldersAreNotOverwrittenUnlessForced() {
+    QCOMPARE(make("kept", {"--to", "html"}).status, 0);
+    save("kept/sheet-1.html", "mine");
+    QFile::remove(path("kept/sheet.json"));
+    const Run refused = make("kept", {"--to", "html"});
+    QCOMPARE(refused.status, 2);
+    QVERIFY(refused.errors.find("--force") != std::string::npos);
+    QCOMPARE(contents("kept/sheet-1.html"), std::string("mine"));
+    QVERIFY(!QFile::exists(path("kept/sheet.json")));
+    QCOMPARE(make("kept", {"--to", "html", "--force"}).status, 0);
+    QVERIFY(contents("kept/sheet-1.html") != "mine");
+    save("file", "mine");
+    QCOMPARE(make("file").status, 2);
+    QCOMPARE(contents("file"), std::string("mine"));
+  }
+
+  void nothingIsWrittenWithoutTime() {
+    const Run late = make("late", {"--variants", "1000", "--limit-seconds", "0.2"});
+    QCOMPARE(late.status, 3);
+    QVERIFY(QDir(path("late")).entryList(QDir::Files).isEmpty());
+  }
+
+  void namesMakeVariants() {
+    save("names.txt", "Ada Lovelace\r\n\nÉvariste Galois\n");
+    QCOMPARE(make("named", {"--names", path("names.txt"), "--to", "html", "--title", "Sheet 3"}).status, 0);
+    QVERIFY(nlohmann::json::parse(contents("named/answers-2.json"))["student"] == "Évariste Galois");
+    QVERIFY(contents("named/sheet-1.html").find("Name: Ada Lovelace") != std::string::npos);
+    QVERIFY(contents("named/sheet-1.html").find("<title>Sheet 3, variant 1</title>") != std::string::npos);
+    QVERIFY(nlohmann::json::parse(contents("named/sheet.json"))["variants"] == 2);
+  }
+
+  void wrongUsageIsToldWithItsReason_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("reason");
+    const auto add = [](const char* reason, const QStringList& words) {
+      QTest::newRow(reason) << words << reason;
+    };
+    add("kinds, make or grade", {"mark"});
+    add("make needs a folder", {"make", kRobot});
+    add("no brakes or clutches", {"make", kRobot, "-o", "x", "--kinds", "brakes"});
+    add("There is no kind of question \"riddle\"", {"make", kRobot, "-o", "x", "--kinds", "cycle,riddle"});
+    add("--seed is a whole number", {"make", kRobot, "-o", "x", "--seed", "-1"});
+    add("from 1 to 1000", {"make", kRobot, "-o", "x", "--variants", "1001"});
+    add("a name is a variant", {"make", kRobot, "-o", "x", "--variants", "3", "--names", "n.txt"});
+    add("not \"doc\"", {"make", kRobot, "-o", "x", "--to", "html,doc"});
+    add("grade needs a sheet and answers", {"grade", kRobot});
+    add("--seed has no meaning for exercises grade", {"grade", kRobot, "a", "--seed", "1"});
+    add("not there.geargraph", {"make", "not there.geargraph", "-o", "x"});
+    add("format", {"grade", kRobot, "a.json"});
+  }
+  void wrongUsageIsToldWithItsReason() {
+    QFETCH(QStringList, words);
+    QFETCH(QString, reason);
+    const Run result = run(QStringList{"exercises"} + words);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.errors.find(reason.toStdString()) != std::string::npos, result.errors.c_str());
+    QVERIFY(result.output.empty());
+  }
+
+  void answersThatCannotBeGradedAreTold() {
+    QCOMPARE(make("mixed", {"--to", "json", "--kinds", "freedom", "--variants", "2"}).status, 0);
+    AnswerSheet answers = solved("mixed", "2");
+    QVERIFY(QDir().mkpath(path("in")));
+    save("in/right.json", answersJson(answers));
+    save("in/broken.json", "{\"format\": ");
+    answers.variant = 3;
+    save("in/variant.json", answersJson(answers));
+    answers.variant = 2;
+    answers.sheet = "0000000000000000";
+    save("in/other.json", answersJson(answers));
+    const Run graded = run({"exercises", "grade", path("mixed/sheet.json"), path("in"), path("gone.json")});
+    QCOMPARE(graded.status, 2);
+    QCOMPARE(lines(graded.output).size(), 3);  // the others are graded
+    for (const char* reason : {"broken.json", "syntax", "no variant 3", "another sheet", "gone.json"})
+      QVERIFY2(graded.errors.find(reason) != std::string::npos, (reason + graded.errors).c_str());
+  }
+
+  void kindsAreListedWithReasons() {
+    const Run listed = run({"exercises", "kinds", kRobot});
+    QCOMPARE(listed.status, 0);
+    QCOMPARE(lines(listed.output).first(), QString("medium: 4 cycles, 3 inputs"));
+    QVERIFY(listed.output.find("Brakes for a gear (not offered: no brakes or clutches)") !=
+            std::string::npos);
+    const QString broken = QString::fromStdString(test::sourcePath("tests/golden/files/loose.geargraph"));
+    const Run loose = run({"exercises", "make", broken, "-o", path("loose"), "--to", "html"});
+    QCOMPARE(loose.status, 1);
+    QVERIFY(loose.errors.find("disconnected") != std::string::npos);
+    QVERIFY(contents("loose/sheet-1.html").find("Fill in") != std::string::npos);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_GUILESS_MAIN(geargraph::CliExercisesTest)
+#include "test_cli_exercises.moc"
