@@ -21,7 +21,8 @@ std::string writtenSeconds(double seconds) {
 }  // namespace
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs, &kStates, &kStatics, &kDynamics, &kExport, &kPose, &kSummary, &kServe, &kExercises};
+  static constexpr std::array kCommands = {&kAnalyze, &kValidate, &kInputs,  &kStates, &kStatics,  &kDynamics,
+                                           &kExport,  &kPose,     &kSummary, &kServe,  &kExercises};
   return kCommands;
 }
 

@@ -40,12 +40,12 @@ extern const Command kExport;
 extern const Command kPose;
 extern const Command kSummary;
 extern const Command kServe;
+extern const Command kExercises;
 
 /// Runs a command with its words, within `seconds`; the exit status. May throw std::bad_alloc.
 int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds);
 /// Its own options, and those of every command.
 [[nodiscard]] std::vector<Option> optionsOf(const Command& command);
-extern const Command kExercises;
 
 /// Every command, in the order of the help.
 [[nodiscard]] std::span<const Command* const> commands();
