@@ -1,6 +1,7 @@
 #include "core/teaching/grading/read_answer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/foundations/base/contract.h"
 
@@ -20,31 +21,43 @@ std::string trimmed(std::string_view text) {
   return word;
 }
 
-std::vector<std::string> wordsOf(const std::string& text) {
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : text + ',') {
-    if (std::string_view(" \t\r\n,;{}").find(c) == std::string_view::npos) {
-      word += c;
-    } else if (!word.empty()) {
-      words.push_back(std::move(word));
-      word.clear();
-    }
-  }
-  return words;
+bool isSeparator(char c) {
+  return std::string_view(" \t\r\n,;{}").find(c) != std::string_view::npos;
 }
 
-/// Options whose names hold blanks or commas can be named only on their own.
+/// Which of the options the text names from here on, the longest of them: names may hold blanks and commas.
+std::optional<std::size_t> optionAt(const AnswerField& field, std::string_view text) {
+  std::optional<std::size_t> found;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < field.options.size(); ++i) {
+    const std::string option = trimmed(field.options[i]);
+    const bool isNamed = !option.empty() && text.starts_with(option) &&
+                         (text.size() == option.size() || isSeparator(text[option.size()]));
+    if (!isNamed || option.size() <= longest) continue;
+    found = i;
+    longest = option.size();
+  }
+  return found;
+}
+
 ReadField readSet(const AnswerField& field, const std::string& text) {
   ReadField read;
-  const auto isOption = [&](const std::string& word) {
-    return std::find(field.options.begin(), field.options.end(), word) != field.options.end();
-  };
-  const std::vector<std::string> words = isOption(text) ? std::vector{text} : wordsOf(text);
-  for (const std::string& option : field.options) {
-    if (std::find(words.begin(), words.end(), option) != words.end()) read.elements.push_back(option);
+  std::vector<char> isIn(field.options.size(), 0);
+  for (std::size_t at = 0; at < text.size();) {
+    const auto option = optionAt(field, std::string_view(text).substr(at));
+    if (option) {
+      isIn[*option] = 1;
+      at += trimmed(field.options[*option]).size();
+    } else if (isSeparator(text[at])) {
+      ++at;
+    } else {
+      read.fault = AnswerFault::notAChoice;
+      break;
+    }
   }
-  if (!std::all_of(words.begin(), words.end(), isOption)) read.fault = AnswerFault::notAChoice;
+  for (std::size_t i = 0; i < isIn.size(); ++i) {
+    if (isIn[i] != 0) read.elements.push_back(field.options[i]);
+  }
   return read;
 }
 
@@ -65,9 +78,13 @@ ReadField readField(const AnswerField& field, const std::string& text) {
   } else if (word.empty()) {
     read.isEmpty = true;
   } else if (field.kind == FieldKind::choice) {
-    read.text = word;
-    if (std::find(field.options.begin(), field.options.end(), word) == field.options.end())
+    const auto option = std::find_if(field.options.begin(), field.options.end(),
+                                     [&](const std::string& name) { return trimmed(name) == word; });
+    if (option == field.options.end()) {
       read.fault = AnswerFault::notAChoice;
+    } else {
+      read.text = *option;
+    }
   } else {
     read.number = readNumber(word);
     if (field.kind == FieldKind::integer) read.number.slack = 0;

@@ -95,6 +95,29 @@ class GradeTest : public QObject {
     QCOMPARE(graded({"7", "1/3", "x", "8"}).reason, std::string("The rule."));
   }
 
+  /// Users name couplings and axes as they like.
+  void optionsMayHaveOddNames() {
+    const std::vector<std::string> odd{"B1", "brake 1", "brake", "A, B", "a\u22121", "{x}", "1"};
+    const auto set = [&](const char* text) {
+      const ReadField read = readField({"f", FieldKind::set, odd, {}, true}, text);
+      return read.fault == AnswerFault::none ? setText(read.elements) : std::string("?");
+    };
+    QCOMPARE(set("brake 1; B1"), std::string("B1,brake 1"));
+    QCOMPARE(set("brake, 1"), std::string("brake,1"));
+    QCOMPARE(set("A, B"), std::string("A, B"));
+    QCOMPARE(set("{a-1 {x}}"), std::string("a\u22121,{x}"));
+    QCOMPARE(set("brake 2"), std::string("?"));
+    QCOMPARE(set("B12"), std::string("?"));
+    for (std::size_t i = 0; i < odd.size(); ++i) {
+      for (std::size_t j = i; j < odd.size(); ++j) {
+        if (odd[i] == "brake" && odd[j] == "1") continue;  // with a blank between them the name of another
+        const std::string both = i == j ? odd[i] : odd[i] + ',' + odd[j];
+        QCOMPARE(set(both.c_str()), both);
+      }
+      QVERIFY(readField({"f", FieldKind::choice, odd, {}, false}, " " + odd[i]).readsLike(odd[i]));
+    }
+  }
+
   void testsOfNumbers() {
     QVERIFY(test(Test::multiple, {}, {{"2", "0", "-1"}}, {"-1", "0", "1/2"}));
     QVERIFY(!test(Test::multiple, {}, {{"2", "0", "-1"}}, {"0", "0", "0"}));
