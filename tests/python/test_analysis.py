@@ -125,6 +125,36 @@ def test_pictures(robot):
         gg.Mechanism().analyze().picture()
 
 
+def test_3d_files_are_shown_with_their_links(robot, tmp_path):
+    robot.analyze().export(tmp_path / "gear.stl", gear="15:tail", tolerance=0.1)
+    robot.save(tmp_path / "robot.geargraph")
+    m = gg.open(tmp_path / "robot.geargraph")
+    bare = m.analyze().picture(size=(200, 150))
+    m.add_shape(3, "gear.stl", position=(0, 0, 160), scale=2)
+    shown = m.analyze().picture(size=(200, 150))
+    assert shown.png != bare.png and shown.notes == ()
+    m.add_shape(3, "none.stl")
+    missing = m.analyze().picture(size=(200, 150))
+    assert missing.png == shown.png and "none.stl" in missing.notes[0]
+
+
+def test_what_an_export_leaves_out_is_a_warning(tmp_path):
+    m = gg.Mechanism()
+    with m.edit():
+        last = None
+        for teeth in (101, 103, 107, 109, 113):
+            link = m.add_link()
+            m.add_turning_joint(0, link)
+            if last is not None:
+                m.add_mesh(last[0], link, (last[1], teeth))
+            last = (link, teeth)
+    with pytest.warns(UserWarning, match="Nothing in the file moves"):
+        m.analyze().export(tmp_path / "long.glb", tolerance=0.1)
+    with pytest.raises(gg.Error) as caught:
+        m.analyze().export(tmp_path / "long.glb", tolerance=0.1, seconds=5)
+    assert caught.value.code == "limit"
+
+
 def test_a_film(robot, tmp_path):
     robot.analyze().film(tmp_path / "film.png", "turntable", frames=2, size=(64, 48))
     assert b"acTL" in (tmp_path / "film.png").read_bytes()

@@ -132,11 +132,12 @@ ShotRun runWith(const OverlayChoice& overlay, bool dark) {
   return run;
 }
 
-py::bytes picture(const Snapshot& self, const py::dict& options) {
+/// The PNG, and what is not shown or simplified, with the reasons.
+py::tuple picture(const Snapshot& self, const py::dict& options) {
   const Wish wish(options);
   auto [made, overlay] = shotOf(wish);
   StageShot shot = std::move(made);
-  shot.stage = stageOf(self, wish);
+  const StagePtr stage = shot.stage = stageOf(self, wish);
   ShotRun run = runWith(overlay, wish.dark);
   using Bytes = std::vector<std::uint8_t>;
   const auto png = valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<Bytes> {
@@ -149,7 +150,9 @@ py::bytes picture(const Snapshot& self, const py::dict& options) {
     return pngBytes(image, stop);
   }));
   if (png.empty()) raise("graphics", "The memory does not suffice for the picture.");
-  return packed(png);
+  py::list notes;
+  for (const StageNote& note : stage->notes) notes.append(note.text);
+  return py::make_tuple(packed(png), notes);
 }
 
 /// An animated PNG in a file. `kind`: "turntable" or "motion".

@@ -150,7 +150,8 @@ class Exports:
             size=size, dark=dark, transparent=transparent, view=view, camera=camera, time=time,
             section=section, explode=explode, faces=faces, show=show, hide=hide, ride=ride,
         )
-        return Picture(self._snapshot.picture(self._wish(options)))
+        png, notes = self._snapshot.picture(self._wish(options))
+        return Picture(png, tuple(notes))
 
     def film(
         self,
@@ -243,6 +244,11 @@ class Exports:
             "file" if it cannot be written, "limit", "graphics", or the errors of the mechanism.
         ValueError
             For another ending, or a name that is none.
+
+        Warns
+        -----
+        UserWarning
+            If gears are left out, nothing moves, or the gears are coarser than usual.
         """
         name = os.fspath(path)
         ending = os.path.splitext(name)[1].lower()
@@ -276,12 +282,19 @@ class Exports:
         tolerance: Optional[float] = None,
     ) -> None:
         label = None if link is None else str(self.mechanism.link(link).label)
-        _, left_out, _ = self._snapshot.write_solids(path, form, gear, label, seconds, tolerance)
+        taken, left_out, rests_why = self._snapshot.write_solids(
+            path, form, gear, label, seconds, tolerance
+        )
+        notes = [rests_why + " Nothing in the file moves."] if rests_why else []
         if left_out:
+            first = diagnostics_of(left_out)[0]
+            notes.append(f"{len(left_out)} gears are left out: {first.message}")
+        if tolerance is None and taken > 0.002:
+            notes.append(f"The chords are within {taken:g} modules, so that the file is not too large.")
+        if notes:
             import warnings
 
-            first = diagnostics_of(left_out)[0]
-            warnings.warn(f"{len(left_out)} gears are left out: {first.message}", stacklevel=3)
+            warnings.warn(" ".join(notes), stacklevel=3)
 
     @property
     def tables(self) -> Tuple[str, ...]:

@@ -92,12 +92,15 @@ class Picture:
     ----------
     png : bytes
         The picture as a PNG file holds it.
+    notes : tuple of str
+        What is not shown or simplified, and why: 3D files that cannot be read, for one.
     """
 
-    __slots__ = ("png",)
+    __slots__ = ("png", "notes")
 
-    def __init__(self, png: bytes) -> None:
+    def __init__(self, png: bytes, notes: Tuple[str, ...] = ()) -> None:
         self.png = png
+        self.notes = notes
 
     @property
     def size(self) -> Tuple[int, int]:
