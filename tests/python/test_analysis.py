@@ -158,6 +158,26 @@ def test_what_an_export_leaves_out_is_a_warning(tmp_path):
 def test_a_film(robot, tmp_path):
     robot.analyze().film(tmp_path / "film.png", "turntable", frames=2, size=(64, 48))
     assert b"acTL" in (tmp_path / "film.png").read_bytes()
+    for _ in range(2):
+        robot.analyze().film(
+            tmp_path / "film", frames=3, size=(64, 48), folder=True, overwrite=True
+        )
+    assert [path.name for path in sorted((tmp_path / "film").iterdir())] == [
+        "0001.png", "0002.png", "0003.png",
+    ]
+    with pytest.raises(gg.Error) as caught:
+        robot.analyze().film(tmp_path / "film", frames=3, size=(64, 48), folder=True)
+    assert caught.value.code == "file"
+
+
+def test_solids_as_they_are_seen(robot, tmp_path):
+    def names(**options):
+        robot.analyze().export(tmp_path / "seen.glb", as_seen=True, **options)
+        data = (tmp_path / "seen.glb").read_bytes()
+        length = int.from_bytes(data[12:16], "little")
+        return {node.get("name", "") for node in json.loads(data[20 : 20 + length])["nodes"]}
+
+    assert names() - names(hide=["end-effector"])
 
 
 def test_derivation(robot):

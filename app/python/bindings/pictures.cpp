@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/python/bindings/snapshot.h"
+#include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/results/shot_names.h"
@@ -155,8 +156,15 @@ py::tuple picture(const Snapshot& self, const py::dict& options) {
   return py::make_tuple(packed(png), notes);
 }
 
-/// An animated PNG in a file. `kind`: "turntable" or "motion".
-void film(const Snapshot& self, const py::dict& options, const std::string& path, const std::string& kind,
+/// Where a film goes: an animated PNG, or a folder of its pictures.
+struct FilmPlace {
+  std::string path;
+  bool isFolder = false;
+  bool mayOverwrite = false;
+};
+
+/// `kind`: "turntable" or "motion".
+void film(const Snapshot& self, const py::dict& options, const FilmPlace& place, const std::string& kind,
           int frames, double framesPerSecond) {
   const Wish wish(options);
   auto [made, overlay] = shotOf(wish);
@@ -168,9 +176,25 @@ void film(const Snapshot& self, const py::dict& options, const std::string& path
   ShotRun run = runWith(overlay, wish.dark);
   const auto failure = interruptible([&](const std::stop_token& stop) {
     run.stop = stop;
-    return geargraph::writePicture(shot, path, run);
+    run.mayOverwrite = place.mayOverwrite;
+    return place.isFolder ? geargraph::writePictures(shot, place.path, run)
+                          : geargraph::writePicture(shot, place.path, run);
   });
   if (failure) raise(failure->kind == ShotFailure::Kind::file ? "file" : "graphics", failure->message);
+}
+
+/// GLB: the solids as the view shows them.
+void writeView(const Snapshot& self, const py::dict& options, const std::string& path) {
+  const Wish wish(options);
+  auto [shot, overlay] = shotOf(wish);
+  const StagePtr stage = stageOf(self, wish);
+  const StageView& view = shot.view;
+  const auto error = interruptible([&](const std::stop_token& stop) {
+    MeshWriteOptions writing;
+    writing.stop = stop;
+    return writeMesh(sceneOf(*stage, view, stop), MeshFormat::glb, path, writing);
+  });
+  if (error) raise(error->kind == MeshFileError::Kind::limit ? "limit" : "file", error->message);
 }
 
 }  // namespace
@@ -179,7 +203,12 @@ void addPictures(py::module_& module) {
   py::class_<Snapshot, std::shared_ptr<Snapshot>>(module.attr("Snapshot"))
       .def("drawing", drawing)
       .def("picture", picture)
-      .def("film", film);
+      .def("film",
+           [](const Snapshot& self, const py::dict& options, const std::string& path, bool isFolder,
+              bool mayOverwrite, const std::string& kind, int frames, double framesPerSecond) {
+             film(self, options, {path, isFolder, mayOverwrite}, kind, frames, framesPerSecond);
+           })
+      .def("write_view", writeView);
 }
 
 }  // namespace geargraph::python

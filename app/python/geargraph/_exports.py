@@ -160,20 +160,26 @@ class Exports:
         *,
         frames: int = 72,
         fps: float = 24,
+        folder: bool = False,
+        overwrite: bool = False,
         **options: Any,
     ) -> None:
-        """Write an animated PNG.
+        """Write an animated PNG, or its pictures.
 
         Parameters
         ----------
         path : path-like
-            The file.
+            The file, or the folder.
         kind : {"motion", "turntable"}, optional
             One period of the motion, or once round the mechanism.
         frames : int, optional
             Pictures, 2 to 10,000.
         fps : float, optional
             Pictures a second.
+        folder : bool, optional
+            Write the pictures one by one into a folder, "0001.png" and on.
+        overwrite : bool, optional
+            Replace pictures that are in the folder.
         **options
             As of `picture`.
 
@@ -185,7 +191,9 @@ class Exports:
         if kind not in ("motion", "turntable"):
             raise ValueError(f"a film is of the motion or a turntable, not {kind!r}")
         rate = _between("fps", fps, 0.1, 100)
-        self._snapshot.film(self._wish(options), os.fspath(path), kind, frames, rate)
+        self._snapshot.film(
+            self._wish(options), os.fspath(path), folder, overwrite, kind, frames, rate
+        )
 
     # --- gears -----------------------------------------------------------------------------------
 
@@ -236,7 +244,8 @@ class Exports:
         **options
             Of drawings those of `drawing`; of pictures those of `picture`; of tables
             ``separator``, ``decimal`` and ``labels`` as of `csv`; of gears ``gear`` ("15:tail"),
-            ``link``, ``tolerance`` (modules) and, with GLB, ``seconds`` in which one period plays.
+            ``link``, ``tolerance`` (modules) and, with GLB, ``seconds`` in which one period plays;
+            or, with GLB, ``as_seen=True`` and the options of `picture`: what a picture shows.
 
         Raises
         ------
@@ -266,6 +275,8 @@ class Exports:
             graph = options.pop("graph", "digraph")
             _none(options)
             _geargraph.write_file(name, self.graph(graph, ending[1:]).encode())
+        elif ending == ".glb" and options.pop("as_seen", False):
+            self._snapshot.write_view(self._wish(options), name)
         elif ending in _SOLIDS:
             self._write_solids(name, ending[1:], **options)
         else:

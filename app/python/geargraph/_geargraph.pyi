@@ -150,8 +150,17 @@ class Snapshot:
     ) -> bytes: ...
     def picture(self, options: Dict[str, Any], /) -> Tuple[bytes, List[str]]: ...
     def film(
-        self, options: Dict[str, Any], path: str, kind: str, frames: int, fps: float, /
+        self,
+        options: Dict[str, Any],
+        path: str,
+        is_folder: bool,
+        may_overwrite: bool,
+        kind: str,
+        frames: int,
+        fps: float,
+        /,
     ) -> None: ...
+    def write_view(self, options: Dict[str, Any], path: str, /) -> None: ...
     def write_solids(
         self,
         path: str,
