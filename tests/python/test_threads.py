@@ -3,6 +3,7 @@
 import _thread
 import signal
 import threading
+from fractions import Fraction
 
 import geargraph as gg
 import pytest
@@ -86,3 +87,30 @@ def test_memory_does_not_grow_with_calls(robot):
     before = resident()
     analyse(1500)
     assert resident() - before < 4_000
+
+
+def test_large_fractions_outlive_the_thread_that_made_them():
+    m = gg.Mechanism()
+    with m.edit():
+        last = m.add_link()
+        m.add_turning_joint(0, last)
+        for _ in range(150):
+            last = m.attach_gear(last, 0, (101, 97))
+    expected = Fraction(101, 97) ** 150  # hundreds of digits, beyond what fits in a word
+    found = []
+
+    def work():
+        for _ in range(5):
+            a = m.copy().analyze(symbolic=False)
+            speeds = a.joint_speeds
+            a.solution, a.diagnostics
+            found.append(abs(speeds[m.joints[-1].label]) * abs(speeds[m.joints[0].label]))
+            found.append(abs(a.solution.fractions.at(149, 0)))
+
+    threads = [threading.Thread(target=work) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    work()
+    assert found == [expected] * 40
