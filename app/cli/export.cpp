@@ -71,8 +71,8 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--matrix", "NAME",
          "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution; of "
-         "statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers "
-         "or circulations",
+         "statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, "
+         "circulations, and shift-torques of all states",
          kOfMatrices},
         kMatrices},
     ExportOption{{"--no-labels", "", "without the header row and the first column", kOfMatrices}, kMatrices},

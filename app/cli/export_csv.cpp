@@ -117,20 +117,6 @@ int exportAll(const std::vector<CsvTable>& tables, const Arguments& arguments, c
   return status;
 }
 
-/// The torques under the document's loads, with the losses that it states; null where the mechanism has
-/// errors. The exit status where the time was over.
-std::variant<StaticsReportPtr, int> staticsOf(const AnalysisSnapshot& snapshot, const Arguments& arguments) {
-  if (snapshot.matroid() == nullptr || hasErrors(snapshot.diagnostics)) return StaticsReportPtr();
-  StaticsOptions options;
-  options.losses = true;
-  options.symbolic = false;
-  auto report =
-      analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
-                     *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, arguments.stop);
-  if (!report) return outOfTime(arguments, "the torques");
-  return std::make_shared<const StaticsReport>(*std::move(report));
-}
-
 }  // namespace
 
 int exportCsv(const Arguments& arguments) {
@@ -151,11 +137,11 @@ int exportCsv(const Arguments& arguments) {
     snapshot = analyzeFully(snapshot, SolveOptions{false}, arguments.stop);
     if (!snapshot) return outOfTime(arguments, "the solution");
   }
-  StaticsReportPtr statics;
+  SolvedStaticsPtr statics;
   if (arguments.has("--all") || isOfStatics(*arguments.value("--matrix"))) {
-    auto solved = staticsOf(*snapshot, arguments);
-    if (const int* stopped = std::get_if<int>(&solved)) return *stopped;
-    statics = std::get<StaticsReportPtr>(std::move(solved));
+    const bool allStates = arguments.has("--all") || isOfAllStates(*arguments.value("--matrix"));
+    statics = solvedStatics(snapshot, arguments.value("--state"), allStates, arguments.stop);
+    if (!statics) return outOfTime(arguments, "the torques");
   }
   const auto write = arguments.has("--all") ? exportAll : exportOne;
   return write(csvTables(snapshot, statics), arguments, std::get<CsvOptions>(options), status);

@@ -214,6 +214,33 @@ class TestCliStatics : public QObject {
     QVERIFY(none.errors.find("needs loads, and balances that hold them") != std::string::npos);
   }
 
+  /// The shift table, and tables of one state.
+  void tablesOfAGearbox() {
+    Mechanism gearbox = test::eightSpeed();
+    const QString file = saved(gearbox);
+    const auto table = [&](QStringList words) {
+      const Run call = run(QStringList{"export", file, "--to", "csv", "-o", "-", "--matrix"} + words);
+      if (call.status != 0) qFatal("%s", call.errors.c_str());
+      return call.output;
+    };
+    const std::string shift = table({"shift-torques"});
+    QVERIFY2(shift.starts_with("state,A [N m],B [N m],C [N m],D [N m],E [N m],ratio,found [N m],efficiency,"
+                               "backward,latent,circulating\n1,1.231884057971014"),
+             shift.c_str());
+    QCOMPARE(std::count(shift.begin(), shift.end(), '\n'), 10);
+    // As `statics --state`: 1 N m at the drive.
+    const std::string couplings = table({"coupling-torques", "--state", "1"});
+    QVERIFY2(couplings.find("brake A,3") != std::string::npos &&
+                 couplings.find(",1.231884057971014") != std::string::npos,
+             couplings.c_str());
+    QVERIFY(table({"joint-torques", "--state", "2"}).find("link 2,2") != std::string::npos);
+    const QString folder = m_folder.filePath("gears");
+    QCOMPARE(run({"export", file, "--to", "csv", "--all", "-o", folder}).status, 0);
+    QVERIFY(QFile::exists(folder + "/shift-torques.csv"));
+    const Run none = run({"export", kRobot, "--to", "csv", "--matrix", "shift-torques", "-o", "-"});
+    QVERIFY(none.status != 0 && none.errors.find("needs states of a gearbox") != std::string::npos);
+  }
+
   /// What a document may not say: each is rejected with the place, none crashes or is read as something else.
   void documentsThatCannotBe() {
     const json robot = json::parse(writeMechanism(test::example("robot")));

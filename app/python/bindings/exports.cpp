@@ -173,23 +173,12 @@ py::bytes report(Snapshot& self, const std::string& form) {
 }
 
 /// The names of the tables that the mechanism has, or one of them written to a file ("" gives its text).
-StaticsReportPtr staticsOf(const SnapshotPtr& snapshot, const std::stop_token& stop) {
-  if (snapshot->matroid() == nullptr || hasErrors(snapshot->diagnostics)) return nullptr;
-  StaticsOptions options;
-  options.losses = true;
-  options.symbolic = false;
-  auto made =
-      analyzeStatics(*snapshot->mechanism, *snapshot->kinematics->model, snapshot->kinematics->placement(),
-                     *snapshot->kinematics->ttGraph, *snapshot->matroid(), options, stop);
-  return made ? std::make_shared<const StaticsReport>(*std::move(made)) : nullptr;
-}
-
 py::dict csv(Snapshot& self, const std::optional<std::string>& name, char separator, char decimal,
              bool labels) {
   const SnapshotPtr snapshot = self.solved();
   std::vector<std::pair<std::string, std::string>> texts;
   runInterruptible([&](const std::stop_token& stop) {
-    for (const CsvTable& table : csvTables(snapshot, staticsOf(snapshot, stop))) {
+    for (const CsvTable& table : csvTables(snapshot, solvedStatics(snapshot, {}, true, stop))) {
       if (!table.write || (name && table.name != *name)) continue;
       TextSink text;
       StoppableSink sink(text, stop);

@@ -4,7 +4,6 @@
 
 #include "core/foundations/files/matrix_csv.h"
 #include "core/teaching/derivation/quantity_table.h"
-#include "core/teaching/force_tables/force_table.h"
 
 namespace geargraph::inline results {
 namespace {
@@ -79,46 +78,58 @@ void writeCutsets(ByteSink& sink, const CsvOptions& options, const AnalysisSnaps
   }
 }
 
-void addStaticsTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics,
+void addStaticsTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics,
                       std::vector<CsvTable>& tables) {
   CsvTable& matrix = tables.emplace_back(
       CsvTable{kStaticsMatrix, "balances in joints that hold all loads, and at most 250,000 entries", {}});
   matrix.ofLoads = true;
-  if (statics && statics->matrix)
-    matrix.write = [snapshot, statics](ByteSink& sink, const CsvOptions& options) {
-      writeTorqueMatrix(sink, options, *snapshot->mechanism, *statics);
+  if (statics && statics->report && statics->report->matrix)
+    matrix.write = [statics](ByteSink& sink, const CsvOptions& options) {
+      writeTorqueMatrix(sink, options, *statics->snapshot->mechanism, *statics->report);
     };
   CsvTable& cutsets = tables.emplace_back(CsvTable{kCutsetEquations, "a geometry of every mesh", {}});
   if (snapshot->matroid() != nullptr)
     cutsets.write = [snapshot](ByteSink& sink, const CsvOptions& options) {
       writeCutsets(sink, options, *snapshot);
     };
-  const bool isHeld =
-      statics && statics->isSolved && statics->lossless.isBalanced() && statics->problem.hasLoads();
+  const bool isHeld = statics && statics->report && statics->report->isSolved &&
+                      statics->report->lossless.isBalanced() && statics->report->problem.hasLoads();
   for (const ForceTableKind kind : allForceTableKinds()) {
     CsvTable& table =
         tables.emplace_back(CsvTable{forceTableCommandName(kind), "loads, and balances that hold them", {}});
     table.ofLoads = true;
     if (!isHeld) continue;
-    table.write = [snapshot, statics, kind](ByteSink& sink, const CsvOptions& options) {
-      const auto& kinematics = *snapshot->kinematics;
-      writeForceCsv(
-          sink, forceTable(*snapshot->mechanism, *kinematics.model, kinematics.placement(), *statics, kind),
-          options);
+    table.write = [statics, kind](ByteSink& sink, const CsvOptions& options) {
+      const AnalysisSnapshot& solved = *statics->snapshot;
+      writeForceCsv(sink,
+                    forceTable(*solved.mechanism, *solved.kinematics->model, solved.kinematics->placement(),
+                               *statics->report, kind),
+                    options);
     };
   }
+  CsvTable& shift =
+      tables.emplace_back(CsvTable{forceTableCommandName(ForceTableKind::states), "states of a gearbox", {}});
+  shift.ofLoads = true;
+  if (statics && !statics->states.empty())
+    shift.write = [statics](ByteSink& sink, const CsvOptions& options) {
+      writeForceCsv(sink, shiftTable(*statics->snapshot->mechanism, statics->states), options);
+    };
 }
 
 }  // namespace
 
 bool isOfStatics(std::string_view name) {
-  if (name == kStaticsMatrix) return true;
+  if (name == kStaticsMatrix || isOfAllStates(name)) return true;
   const auto& kinds = allForceTableKinds();
   return std::any_of(kinds.begin(), kinds.end(),
                      [&](ForceTableKind kind) { return forceTableCommandName(kind) == name; });
 }
 
-std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics) {
+bool isOfAllStates(std::string_view name) {
+  return name == forceTableCommandName(ForceTableKind::states);
+}
+
+std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics) {
   std::vector<CsvTable> tables;
   for (const MatrixKind kind : allMatrixKinds()) {
     CsvTable& table = tables.emplace_back(CsvTable{matrixCommandName(kind), "a spanning tree", {}});

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/foundations/files/csv.h"
-#include "core/theory/analysis/analysis.h"
-#include "core/theory/statics/statics_report.h"
+#include "core/presentation/results/solved_statics.h"
 
 namespace geargraph::inline results {
 
@@ -21,16 +19,15 @@ struct CsvTable {
   bool ofLoads = false;  ///< a mechanism without loads lacks nothing without it
 };
 
-/// The torques of a mechanism, for its tables.
-using StaticsReportPtr = std::shared_ptr<const StaticsReport>;
-
 /// Every table of a snapshot; `solution` is defined only after analyzeFully(). The integer matrices; `screw`,
 /// the screws (L M N P Q R) of Eq. (6) for each joint of each cycle; `p`, the coefficient matrix of Eqs.
 /// (18), (19) in the document's unit; `solution`, Eq. (23), in decimals. Of statics, null where it is not
 /// solved: `statics`, the balanced torques over the loaded ones, (23*); `cutset-equations`, (17*), a row for
 /// each joint and a column for each mesh: P transposed; and the tables of force_table.h.
-[[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const StaticsReportPtr& statics);
+[[nodiscard]] std::vector<CsvTable> csvTables(const SnapshotPtr& snapshot, const SolvedStaticsPtr& statics);
 /// Is the table with this name one of statics?
 [[nodiscard]] bool isOfStatics(std::string_view name);
+/// Is it that of all states, rather than of one train?
+[[nodiscard]] bool isOfAllStates(std::string_view name);
 
 }  // namespace geargraph::inline results

@@ -61,10 +61,10 @@ class Rows {
     row.elements = std::move(elements);
     return row;
   }
-  static ForceCell cell(std::string text) { return {std::move(text), std::nullopt}; }
-  static ForceCell cell(double value) { return {shownNumber(value), value}; }
+  static ForceCell cell(std::string text) { return {std::move(text), std::nullopt, {}}; }
+  static ForceCell cell(double value) { return {shownNumber(value), value, {}}; }
   static ForceCell exactCell(const std::optional<Real>& value) {
-    return value ? ForceCell{shownReal(*value), value->number()} : cell(kShared);
+    return value ? ForceCell{shownReal(*value), value->number(), {}} : cell(kShared);
   }
   static ForceCell decimalCell(const std::optional<Real>& value) {
     return value ? cell(value->number()) : cell(kShared);

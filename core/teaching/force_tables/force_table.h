@@ -30,6 +30,7 @@ struct ForceColumn {
 struct ForceCell {
   std::string text;              ///< as it is shown: "-7/2", "12.5", "shared"; empty where there is nothing
   std::optional<double> number;  ///< of a number that is determined
+  std::string exact;             ///< of a decimal of the shift table: its fraction, where it is a short one
 };
 
 struct ForceRow {
@@ -57,8 +58,12 @@ struct StateForces {
   std::optional<StaticsReport> report;
 };
 
+/// What follows the columns of the couplings in the shift table.
+enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent, circulating, count };
+
 /// The shift table of torques: a row for each of these states, a column for each coupling of the document;
-/// the torque at the driven link, efficiency forward and backward, and the greatest power that circulates.
+/// then those of ShiftColumn: the ratio, the torque at the driven link, efficiency forward and backward, the
+/// latent ratio and the greatest power that circulates.
 [[nodiscard]] ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> states);
 
 /// The table as CSV [RFC 4180]: a head row with units, then its rows; numbers as the shortest decimals that

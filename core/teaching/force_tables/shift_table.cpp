@@ -7,7 +7,19 @@ namespace geargraph::inline force_tables {
 namespace {
 
 ForceCell numberCell(double value) {
-  return {shownNumber(value), value};
+  return {shownNumber(value), value, {}};
+}
+
+/// With its fraction, where that tells more.
+ForceCell realCell(const Real& value) {
+  ForceCell cell = numberCell(value.number());
+  const std::string exact = shownReal(value);
+  if (exact != cell.text && exact.find('/') != std::string::npos) cell.exact = exact;
+  return cell;
+}
+
+std::size_t placeOf(ShiftColumn column, std::size_t couplings) {
+  return 1 + couplings + static_cast<std::size_t>(column);
 }
 
 std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
@@ -20,6 +32,8 @@ std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
                                  "engaged; the second one has the reaction.",
                        true, false});
   }
+  columns.push_back({"exact ratio", "", "The speed of the drive over that of the driven link.", true, true});
+  columns.push_back({"ratio", "", "The same as a decimal.", true, false});
   columns.push_back({"found", "N m",
                      "The torque that holds the loads, mostly at the driven link; the drive gets 1 N m where "
                      "the document has no load there.",
@@ -38,30 +52,32 @@ std::vector<ForceColumn> shiftColumns(const Mechanism& mechanism) {
 
 ForceCell efficiencyCell(const std::optional<LossySolution>& solution, const std::optional<PowerSums>& sums) {
   if (!solution || solution->outcome == LossySolution::Outcome::undecided) return {};
-  if (solution->outcome == LossySolution::Outcome::selfLocking) return {"locks", std::nullopt};
+  if (solution->outcome == LossySolution::Outcome::selfLocking) return {"locks", std::nullopt, {}};
   const auto value = sums ? sums->efficiency() : std::nullopt;
-  return value ? numberCell(value->number()) : ForceCell();
+  return value ? realCell(*value) : ForceCell();
 }
 
-void fillRow(const StaticsReport& report, ForceRow& row) {
+void fillRow(const StaticsReport& report, std::size_t couplings, ForceRow& row) {
   const StaticsSolution& solution = report.solution();
-  const auto found = row.cells.size() - 5;
+  const auto cellOf = [&](ShiftColumn column) -> ForceCell& { return row.cells[placeOf(column, couplings)]; };
   const auto meshes = static_cast<std::size_t>(solution.unknowns) - report.held.size();
   for (std::size_t part = 0; part < report.held.size(); ++part) {
     const HeldPart& held = report.held[part];
     if (held.coupling >= 0 && !held.isMain) continue;
-    ForceCell& cell = row.cells[held.coupling >= 0 ? 1 + static_cast<std::size_t>(held.coupling) : found];
+    ForceCell& cell = held.coupling >= 0 ? row.cells[1 + static_cast<std::size_t>(held.coupling)]
+                                         : cellOf(ShiftColumn::found);
     const auto unknown = meshes + part;
-    cell = solution.determined[unknown] != 0 ? numberCell(solution.values[unknown].number())
-                                             : ForceCell{"shared", std::nullopt};
+    cell = solution.determined[unknown] != 0 ? realCell(solution.values[unknown])
+                                             : ForceCell{"shared", std::nullopt, {}};
   }
-  row.cells[found + 1] = efficiencyCell(report.lossy, report.sums);
-  row.cells[found + 2] = efficiencyCell(report.backward, report.backwardSums);
-  if (report.latentRatio) row.cells[found + 3] = numberCell(report.latentRatio->number());
+  cellOf(ShiftColumn::efficiency) = efficiencyCell(report.lossy, report.sums);
+  cellOf(ShiftColumn::backward) = efficiencyCell(report.backward, report.backwardSums);
+  if (report.latentRatio) cellOf(ShiftColumn::latent) = realCell(*report.latentRatio);
   const double fed = report.sums ? report.sums->fed.number() : 0;
   if (!report.circulations || fed <= 0) return;
-  const double most = report.circulations->empty() ? 0 : report.circulations->front().power.number();
-  row.cells[found + 4] = numberCell(most / fed);
+  cellOf(ShiftColumn::circulating) = report.circulations->empty()
+                                         ? numberCell(0)
+                                         : realCell(report.circulations->front().power / report.sums->fed);
 }
 
 }  // namespace
@@ -77,8 +93,14 @@ ForceTable shiftTable(const Mechanism& mechanism, std::span<const StateForces> s
       if (end) row.elements.emplace_back(*end);
     row.cells.resize(table.columns.size());
     row.cells.front().text = state.name;
-    const bool isHeld = each.report && each.report->isSolved && each.report->lossless.isBalanced();
-    if (isHeld) fillRow(*each.report, row);
+    if (!each.report) continue;
+    const std::size_t couplings = mechanism.couplings.size();
+    if (const auto& ratio = each.report->ratio) {
+      row.cells[placeOf(ShiftColumn::exactRatio, couplings)] = {
+          shownReal(Real(*ratio)), ratio->toDouble(), {}};
+      row.cells[placeOf(ShiftColumn::ratio, couplings)] = realCell(Real(*ratio));
+    }
+    if (each.report->isSolved && each.report->lossless.isBalanced()) fillRow(*each.report, couplings, row);
   }
   return table;
 }

@@ -75,6 +75,7 @@ class Analysis {
       if (!solution) return false;
       m_report.problem.engaged = solution->engaged;
       for (Diagnostic& diagnostic : solution->diagnostics) add(std::move(diagnostic));
+      m_report.ratio = solution->ratio;
       if (solution->isSolved()) m_report.motion = std::move(solution->rates);
     } else if (m_report.problem.engaged = engagedCouplings(m_mechanism); m_analysis.solution) {
       auto solution = solveExact(m_model, m_analysis.choice.joints, m_analysis.speeds, m_stop);

@@ -44,8 +44,9 @@ struct StaticsReport {
   StaticsProblem problem;
   std::vector<LoadReport> loads;  ///< all that act
   std::vector<HeldPart> held;     ///< couplings and balances, as in the solutions' unknowns
-  bool isSolved = false;         ///< false: a coupling of the state closes a linkage, `diagnostics` say which
-  std::optional<Motion> motion;  ///< none where the speeds are not determined
+  bool isSolved = false;  ///< false: a coupling of the state closes a linkage, `diagnostics` say which
+  std::optional<Rational> ratio;  ///< of the state that was solved, drive over driven
+  std::optional<Motion> motion;   ///< none where the speeds are not determined
   StaticsSolution lossless;
   std::optional<StaticsAgreement> agreement;  ///< none where a mesh has no sign in the T-T graph
   std::optional<LossySolution> lossy;         ///< with options.losses and a motion

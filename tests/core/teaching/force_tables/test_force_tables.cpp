@@ -164,7 +164,12 @@ class TestForceTables : public QObject {
     states.push_back({0, std::nullopt});  // nothing was solved
     const ForceTable table = shiftTable(train.mechanism, states);
     QCOMPARE(table.rows.size(), std::size_t{10});
-    QCOMPARE(table.columns.size(), std::size_t{11});
+    QCOMPARE(table.columns.size(), std::size_t{13});
+    QCOMPARE(column(table, "exact ratio")[0], std::string("108/23"));
+    StaticsOptions lossless;
+    lossless.state = 0;
+    const std::vector<StateForces> first{{0, reportOf(train, lossless)}};
+    QCOMPARE(shiftTable(train.mechanism, first).rows[0].cells[2].exact, std::string("170/69"));
     QCOMPARE(column(table, "state")[5], std::string("6"));
     QCOMPARE(column(table, "efficiency")[5], std::string("1"));  // direct drive
     QCOMPARE(column(table, "circulating")[5], std::string("0"));
@@ -175,7 +180,7 @@ class TestForceTables : public QObject {
         QCOMPARE(table.rows[row].cells[1 + static_cast<std::size_t>(coupling)].number.has_value(), isEngaged);
       }
       // Torques from outside add up to 0: the input's, the output's, those of the brakes A and B.
-      double sum = 1 + table.rows[row].cells[6].number.value();
+      double sum = 1 + table.rows[row].cells[8].number.value();
       for (const std::size_t brake : {1U, 2U}) sum += table.rows[row].cells[brake].number.value_or(0);
       QVERIFY(std::abs(sum) < 1e-12);
     }

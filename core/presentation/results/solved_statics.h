@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/teaching/force_tables/force_table.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline results {
+
+/// The torques of a mechanism, for its tables and drawings.
+struct SolvedStatics {
+  /// What was solved: of a state the train with nothing engaged, for the state engages its own couplings.
+  SnapshotPtr snapshot;
+  std::optional<StaticsReport> report;  ///< none where the mechanism has errors
+  std::vector<StateForces> states;      ///< for the shift table; empty unless that was asked for
+};
+using SolvedStaticsPtr = std::shared_ptr<const SolvedStatics>;
+
+/// Under the document's loads, with the losses that it states: of the train as engaged, or of the state with
+/// this name; `allStates`: those of every state, too. Null when `stop` was requested.
+[[nodiscard]] SolvedStaticsPtr solvedStatics(const SnapshotPtr& snapshot,
+                                             const std::optional<std::string>& state = {},
+                                             bool allStates = false, const std::stop_token& stop = {});
+
+}  // namespace geargraph::inline results
