@@ -6,6 +6,7 @@
 #include "core/foundations/base/contract.h"
 #include "core/theory/analysis/analysis.h"
 #include "core/theory/pose/forward_kinematics.h"
+#include "core/theory/statics/circulation.h"
 #include "core/theory/statics/live_statics.h"
 #include "tests/bench/families.h"
 #include "tests/core/support/trains.h"
@@ -78,6 +79,28 @@ void liveStatics(benchmark::State& state, Family family) {
 }
 BENCHMARK_CAPTURE(liveStatics, tree, bench::drivenTree)->Arg(1'000)->Arg(10'000);
 BENCHMARK_CAPTURE(liveStatics, coupled, bench::coupledTree)->Arg(1'000)->Arg(10'000);
+
+/// Where the power of that load goes, and what of it circulates, beside the live analysis of the same train.
+void flowOfPower(benchmark::State& state, Family family) {
+  const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));
+  const SnapshotPtr snapshot = analyzeLive(mechanism);
+  const KinematicModel& model = *snapshot->kinematics->model;
+  const Placement& placement = snapshot->kinematics->placement();
+  const MatroidAnalysis& matroid = *snapshot->matroid();
+  StaticsProblem problem;
+  for (const int joint : matroid.choice.joints) problem.balances.push_back(TorquePlace{joint});
+  problem.torques = {{TorquePlace{mechanism->t() - 1}, Rational(10)}};
+  const LoadPower power = LoadPower::of(*mechanism, model, placement, problem);
+  const auto torques = solveStatics(model, heldParts(*mechanism, model, placement, problem), power.byLink);
+  const auto motion = solveExact(model, matroid.choice.joints, matroid.speeds);
+  GEARGRAPH_REQUIRE(torques && torques->isBalanced() && motion);
+  for (auto _ : state) {
+    const PowerFlow flow = powerFlow(*mechanism, model, placement, problem, *torques, {}, motion->rates);
+    benchmark::DoNotOptimize(circulationsOf(*mechanism, model, placement, problem, *torques, flow));
+  }
+}
+BENCHMARK_CAPTURE(flowOfPower, tree, bench::drivenTree)->Arg(1'000);
+BENCHMARK_CAPTURE(flowOfPower, coupled, bench::coupledTree)->Arg(1'000);
 
 void exact(benchmark::State& state, Family family) {
   const MechanismPtr mechanism = shared(family(static_cast<int>(state.range(0))));

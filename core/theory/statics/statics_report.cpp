@@ -313,18 +313,35 @@ class Analysis {
     return true;
   }
 
+  struct DrivenJoints {
+    std::vector<int> joints;
+    std::vector<Rational> speeds;
+  };
+  /// What drives: the inputs, in a state the joint in which its drive turns on the ground.
+  [[nodiscard]] std::optional<DrivenJoints> drivenJoints() const {
+    if (state() == nullptr) return DrivenJoints{m_analysis.choice.joints, m_analysis.speeds};
+    if (!state()->drive) return std::nullopt;
+    const PositionIndex<LinkTag> links(m_mechanism.links);
+    const int drive = links.at(*state()->drive);
+    if (drive == 0) return std::nullopt;
+    const int joint = m_model.tree().jointToParent(drive);
+    if (m_model.jointRate(joint).parent != 0) return std::nullopt;
+    return DrivenJoints{{joint}, {(*m_report.motion)[static_cast<std::size_t>(joint)]}};
+  }
+
   void takeSymbolicEfficiencies() {
-    if (!m_options.symbolic || state() != nullptr || !m_report.motion) return;
+    if (!m_options.symbolic || !m_report.motion) return;
+    const std::optional<DrivenJoints> driven = drivenJoints();
+    if (!driven) return;
     const auto efficiency = [&](const std::optional<LossySolution>& solution,
                                 bool isReversed) -> std::optional<RationalFunction> {
       if (!solution || solution->outcome != LossySolution::Outcome::solved) return std::nullopt;
       std::vector<RadicalColumns> loads;
       for (const LoadReport& load : m_report.loads)
         loads.push_back(isReversed ? opposite(load.power) : load.power);
-      return symbolicEfficiency(
-          m_mechanism, m_model,
-          {m_analysis.independentMeshes, m_analysis.choice.joints, m_analysis.speeds, loads}, *solution,
-          *m_report.motion, m_stop);
+      return symbolicEfficiency(m_mechanism, m_model,
+                                {m_analysis.independentMeshes, driven->joints, driven->speeds, loads},
+                                *solution, *m_report.motion, m_stop);
     };
     m_report.efficiency = efficiency(m_report.lossy, false);
     m_report.backwardEfficiency = efficiency(m_report.backward, true);

@@ -106,7 +106,7 @@ class Solver {
         if (!fits(factor)) return false;
     }
     for (const HeldPart& part : m_solution.statics.held) {
-      if (part.coupling >= 0 || !part.isExact) return false;
+      if (!part.isExact) return false;
       for (const auto& [link, factor] : part.byLink)
         if (!fits(factor)) return false;
     }
@@ -138,6 +138,13 @@ class Solver {
       if (!m_problem.speeds[input].isZero()) rows.add(m_model.n(), number(-m_problem.speeds[input]));
       rows.endRow();
     }
+    for (const HeldPart& part : m_solution.statics.held) {
+      if (part.coupling < 0) continue;
+      for (const auto& [link, factor] : part.byLink)  // what it holds together does not turn apart
+        if (link != 0) rows.add(link - 1, number(factor));
+      rows.endRow();
+    }
+    if (rows.rows() != m_model.n()) return std::nullopt;  // some follow from others by these teeth only
     auto x = solved(std::move(rows), m_model.n());
     if (!x) return std::nullopt;
     x->pop_back();

@@ -10,7 +10,7 @@ namespace geargraph::inline statics {
 
 /// What the efficiency of a solved train is made of.
 struct EfficiencyProblem {
-  std::span<const int> meshes;            ///< independent ones, as of MatroidAnalysis
+  std::span<const int> meshes;            ///< independent ones, also of the rows of engaged couplings
   std::span<const int> inputs;            ///< joints that drive, at `speeds`
   std::span<const Rational> speeds;       ///< of the inputs
   std::span<const RadicalColumns> loads;  ///< by load, its power for unit speeds, by link
@@ -22,8 +22,8 @@ struct EfficiencyProblem {
 /// long as the pattern does.
 ///
 /// None where `stop` was requested, the function went over `mostTerms` terms, directions or efficiencies are
-/// irrational, meshes share loads, a coupling is engaged, or nothing is fed. Cost: two eliminations over
-/// functions. @pre solution.outcome is solved
+/// irrational, meshes share loads, engaged couplings are redundant, or nothing is fed. Cost: two eliminations
+/// over functions. @pre solution.outcome is solved
 [[nodiscard]] std::optional<RationalFunction> symbolicEfficiency(
     const Mechanism& mechanism, const KinematicModel& model, const EfficiencyProblem& problem,
     const LossySolution& solution, const Motion& motion, const std::stop_token& stop = {},

@@ -286,6 +286,39 @@ class TestPowerFlow : public QObject {
     QVERIFY(split >= 2);
   }
 
+  /// With a brake on the ring instead of an input and its balance, the efficiency in symbols is the same.
+  void symbolicEfficiencyWithEngagedCouplings() {
+    Mechanism set = planetary(24, 18);
+    addBrake(set, "B", 2);
+    addState(set, "1", {"B"}, 1, 3);
+    set.inputs = std::vector<Input>{{set.turningJoints[0].id, Number(100), {}},
+                                    {set.turningJoints[1].id, Number(0), {}}};
+    StaticsOptions options;
+    options.losses = true;
+    options.efficiency = Rational(98, 100);
+    StaticsOptions inState = options;
+    inState.state = 0;
+    const StaticsReport report = reportOf(StaticsCase(set), inState);
+    QVERIFY(report.efficiency && report.backwardEfficiency);
+    QCOMPARE(report.efficiency->toText(), std::string("(i10*i9 + eta10*eta9)/(i10*i9 + 1)"));
+    // A gearbox: in each state where it is short enough the function has the value of the solution.
+    const StaticsCase gearbox(eightSpeed());
+    int found = 0;
+    for (int state = 0; state < static_cast<int>(gearbox.mechanism.states.size()); ++state) {
+      inState.state = state;
+      const StaticsReport solved = reportOf(gearbox, inState);
+      if (!solved.efficiency) continue;
+      ++found;
+      std::vector<Rational> values;
+      for (const GearMesh& mesh : gearbox.mechanism.gearMeshes)
+        values.push_back(Rational(mesh.tailTeeth, mesh.headTeeth));
+      for (const MeshLoss& loss : solved.lossy->losses)
+        if (loss.driver != MeshLoss::Driver::none) values.emplace_back(98, 100);
+      QCOMPARE(*solved.efficiency->valueAt(values), *solved.sums->efficiency()->fraction());
+    }
+    QVERIFY(found > 0);
+  }
+
   /// Three planets share in unknown parts, but the set of all three passes what it passes.
   void planetsThatShareAreOneSet() {
     Mechanism set = planetary(24, 18, 3);
