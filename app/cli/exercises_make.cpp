@@ -133,8 +133,8 @@ class SheetFolder {
                          "\" is there already; nothing was written (--force overwrites).");
     }
     const AnalysisSnapshot& snapshot = *m_source.snapshot();
-    m_lists = {drawingNamed("schematic")->draw(snapshot, m_arguments.stop),
-               drawingNamed("digraph")->draw(snapshot, m_arguments.stop),
+    m_lists = {drawingNamed("schematic")->draw(snapshot, nullptr, m_arguments.stop),
+               drawingNamed("digraph")->draw(snapshot, nullptr, m_arguments.stop),
                {}};
     const SheetLook look;
     m_drawings = {svgOf(m_lists.schematic, look), svgOf(m_lists.digraph, look), {}};

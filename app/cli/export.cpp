@@ -71,7 +71,8 @@ constexpr std::array kExportOptions = {
     ExportOption{
         {"--matrix", "NAME",
          "incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, screw, p, solution; of "
-         "statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, powers, "
+         "statics: statics, cutset-equations, joint-torques, coupling-torques, mesh-forces, bearings, "
+         "powers, "
          "circulations, and shift-torques of all states",
          kOfMatrices},
         kMatrices},
@@ -97,6 +98,11 @@ constexpr std::array kExportOptions = {
                  kDrawing | kPicture | kAnimation},
     ExportOption{{"--dark", "", "on a dark ground", kOfViews}, kDrawing | kPicture | kAnimation},
     ExportOption{{"--transparent", "", "on no ground", kOfViews}, kDrawing | kPicture | kAnimation},
+    ExportOption{{"--power", "LINK",
+                  "under a digraph or schematic: where the power of the loads goes, seen from \"ground\" or "
+                  "the link with this label",
+                  kOfViews},
+                 kDrawing},
     ExportOption{{"--from", "NAME", "front, back, left, right, top, bottom or iso", kOf3D},
                  kPicture | kAnimation},
     ExportOption{{"--camera", "AZ,EL", "from this azimuth and elevation, degrees (-26,20)", kOf3D},
@@ -110,11 +116,11 @@ constexpr std::array kExportOptions = {
                  kPicture | kAnimation | kSeenSolids},
     ExportOption{{"--faces", "NAME", "shaded, lines (hidden ones left out) or edges (all of them)", kOf3D},
                  kPicture | kAnimation},
-    ExportOption{
-        {"--show", "NAMES",
-         "labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,velocities",
-         kOf3D},
-        kPicture | kAnimation},
+    ExportOption{{"--show", "NAMES",
+                  "labels,joint-labels,axis-labels,scale,pitch-circles,pitch-points,axes,instant-axes,"
+                  "velocities,forces",
+                  kOf3D},
+                 kPicture | kAnimation},
     ExportOption{{"--hide", "LABELS", "links that are left out: 2,5; also with glb", kOf3D},
                  kPicture | kAnimation | kSeenSolids},
     ExportOption{{"--ride", "LABEL", "the link that the reference frame is fixed to; also with glb", kOf3D},

@@ -9,6 +9,7 @@
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/results/named_drawings.h"
+#include "core/presentation/results/solved_statics.h"
 
 namespace geargraph::cli {
 namespace {
@@ -24,6 +25,38 @@ std::variant<DrawingPicture, UsageError> drawingOptions(const Arguments& argumen
     picture.look.size = SheetLook::Size{size->first, size->second};
   }
   return picture;
+}
+
+/// `--power ground` or the label of a link: its ordinal.
+std::optional<int> observerOf(const Mechanism& mechanism, const std::string& word) {
+  if (word == "ground") return 0;
+  for (int link = 0; link <= mechanism.n(); ++link)
+    if (std::to_string(mechanism.linkLabel(link)) == word) return link;
+  return std::nullopt;
+}
+
+/// The power of the document's loads, of no drawing without --power; the exit status where there is none.
+std::variant<std::optional<DrawnPower>, int> powerOf(const SnapshotPtr& snapshot,
+                                                     const Arguments& arguments) {
+  const auto word = arguments.value("--power");
+  if (!word) return std::optional<DrawnPower>();
+  const auto observer = observerOf(*snapshot->mechanism, *word);
+  if (!observer)
+    return wrongUsage(kExport, "--power is ground or the label of a link, not \"" + *word + "\".");
+  const SolvedStaticsPtr solved = solvedStatics(snapshot, arguments.value("--state"), false, arguments.stop);
+  if (!solved) return outOfTime(arguments, "the torques");
+  const SolvedStatics& statics = *solved;
+  DrawnPower power;
+  if (statics.report) {
+    const auto& kinematics = *statics.snapshot->kinematics;
+    power.picture = powerPicture(*snapshot->mechanism, *kinematics.model, kinematics.placement(),
+                                 *statics.report, *observer);
+    power.torques = shownTorques(*snapshot->mechanism, *statics.report);
+  }
+  if (!power.picture.isEmpty()) return std::optional(std::move(power));
+  std::cerr << "geargraph-cli: --power needs loads, balances that hold them, and a motion; nothing was "
+               "written.\n";
+  return kMechanismErrors;
 }
 
 }  // namespace
@@ -48,7 +81,12 @@ int exportDrawing(const Arguments& arguments, PictureForm form) {
   if (!snapshot) return outOfTime(arguments, "the analysis");
   std::cerr << diagnosticLines(file, snapshot->diagnostics);
   picture.title = snapshot->mechanism->name;
-  const DisplayList drawn = drawing->draw(*snapshot, arguments.stop);
+  if (arguments.has("--power") && !drawing->showsPower)
+    return wrongUsage(kExport, "--power is drawn in the digraph and in the schematic.");
+  const auto power = powerOf(snapshot, arguments);
+  if (const int* status = std::get_if<int>(&power)) return *status;
+  const auto& bands = std::get<std::optional<DrawnPower>>(power);
+  const DisplayList drawn = drawing->draw(*snapshot, bands ? &*bands : nullptr, arguments.stop);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the drawing");
   const Expected<std::string> bytes = pictureOf(drawn, picture);
   if (arguments.stop.stop_requested()) return outOfTime(arguments, "the picture");

@@ -18,7 +18,7 @@ namespace geargraph::cli {
 namespace {
 
 DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  return drawingNamed(name)->draw(snapshot, stop);
+  return drawingNamed(name)->draw(snapshot, nullptr, stop);
 }
 
 /// Writes what `bytesOf` makes of the analysed file; the exit status.

@@ -160,7 +160,7 @@ py::bytes report(Snapshot& self, const std::string& form) {
                   "A derivation is written of at most " + std::to_string(kMostReportLinks) + " links.");
   const SnapshotPtr snapshot = self.full();
   return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<std::string> {
-    const auto drawn = [&](const char* name) { return drawingNamed(name)->draw(*snapshot, stop); };
+    const auto drawn = [&](const char* name) { return drawingNamed(name)->draw(*snapshot, nullptr, stop); };
     Report made = derivationReport(snapshot, stop);
     if (form == "pdf")
       return reportPdf(std::move(made), {drawn("schematic"), drawn("digraph"), drawn("ttgraph")});

@@ -99,13 +99,22 @@ Tint Tint::ofLink(int label) {
   return tint;
 }
 
+Tint Tint::softened() const {
+  Tint tint = *this;
+  tint.soft = true;
+  return tint;
+}
+
 Color colorOf(const Tint& tint, Theme theme) {
-  return tint.link ? linkColor(*tint.link) : colorOf(tint.role, theme);
+  const Color full = tint.link ? linkColor(*tint.link) : colorOf(tint.role, theme);
+  const double sheet = theme == Theme::light ? 0.7 : 0.6;
+  return tint.soft ? mixed(full, colorOf(ColorRole::sheet, theme), sheet) : full;
 }
 
 std::string nameOf(const Tint& tint) {
-  if (tint.link) return "link " + std::to_string(*tint.link);
-  return std::string(kRoles[static_cast<std::size_t>(tint.role)].name);
+  const std::string name = tint.link ? "link " + std::to_string(*tint.link)
+                                     : std::string(kRoles[static_cast<std::size_t>(tint.role)].name);
+  return tint.soft ? "soft " + name : name;
 }
 
 }  // namespace geargraph::inline drawing

@@ -54,10 +54,12 @@ constexpr int kColorRoleCount = static_cast<int>(ColorRole::negativeInk) + 1;
 struct Tint {
   ColorRole role = ColorRole::ink;
   std::optional<int> link;  ///< a link's label; then `role` does not count
+  bool soft = false;        ///< mixed with the sheet, for areas under lines and text
 
   Tint() = default;
   Tint(ColorRole colorRole) : role(colorRole) {}  // NOLINT(google-explicit-constructor)
   [[nodiscard]] static Tint ofLink(int label);
+  [[nodiscard]] Tint softened() const;
   friend bool operator==(const Tint&, const Tint&) = default;
 };
 

@@ -6,27 +6,44 @@
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/drawing/tt_graph_drawing.h"
 #include "core/presentation/drawing/tt_graph_layout.h"
+#include "core/presentation/power_drawing/power_drawing.h"
 #include "core/presentation/schematic/schematic.h"
 
 namespace geargraph::inline results {
 namespace {
 
-DisplayList digraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*stop*/) {
-  return digraphDrawing(*snapshot.mechanism, completedPositions(*snapshot.mechanism), {});
+DisplayList digraph(const AnalysisSnapshot& snapshot, const DrawnPower* power,
+                    const std::stop_token& /*stop*/) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  const DigraphGeometry geometry = digraphGeometry(mechanism, completedPositions(mechanism));
+  DisplayList drawing = digraphDrawing(geometry, {});
+  if (power == nullptr) return drawing;
+  DisplayList under = digraphPower(power->picture, mechanism, geometry);
+  under.append(digraphTorques(power->torques, geometry, under));
+  under.append(std::move(drawing));
+  return under;
 }
 
-DisplayList ttGraph(const AnalysisSnapshot& snapshot, const std::stop_token& /*stop*/) {
+DisplayList ttGraph(const AnalysisSnapshot& snapshot, const DrawnPower* /*power*/,
+                    const std::stop_token& /*stop*/) {
   const TtGraph* graph = snapshot.kinematics ? snapshot.kinematics->ttGraph.get() : nullptr;
   const NodePositions places =
       ttPositions(ttLayout(*snapshot.mechanism, graph), snapshot.mechanism->view.ttNodes);
   return ttGraphDrawing(ttGraphGeometry(*snapshot.mechanism, graph, places), {});
 }
 
-DisplayList schematic(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
-  return schematicDrawing(schematicGeometry(*snapshot.geometry, stop), {});
+DisplayList schematic(const AnalysisSnapshot& snapshot, const DrawnPower* power,
+                      const std::stop_token& stop) {
+  const SchematicGeometry geometry = schematicGeometry(*snapshot.geometry, stop);
+  DisplayList drawing = schematicDrawing(geometry, {});
+  if (power == nullptr) return drawing;
+  DisplayList under = schematicPower(power->picture, *snapshot.mechanism, geometry);
+  under.append(schematicTorques(power->torques, geometry, under));
+  under.append(std::move(drawing));
+  return under;
 }
 
-constexpr std::array kDrawings = {NamedDrawing{"digraph", digraph}, NamedDrawing{"ttgraph", ttGraph},
+constexpr std::array kDrawings = {NamedDrawing{"digraph", digraph}, NamedDrawing{"ttgraph", ttGraph, false},
                                   NamedDrawing{"schematic", schematic}};
 
 }  // namespace

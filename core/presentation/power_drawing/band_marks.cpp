@@ -1,0 +1,276 @@
+#include "core/presentation/power_drawing/band_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/foundations/base/wording.h"
+#include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/power_drawing/sheet_obstacles.h"
+
+namespace geargraph::inline power_drawing {
+namespace {
+
+constexpr double kHairline = 1;
+constexpr double kLeastShown = 0.01;  ///< of the greatest power: below it a hairline without a label
+constexpr double kLabelSize = 11;
+constexpr double kLabelGap = 3;  ///< between a label and all else
+constexpr double kRoomAround = 120;
+constexpr std::size_t kMostLoopsNamed = 3;
+
+double lengthOf(const std::vector<SheetPoint>& course) {
+  double length = 0;
+  for (std::size_t i = 1; i < course.size(); ++i) length += distance(course[i - 1], course[i]);
+  return length;
+}
+
+/// A course without its last `by` px, and the direction in which it ends.
+struct Shortened {
+  std::vector<SheetPoint> course;
+  SheetPoint end;
+  SheetPoint way;
+};
+Shortened shortened(std::vector<SheetPoint> course, double by) {
+  Shortened result;
+  result.end = course.back();
+  double left = by;
+  while (course.size() > 2 && distance(course[course.size() - 2], course.back()) <= left) {
+    left -= distance(course[course.size() - 2], course.back());
+    course.pop_back();
+  }
+  const SheetPoint from = course[course.size() - 2];
+  const double last = distance(from, course.back());
+  course.back() = last > left ? between(course.back(), from, left / last) : from;
+  result.way = unit(result.end - course.back());
+  result.course = std::move(course);
+  return result;
+}
+
+Polyline arrowOf(SheetPoint base, SheetPoint tip, double halfWidth) {
+  const SheetPoint wing = halfWidth * turned(unit(tip - base));
+  return {{tip, base + wing, base - wing}, true};
+}
+
+std::string decimal(const char* format, double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+std::string percentText(double part) {
+  return decimal(part >= 0.9995 ? "%.4g" : "%.3g", 100 * part) + " %";
+}
+
+std::string labels(const std::vector<int>& numbers) {
+  std::vector<std::string> names;
+  for (const int number : numbers) names.push_back(std::to_string(number));
+  constexpr std::size_t kMostNames = 12;
+  return listed(names, kMostNames);
+}
+
+}  // namespace
+
+std::string powerText(double power) {
+  struct Unit {
+    double watts;
+    const char* name;
+  };
+  for (const Unit& unit : {Unit{1e6, " MW"}, Unit{1e4, " kW"}, Unit{0.01, " W"}, Unit{1e-5, " mW"}}) {
+    if (power < unit.watts * 0.99995) continue;
+    const double in = unit.watts == 1e4 ? 1e3 : unit.watts == 0.01 ? 1 : unit.watts == 1e-5 ? 1e-3 : 1e6;
+    return decimal("%.4g", power / in) + unit.name;
+  }
+  return decimal("%.3g W", power);
+}
+
+std::vector<SheetPoint> courseOf(const Curve& curve) {
+  std::vector<SheetPoint> course{curve.from};
+  forEachChord(curve, [&](SheetPoint, SheetPoint to) { course.push_back(to); });
+  return course;
+}
+
+BandPainter::BandPainter(const PowerPicture& picture, const DisplayList& drawing)
+    : m_picture(picture), m_drawn(extentOf(drawing)), m_taken(m_drawn.grown(kRoomAround)) {
+  addObstacles(m_taken, drawing);
+  for (const Mark& mark : drawing.marks)
+    if (std::holds_alternative<Text>(mark.what)) m_texts.push_back(extentOf(mark));
+}
+
+void BandPainter::add(Band band) {
+  if (band.course.size() > 1 && lengthOf(band.course) > 1e-3) m_bands.push_back(std::move(band));
+}
+
+void BandPainter::add(LossStub stub) {
+  if (stub.power > kLeastShown * kLeastShown * m_picture.largest) m_stubs.push_back(std::move(stub));
+}
+
+double BandPainter::widthOf(double power) const {
+  const double part = power / m_picture.largest;
+  return part < kLeastShown ? kHairline : std::max(kHairline, kWidestBand * part);
+}
+
+void BandPainter::put(const ElementId& element, std::variant<Stroke, Fill, Text> what, int z) {
+  const MarkRole role = std::holds_alternative<Text>(what) ? MarkRole::label : MarkRole::line;
+  m_list.marks.push_back({element, role, z, std::move(what)});
+}
+
+/// With its arrowhead in the direction of the flow, as long as the band is.
+void BandPainter::drawBand(const Band& band) {
+  if (!band.isKnown) {
+    put(band.element, Stroke{Polyline{band.course, false}, ColorRole::secondary, kHairline, Dash::dashed});
+    return;
+  }
+  const double width = widthOf(band.power);
+  const double head = std::min(width / 2 + 6, 0.6 * lengthOf(band.course));
+  const Shortened body = shortened(band.course, head);
+  put(band.element, Stroke{Polyline{body.course, false}, band.tint.softened(), width, Dash::solid});
+  const bool circulates = 2 * band.circulating > band.power;
+  put(band.element, Fill{arrowOf(body.course.back(), body.end, width / 2 + 4),
+                         (circulates ? Tint(ColorRole::accent) : band.tint).softened()});
+  if (band.circulating > kLeastShown * m_picture.largest) {
+    const double core = std::max(2.0, kWidestBand * band.circulating / m_picture.largest);
+    put(band.element,
+        Stroke{Polyline{body.course, false}, Tint(ColorRole::accent).softened(), core, Dash::solid},
+        kBandDepth + 1);
+  }
+  for (std::size_t i = 1; i < band.course.size(); ++i) {
+    m_list.outlines.push_back(
+        {band.element, kBandDepth, Curve::straight(band.course[i - 1], band.course[i]), width / 2});
+    if (width < 3) continue;
+    const SheetPoint aside = width / 2 * turned(unit(band.course[i] - band.course[i - 1]));
+    for (const double side : {1.0, -1.0})
+      m_taken.addCurve(Curve::straight(band.course[i - 1] + side * aside, band.course[i] + side * aside));
+  }
+}
+
+/// Both words side by side, beside a place of a band; false where there is no room.
+bool BandPainter::place(const ElementId& element, SheetPoint at, SheetPoint way, double gap,
+                        const std::string& bold, const std::string& plain) {
+  const double boldWidth = textWidth(bold, kLabelSize, true);
+  const double plainWidth = plain.empty() ? 0 : textWidth(plain, kLabelSize, false);
+  const double space = plain.empty() ? 0 : 5;
+  const double halfWidth = (boldWidth + space + plainWidth) / 2;
+  const double halfHeight = kLabelSize / 2;
+  const SheetPoint across = turned(way);
+  for (const double farther : {0.0, 6.0, 14.0, 24.0}) {
+    for (const double side : {1.0, -1.0}) {
+      const SheetPoint out = side * across;
+      const double reach = halfWidth * std::abs(out.x) + halfHeight * std::abs(out.y) + gap + farther;
+      const Extent box{at + reach * out, halfWidth, halfHeight};
+      if (m_taken.touches(box, kLabelGap)) continue;
+      const double left = box.left();
+      put(element, Text{bold, {left + boldWidth / 2, box.center.y}, kLabelSize, true, Tint(ColorRole::ink)},
+          kBandDepth + 2);
+      if (!plain.empty())
+        put(element,
+            Text{plain,
+                 {left + boldWidth + space + plainWidth / 2, box.center.y},
+                 kLabelSize,
+                 false,
+                 Tint(ColorRole::secondary)},
+            kBandDepth + 2);
+      m_taken.addBox(box);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Beside its longest straight piece first.
+void BandPainter::label(const Band& band) {
+  if (!band.isKnown || !band.hasLabel || band.power < kLeastShown * m_picture.largest) return;
+  struct Piece {
+    SheetPoint from;
+    SheetPoint to;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < band.course.size(); ++i) pieces.push_back({band.course[i - 1], band.course[i]});
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return distance(a.from, a.to) > distance(b.from, b.to) + 1e-6;
+  });
+  const std::string part = m_picture.fed > 0 ? percentText(band.power / m_picture.fed) : std::string();
+  const double gap = widthOf(band.power) / 2 + 4;
+  constexpr std::size_t kMostPieces = 14;
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i) {
+    const SheetPoint way = unit(pieces[i].to - pieces[i].from);
+    for (const double t : {0.5, 0.3, 0.7, 0.15, 0.85})
+      if (place(band.element, between(pieces[i].from, pieces[i].to, t), way, gap, powerText(band.power),
+                part))
+        return;
+  }
+}
+
+void BandPainter::drawStub(const LossStub& stub) {
+  constexpr double kLength = 26;
+  constexpr double kHead = 7;
+  for (const double turn : {2.6, 0.5, -2.6, -0.5, 3.14, 0.0, 1.57, -1.57}) {
+    const SheetPoint way{std::cos(turn), std::sin(turn)};
+    const SheetPoint from = stub.at + 8 * way;
+    const SheetPoint to = from + kLength * way;
+    const std::string text = powerText(stub.power) + " lost";
+    const double halfWidth = textWidth(text, kLabelSize - 1, false) / 2;
+    const Extent box{to + (halfWidth * std::abs(way.x) + kLabelSize / 2 * std::abs(way.y) + 4) * way,
+                     halfWidth, kLabelSize / 2};
+    const bool crossesText = std::any_of(m_texts.begin(), m_texts.end(), [&](const Extent& each) {
+      return each.grown(1).meetsSegment(from, to);
+    });
+    if (crossesText || m_taken.touches(box, kLabelGap)) continue;
+    put(stub.element,
+        Stroke{Polyline{{from, to - kHead * way}, false}, ColorRole::secondary, 1.6, Dash::solid},
+        kBandDepth + 2);
+    put(stub.element, Fill{arrowOf(to - kHead * way, to, 3.4), ColorRole::secondary}, kBandDepth + 2);
+    put(stub.element, Text{text, box.center, kLabelSize - 1, false, ColorRole::secondary}, kBandDepth + 2);
+    m_taken.addBox(box);
+    return;
+  }
+}
+
+/// Above the drawing: the scale, who sees these powers, and what circulates.
+void BandPainter::drawLegend() {
+  const Extent all = m_drawn.united(extentOf(m_list));
+  double line = all.top() - 16;
+  const double left = all.left();
+  const auto words = [&](const std::string& text, double from, bool bold, const Tint& tint) {
+    const double width = textWidth(text, kLabelSize, bold);
+    put({}, Text{text, {from + width / 2, line}, kLabelSize, bold, tint}, kBandDepth + 2);
+    return from + width;
+  };
+  for (std::size_t i = std::min(m_picture.loops.size(), kMostLoopsNamed); i-- > 0;) {
+    const DrawnLoop& loop = m_picture.loops[i];
+    put({}, Stroke{Polyline{{{left, line}, {left + 26, line}}, false}, Tint(ColorRole::accent).softened(), 8,
+                   Dash::solid});
+    const double next = words(powerText(loop.power), left + 34, true, ColorRole::accent);
+    words("circulates: links " + labels(loop.links) + ", meshes " + labels(loop.meshes), next + 5, false,
+          ColorRole::ink);
+    line -= 18;
+  }
+  put({}, Stroke{Polyline{{{left, line - 4}, {left + 20, line - 4}}, false},
+                 Tint(ColorRole::secondary).softened(), kWidestBand, Dash::solid});
+  put({}, Fill{arrowOf({left + 20, line - 4}, {left + 34, line - 4}, kWidestBand / 2 + 4),
+               Tint(ColorRole::secondary).softened()});
+  double next = words(powerText(m_picture.largest), left + 42, true, ColorRole::ink);
+  next = words(m_picture.observer == 0 ? "seen from the ground"
+                                       : "seen from link " + std::to_string(m_picture.observer),
+               next + 10, false, ColorRole::secondary);
+  const bool areSomeShared =
+      std::any_of(m_bands.begin(), m_bands.end(), [](const Band& b) { return !b.isKnown; });
+  if (!areSomeShared) return;
+  put({}, Stroke{Polyline{{{next + 16, line}, {next + 42, line}}, false}, ColorRole::secondary, kHairline,
+                 Dash::dashed});
+  words("shared in unknown parts", next + 48, false, ColorRole::secondary);
+}
+
+DisplayList BandPainter::finish() && {
+  // Thin bands are painted over wide ones, and all are there before the first label looks for room.
+  std::stable_sort(m_bands.begin(), m_bands.end(),
+                   [](const Band& a, const Band& b) { return a.power > b.power; });
+  for (const Band& band : m_bands) drawBand(band);
+  for (const Band& band : m_bands) label(band);
+  for (const LossStub& stub : m_stubs) drawStub(stub);
+  drawLegend();
+  m_list.sortByDepth();
+  return std::move(m_list);
+}
+
+}  // namespace geargraph::inline power_drawing

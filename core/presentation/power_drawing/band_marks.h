@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/drawing/obstacle_grid.h"
+#include "core/presentation/power_drawing/power_picture.h"
+
+namespace geargraph::inline power_drawing {
+
+/// The width of the band of the greatest power, px.
+constexpr double kWidestBand = 24;
+/// Bands are painted under all else.
+constexpr int kBandDepth = -10;
+
+/// A stretch of a drawing along which power flows.
+struct Band {
+  ElementId element;               ///< that can be hit there
+  std::vector<SheetPoint> course;  ///< in the direction of the flow
+  Tint tint;                       ///< of the link that delivers
+  double power = 0;                ///< W, above 0
+  double circulating = 0;          ///< part of it
+  bool isKnown = true;             ///< else shared in unknown parts: a dashed line
+  bool hasLabel = true;
+};
+
+/// Power that a mesh loses, drawn as a short arrow away from it.
+struct LossStub {
+  ElementId element;
+  SheetPoint at;
+  double power = 0;
+};
+
+/// Draws bands of a picture under a drawing, with what they carry beside them: "495.7 W 49.6 %", where that
+/// touches nothing that is drawn. Above them the scale, the observer, and the loops in which power
+/// circulates.
+class BandPainter {
+ public:
+  /// `drawing`: what the labels keep clear of
+  BandPainter(const PowerPicture& picture, const DisplayList& drawing);
+
+  void add(Band band);
+  void add(LossStub stub);
+  [[nodiscard]] DisplayList finish() &&;
+
+  /// px; a hairline below a hundredth of the widest.
+  [[nodiscard]] double widthOf(double power) const;
+
+ private:
+  void drawBand(const Band& band);
+  void drawStub(const LossStub& stub);
+  void label(const Band& band);
+  void drawLegend();
+  void put(const ElementId& element, std::variant<Stroke, Fill, Text> what, int z = kBandDepth);
+  bool place(const ElementId& element, SheetPoint at, SheetPoint way, double gap, const std::string& bold,
+             const std::string& plain);
+
+  const PowerPicture& m_picture;
+  Extent m_drawn;
+  ObstacleGrid m_taken;
+  std::vector<Extent> m_texts;  ///< of the drawing
+  std::vector<Band> m_bands;
+  std::vector<LossStub> m_stubs;
+  DisplayList m_list;
+};
+
+/// "495.7 W", "1.2 kW".
+[[nodiscard]] std::string powerText(double power);
+/// The chords of a curve.
+[[nodiscard]] std::vector<SheetPoint> courseOf(const Curve& curve);
+
+}  // namespace geargraph::inline power_drawing

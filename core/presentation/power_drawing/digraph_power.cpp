@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/power_drawing/band_marks.h"
+#include "core/presentation/power_drawing/power_drawing.h"
+
+namespace geargraph::inline power_drawing {
+namespace {
+
+/// The greater of two ends is within this part of the other where both are one band.
+constexpr double kAsOne = 0.02;
+
+class DigraphBands {
+ public:
+  DigraphBands(const PowerPicture& picture, const Mechanism& mechanism, const DigraphGeometry& geometry)
+      : m_mechanism(mechanism), m_geometry(geometry), m_painter(picture, digraphDrawing(geometry, {})) {
+    for (const DrawnFlow& flow : picture.flows) add(flow);
+  }
+
+  DisplayList finish() && { return std::move(m_painter).finish(); }
+
+ private:
+  void add(const DrawnFlow& flow) {
+    if (const EdgePlace* edge = m_geometry.edge(flow.element)) return addEdge(flow, *edge);
+    if (flow.element.kind == ElementKind::coupling) return addCoupling(flow);
+    if (flow.element.kind == ElementKind::link) addAtLink(flow);
+  }
+
+  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
+  /// That of the link which delivers most; where none does, of the one that takes most.
+  [[nodiscard]] Tint tintOf(const DrawnFlow& flow) const {
+    const auto [least, most] =
+        std::minmax_element(flow.ports.begin(), flow.ports.end(),
+                            [](const DrawnPort& a, const DrawnPort& b) { return a.power < b.power; });
+    return tintOf(least->power < 0 ? least->link : most->link);
+  }
+  static const DrawnPort* portAt(const DrawnFlow& flow, int link) {
+    for (const DrawnPort& port : flow.ports)
+      if (port.link == link) return &port;
+    return nullptr;
+  }
+
+  /// A band along a course, with the power in its direction; against it where that is negative.
+  void addBand(const DrawnFlow& flow, std::vector<SheetPoint> course, double power, double circulating,
+               bool hasLabel = true) {
+    if (power == 0) return;
+    if (power < 0) std::reverse(course.begin(), course.end());
+    m_painter.add(Band{flow.element, std::move(course), tintOf(flow), std::abs(power), std::abs(circulating),
+                       flow.isDetermined, hasLabel});
+  }
+
+  void addEdge(const DrawnFlow& flow, const EdgePlace& edge) {
+    if (!flow.isDetermined) {
+      m_painter.add(Band{flow.element, courseOf(edge.curve), {}, 0, 0, false, false});
+      return;
+    }
+    const DrawnPort* const tail = portAt(flow, edge.tail);
+    const DrawnPort* const head = portAt(flow, edge.head);
+    const double from = tail == nullptr ? 0 : -tail->power;
+    const double to = head == nullptr ? 0 : head->power;
+    const double fromLoop = tail == nullptr ? 0 : tail->circulating;
+    const double toLoop = head == nullptr ? 0 : head->circulating;
+    const bool isOne = std::abs(from - to) <= kAsOne * std::max(std::abs(from), std::abs(to)) &&
+                       (fromLoop == 0) == (toLoop == 0);
+    const bool isMotor = !edge.isMesh() && (from == 0 || to == 0);  // the ground is at rest
+    if (isOne || isMotor) {
+      addBand(flow, courseOf(edge.curve), std::abs(from) > std::abs(to) ? from : to,
+              std::max(std::abs(fromLoop), std::abs(toLoop)));
+    } else {
+      addBand(flow, courseOf(edge.curve.part(0, 0.5)), from, fromLoop);
+      addBand(flow, courseOf(edge.curve.part(0.5, 1)), to, toLoop);
+    }
+    const SheetPoint middle = edge.curve.at(0.5);
+    for (const DrawnPort& port : flow.ports) {
+      if (port.link == edge.tail || port.link == edge.head) continue;
+      if (const NodePlace* carrier = nodeOf(port.link))
+        addBand(flow, toRim(middle, carrier->center), port.power, port.circulating);
+    }
+    m_painter.add(LossStub{flow.element, middle, flow.lost});
+  }
+
+  [[nodiscard]] const NodePlace* nodeOf(int link) const {
+    return m_geometry.node(m_mechanism.links[static_cast<std::size_t>(link)].id);
+  }
+  static std::vector<SheetPoint> toRim(SheetPoint from, SheetPoint node) {
+    const double rim = std::min(kNodeRadius, distance(from, node) / 2);
+    return {from, node - rim * unit(node - from)};
+  }
+
+  void addCoupling(const DrawnFlow& flow) {
+    const auto place =
+        std::find_if(m_geometry.couplings.begin(), m_geometry.couplings.end(),
+                     [&](const CouplingPlace& each) { return ElementId(each.coupling) == flow.element; });
+    if (place == m_geometry.couplings.end() || flow.ports.size() < 2) return;
+    addBand(flow, courseOf(place->line), flow.ports[1].power, flow.ports[1].circulating);
+  }
+
+  /// A load or a balance on a link: from outside into its node, or out of it, where there is most room.
+  void addAtLink(const DrawnFlow& flow) {
+    constexpr double kLength = 40;
+    constexpr int kDirections = 16;
+    const NodePlace* const node = nodeOf(flow.ports.front().link);
+    if (node == nullptr) return;
+    SheetPoint best{0, -1};
+    double most = -1;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * M_PI * i / kDirections;
+      const SheetPoint way{std::cos(angle), std::sin(angle)};
+      const double room = roomAt(node->center + (kNodeRadius + kLength / 2) * way, *node);
+      if (room <= most) continue;
+      most = room;
+      best = way;
+    }
+    const SheetPoint rim = node->center + kNodeRadius * best;
+    addBand(flow, {rim + kLength * best, rim}, flow.ports.front().power, 0);
+  }
+
+  [[nodiscard]] double roomAt(SheetPoint place, const NodePlace& without) const {
+    double room = 1e9;
+    for (const NodePlace& node : m_geometry.nodes)
+      if (node.link != without.link) room = std::min(room, distance(place, node.center) - kNodeRadius);
+    for (const EdgePlace& edge : m_geometry.edges) room = std::min(room, distanceToCurve(place, edge.curve));
+    return room;
+  }
+
+  const Mechanism& m_mechanism;
+  const DigraphGeometry& m_geometry;
+  BandPainter m_painter;
+};
+
+}  // namespace
+
+DisplayList digraphPower(const PowerPicture& picture, const Mechanism& mechanism,
+                         const DigraphGeometry& geometry) {
+  if (picture.isEmpty()) return {};
+  return DigraphBands(picture, mechanism, geometry).finish();
+}
+
+}  // namespace geargraph::inline power_drawing

@@ -1,0 +1,263 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/presentation/power_drawing/band_marks.h"
+#include "core/presentation/power_drawing/band_network.h"
+#include "core/presentation/power_drawing/power_drawing.h"
+
+namespace geargraph::inline power_drawing {
+namespace {
+
+constexpr double kOutside = 44;    ///< px: the band of a motor or a load beyond the end of its shaft
+constexpr double kShaftEnds = 60;  ///< px from a bearing: the end of a shaft where power enters it
+
+/// What all flows that are drawn at one element carry together: equal planets share one drawing.
+struct Joined {
+  std::map<int, DrawnPort> ports;  ///< by link that is drawn
+  std::vector<double> members;     ///< by self-stress, the sum over all meshes
+  double lost = 0;
+  bool isDetermined = true;
+
+  void add(const DrawnFlow& flow) {
+    lost += flow.lost;
+    members.resize(std::max(members.size(), flow.members.size()));
+    for (std::size_t i = 0; i < flow.members.size(); ++i) members[i] += flow.members[i];
+    if (!flow.isDetermined && flow.members.empty()) isDetermined = false;
+  }
+  /// Together they bear a known load where no self-stress changes it.
+  void conclude() {
+    constexpr double kRounding = 1e-9;
+    for (const double member : members)
+      if (std::abs(member) > kRounding) isDetermined = false;
+  }
+};
+
+class SchematicBands {
+ public:
+  SchematicBands(const PowerPicture& picture, const Mechanism& mechanism, const SchematicGeometry& geometry)
+      : m_picture(picture),
+        m_mechanism(mechanism),
+        m_geometry(geometry),
+        m_painter(picture, schematicDrawing(geometry, {})),
+        m_networks(mechanism.links.size()),
+        m_entries(mechanism.links.size()) {
+    for (std::size_t i = 0; i < mechanism.links.size(); ++i)
+      m_links[mechanism.links[i].id] = static_cast<int>(i);
+    for (const DrawnPart::Alike& alike : geometry.alike) m_drawnAs[alike.like] = alike.drawn;
+    readMarks();
+    joinFlows();
+  }
+
+  DisplayList run() && {
+    for (const auto& [element, flow] : m_joined) add(element, flow);
+    for (std::size_t link = 1; link < m_networks.size(); ++link) addRuns(static_cast<int>(link));
+    return std::move(m_painter).finish();
+  }
+
+ private:
+  [[nodiscard]] ElementId drawn(const ElementId& element) const {
+    const auto found = m_drawnAs.find(element);
+    return found == m_drawnAs.end() ? element : found->second;
+  }
+  [[nodiscard]] int drawnLink(int link) const {
+    const auto found = m_links.find(drawn(m_mechanism.links[static_cast<std::size_t>(link)].id));
+    return found == m_links.end() ? link : found->second;  // a drawing of the document as it was before
+  }
+  [[nodiscard]] Tint tintOf(int link) const { return Tint::ofLink(m_mechanism.linkLabel(link)); }
+  [[nodiscard]] BandNetwork& network(int link) { return m_networks[static_cast<std::size_t>(link)]; }
+
+  /// The lines of each link, and where bearings, meshes and couplings are.
+  void readMarks() {
+    std::unordered_map<int, int> byLabel;
+    for (int link = 0; link < static_cast<int>(m_mechanism.links.size()); ++link)
+      byLabel[m_mechanism.linkLabel(link)] = link;
+    for (const Mark& mark : m_geometry.marks) {
+      const auto* stroke = std::get_if<Stroke>(&mark.what);
+      if (stroke == nullptr || mark.role != MarkRole::line) continue;
+      const auto* line = std::get_if<Polyline>(&stroke->shape);
+      if (line == nullptr || line->points.size() < 2) {
+        if (const auto* bow = std::get_if<Curve>(&stroke->shape))
+          m_places.try_emplace(mark.element, std::vector<SheetPoint>{bow->from, bow->to});
+        continue;
+      }
+      if (mark.element.kind == ElementKind::turningJoint || mark.element.kind == ElementKind::coupling)
+        m_places.try_emplace(
+            mark.element, std::vector<SheetPoint>{between(line->points.front(), line->points.back(), 0.5)});
+      if (!stroke->tint.link) continue;
+      const auto owner = byLabel.find(*stroke->tint.link);
+      if (owner == byLabel.end()) continue;
+      for (std::size_t i = 1; i < line->points.size(); ++i)
+        network(owner->second).addLine(line->points[i - 1], line->points[i]);
+    }
+    for (const Mark& mark : m_geometry.highlights) {
+      const auto* stroke = std::get_if<Stroke>(&mark.what);
+      const auto* line = stroke == nullptr ? nullptr : std::get_if<Polyline>(&stroke->shape);
+      if (line != nullptr && mark.element.kind == ElementKind::gearMesh)
+        m_places.try_emplace(
+            mark.element, std::vector<SheetPoint>{between(line->points.front(), line->points.back(), 0.5)});
+    }
+  }
+
+  void joinFlows() {
+    for (const DrawnFlow& flow : m_picture.flows) {
+      const bool isOnLink = flow.element.kind == ElementKind::link;
+      Joined& joined = m_joined[{drawn(flow.element), isOnLink ? ++m_onLinks : 0}];
+      joined.add(flow);
+      for (const DrawnPort& port : flow.ports) {
+        DrawnPort& sum = joined.ports[drawnLink(port.link)];
+        sum.power += port.power;
+        sum.circulating += port.circulating;
+      }
+    }
+    for (auto& [key, joined] : m_joined) joined.conclude();
+  }
+
+  using Key = std::pair<ElementId, int>;
+
+  void add(const Key& key, const Joined& flow) {
+    const ElementId& element = key.first;
+    switch (element.kind) {
+      case ElementKind::gearMesh:
+        return addMesh(element, flow);
+      case ElementKind::coupling:
+        return addCoupling(element, flow);
+      case ElementKind::turningJoint:
+        return addJoint(element, flow);
+      case ElementKind::link:
+        return addOnLink(flow);
+      default:
+        return;
+    }
+  }
+
+  void enter(int link, SheetPoint at, const DrawnPort& port, bool isKnown) {
+    m_entries[static_cast<std::size_t>(link)].push_back({at, port.power, port.circulating});
+    if (!isKnown) m_unknown.push_back(link);
+  }
+
+  /// Both gears at the pitch point, the carrier by a band of its own from there.
+  void addMesh(const ElementId& element, const Joined& flow) {
+    const auto place = m_places.find(element);
+    const GearMesh* const mesh = m_mechanism.find(MeshId(element.id));
+    if (place == m_places.end() || mesh == nullptr) return;
+    const int tail = drawnLink(m_links.at(ElementId(mesh->tail)));
+    const int head = drawnLink(m_links.at(ElementId(mesh->head)));
+    const std::vector<SheetPoint>& ends = place->second;
+    for (const auto& [link, port] : flow.ports) {
+      if (link == 0 || network(link).isEmpty()) continue;
+      const SheetPoint from = link == tail ? ends.front() : ends.back();
+      const SheetPoint at = network(link).nearest(from);
+      enter(link, at, port, flow.isDetermined);
+      if (link != tail && link != head) addToCarrier(element, from, at, flow, port);
+    }
+    if (flow.isDetermined) m_painter.add(LossStub{element, ends.front(), flow.lost});
+  }
+
+  /// What the mesh delivers to its carrier, bent away from the gears.
+  void addToCarrier(const ElementId& element, SheetPoint from, SheetPoint to, const Joined& flow,
+                    const DrawnPort& port) {
+    if (distance(from, to) < 2) return;
+    const double pull = std::min(30.0, distance(from, to) / 4);
+    std::vector<SheetPoint> course = courseOf(Curve::pulled(from, to, pull, pull));
+    if (port.power < 0) std::reverse(course.begin(), course.end());
+    m_painter.add(Band{element, std::move(course), tintOf(delivererOf(flow)), std::abs(port.power),
+                       std::abs(port.circulating), flow.isDetermined, true});
+  }
+
+  static int delivererOf(const Joined& flow) {
+    const auto least =
+        std::min_element(flow.ports.begin(), flow.ports.end(),
+                         [](const auto& a, const auto& b) { return a.second.power < b.second.power; });
+    return least->first;
+  }
+
+  void addCoupling(const ElementId& element, const Joined& flow) {
+    const auto place = m_places.find(element);
+    if (place == m_places.end()) return;
+    for (const auto& [link, port] : flow.ports) {
+      if (link == 0 || network(link).isEmpty()) continue;
+      const SheetPoint at = network(link).nearest(place->second.front());
+      enter(link, at, port, flow.isDetermined);
+      std::vector<SheetPoint> course{place->second.front(), at};
+      if (port.power < 0) std::reverse(course.begin(), course.end());
+      m_painter.add(Band{element, std::move(course), tintOf(delivererOf(flow)), std::abs(port.power),
+                         std::abs(port.circulating), flow.isDetermined, false});
+    }
+  }
+
+  /// Power of a motor or a load comes from beyond the end of the shaft, or goes there; what a joint passes on
+  /// crosses at its bearing.
+  void addJoint(const ElementId& element, const Joined& flow) {
+    const auto place = m_places.find(element);
+    if (place == m_places.end()) return;
+    for (const auto& [link, port] : flow.ports) {
+      if (link == 0 || network(link).isEmpty()) continue;
+      if (flow.ports.size() == 1) {
+        addFromOutside(element, link, place->second.front(), port, flow.isDetermined);
+      } else {
+        enter(link, network(link).nearest(place->second.front()), port, flow.isDetermined);
+      }
+    }
+  }
+
+  /// At the bearing in which the link turns, or where it is drawn.
+  void addOnLink(const Joined& flow) {
+    for (const auto& [link, port] : flow.ports) {
+      if (link == 0 || network(link).isEmpty()) continue;
+      const LinkId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
+      for (const TurningJoint& joint : m_mechanism.turningJoints) {
+        const auto place = m_places.find(joint.id);
+        if ((joint.tail != id && joint.head != id) || place == m_places.end()) continue;
+        addFromOutside(id, link, place->second.front(), port, flow.isDetermined);
+        break;
+      }
+    }
+  }
+
+  void addFromOutside(const ElementId& element, int link, SheetPoint bearing, const DrawnPort& port,
+                      bool isKnown) {
+    const SheetPoint on = network(link).nearest(bearing);
+    const SheetPoint end = network(link).nearestEnd(bearing, kShaftEnds);
+    const SheetPoint way = distance(end, on) > 1 ? unit(end - on) : unit(on - bearing);
+    enter(link, end, port, isKnown);
+    std::vector<SheetPoint> course{end + kOutside * way, end};
+    if (port.power < 0) std::reverse(course.begin(), course.end());
+    m_painter.add(Band{element, std::move(course), tintOf(link), std::abs(port.power), 0, isKnown, false});
+  }
+
+  void addRuns(int link) {
+    if (network(link).isEmpty()) return;
+    const bool isKnown = std::find(m_unknown.begin(), m_unknown.end(), link) == m_unknown.end();
+    const ElementId id = m_mechanism.links[static_cast<std::size_t>(link)].id;
+    for (BandNetwork::Run& run : network(link).runs(m_entries[static_cast<std::size_t>(link)]))
+      m_painter.add(Band{id, std::move(run.course), tintOf(link), run.power, std::max(0.0, run.circulating),
+                         isKnown, true});
+  }
+
+  const PowerPicture& m_picture;
+  const Mechanism& m_mechanism;
+  const SchematicGeometry& m_geometry;
+  BandPainter m_painter;
+  std::unordered_map<ElementId, int> m_links;
+  std::unordered_map<ElementId, ElementId> m_drawnAs;
+  std::unordered_map<ElementId, std::vector<SheetPoint>> m_places;  ///< pitch points, bearings, plates
+  std::vector<BandNetwork> m_networks;                              ///< by link
+  std::vector<std::vector<BandNetwork::Entry>> m_entries;           ///< by link
+  std::map<Key, Joined> m_joined;
+  std::vector<int> m_unknown;  ///< links that carry unknown parts of a load
+  int m_onLinks = 0;
+};
+
+}  // namespace
+
+DisplayList schematicPower(const PowerPicture& picture, const Mechanism& mechanism,
+                           const SchematicGeometry& geometry) {
+  if (picture.isEmpty() || geometry.isEmpty()) return {};
+  return SchematicBands(picture, mechanism, geometry).run();
+}
+
+}  // namespace geargraph::inline power_drawing

@@ -1,0 +1,225 @@
+#include "core/presentation/power_drawing/torque_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <unordered_map>
+
+#include "core/mechanism/model/load_edits.h"
+#include "core/presentation/drawing/digraph_drawing.h"
+#include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/power_drawing/sheet_obstacles.h"
+
+namespace geargraph::inline power_drawing {
+namespace {
+
+constexpr double kTextSize = 11;
+constexpr double kSmallSize = 9;
+constexpr double kArcRoom = 20;  ///< of a chip, for its arc
+constexpr int kChipDepth = kBadgeDepth;
+
+/// Four digits, with a true minus sign.
+std::string numberText(double number) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.4g", std::abs(number));
+  return (number < 0 ? "\xE2\x88\x92" : "") + std::string(buffer.data());
+}
+
+int signOf(double number) {
+  return number > 0 ? 1 : number < 0 ? -1 : 0;
+}
+
+std::string rateText(const StaticsReport& report, const Mechanism& mechanism, const ElementId& element) {
+  if (!report.motion || element.kind != ElementKind::turningJoint) return {};
+  for (std::size_t joint = 0; joint < mechanism.turningJoints.size(); ++joint)
+    if (ElementId(mechanism.turningJoints[joint].id) == element)
+      return numberText((*report.motion)[joint].toDouble()) + " rad/s";
+  return {};
+}
+
+ShownTorque givenTorque(const Load& load) {
+  ShownTorque shown;
+  if (const auto* force = std::get_if<LinkForce>(&load.action)) {
+    double square = 0;
+    for (const Number& component : force->force) square += std::pow(component.exact().toDouble(), 2);
+    shown.element = force->link;
+    shown.torque = "F " + numberText(std::sqrt(square)) + " N";
+    return shown;
+  }
+  double torque = 0;
+  if (const auto* inJoint = std::get_if<JointTorque>(&load.action)) {
+    shown.element = inJoint->joint;
+    torque = inJoint->torque.exact().toDouble();
+  } else if (const auto* onLink = std::get_if<LinkTorque>(&load.action)) {
+    shown.element = onLink->link;
+    torque = onLink->torque.exact().toDouble();
+  }
+  shown.sense = signOf(torque);
+  shown.torque = "T " + numberText(torque) + " N m";
+  return shown;
+}
+
+/// Where the chips of an element belong.
+using Anchors = std::unordered_map<ElementId, SheetPoint>;
+
+class ChipDrawer {
+ public:
+  ChipDrawer(const DisplayList& drawing, const DisplayList& under)
+      : m_taken(
+            extentOf(drawing).united(under.marks.empty() ? extentOf(drawing) : extentOf(under)).grown(160)) {
+    addObstacles(m_taken, drawing);
+    addObstacles(m_taken, under);
+    for (const DisplayList* list : {&drawing, &under})
+      for (const Mark& mark : list->marks)
+        if (std::holds_alternative<Text>(mark.what)) m_texts.push_back(extentOf(mark));
+  }
+
+  void draw(const ShownTorque& torque, SheetPoint anchor) {
+    const double words =
+        std::max(textWidth(torque.torque, kTextSize, true), textWidth(torque.rate, kSmallSize, false));
+    const Extent size{{}, (words + kArcRoom + 12) / 2, torque.rate.empty() ? 9.0 : 14.0};
+    const Extent box = freePlace(anchor, size);
+    const Tint border = torque.isGiven ? ColorRole::input : ColorRole::control;
+    const Tint fill = torque.isGiven ? ColorRole::inputFill : ColorRole::sheet;
+    const Tint ink = torque.isGiven ? ColorRole::inputInk : ColorRole::ink;
+    m_element = torque.element;
+    put(MarkRole::line, kLineDepth,
+        Stroke{Polyline{{anchor, edgeTowards(box, anchor)}, false}, border, 1, Dash::dotted});
+    put(MarkRole::input, kChipDepth, Fill{Box{box, 5}, fill});
+    put(MarkRole::input, kChipDepth,
+        Stroke{Box{box, 5}, border, 1.2, torque.isGiven ? Dash::solid : Dash::dashed});
+    drawArc({box.left() + kArcRoom / 2 + 3, box.center.y}, torque.sense, torque.isGiven ? border : ink);
+    const double middle = box.left() + kArcRoom + 4 + words / 2;
+    const double line = torque.rate.empty() ? box.center.y : box.center.y - 5;
+    put(MarkRole::input, kChipDepth, Text{torque.torque, {middle, line}, kTextSize, true, ink});
+    if (!torque.rate.empty())
+      put(MarkRole::input, kChipDepth,
+          Text{torque.rate, {middle, box.center.y + 8}, kSmallSize, false, ColorRole::secondary});
+    m_list.outlines.push_back({torque.element, kChipDepth, Box{box, 0}, 0});
+    m_taken.addBox(box);
+    m_texts.push_back(box);
+  }
+
+  DisplayList finish() && { return std::move(m_list); }
+
+ private:
+  void put(MarkRole role, int z, std::variant<Stroke, Fill, Text> what) {
+    m_list.marks.push_back({m_element, role, z, std::move(what)});
+  }
+
+  /// The nearest place round the anchor that touches nothing; where there is none, beyond them all.
+  [[nodiscard]] Extent freePlace(SheetPoint anchor, Extent size) const {
+    constexpr int kDirections = 24;
+    constexpr double kGap = 4;
+    for (double away = 24; away < 400; away += 12) {
+      for (int i = 0; i < kDirections; ++i) {
+        const double angle = 2 * M_PI * i / kDirections - M_PI / 2;
+        const SheetPoint out{std::cos(angle), std::sin(angle)};
+        const double reach = away + size.halfWidth * std::abs(out.x) + size.halfHeight * std::abs(out.y);
+        size.center = anchor + reach * out;
+        if (!m_taken.touches(size, kGap) && isClear(anchor, edgeTowards(size, anchor))) return size;
+      }
+    }
+    return size;
+  }
+  /// The line to the chip crosses no text.
+  [[nodiscard]] bool isClear(SheetPoint from, SheetPoint to) const {
+    return std::none_of(m_texts.begin(), m_texts.end(),
+                        [&](const Extent& text) { return text.meetsSegment(from, to); });
+  }
+  static SheetPoint edgeTowards(const Extent& box, SheetPoint from) {
+    return {std::clamp(from.x, box.left(), box.right()), std::clamp(from.y, box.top(), box.bottom())};
+  }
+
+  /// Three quarters of a turn, its tip where the torque turns to; positive is anticlockwise, as about an axis
+  /// that points at the reader.
+  void drawArc(SheetPoint middle, int sense, const Tint& tint) {
+    if (sense == 0) return;
+    constexpr double kRadius = 6;
+    constexpr int kChords = 12;
+    const auto at = [&](double turn) {
+      const double angle = -sense * turn;  // the sheet's y points down
+      return middle + kRadius * SheetPoint{std::cos(angle), std::sin(angle)};
+    };
+    Polyline arc;
+    for (int i = 0; i <= kChords; ++i) arc.points.push_back(at(-0.6 + 4.3 * i / kChords));
+    const SheetPoint tip = at(4.4);
+    const SheetPoint back = at(3.6);
+    const SheetPoint wing = 3.2 * turned(unit(tip - back));
+    put(MarkRole::input, kChipDepth, Stroke{std::move(arc), tint, 1.6, Dash::solid});
+    put(MarkRole::input, kChipDepth, Fill{Polyline{{tip, back + wing, back - wing}, true}, tint});
+  }
+
+  ObstacleGrid m_taken;
+  std::vector<Extent> m_texts;
+  ElementId m_element;
+  DisplayList m_list;
+};
+
+DisplayList drawn(const std::vector<ShownTorque>& torques, const Anchors& anchors, const DisplayList& drawing,
+                  const DisplayList& under) {
+  ChipDrawer drawer(drawing, under);
+  for (const ShownTorque& each : torques)
+    if (const auto anchor = anchors.find(each.element); anchor != anchors.end())
+      drawer.draw(each, anchor->second);
+  return std::move(drawer).finish();
+}
+
+}  // namespace
+
+std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsReport& report) {
+  std::vector<ShownTorque> shown;
+  for (const LoadReport& load : report.loads) {
+    shown.push_back(givenTorque(load.load));
+    shown.back().rate = rateText(report, mechanism, shown.back().element);
+  }
+  if (!report.isSolved || !report.lossless.isBalanced()) return shown;
+  const StaticsSolution& solution = report.solution();
+  const auto meshes = static_cast<std::size_t>(mechanism.c());
+  for (std::size_t part = 0; part < report.held.size(); ++part) {
+    if (report.held[part].balance < 0) continue;
+    const TorquePlace& place = report.problem.balances[static_cast<std::size_t>(report.held[part].balance)];
+    const double torque = solution.values[meshes + part].number();
+    const bool isKnown = solution.isDetermined(static_cast<int>(meshes + part));
+    if (isKnown && torque == 0) continue;
+    ShownTorque& found = shown.emplace_back();
+    if (place.inJoint()) {
+      found.element = mechanism.turningJoints[static_cast<std::size_t>(place.joint)].id;
+    } else {
+      found.element = mechanism.links[static_cast<std::size_t>(place.link)].id;
+    }
+    found.isGiven = false;
+    found.sense = isKnown ? signOf(torque) : 0;
+    found.torque = isKnown ? "T " + numberText(torque) + " N m" : "T shared";
+    found.rate = rateText(report, mechanism, found.element);
+  }
+  return shown;
+}
+
+DisplayList digraphTorques(const std::vector<ShownTorque>& torques, const DigraphGeometry& geometry,
+                           const DisplayList& under) {
+  if (torques.empty()) return {};
+  Anchors anchors;
+  for (const EdgePlace& edge : geometry.edges) anchors[edge.element] = edge.curve.at(0.5);
+  for (const NodePlace& node : geometry.nodes) anchors[node.link] = node.center;
+  return drawn(torques, anchors, digraphDrawing(geometry, {}), under);
+}
+
+DisplayList schematicTorques(const std::vector<ShownTorque>& torques, const SchematicGeometry& geometry,
+                             const DisplayList& under) {
+  if (torques.empty() || geometry.isEmpty()) return {};
+  Anchors anchors;
+  for (const Mark& mark : geometry.marks) {
+    const auto* stroke = std::get_if<Stroke>(&mark.what);
+    const auto* line = stroke == nullptr ? nullptr : std::get_if<Polyline>(&stroke->shape);
+    if (line == nullptr || mark.role != MarkRole::line || line->points.size() < 2) continue;
+    anchors.try_emplace(mark.element, between(line->points.front(), line->points.back(), 0.5));
+  }
+  for (const DrawnPart::Alike& alike : geometry.alike)
+    if (const auto drawnOne = anchors.find(alike.drawn); drawnOne != anchors.end())
+      anchors.try_emplace(alike.like, drawnOne->second);
+  return drawn(torques, anchors, schematicDrawing(geometry, {}), under);
+}
+
+}  // namespace geargraph::inline power_drawing

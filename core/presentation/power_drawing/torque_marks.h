@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/presentation/drawing/digraph_geometry.h"
+#include "core/presentation/schematic/schematic.h"
+#include "core/theory/statics/statics_report.h"
+
+namespace geargraph::inline power_drawing {
+
+/// A torque or force from outside that a drawing names: a load that is given, or a balance that was found.
+struct ShownTorque {
+  ElementId element;  ///< the joint or the link
+  bool isGiven = true;
+  int sense = 0;       ///< +1, -1; 0 for a force, or where the torque is not determined
+  std::string torque;  ///< "T 10 N m", "F 20 N", "T shared"
+  std::string rate;    ///< "100 rad/s"; empty without a motion
+};
+
+/// Loads first, in the document's order, then balances; balances of 0 are left out. Cost: O(loads + balances)
+/// @pre both of one mechanism
+[[nodiscard]] std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsReport& report);
+
+/// Chips near their elements, each with an arc in the sense of its torque and a line to what it acts on:
+/// amber for loads, dashed for what was found. They keep clear of the drawing and of `under`, what is laid
+/// under it.
+[[nodiscard]] DisplayList digraphTorques(const std::vector<ShownTorque>& torques,
+                                         const DigraphGeometry& geometry, const DisplayList& under);
+[[nodiscard]] DisplayList schematicTorques(const std::vector<ShownTorque>& torques,
+                                           const SchematicGeometry& geometry, const DisplayList& under);
+
+}  // namespace geargraph::inline power_drawing
