@@ -9,12 +9,14 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
+#include "app/cli/solved_statics.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/train_stage/stage_picture.h"
+#include "core/presentation/train_stage/train_forces.h"
 #include "core/presentation/train_stage/train_stage.h"
 #include "core/theory/analysis/analysis.h"
 
@@ -43,6 +45,21 @@ std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arg
   }
   if (!stage->scene.instances.empty()) return std::pair(snapshot, stage);
   std::cerr << "geargraph-cli: There is nothing to show: the turning joints are no spanning tree.\n";
+  return static_cast<int>(kMechanismErrors);
+}
+
+/// The forces under the document's loads; the exit status where there are none.
+std::variant<StageForces, int> forcesOf(const SnapshotPtr& snapshot, const Arguments& arguments) {
+  auto solved = solvedStatics(snapshot, arguments);
+  if (const int* stopped = std::get_if<int>(&solved)) return *stopped;
+  const SolvedStatics& statics = *std::get<SolvedStaticsPtr>(solved);
+  std::vector<StageForce> forces;
+  if (statics.report)
+    forces = stageForces(*snapshot->mechanism, statics.snapshot->kinematics->placement(), *statics.report);
+  if (!forces.empty()) return std::make_shared<const std::vector<StageForce>>(std::move(forces));
+  std::cerr
+      << "geargraph-cli: --show forces needs loads, balances that hold them, and a unit of length whose "
+         "size is known; nothing was written.\n";
   return static_cast<int>(kMechanismErrors);
 }
 
@@ -95,7 +112,12 @@ int exportPicture(const Arguments& arguments, bool asSolids) {
   const auto& [snapshot, stage] = std::get<0>(made);
   const auto wish = shotOf(arguments, stage, *snapshot);
   if (const auto* error = std::get_if<UsageError>(&wish)) return wrongUsage(kExport, error->message);
-  const auto& shot = std::get<StageShot>(wish);
+  auto shot = std::get<StageShot>(wish);
+  if (shot.view.marks.forces) {
+    auto forces = forcesOf(snapshot, arguments);
+    if (const int* status = std::get_if<int>(&forces)) return *status;
+    shot.view.forces = std::get<StageForces>(std::move(forces));
+  }
   if (asSolids) {
     MeshWriteOptions options;
     options.stop = arguments.stop;

@@ -114,7 +114,7 @@ class ShotReader {
       if (m_arguments.has("--show") && !isKnown) {
         wrong(
             "--show names labels, joint-labels, axis-labels, scale, pitch-circles, pitch-points, axes, "
-            "instant-axes, velocities, with commas.");
+            "instant-axes, velocities, forces, with commas.");
       }
     }
   }

@@ -18,15 +18,18 @@ constexpr std::array kFaces = {FacesName{"shaded", Faces::shaded}, FacesName{"li
                                FacesName{"edges", Faces::wireframe}};
 
 using MarkName = std::pair<std::string_view, bool MarkChoice::*>;
-constexpr std::array kMarks = {
-    MarkName{"pitch-circles", &MarkChoice::pitchCircles}, MarkName{"pitch-points", &MarkChoice::pitchPoints},
-    MarkName{"axes", &MarkChoice::axes}, MarkName{"instant-axes", &MarkChoice::instantAxes},
-    MarkName{"velocities", &MarkChoice::velocities}};
+constexpr std::array kMarks = {MarkName{"pitch-circles", &MarkChoice::pitchCircles},
+                               MarkName{"pitch-points", &MarkChoice::pitchPoints},
+                               MarkName{"axes", &MarkChoice::axes},
+                               MarkName{"instant-axes", &MarkChoice::instantAxes},
+                               MarkName{"velocities", &MarkChoice::velocities},
+                               MarkName{"forces", &MarkChoice::forces}};
 
 using OverlayName = std::pair<std::string_view, bool OverlayChoice::*>;
 constexpr std::array kOverlays = {
     OverlayName{"labels", &OverlayChoice::links}, OverlayName{"joint-labels", &OverlayChoice::joints},
-    OverlayName{"axis-labels", &OverlayChoice::axes}, OverlayName{"scale", &OverlayChoice::scaleBar}};
+    OverlayName{"axis-labels", &OverlayChoice::axes}, OverlayName{"scale", &OverlayChoice::scaleBar},
+    OverlayName{"forces", &OverlayChoice::forces}};
 
 template <class Value, std::size_t Count>
 std::optional<Value> named(const std::array<std::pair<std::string_view, Value>, Count>& values,

@@ -17,6 +17,7 @@ struct MarkChoice {
   bool axes = false;
   bool instantAxes = false;  ///< of every link against the watcher, and of meshing wheels against each other
   bool velocities = false;   ///< arrows at pitch points and middles of wheels
+  bool forces = false;       ///< tooth forces and bearing reactions under the loads (stage_forces.h)
   friend bool operator==(const MarkChoice&, const MarkChoice&) = default;
 };
 

@@ -82,6 +82,11 @@ std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3
   return boundsOf(apart).box.min().z();
 }
 
+std::vector<ForceArrow> seenForces(const Stage& stage, const StageView& view, const SeenPoses& seen) {
+  if (!view.marks.forces || !view.forces) return {};
+  return forceArrows(stage, *view.forces, seen.poses, seen.ground);
+}
+
 std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const SeenPoses& seen,
                                 const std::optional<CutPlane>& cut) {
   const std::vector<double> angles = inputAngles(stage, view);
@@ -89,6 +94,8 @@ std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const
   const Rgb ink = motionInk(view.look);
   const Moment moment{seen.poses, angles, seen.ground, watcher, view.look.letters, ink, cut};
   std::vector<MarkLine> lines = stageLines(stage, view.marks, moment);
+  if (const auto arrows = seenForces(stage, view, seen); !arrows.empty())
+    addForceLines(*view.forces, arrows, view.look, lines);
   for (const ShownTrace& trace : view.traces) {
     if (trace.point.watcher == watcher && !trace.path.points.empty())
       addTrace(lines, stage, trace, seen, ink);

@@ -7,6 +7,7 @@
 
 #include "core/presentation/painting/renderer.h"
 #include "core/presentation/stage/stage.h"
+#include "core/presentation/stage/stage_forces.h"
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/stage/traced_path.h"
 
@@ -40,6 +41,7 @@ struct StageView {
   std::optional<ElementId> ridden;  ///< the link that stands still; none: the ground
   std::set<ElementId> hidden;       ///< links
   std::vector<ShownTrace> traces;
+  StageForces forces;  ///< shown where the marks want them; null: there are none
 };
 
 /// Angles of the inputs at the view's time; empty where the stage does not move.
@@ -67,6 +69,10 @@ struct SeenPoses {
 [[nodiscard]] std::optional<double> floorOf(const Scene& scene, std::span<const Eigen::Vector3d> separations,
                                             double part);
 
+/// The arrows of the view's forces; empty where it shows none.
+[[nodiscard]] std::vector<ForceArrow> seenForces(const Stage& stage, const StageView& view,
+                                                 const SeenPoses& seen);
+
 /// The lines of the view: its marks, and the traces that were drawn from where it is seen. Marks beyond the
 /// cut are left out.
 [[nodiscard]] std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view,
@@ -80,6 +86,8 @@ class SeenStage {
   [[nodiscard]] const Stage& stage() const { return *m_stage; }
   [[nodiscard]] const std::vector<Pose>& poses() const { return m_seen.poses; }
   [[nodiscard]] std::span<const Showing> showing() const { return m_showing; }
+  [[nodiscard]] std::vector<ForceArrow> forceArrows() const { return seenForces(*m_stage, m_view, m_seen); }
+  [[nodiscard]] const StageView& view() const { return m_view; }
   [[nodiscard]] std::optional<CutPlane> cut() const {
     return cutPlane(m_bounds, m_seen.poses, m_view.section);
   }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/presentation/drawing/text_metrics.h"
+#include "core/presentation/train_stage/train_forces.h"
 
 namespace geargraph::inline train_stage {
 namespace {
@@ -93,6 +94,44 @@ void addScaleBar(DisplayList& list, const StagePainter& painter) {
       {ElementId(), MarkRole::label, 0, Text{text, middle, kTextSize, false, ColorRole::secondary}});
 }
 
+Tint tintOf(ForceKind kind) {
+  return kind == ForceKind::tooth ? ColorRole::ink : ColorRole::accent;
+}
+
+/// A box in the arrow's colour beside each of the greatest forces.
+void addForceLabels(DisplayList& list, StagePainter& painter, const LabelGround& ground) {
+  const StageView& view = painter.seen().view();
+  const std::vector<ForceArrow> arrows = painter.seen().forceArrows();
+  if (arrows.empty()) return;
+  const auto put = [&](const ElementId& element, MarkRole role, auto what) {
+    list.marks.push_back({element, role, 0, std::move(what)});
+  };
+  const auto widthOf = [](const std::string& text) { return textWidth(text, kTextSize, false); };
+  for (const ForceLabel& label : placeForceLabels(*view.forces, arrows, {}, ground, widthOf)) {
+    const StageForce& force = (*view.forces)[label.force];
+    const Box box = boxAbout(sheetPoint(label.middle), label.half.x(), label.half.y(), 2);
+    put(force.element, MarkRole::node, Fill{box, ColorRole::sheet});
+    put(force.element, MarkRole::node, Stroke{box, tintOf(force.kind), 1.2, Dash::solid});
+    put(force.element, MarkRole::label,
+        Text{force.text, sheetPoint(label.middle), kTextSize, false, ColorRole::ink});
+  }
+  double line = kFromEdge;
+  const double widest = std::max(widthOf(std::string(forceLegend(ForceKind::tooth))),
+                                 widthOf(std::string(forceLegend(ForceKind::bearing))));
+  for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
+    const std::string text(forceLegend(kind));
+    const double width = widthOf(text);
+    put({}, MarkRole::line,
+        Fill{boxAbout({kFromEdge + (widest + 44) / 2, line}, (widest + 52) / 2, 10, 0), ColorRole::sheet});
+    put({}, MarkRole::line,
+        Stroke{Polyline{{{kFromEdge + 4, line}, {kFromEdge + 30, line}}, false}, tintOf(kind), 2.8,
+               Dash::solid});
+    put({}, MarkRole::label,
+        Text{text, {kFromEdge + 40 + width / 2, line}, kTextSize, false, ColorRole::ink});
+    line += 20;
+  }
+}
+
 }  // namespace
 
 StageLabels::StageLabels(const OverlayChoice& choice) : m_choice(choice) {
@@ -104,12 +143,14 @@ StageLabels::StageLabels(const OverlayChoice& choice) : m_choice(choice) {
 DisplayList StageLabels::over(StagePainter& painter) {
   const Stage& stage = painter.seen().stage();
   const SeenMap seen = painter.seenForLabels();
-  const std::vector<LabelPlate> places = m_places.find(painter.labelGround(seen));
+  const LabelGround ground = painter.labelGround(seen);
+  const std::vector<LabelPlate> places = m_places.find(ground);
   DisplayList list;
   for (const LabelPlate& place : places) {
     if (place.hasLine()) addLine(list, stage, place);
   }
   for (const LabelPlate& place : places) addLabel(list, stage, place);
+  if (m_choice.forces) addForceLabels(list, painter, ground);
   if (m_choice.scaleBar) addScaleBar(list, painter);
   return list;
 }

@@ -12,7 +12,8 @@ struct OverlayChoice {
   bool joints = false;
   bool axes = false;
   bool scaleBar = false;
-  [[nodiscard]] bool any() const { return links || joints || axes || scaleBar; }
+  bool forces = false;  ///< labels and legend of the forces that the view shows
+  [[nodiscard]] bool any() const { return links || joints || axes || scaleBar || forces; }
 };
 
 /// The labels and the scale bar of the 3D view as a drawing, one picture of a film after the other: a link's

@@ -1,0 +1,145 @@
+#include "core/presentation/stage/stage_forces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace geargraph::inline stage {
+namespace {
+
+constexpr double kLongest = 0.34;  // of the scene's radius
+constexpr double kLeast = 1e-3;    // of the greatest force
+constexpr float kWidth = 2.8F;
+constexpr float kCasing = 5.6F;
+
+bool isDark(const Look& look) {
+  return look.letters.red > 0.5F;
+}
+
+/// Shaft and head of an arrow, in one colour.
+void addArrow(const ForceArrow& arrow, const Rgb& colour, float width, std::vector<MarkLine>& lines) {
+  const Eigen::Vector3d along = arrow.to - arrow.from;
+  const Eigen::Vector3d side = along.normalized().unitOrthogonal() * 0.1 * along.norm();
+  const Eigen::Vector3d other = along.normalized().cross(side);
+  lines.push_back({{arrow.from, arrow.to}, colour, width, false});
+  for (const Eigen::Vector3d& wing : {side, other})
+    lines.push_back(
+        {{arrow.to - 0.24 * along + wing, arrow.to, arrow.to - 0.24 * along - wing}, colour, width, false});
+}
+
+struct Box {
+  Eigen::Vector2d middle;
+  Eigen::Vector2d half;
+  [[nodiscard]] bool meets(const Box& other) const {
+    const Eigen::Vector2d apart = (middle - other.middle).cwiseAbs();
+    return apart.x() < half.x() + other.half.x() && apart.y() < half.y() + other.half.y();
+  }
+  /// Does the segment cross it?
+  [[nodiscard]] bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+    double low = 0;
+    double high = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double way = to[axis] - from[axis];
+      const double a = middle[axis] - half[axis] - from[axis];
+      const double b = middle[axis] + half[axis] - from[axis];
+      if (std::abs(way) < 1e-9) {
+        if (a > 0 || b < 0) return false;
+        continue;
+      }
+      low = std::max(low, std::min(a / way, b / way));
+      high = std::min(high, std::max(a / way, b / way));
+    }
+    return low <= high;
+  }
+};
+
+}  // namespace
+
+std::vector<ForceArrow> forceArrows(const Stage& stage, std::span<const StageForce> forces,
+                                    std::span<const Pose> poses, const Pose& ground) {
+  double greatest = 0;
+  for (const StageForce& each : forces) greatest = std::max(greatest, each.force.norm());
+  std::vector<ForceArrow> arrows;
+  if (!(greatest > 0) || stage.scene.instances.empty()) return arrows;
+  std::map<ElementId, std::size_t> instances;  // the first of each link
+  for (std::size_t i = 0; i < stage.scene.instances.size(); ++i)
+    instances.try_emplace(stage.scene.instances[i].element, i);
+  const double scale = kLongest * boundsOf(stage.scene).radius() / greatest;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const StageForce& each = forces[i];
+    if (each.force.norm() < kLeast * greatest) continue;
+    Pose moved = ground;
+    if (const auto at = each.link ? instances.find(*each.link) : instances.end(); at != instances.end())
+      moved = poses[at->second] * stage.scene.instances[at->second].pose.inverse();
+    const Eigen::Vector3d from = moved * each.point;
+    arrows.push_back({i, from, from + scale * (moved.linear() * each.force)});
+  }
+  return arrows;
+}
+
+Rgb forceColour(ForceKind kind, const Look& look) {
+  if (kind == ForceKind::tooth) return look.letters;
+  return Rgb::fromHex(isDark(look) ? 0x6C9BFF : 0x2A68E4);
+}
+
+std::string_view forceLegend(ForceKind kind) {
+  return kind == ForceKind::tooth ? "tooth forces on the heads of meshes"
+                                  : "bearing reactions on the heads of joints";
+}
+
+void addForceLines(std::span<const StageForce> forces, std::span<const ForceArrow> arrows, const Look& look,
+                   std::vector<MarkLine>& lines) {
+  const Rgb casing = Rgb::fromHex(isDark(look) ? 0x1E2227 : 0xFFFFFF);
+  for (const ForceArrow& arrow : arrows) {
+    addArrow(arrow, casing, kCasing, lines);
+    addArrow(arrow, forceColour(forces[arrow.force].kind, look), kWidth, lines);
+  }
+}
+
+std::vector<ForceLabel> placeForceLabels(std::span<const StageForce> forces,
+                                         std::span<const ForceArrow> arrows, const std::set<ElementId>& lit,
+                                         const LabelGround& ground,
+                                         const std::function<double(const std::string&)>& widthOf) {
+  std::vector<std::size_t> order(arrows.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto isLit = [&](std::size_t at) { return lit.contains(forces[arrows[at].force].element); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (isLit(a) != isLit(b)) return isLit(a);
+    return forces[arrows[a].force].force.norm() > forces[arrows[b].force].force.norm() * (1 + 1e-9);
+  });
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> seen;
+  for (const ForceArrow& arrow : arrows)
+    seen.emplace_back(ground.project(arrow.from), ground.project(arrow.to));
+  const Eigen::Vector2d corner(ground.viewport.width / ground.pixelRatio,
+                               ground.viewport.height / ground.pixelRatio);
+  std::vector<ForceLabel> labels;
+  std::vector<Box> taken;
+  for (const std::size_t at : order) {
+    if (labels.size() >= kMostForceLabels && !isLit(at)) break;
+    const Eigen::Vector2d half(widthOf(forces[arrows[at].force].text) / 2 + 6, 9);
+    const auto& [from, tip] = seen[at];
+    const Eigen::Vector2d way = (tip - from).norm() > 1 ? (tip - from).normalized() : Eigen::Vector2d(0, -1);
+    for (const double turn : {0.0, 0.7, -0.7, 1.4, -1.4, 2.1, -2.1}) {
+      const Eigen::Vector2d out(way.x() * std::cos(turn) - way.y() * std::sin(turn),
+                                way.x() * std::sin(turn) + way.y() * std::cos(turn));
+      const double reach = half.x() * std::abs(out.x()) + half.y() * std::abs(out.y()) + 7;
+      const Box box{tip + reach * out, half};
+      const Eigen::Vector2d low = box.middle - half;
+      const Eigen::Vector2d high = box.middle + half;
+      if (low.minCoeff() < 2 || (corner - high).minCoeff() < 2) continue;
+      const bool isFree =
+          std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) &&
+          std::none_of(seen.begin(), seen.end(),
+                       [&](const auto& line) { return box.meets(line.first, line.second); });
+      if (!isFree) continue;
+      taken.push_back(box);
+      labels.push_back({arrows[at].force, box.middle, half, tip});
+      break;
+    }
+  }
+  return labels;
+}
+
+}  // namespace geargraph::inline stage

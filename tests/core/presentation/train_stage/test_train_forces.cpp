@@ -1,0 +1,141 @@
+#include <QTest>
+
+#include "core/presentation/stage/stage_view.h"
+#include "core/presentation/train_stage/train_forces.h"
+#include "core/presentation/train_stage/train_stage.h"
+#include "tests/core/support/statics_case.h"
+#include "tests/core/support/train_sketch.h"
+
+namespace geargraph {
+namespace {
+
+/// Sun driven with 10 N m, ring held, carrier out.
+struct LoadedSet {
+  Mechanism mechanism = test::planetary(24, 18);
+  std::optional<test::StaticsCase> train;
+  std::optional<StaticsReport> report;
+  std::vector<StageForce> forces;
+  GearCache cache;
+  StagePtr stage;
+
+  explicit LoadedSet(const Number& torque = Number(10)) {
+    const auto& joints = mechanism.turningJoints;
+    mechanism.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
+    train.emplace(mechanism);
+    StaticsOptions options;
+    options.loads = {{{}, JointTorque{joints[0].id, torque}}};
+    options.balances = {{joints[1].id}, {joints[2].id}};
+    report =
+        analyzeStatics(train->mechanism, train->model, train->placement, train->tt, train->analysis, options);
+    forces = stageForces(mechanism, train->placement, *report);
+    stage = trainStage(*analyzeLive(std::make_shared<const Mechanism>(mechanism)), cache);
+  }
+  [[nodiscard]] std::vector<Pose> poses() const {
+    std::vector<Pose> all;
+    for (const Instance& instance : stage->scene.instances) all.push_back(instance.pose);
+    return all;
+  }
+};
+
+}  // namespace
+
+class TrainForcesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void forcesOfMeshesAndJoints() {
+    const LoadedSet set;
+    QCOMPARE(set.forces.size(), std::size_t{2 + 4});
+    for (std::size_t mesh = 0; mesh < 2; ++mesh) {
+      const StageForce& force = set.forces[mesh];
+      QVERIFY(force.kind == ForceKind::tooth);
+      QVERIFY(force.link == ElementId(set.mechanism.links[3].id));  // both mesh on the carrier
+      const Vector3& tooth = set.report->forces.meshes[mesh].force;
+      QVERIFY((force.force - Eigen::Vector3d(tooth[0], tooth[1], tooth[2])).norm() < 1e-9);
+    }
+    QVERIFY(set.forces[0].text.starts_with("mesh 9: ") && set.forces[0].text.ends_with(" N"));
+    QVERIFY(set.forces[2].text.starts_with("joint 5: "));
+    QVERIFY(!set.forces[2].link);  // it turns on the ground
+    // At the joint of the planet the pin carries both meshes.
+    const Eigen::Vector3d pin = set.forces[5].force;
+    QVERIFY(pin.norm() > set.forces[0].force.norm());
+  }
+
+  void arrowsAreAsLongAsTheirForces() {
+    const LoadedSet set;
+    const auto arrows = forceArrows(*set.stage, set.forces, set.poses(), Pose::Identity());
+    QVERIFY(arrows.size() >= 3);
+    const double radius = boundsOf(set.stage->scene).radius();
+    double longest = 0;
+    for (const ForceArrow& arrow : arrows) {
+      const double length = (arrow.to - arrow.from).norm();
+      longest = std::max(longest, length);
+      const Eigen::Vector3d& force = set.forces[arrow.force].force;
+      QVERIFY(((arrow.to - arrow.from).normalized() - force.normalized()).norm() < 1e-9);
+      QVERIFY((arrow.from - set.forces[arrow.force].point).norm() < 1e-9);
+    }
+    QVERIFY(std::abs(longest - 0.34 * radius) < 1e-9 * radius);
+    const LoadedSet twice(Number(20));
+    const auto same = forceArrows(*twice.stage, twice.forces, twice.poses(), Pose::Identity());
+    for (std::size_t i = 0; i < arrows.size(); ++i) QVERIFY((same[i].to - arrows[i].to).norm() < 1e-9);
+  }
+
+  /// A force of a mesh goes round with the carrier.
+  void forcesMoveWithTheirLinks() {
+    const LoadedSet set;
+    std::vector<Pose> poses = set.poses();
+    const std::vector<double> angles{1.0, 0.0};
+    set.stage->place(angles, poses);
+    const auto still = forceArrows(*set.stage, set.forces, set.poses(), Pose::Identity());
+    const auto turned = forceArrows(*set.stage, set.forces, poses, Pose::Identity());
+    QCOMPARE(still.size(), turned.size());
+    QVERIFY((still[0].from - turned[0].from).norm() > 1);
+    QVERIFY(std::abs((still[0].to - still[0].from).norm() - (turned[0].to - turned[0].from).norm()) < 1e-9);
+  }
+
+  void theViewShowsThemWhereItsMarksWantThem() {
+    const LoadedSet set;
+    StageView view;
+    view.forces = std::make_shared<const std::vector<StageForce>>(set.forces);
+    SeenStage seen(set.stage);
+    seen.show(view);
+    QVERIFY(seen.forceArrows().empty() && seen.frame({400, 300}, 1).marks.empty());
+    view.marks.forces = true;
+    seen.show(view);
+    QVERIFY(!seen.forceArrows().empty());
+    QCOMPARE(seen.frame({400, 300}, 1).marks.size(), 6 * seen.forceArrows().size());  // cased, with two wings
+  }
+
+  void labelsOfTheGreatestForcesTouchNothing() {
+    const LoadedSet set;
+    const auto poses = set.poses();
+    const auto arrows = forceArrows(*set.stage, set.forces, poses, Pose::Identity());
+    const Viewport viewport{900, 600};
+    const Bounds bounds = boundsOf(set.stage->scene);
+    const std::vector<Eigen::Vector3d> corners{bounds.box.min(), bounds.box.max()};
+    const Camera camera = Camera::home().fitted(corners, viewport, 0.2);
+    const LabelGround ground{*set.stage, poses, {}, camera, viewport, 1, nullptr};
+    const auto widthOf = [](const std::string& text) { return 7.0 * static_cast<double>(text.size()); };
+    const auto labels = placeForceLabels(set.forces, arrows, {}, ground, widthOf);
+    QVERIFY(labels.size() >= 2 && labels.size() <= kMostForceLabels);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Eigen::Vector2d apart = (labels[i].middle - labels[j].middle).cwiseAbs();
+        const Eigen::Vector2d room = labels[i].half + labels[j].half;
+        QVERIFY(apart.x() >= room.x() || apart.y() >= room.y());
+      }
+      if (i > 0)
+        QVERIFY(set.forces[labels[i].force].force.norm() <=
+                set.forces[labels[i - 1].force].force.norm() * (1 + 1e-6));
+    }
+    // What is pointed at comes first.
+    const auto& last = set.forces[arrows.back().force];
+    const auto lit = placeForceLabels(set.forces, arrows, {last.element}, ground, widthOf);
+    QVERIFY(!lit.empty() && set.forces[lit.front().force].element == last.element);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::TrainForcesTest)
+#include "test_train_forces.moc"
