@@ -3,7 +3,7 @@
 #include <QAbstractTableModel>
 #include <set>
 
-#include "ui/forces/forces_service.h"
+#include "ui/statics/forces_service.h"
 
 namespace geargraph::inline forces {
 

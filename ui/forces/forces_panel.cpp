@@ -63,11 +63,11 @@ QString numberText(const Real& value) {
 
 }  // namespace
 
-ForcesPanel::ForcesPanel(Document* document, Selection* selection, QWidget* parent)
+ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_selection(selection),
-      m_service(new ForcesService(this)),
+      m_service(service),
       m_model(new ForceTableModel(this)),
       m_loads(new LoadsList(document, selection, this)),
       m_table(new QTableView(this)),
@@ -123,7 +123,7 @@ QWidget* ForcesPanel::makeBar() {
   m_states = new QComboBox(bar);
   m_states->setObjectName(QStringLiteral("forcesState"));
   m_states->setToolTip(tr("The state whose brakes and clutches are engaged"));
-  connect(m_states, &QComboBox::activated, this, [this] { request(); });
+  connect(m_states, &QComboBox::activated, this, [this] { ask(); });
   layout->addWidget(m_states);
   m_copy =
       controlButton(QStringLiteral("copyForces"), tr("Copy"), tr("Copy the table for a spreadsheet"), bar);
@@ -186,7 +186,7 @@ QWidget* ForcesPanel::makeTotals() {
       return m_efficiency->reject(tr("An efficiency is above 0 and at most 1."));
     m_efficiency->setNumber(eta);
     m_eta = eta ? std::optional(eta->exact()) : std::nullopt;
-    request();
+    ask();
   });
   addColumn(layout, tr("η of a mesh"),
             tr("The efficiency of meshes that state none: the power that a mesh delivers over what it takes, "
@@ -208,7 +208,7 @@ QWidget* ForcesPanel::makeTotals() {
                              "stiff, without clearance, on rigid bodies"),
                           strip);
   m_share->setCheckable(true);
-  connect(m_share, &QToolButton::toggled, this, [this] { request(); });
+  connect(m_share, &QToolButton::toggled, this, [this] { ask(); });
   m_verdict = new QLabel(strip);
   m_verdict->setWordWrap(true);
   m_verdict->setProperty("look", "hint");
@@ -240,22 +240,19 @@ void ForcesPanel::addTotal(QHBoxLayout* layout, const char* name, const QString&
 }
 
 void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
-  m_snapshot = snapshot;
-  renewStates();
-  request();
+  renewStates(*snapshot->mechanism);
+  ask();
 }
 
 void ForcesPanel::setAwake(bool awake) {
-  m_isAwake = awake;
-  request();
+  m_service->setWatched(this, awake);
 }
 
 /// "As engaged", then those of the document; the one that was chosen stays by its name.
-void ForcesPanel::renewStates() {
+void ForcesPanel::renewStates(const Mechanism& mechanism) {
   QStringList names{tr("as engaged")};
-  for (const ShiftState& state : m_snapshot->mechanism->states)
-    names += tr("state %1").arg(shownText(state.name));
-  const bool hasCouplings = !m_snapshot->mechanism->couplings.empty();
+  for (const ShiftState& state : mechanism.states) names += tr("state %1").arg(shownText(state.name));
+  const bool hasCouplings = !mechanism.couplings.empty();
   m_chips->button(static_cast<int>(ForceTableKind::couplings))->setVisible(hasCouplings);
   if (!hasCouplings && m_model->kind() == ForceTableKind::couplings) showTable(ForceTableKind::joints);
   QStringList there;
@@ -272,9 +269,9 @@ void ForcesPanel::renewStates() {
   if (!hasStates && m_model->kind() == ForceTableKind::states) showTable(ForceTableKind::joints);
 }
 
-void ForcesPanel::request() {
-  if (!m_isAwake || !m_snapshot) return;
-  m_service->request({m_snapshot, m_states->currentIndex() - 1, m_eta, m_share->isChecked()});
+void ForcesPanel::ask() {
+  const ForcesQuestion question{std::max(m_states->currentIndex(), 0) - 1, m_eta, m_share->isChecked()};
+  if (question != m_service->question()) m_service->ask(question);
 }
 
 void ForcesPanel::showTable(ForceTableKind kind) {
@@ -286,7 +283,7 @@ void ForcesPanel::showTable(ForceTableKind kind) {
 void ForcesPanel::showState(int state) {
   if (state + 1 >= m_states->count()) return;
   m_states->setCurrentIndex(state + 1);
-  request();
+  ask();
 }
 
 void ForcesPanel::showForces() {
@@ -300,7 +297,6 @@ void ForcesPanel::showForces() {
   showTotals();
   showRemark();
   selectRow();
-  emit tablesShown();
 }
 
 QString ForcesPanel::whyEmpty() const {
@@ -314,7 +310,7 @@ QString ForcesPanel::whyEmpty() const {
   }
   const StaticsReport& report = *shown->report;
   if (!report.isSolved || !report.lossless.isBalanced())
-    return tr("There is no equilibrium: what is wrong is said below.");
+    return tr("There is no equilibrium: the reason is below.");
   switch (m_model->kind()) {
     case ForceTableKind::couplings:
       return tr("No brake or clutch is engaged: engage one in Gearbox, or choose a state.");

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "ui/document/document.h"
-#include "ui/forces/forces_service.h"
 #include "ui/selection/selection.h"
+#include "ui/statics/forces_service.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -26,13 +26,16 @@ class ForceTableModel;
 class LoadsList;
 
 /// Torques, forces and powers of the newest snapshot: the loads, a table of what holds them, and what becomes
-/// of the power. A row is linked with the selection both ways. It is worked out only while it is in sight.
+/// of the power. A row is linked with the selection both ways. Documents without loads are solved only while
+/// it is in sight.
 class ForcesPanel : public QWidget {
   Q_OBJECT
 
  public:
-  ForcesPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
+  /// `service`: the window's, which follows the document
+  ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent = nullptr);
 
+  /// The states that can be chosen.
   void setSnapshot(const SnapshotPtr& snapshot);
   /// Is it in sight?
   void setAwake(bool awake);
@@ -54,7 +57,6 @@ class ForcesPanel : public QWidget {
  signals:
   /// The table that is shown, as CSV, under a name for its file.
   void exportWanted(const QString& name, const QString& csv);
-  void tablesShown();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,8 +67,8 @@ class ForcesPanel : public QWidget {
   QWidget* makeTotals();
   void addColumn(QHBoxLayout* layout, const QString& text, const QString& meaning, QWidget* value);
   void addTotal(QHBoxLayout* layout, const char* name, const QString& text, const QString& meaning);
-  void request();
-  void renewStates();
+  void ask();
+  void renewStates(const Mechanism& mechanism);
   void showForces();
   void showTotals();
   void showRemark();
@@ -95,9 +97,7 @@ class ForcesPanel : public QWidget {
   QToolButton* m_copy = nullptr;
   QToolButton* m_export = nullptr;
   QLabel* m_verdict = nullptr;
-  SnapshotPtr m_snapshot;
   std::optional<Rational> m_eta;
-  bool m_isAwake = false;
 };
 
 }  // namespace geargraph::inline forces

@@ -202,6 +202,7 @@ void MainWindow::wireViews() {
                                   shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
     tellWhenSettled();
   });
+  m_workbench->forces().onAnswer(this, [this](const ForcesPtr& forces) { onForces(forces); });
   connect(m_problems, &ProblemsPanel::momentWanted, this, [this](double time) {
     m_view3d->showMoment(time);
     auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.view3d"));
@@ -217,7 +218,7 @@ void MainWindow::wireViews() {
   for (GraphView* graph : std::initializer_list<GraphView*>{m_digraph, m_ttGraph}) {
     connect(&m_matrices->view(), &MatrixView::cycleHovered, graph, &GraphView::showCycle);
   }
-  connect(m_forces, &ForcesPanel::tablesShown, this, &MainWindow::tellWhenSettled);
+  connect(m_gearbox, &GearboxPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
   connect(m_forces, &ForcesPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
   connect(m_matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
@@ -286,7 +287,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 
 bool MainWindow::isSettled() const {
   return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate() && m_forces->isUpToDate();
+         m_ttGraph->isUpToDate();
 }
 
 void MainWindow::tellWhenSettled() {
@@ -315,6 +316,17 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_view3d->setEmptyText(whyNoGears(*snapshot));
   renewExport();
   raiseProblems(*snapshot);
+  tellWhenSettled();
+}
+
+/// Null: the document has no loads, and no view shows torques.
+void MainWindow::onForces(const ForcesPtr& forces) {
+  m_problems->setLoadFindings(forces ? forces->findings : Diagnostics());
+  const ForceTable* const torques = forces ? forces->table(ForceTableKind::states) : nullptr;
+  // A first part comes without: the torques before it stay, else they would blink.
+  if (torques != nullptr || m_workbench->forces().isComplete())
+    m_gearbox->setTorques(std::shared_ptr<const ForceTable>(forces, torques),
+                          forces ? forces->snapshot->mechanism : nullptr);
   tellWhenSettled();
 }
 

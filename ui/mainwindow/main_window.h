@@ -143,6 +143,7 @@ class MainWindow : public QMainWindow {
 
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
+  void onForces(const ForcesPtr& forces);
   void tellWhenSettled();
   void renewActions();
   void renewExport();

@@ -86,14 +86,17 @@ void MainWindow::makeDocks() {
   QDockWidget* results = addDock("dock.inputs", tr("Inputs and results"), makeInputsAndResults());
   connect(results, &QDockWidget::visibilityChanged, m_results, &ResultsPanel::setAwake);
   m_gearbox = new GearboxPanel(m_document, m_selection, this);
-  addDock("dock.gearbox", tr("Gearbox"), m_gearbox);
+  QDockWidget* gearbox = addDock("dock.gearbox", tr("Gearbox"), m_gearbox);
+  connect(m_gearbox, &GearboxPanel::torquesWanted, &m_workbench->forces(),
+          [this](bool wanted) { m_workbench->forces().setWatched(m_gearbox, wanted); });
+  connect(gearbox, &QDockWidget::visibilityChanged, m_gearbox, &GearboxPanel::setAwake);
   addDock("dock.properties", tr("Properties"), m_properties);
   m_motion = new MotionPanel(m_selection, m_view3d, this);
   addDock("dock.speeds", tr("Speeds"), m_motion);
   m_derivation = new DerivationPanel(m_selection, this);
   QDockWidget* derivation = addDock("dock.derivation", tr("Derivation"), m_derivation);
   connect(derivation, &QDockWidget::visibilityChanged, m_derivation, &DerivationPanel::setAwake);
-  m_forces = new ForcesPanel(m_document, m_selection, this);
+  m_forces = new ForcesPanel(m_document, m_selection, &m_workbench->forces(), this);
   QDockWidget* forces = addDock("dock.forces", tr("Forces"), m_forces);
   connect(forces, &QDockWidget::visibilityChanged, m_forces, &ForcesPanel::setAwake);
   connect(m_problems, &ProblemsPanel::countChanged, problems,

@@ -13,8 +13,18 @@ QString shown(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+QString decimalText(double value, int digits) {
+  return QString::number(value, 'f', digits).replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
 QString decimalText(const Rational& value, int digits) {
-  return QString::number(value.toDouble(), 'f', digits).replace(QLatin1Char('-'), QStringLiteral("−"));
+  return decimalText(value.toDouble(), digits);
+}
+
+/// What the window calls a number of the shift table: "0.9688", "locks", or nothing.
+QString efficiencyText(const ForceCell* cell) {
+  if (cell == nullptr) return {};
+  return cell->number ? decimalText(*cell->number, 4) : shown(cell->text);
 }
 
 }  // namespace
@@ -42,6 +52,13 @@ void StatesModel::setSnapshot(const SnapshotPtr& snapshot) {
   renewRows();
 }
 
+void StatesModel::setTorques(const std::shared_ptr<const ForceTable>& torques,
+                             const MechanismPtr& mechanism) {
+  m_torques = torques;
+  m_torquesOf = mechanism;
+  renewRows();
+}
+
 void StatesModel::renewRows() {
   const std::vector<Row> before = std::exchange(m_rows, rowsNow());
   if (m_rows == before) return;
@@ -52,7 +69,7 @@ void StatesModel::renewRows() {
 // Cell by cell: a drag changes some ratios, and of the table only these are painted again.
 void StatesModel::tellChange(int row, const Row& before) {
   const Row& now = m_rows[static_cast<std::size_t>(row)];
-  if (now.isRunning != before.isRunning) {
+  if (now.isRunning != before.isRunning || now.torques != before.torques) {
     emit dataChanged(index(row, 0), index(row, columnCount() - 1));
     return;
   }
@@ -71,6 +88,12 @@ std::vector<StatesModel::Row> StatesModel::rowsNow() const {
     Row& shown = rows[static_cast<std::size_t>(row)];
     for (std::size_t tail = 0; tail < shown.tails.size(); ++tail)
       shown.tails[tail] = tailText(row, static_cast<Tail>(tail));
+    for (int coupling = 0; coupling < couplingCount(); ++coupling) {
+      const ForceCell* cell = torqueCell(row, coupling);
+      shown.torques.push_back(cell == nullptr ? QString()
+                              : cell->number  ? decimalText(*cell->number, 3)
+                                              : QString::fromStdString(cell->text));
+    }
     shown.isRunning = row == running;
     const StateSolution* solution = solutionAt(row);
     shown.isRemark = solution == nullptr || !solution->ratio;
@@ -95,6 +118,37 @@ const StateSolution* StatesModel::solutionAt(int row) const {
   const Mechanism& solved = *m_snapshot->mechanism;
   if (solved.states != m_mechanism->states || solved.couplings != m_mechanism->couplings) return nullptr;
   return &(*m_snapshot->states)[static_cast<std::size_t>(row)];
+}
+
+const ForceTable* StatesModel::torques() const {
+  if (!m_torques || !m_torquesOf || !m_mechanism) return nullptr;
+  const bool isOfThese = m_torquesOf->states == m_mechanism->states &&
+                         m_torquesOf->couplings == m_mechanism->couplings &&
+                         m_torques->rows.size() == m_mechanism->states.size();
+  return isOfThese ? m_torques.get() : nullptr;
+}
+
+const ForceCell* StatesModel::torqueCell(int row, int coupling) const {
+  const ForceTable* const table = torques();
+  if (table == nullptr) return nullptr;
+  return &table->rows[static_cast<std::size_t>(row)].cells[1 + static_cast<std::size_t>(coupling)];
+}
+
+const ForceCell* StatesModel::shiftCell(int row, ShiftColumn column) const {
+  return torqueCell(row, couplingCount() + static_cast<int>(column));
+}
+
+bool StatesModel::isBlank(int column) const {
+  const int tail = column - couplingCount() - 1;
+  if (tail < static_cast<int>(Tail::efficiency)) return false;
+  return std::all_of(m_rows.begin(), m_rows.end(),
+                     [&](const Row& row) { return row.tails[static_cast<std::size_t>(tail)].isEmpty(); });
+}
+
+int StatesModel::lastColumn() const {
+  int column = columnCount() - 1;
+  while (isBlank(column)) --column;
+  return column;
 }
 
 bool StatesModel::isEngagedNow(int coupling) const {
@@ -139,6 +193,15 @@ QString StatesModel::tailText(int row, Tail tail) const {
       return ratioText(row);
     case Tail::decimal:
       return solution != nullptr && solution->ratio ? decimalText(*solution->ratio, 4) : QString();
+    case Tail::efficiency:
+      return efficiencyText(shiftCell(row, ShiftColumn::efficiency));
+    case Tail::backward:
+      return efficiencyText(shiftCell(row, ShiftColumn::backward));
+    case Tail::circulating: {
+      const ForceCell* cell = shiftCell(row, ShiftColumn::circulating);
+      if (cell == nullptr || !cell->number) return {};
+      return *cell->number > 0 ? decimalText(*cell->number, 3) : QStringLiteral("·");
+    }
     default: {
       const auto step =
           row > 0 && solution != nullptr ? stepBetween(*solutionAt(row - 1), *solution) : std::nullopt;
@@ -149,7 +212,8 @@ QString StatesModel::tailText(int row, Tail tail) const {
 
 QString StatesModel::textOf(int row, int column) const {
   if (column == 0) return shown(m_mechanism->states[static_cast<std::size_t>(row)].name);
-  if (couplingAt(column) >= 0) return {};
+  if (const int coupling = couplingAt(column); coupling >= 0)
+    return m_rows[static_cast<std::size_t>(row)].torques[static_cast<std::size_t>(coupling)];
   return m_rows[static_cast<std::size_t>(row)].tails[static_cast<std::size_t>(column - couplingCount() - 1)];
 }
 
@@ -176,13 +240,39 @@ QVariant StatesModel::data(const QModelIndex& index, int role) const {
       const StateSolution* solution = solutionAt(row);
       if (solution != nullptr && !solution->diagnostics.empty())
         return shown(solution->diagnostics.front().message);
-      if (isTail(index.column(), Tail::ratio) && solution != nullptr && solution->symbolicRatio)
-        return tr("In the gear ratios: %1").arg(shown(solution->symbolicRatio->toText()));
-      return {};
+      const int coupling = couplingAt(index.column());
+      return coupling >= 0 ? torqueTip(row, coupling) : tailTip(row, index.column());
     }
     default:
       return {};
   }
+}
+
+/// What bears how much, as a fraction where there is one.
+QString StatesModel::torqueTip(int row, int position) const {
+  const ForceCell* cell = torqueCell(row, position);
+  if (cell == nullptr || cell->text.empty()) return {};
+  const Coupling& coupling = m_mechanism->couplings[static_cast<std::size_t>(position)];
+  const QString id = shown(coupling.id.text());
+  const QString on = linkText(coupling.links.front());
+  if (!cell->number)
+    return tr("Several couplings share the load in proportions that stiffness and clearance decide.");
+  const QString torque = shown(cell->exact.empty() ? cell->text : cell->exact);
+  return coupling.kind == CouplingKind::brake
+             ? tr("Brake %1 bears %2 N m, its torque on link %3").arg(id, torque, on)
+             : tr("Clutch %1 bears %2 N m, its torque on link %3 from link %4")
+                   .arg(id, torque, on, linkText(coupling.links.back()));
+}
+
+QString StatesModel::tailTip(int row, int column) const {
+  const StateSolution* solution = solutionAt(row);
+  if (isTail(column, Tail::ratio) && solution != nullptr && solution->symbolicRatio)
+    return tr("In the gear ratios: %1").arg(shown(solution->symbolicRatio->toText()));
+  for (const auto& [tail, cell] : {std::pair(Tail::efficiency, shiftCell(row, ShiftColumn::efficiency)),
+                                   std::pair(Tail::backward, shiftCell(row, ShiftColumn::backward)),
+                                   std::pair(Tail::circulating, shiftCell(row, ShiftColumn::circulating))})
+    if (isTail(column, tail) && cell != nullptr) return shown(cell->exact.empty() ? cell->text : cell->exact);
+  return {};
 }
 
 Qt::ItemFlags StatesModel::flags(const QModelIndex& index) const {
@@ -221,8 +311,15 @@ QVariant StatesModel::headerData(int section, Qt::Orientation orientation, int r
   if (role == Qt::ToolTipRole && isTail(section, Tail::links))
     return tr("The ratio is the speed of the first link over that of the second. Click to choose them.");
   if (role == Qt::ToolTipRole && isTail(section, Tail::step)) return tr("The ratio before over this one");
+  if (role == Qt::ToolTipRole && isTail(section, Tail::efficiency))
+    return tr("Power taken over power fed, with the drive driving");
+  if (role == Qt::ToolTipRole && isTail(section, Tail::backward))
+    return tr("The efficiency with all known torques reversed: the output drives");
+  if (role == Qt::ToolTipRole && isTail(section, Tail::circulating))
+    return tr("The greatest power that goes round in a loop, for each watt that is fed");
   if (role != Qt::DisplayRole) return {};
-  const QString names[] = {tr("links"), tr("ratio"), tr("decimal"), tr("step")};
+  const QString names[] = {tr("links"), tr("ratio"),  tr("decimal"), tr("step"),
+                           tr("η"),     tr("η back"), tr("circul.")};
   return section == 0 ? tr("state") : names[section - couplingCount() - 1];
 }
 

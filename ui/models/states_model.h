@@ -3,12 +3,14 @@
 #include <QAbstractTableModel>
 #include <array>
 
+#include "core/teaching/force_tables/force_table.h"
 #include "core/theory/analysis/analysis.h"
 
 namespace geargraph::inline models {
 
 /// The shift table: a row a state of the document; its name, a column for each coupling, the links that make
-/// the ratio, the ratio exact and decimal, the step from the state before.
+/// the ratio, the ratio exact and decimal, the step from the state before; efficiency and circulating power
+/// as soon as the torques are solved. A coupling's column then has its torque.
 ///
 /// Names and dots are the document's at once; what is computed follows with the complete snapshot of the same
 /// states. Until then the last ratios of these states stay: they would blink at every step of a drag.
@@ -22,13 +24,15 @@ class StatesModel : public QAbstractTableModel {
     RemarkRole,                  ///< bool: the text says why there is no ratio
     HoldsRole,                   ///< text of a head: what its coupling holds, "2 = 0"
   };
-  /// What stands behind the couplings.
-  enum class Tail { links, ratio, decimal, step, count };
+  /// The columns after those of the couplings.
+  enum class Tail { links, ratio, decimal, step, efficiency, backward, circulating, count };
 
   using QAbstractTableModel::QAbstractTableModel;
 
   void setMechanism(const MechanismPtr& mechanism);
   void setSnapshot(const SnapshotPtr& snapshot);
+  /// The shift table of torques of these states; those of other states are not shown.
+  void setTorques(const std::shared_ptr<const ForceTable>& torques, const MechanismPtr& mechanism);
 
   [[nodiscard]] const MechanismPtr& mechanism() const { return m_mechanism; }
   [[nodiscard]] const SnapshotPtr& snapshot() const { return m_snapshot; }
@@ -37,6 +41,12 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] int couplingAt(int column) const;
   [[nodiscard]] bool isTail(int column, Tail tail) const;
   [[nodiscard]] bool isEngagedNow(int coupling) const;
+  /// The shift table of torques; null until the states of the document are solved.
+  [[nodiscard]] const ForceTable* torques() const;
+  /// Is it a column of torques that no row has anything for?
+  [[nodiscard]] bool isBlank(int column) const;
+  /// The last one that is not blank.
+  [[nodiscard]] int lastColumn() const;
   /// Null until the snapshot of these states is there.
   [[nodiscard]] const StateSolution* solutionAt(int row) const;
   [[nodiscard]] bool isRunning(int row) const { return m_rows[static_cast<std::size_t>(row)].isRunning; }
@@ -59,6 +69,7 @@ class StatesModel : public QAbstractTableModel {
   /// What is shown of a state beside the document's own names and dots.
   struct Row {
     std::array<QString, static_cast<std::size_t>(Tail::count)> tails;
+    std::vector<QString> torques;  ///< by coupling
     bool isRunning = false;
     bool isRemark = false;
     friend bool operator==(const Row&, const Row&) = default;
@@ -69,11 +80,17 @@ class StatesModel : public QAbstractTableModel {
   void renewRows();
   [[nodiscard]] QString textOf(int row, int column) const;
   [[nodiscard]] QString ratioText(int row) const;
+  [[nodiscard]] const ForceCell* torqueCell(int row, int coupling) const;
+  [[nodiscard]] const ForceCell* shiftCell(int row, ShiftColumn column) const;
+  [[nodiscard]] QString torqueTip(int row, int coupling) const;
+  [[nodiscard]] QString tailTip(int row, int column) const;
   [[nodiscard]] QString tailText(int row, Tail tail) const;
   [[nodiscard]] QString linkText(const std::optional<LinkId>& link) const;
 
   MechanismPtr m_mechanism;
   SnapshotPtr m_snapshot;
+  std::shared_ptr<const ForceTable> m_torques;
+  MechanismPtr m_torquesOf;
   std::vector<Row> m_rows;
 };
 

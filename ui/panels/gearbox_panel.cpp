@@ -1,7 +1,9 @@
 #include "ui/panels/gearbox_panel.h"
 
 #include <QBoxLayout>
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
@@ -120,9 +122,30 @@ void GearboxPanel::setSnapshot(const SnapshotPtr& snapshot) {
   paintRemark();
 }
 
+void GearboxPanel::setAwake(bool awake) {
+  m_isAwake = awake;
+  renewWish();
+}
+
+void GearboxPanel::setTorques(const std::shared_ptr<const ForceTable>& torques,
+                              const MechanismPtr& mechanism) {
+  m_model->setTorques(torques, mechanism);
+  paintRemark();
+}
+
+/// Nothing is solved for a document without states, or out of sight.
+void GearboxPanel::renewWish() {
+  const Mechanism& mechanism = *m_document->mechanism();
+  const bool wants = m_isAwake && !mechanism.states.empty() && !mechanism.couplings.empty();
+  if (wants == m_wantsTorques) return;
+  m_wantsTorques = wants;
+  emit torquesWanted(wants);
+}
+
 void GearboxPanel::renew() {
   const MechanismPtr& mechanism = m_document->mechanism();
   m_model->setMechanism(mechanism);
+  renewWish();
   const int states = static_cast<int>(mechanism->states.size());
   if (m_shownState >= states) m_shownState = -1;
   m_pages->setCurrentIndex(mechanism->couplings.empty() && states == 0 ? 1 : 0);
@@ -155,6 +178,11 @@ void GearboxPanel::paintRemark() {
   } else if (m_model->rowCount() > 0) {
     text = tr(
         "Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.");
+    if (m_model->torques() != nullptr) {
+      text += QLatin1Char(' ') + (m_document->mechanism()->loads.empty()
+                                      ? tr("Torques in N m, for 1 N m at the drive.")
+                                      : tr("Torques in N m, under the loads of the document."));
+    }
   } else if (m_model->couplingCount() > 0) {
     text = tr("Click a letter to engage or release; add a state, then click its dots.");
   }
@@ -303,7 +331,32 @@ void GearboxPanel::rowMenu(const QPoint& at) {
   menu.addAction(tr("Delete"), this, [this, row] {
     apply(tr("Delete state"), [row](const Mechanism& before) { return withoutState(before, row); });
   });
+  addTableActions(menu);
   menu.exec(m_table->viewport()->mapToGlobal(at));
+}
+
+void GearboxPanel::addTableActions(QMenu& menu) {
+  menu.addSeparator();
+  menu.addAction(tr("Copy table"), this, &GearboxPanel::copy)->setEnabled(m_model->torques() != nullptr);
+  menu.addAction(tr("Export table as CSV…"), this, &GearboxPanel::wantExport)
+      ->setEnabled(m_model->torques() != nullptr);
+}
+
+void GearboxPanel::copy() {
+  if (m_model->torques() == nullptr) return;
+  TextSink sink;
+  CsvOptions options;
+  options.separator = '\t';
+  writeForceCsv(sink, *m_model->torques(), options);
+  QGuiApplication::clipboard()->setText(QString::fromStdString(sink.text()));
+}
+
+void GearboxPanel::wantExport() {
+  if (m_model->torques() == nullptr) return;
+  TextSink sink;
+  writeForceCsv(sink, *m_model->torques());
+  emit exportWanted(shownText(forceTableCommandName(ForceTableKind::states)) + QStringLiteral(".csv"),
+                    QString::fromStdString(sink.text()));
 }
 
 void GearboxPanel::headMenu(const QPoint& at) {

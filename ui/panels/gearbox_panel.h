@@ -17,7 +17,8 @@ class StatesTable;
 
 /// Brakes, clutches and the shift table. A click on a dot puts a coupling into a state or takes it out; a
 /// click on a state engages it in the document, the letters above engage or release single couplings. All
-/// views are of the train as engaged, and all of it is undone like any edit.
+/// views are of the train as engaged, and all of it is undone like any edit. Each dot has its coupling's
+/// torque, under the loads of the document or 1 N m at the drive.
 class GearboxPanel : public QWidget {
   Q_OBJECT
 
@@ -25,6 +26,10 @@ class GearboxPanel : public QWidget {
   GearboxPanel(Document* document, Selection* selection, QWidget* parent = nullptr);
 
   void setSnapshot(const SnapshotPtr& snapshot);
+  /// Is it in sight?
+  void setAwake(bool awake);
+  /// The shift table of torques of this document; null: there is none.
+  void setTorques(const std::shared_ptr<const ForceTable>& torques, const MechanismPtr& mechanism);
   [[nodiscard]] StatesModel& model() { return *m_model; }
   /// The finding, or the hint, under the table.
   [[nodiscard]] QString remark() const;
@@ -38,6 +43,16 @@ class GearboxPanel : public QWidget {
   void addClutch();
   void addState();
 
+  /// The table as CSV: ratios, torques, efficiencies.
+  void copy();
+  void wantExport();
+
+ signals:
+  /// Torques of all states should be solved now, or no longer.
+  void torquesWanted(bool wanted);
+  /// The table as CSV, under a name for its file.
+  void exportWanted(const QString& name, const QString& csv);
+
  protected:
   void changeEvent(QEvent* event) override;
 
@@ -46,6 +61,8 @@ class GearboxPanel : public QWidget {
   void wireTable();
   void apply(const QString& text, Reduce reduce);
   void renew();
+  void renewWish();
+  void addTableActions(QMenu& menu);
   void paintRemark();
   void toggleDot(int state, int coupling, bool engaged);
   void onClick(const QModelIndex& index);
@@ -68,6 +85,8 @@ class GearboxPanel : public QWidget {
   QStackedWidget* m_pages;
   QLabel* m_empty;
   QLabel* m_remark;
+  bool m_isAwake = false;
+  bool m_wantsTorques = false;
   int m_shownState = -1;  ///< whose finding stands under the table
 };
 

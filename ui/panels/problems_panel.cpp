@@ -153,6 +153,12 @@ void ProblemsPanel::setMotionFindings(const Diagnostics& findings, const QString
   renew();
 }
 
+void ProblemsPanel::setLoadFindings(const Diagnostics& findings) {
+  if (findings == m_loadFindings) return;
+  m_loadFindings = findings;
+  renew();
+}
+
 void ProblemsPanel::offerFixes() {
   for (int row = 0; row < m_model->rowCount(); ++row) m_list->setIndexWidget(m_model->index(row), nullptr);
   const bool mends =
@@ -192,7 +198,10 @@ void ProblemsPanel::clearFileProblems() {
 void ProblemsPanel::renew() {
   const bool ofFile = !m_fileName.isEmpty();
   Diagnostics shown = ofFile ? m_fileProblems : m_snapshot ? m_snapshot->diagnostics : Diagnostics();
-  if (!ofFile && m_snapshot) shown.insert(shown.end(), m_motionFindings.begin(), m_motionFindings.end());
+  if (!ofFile && m_snapshot) {
+    append(shown, m_loadFindings);
+    append(shown, m_motionFindings);
+  }
   m_model->setDiagnostics(std::move(shown));
   m_banner->setVisible(ofFile);
   m_motionNote->setVisible(!ofFile && !m_motionNote->text().isEmpty());

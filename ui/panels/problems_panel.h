@@ -30,6 +30,8 @@ class ProblemsPanel : public QWidget {
   /// What the check of the motion has found, after the other findings, and below them a sentence on what was
   /// not checked (motionNote()), or nothing.
   void setMotionFindings(const Diagnostics& findings, const QString& note);
+  /// What is wrong with the loads of the document, after the findings of the analysis.
+  void setLoadFindings(const Diagnostics& findings);
   /// The findings of a file that was not opened stay on top until it is dismissed or another file opens.
   void setFileProblems(const QString& fileName, const Diagnostics& problems);
   void clearFileProblems();
@@ -61,6 +63,7 @@ class ProblemsPanel : public QWidget {
   QString m_fileName;
   Diagnostics m_fileProblems;
   Diagnostics m_motionFindings;
+  Diagnostics m_loadFindings;
   SnapshotPtr m_snapshot;
 };
 

@@ -2,13 +2,16 @@
 
 #include <QLineEdit>
 #include <QPainter>
+#include <numeric>
+#include <utility>
 
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline panels {
 namespace {
 
-constexpr int kMargin = 16;  // at the left and right edge of the table
+constexpr int kMargin = 16;      // at the left and right edge of the table
+constexpr double kDotRoom = 18;  // left of a torque
 
 void paintDot(QPainter& painter, const QPointF& centre, bool engaged, Theme theme) {
   painter.setRenderHint(QPainter::Antialiasing);
@@ -59,15 +62,25 @@ void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setPen(qColor(running ? ColorRole::accent : ColorRole::ink, theme));
     painter->drawText(cell.adjusted(kMargin + 4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
   } else if (model->couplingAt(index.column()) >= 0) {
-    paintDot(*painter, cell.center(), index.data(StatesModel::EngagedRole).toBool(), theme);
+    const auto* table = qobject_cast<const StatesTable*>(option.widget);
+    const bool showsTorque = !text.isEmpty() && table != nullptr && table->showsTorques();
+    const QPointF centre(!showsTorque ? cell.center().x() : cell.left() + kDotRoom / 2, cell.center().y());
+    paintDot(*painter, centre, index.data(StatesModel::EngagedRole).toBool(), theme);
+    if (showsTorque) {
+      painter->setFont(font);
+      painter->setPen(qColor(ColorRole::ink, theme));
+      painter->drawText(cell.adjusted(kDotRoom, 0, -4, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+    }
   } else {
     const bool remark = index.data(StatesModel::RemarkRole).toBool();
     if (remark) painter->setPen(qColor(text.size() > 1 ? ColorRole::warning : ColorRole::secondary, theme));
+    const bool circulates = model->isTail(index.column(), StatesModel::Tail::circulating) && text.size() > 1;
+    if (circulates) painter->setPen(qColor(ColorRole::warning, theme));
     if (model->isTail(index.column(), StatesModel::Tail::ratio) && !remark) font.setBold(true);
     if (model->isTail(index.column(), StatesModel::Tail::links))
       painter->setPen(qColor(ColorRole::secondary, theme));
     painter->setFont(font);
-    const bool last = index.column() == model->columnCount() - 1;
+    const bool last = index.column() == model->lastColumn();
     painter->drawText(cell.adjusted(0, 0, last ? -kMargin : -6, 0), Qt::AlignRight | Qt::AlignVCenter, text);
   }
   painter->restore();
@@ -121,7 +134,7 @@ void StatesHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
                       states->headerData(section, Qt::Horizontal, StatesModel::HoldsRole).toString());
   } else {
     painter->setPen(qColor(ColorRole::secondary, theme));
-    const bool last = section == states->columnCount() - 1;
+    const bool last = section == states->lastColumn();
     const Qt::Alignment side = section == 0 ? Qt::AlignLeft : Qt::AlignRight;
     painter->drawText(rect.adjusted(section == 0 ? kMargin + 4 : 0, 21, last ? -kMargin : -6, -3),
                       side | Qt::AlignVCenter, text);
@@ -161,11 +174,17 @@ int StatesTable::advance(Face face, const QString& text) const {
   return *m_advances.insert(key, QFontMetrics(own).horizontalAdvance(text));
 }
 
-int StatesTable::widthOf(int column) const {
+int StatesTable::widthOf(int column, bool withTorques) const {
   constexpr int kRowsMeasured = 200;
   const auto head = [&](int role) { return m_model->headerData(column, Qt::Horizontal, role).toString(); };
   if (m_model->couplingAt(column) >= 0) {
-    return std::max({36, 10 + advance(Face::bold, head(Qt::DisplayRole)),
+    int torque = 0;
+    for (int row = 0; withTorques && row < std::min(m_model->rowCount(), kRowsMeasured); ++row) {
+      const QString text = m_model->index(row, column).data().toString();
+      if (!text.isEmpty())
+        torque = std::max(torque, static_cast<int>(kDotRoom) + 8 + advance(Face::plain, text));
+    }
+    return std::max({36, torque, 10 + advance(Face::bold, head(Qt::DisplayRole)),
                      8 + advance(Face::small, head(StatesModel::HoldsRole))});
   }
   const bool isBold = column == 0 || m_model->isTail(column, StatesModel::Tail::ratio);
@@ -174,21 +193,34 @@ int StatesTable::widthOf(int column) const {
     width = std::max(
         width, advance(isBold ? Face::bold : Face::plain, m_model->index(row, column).data().toString()));
   }
-  const bool atEdge = column == 0 || column == m_model->columnCount() - 1;
+  const bool atEdge = column == 0 || column == m_model->lastColumn();
   return std::min(width + 12 + (atEdge ? kMargin : 0), 220);
+}
+
+std::vector<int> StatesTable::widthsNow(bool withTorques) {
+  std::vector<int> widths;
+  for (int column = 0; column < m_model->columnCount(); ++column) {
+    const bool isBlank = m_model->isBlank(column);
+    if (isColumnHidden(column) != isBlank) setColumnHidden(column, isBlank);
+    widths.push_back(isBlank ? 0 : widthOf(column, withTorques));
+  }
+  return widths;
 }
 
 // A section is given its size once, and only another one: every change paints all that is right of it.
 void StatesTable::fitColumns() {
-  int rest = viewport()->width();
-  std::vector<int> widths;
-  for (int column = 0; column < m_model->columnCount(); ++column)
-    rest -= widths.emplace_back(widthOf(column));
+  // Torques give way to ratios where there is no room for both; they stay in the tips.
+  std::vector<int> widths = widthsNow(true);
+  const bool hasRoom = std::accumulate(widths.begin(), widths.end(), 0) <= viewport()->width();
+  if (hasRoom != std::exchange(m_showsTorques, hasRoom)) viewport()->update();
+  if (!hasRoom) widths = widthsNow(false);
+  const int rest = viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
   // What is left over parts the numbers from the dots.
   if (rest > 0 && !widths.empty()) widths[static_cast<std::size_t>(m_model->couplingCount()) + 1] += rest;
   for (int column = 0; column < m_model->columnCount(); ++column) {
     const int width = widths[static_cast<std::size_t>(column)];
-    if (m_heads->sectionSize(column) != width) m_heads->resizeSection(column, width);
+    if (!isColumnHidden(column) && m_heads->sectionSize(column) != width)
+      m_heads->resizeSection(column, width);
   }
 }
 

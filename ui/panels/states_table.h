@@ -41,6 +41,8 @@ class StatesTable : public QTableView {
   explicit StatesTable(StatesModel* model, QWidget* parent = nullptr);
   [[nodiscard]] StatesHeader& heads() { return *m_heads; }
   void fitColumns();
+  /// Is there room for torques beside the dots?
+  [[nodiscard]] bool showsTorques() const { return m_showsTorques; }
 
  signals:
   void left();  ///< the mouse is elsewhere
@@ -53,11 +55,13 @@ class StatesTable : public QTableView {
   /// How text is set: in the table's face, bold, or small.
   enum class Face { plain, bold, small };
 
-  [[nodiscard]] int widthOf(int column) const;
+  [[nodiscard]] int widthOf(int column, bool withTorques) const;
+  std::vector<int> widthsNow(bool withTorques);
   /// The text's width in a face; measured once.
   [[nodiscard]] int advance(Face face, const QString& text) const;
 
   StatesModel* m_model;
+  bool m_showsTorques = false;
   StatesHeader* m_heads;
   mutable QHash<QPair<int, QString>, int> m_advances;
   mutable QFont m_measured;  ///< the font of m_advances

@@ -21,9 +21,11 @@ Workbench::Workbench(QObject* parent)
       m_analysis(new AnalysisService(
           this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
       m_stages(new StageService(this)),
+      m_forces(new ForcesService(this)),
       m_motionCheck(new MotionCheckService(this)) {
   connect(m_document, &Document::changed, this, &Workbench::request);  // before the views hear of it
   m_analysis->onAnswer(this, [this](const SnapshotPtr& snapshot) {
+    m_forces->follow(snapshot);
     if (snapshot->isComplete) m_motionCheck->requestCheck(snapshot);
   });
 }
@@ -39,7 +41,8 @@ void Workbench::request() {
 }
 
 bool Workbench::isUpToDate() const {
-  return m_analysis->isComplete() && m_stages->isUpToDate() && m_motionCheck->isUpToDate();
+  return m_analysis->isComplete() && m_stages->isUpToDate() && m_forces->isComplete() &&
+         m_motionCheck->isUpToDate();
 }
 
 }  // namespace geargraph::inline workbench

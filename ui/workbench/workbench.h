@@ -5,12 +5,13 @@
 #include "ui/motion/motion_check_service.h"
 #include "ui/selection/selection.h"
 #include "ui/stage/stage_service.h"
+#include "ui/statics/forces_service.h"
 
 namespace geargraph::inline workbench {
 
 /// What the views of a window share: the document, what is selected in it, and the services that follow it.
-/// An edit goes to the document, the document to the analysis, each snapshot to the stage and, once it is
-/// complete, to the motion check; their answers go to the views.
+/// An edit goes to the document, the document to the analysis, each snapshot to the stage, to the statics
+/// and, once it is complete, to the motion check; their answers go to the views.
 class Workbench final : public QObject {
   Q_OBJECT
 
@@ -22,6 +23,7 @@ class Workbench final : public QObject {
   [[nodiscard]] Selection& selection() { return *m_selection; }
   [[nodiscard]] AnalysisService& analysis() { return *m_analysis; }
   [[nodiscard]] StageService& stages() { return *m_stages; }
+  [[nodiscard]] ForcesService& forces() { return *m_forces; }
   [[nodiscard]] MotionCheckService& motionCheck() { return *m_motionCheck; }
 
   /// Requests what belongs to the document as it is now; every change of the document does so by itself.
@@ -34,6 +36,7 @@ class Workbench final : public QObject {
   Selection* m_selection;
   AnalysisService* m_analysis;
   StageService* m_stages;
+  ForcesService* m_forces;
   MotionCheckService* m_motionCheck;
 };
 

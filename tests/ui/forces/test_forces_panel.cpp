@@ -24,6 +24,7 @@ class ForcesPanelTest : public QObject {
 
   std::unique_ptr<Document> document;
   Selection selection;
+  std::unique_ptr<ForcesService> service;
   std::unique_ptr<ForcesPanel> panel;
 
   void open(Mechanism mechanism) {
@@ -31,7 +32,9 @@ class ForcesPanelTest : public QObject {
     settle();
   }
   void settle() {
-    panel->setSnapshot(analyze(document->mechanism(), document->revision()));
+    const SnapshotPtr snapshot = analyze(document->mechanism(), document->revision());
+    service->follow(snapshot);
+    panel->setSnapshot(snapshot);
     QTRY_VERIFY(panel->isUpToDate());
   }
   void press(const char* button) {
@@ -72,13 +75,17 @@ class ForcesPanelTest : public QObject {
   void init() {
     selection.clear();
     document = std::make_unique<Document>();
-    panel = std::make_unique<ForcesPanel>(document.get(), &selection);
+    service = std::make_unique<ForcesService>();
+    panel = std::make_unique<ForcesPanel>(document.get(), &selection, service.get());
     panel->resize(900, 300);
     panel->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel.get()));
     panel->setAwake(true);
   }
-  void cleanup() { panel.reset(); }
+  void cleanup() {
+    panel.reset();
+    service.reset();
+  }
 
   void theTorquesOfAPlanetarySet() {
     open(set());
@@ -274,12 +281,59 @@ class ForcesPanelTest : public QObject {
     QCOMPARE(cell(5, "latent").toDouble(), 0.0);  // direct drive: no tooth rolls
   }
 
-  void asleepNothingIsWorkedOut() {
+  /// A document without loads costs nothing while no view shows torques; loads are solved in any case.
+  void outOfSightOnlyLoadsAreSolved() {
     panel->setAwake(false);
-    open(set());
+    Mechanism without = set();
+    without.loads.clear();
+    open(without);
     QVERIFY(panel->forces() == nullptr);
     panel->setAwake(true);
     QTRY_VERIFY(panel->forces() != nullptr && panel->model().rowCount() == 4);
+    panel->setAwake(false);
+    QVERIFY(panel->forces() == nullptr);
+    open(set());
+    QVERIFY(panel->forces() != nullptr && panel->forces()->report && panel->forces()->tables.empty());
+    open(without);
+    QVERIFY(panel->forces() == nullptr);
+  }
+
+  /// What is tried in the panel is no finding of the document.
+  void findingsAreThoseOfTheDocument() {
+    open(set());
+    QVERIFY(panel->forces()->findings.empty());
+    Mechanism unheld = set();
+    unheld.balances->pop_back();
+    open(unheld);
+    QCOMPARE(panel->forces()->findings.size(), std::size_t{1});
+    QVERIFY(panel->forces()->findings.front().code == Code::unbalanced);
+    open(set(3));
+    const Diagnostics shared = panel->forces()->findings;
+    QVERIFY(shared.size() == 1 && shared.front().code == Code::staticallyIndeterminate);
+    panel->findChild<QToolButton*>(QStringLiteral("shareByStiffness"))->click();
+    type("meshEfficiency", "0.5");
+    QTRY_VERIFY(panel->isUpToDate());
+    QVERIFY(panel->forces()->findings == shared);
+    unheld.loads.clear();
+    open(unheld);
+    QVERIFY(panel->forces()->findings.empty());
+  }
+
+  /// Loads of a gearbox with nothing engaged are meant for its states.
+  void findingsOfStates() {
+    Mechanism gearbox = test::eightSpeed();
+    gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(2)}}};
+    open(gearbox);
+    QVERIFY(panel->forces()->findings.empty());
+    gearbox.balances = std::vector<Balance>{{Balance::OnLink{LinkId("1"), {}}}};  // the driven link is free
+    open(gearbox);
+    QVERIFY(panel->forces()->findings.empty());
+    gearbox.loads.push_back({{}, LinkTorque{LinkId("8"), {}, Number(2)}});
+    gearbox.balances = std::vector<Balance>{};
+    open(gearbox);
+    const Diagnostics& found = panel->forces()->findings;
+    QVERIFY(!found.empty() && found.front().code == Code::unbalanced);
+    QVERIFY2(found.front().message.starts_with("In state"), found.front().message.c_str());
   }
 
   void tablesAreExportedAndCopied() {

@@ -6,6 +6,7 @@
 
 #include "core/design/collision/motion_findings.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/load_edits.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
@@ -71,6 +72,31 @@ class WindowProblemsTest : public QObject {
     QTest::keyClick(&window->digraph(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(now().get(), broken.get());
     QTRY_COMPARE(codes(), QStringList{"teeth-geometry"});
+  }
+
+  /// A load that nothing holds, with the motion by name; gone with the load.
+  void loadsThatNothingHolds() {
+    change([](const Mechanism& before) {
+      return withBalances(before, std::vector<Balance>{{JointId("8")}, {JointId("9")}});
+    });
+    QVERIFY(codes().isEmpty());
+    change([](const Mechanism& before) {
+      return withLoad(before, {{}, JointTorque{JointId("14"), Number(10)}});
+    });
+    QCOMPARE(codes(), QStringList{"unbalanced"});
+    QListView& list = window->problems().list();
+    QVERIFY(list.model()->index(0, 0).data().toString().contains("joints 11, 13 and 14 turn freely"));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
+                      list.visualRect(list.model()->index(0, 0)).center());
+    QCOMPARE(window->selection().selected(),
+             (std::set<ElementId>{JointId("11"), JointId("13"), JointId("14")}));
+    change([](const Mechanism& before) { return withBalances(before, std::nullopt); });
+    QVERIFY(codes().isEmpty());
+    window->document().undoStack().undo();
+    QTRY_VERIFY(window->isSettled());
+    QCOMPARE(codes(), QStringList{"unbalanced"});
+    change([](const Mechanism& before) { return withoutLoad(before, 0); });
+    QVERIFY(codes().isEmpty());
   }
 
   void aRowLightsItsCulpritsBesideItsButtons() {

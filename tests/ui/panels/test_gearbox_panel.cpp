@@ -10,6 +10,7 @@
 #include "core/mechanism/model/edits.h"
 #include "tests/core/support/gearboxes.h"
 #include "ui/panels/gearbox_panel.h"
+#include "ui/panels/states_table.h"
 
 namespace geargraph {
 
@@ -66,6 +67,67 @@ class GearboxPanelTest : public QObject {
     QVERIFY(!panel->model().index(0, 4).data(StatesModel::EngagedRole).toBool());
   }
 
+  /// Torques, efficiency and circulating power appear in the table as soon as they are solved, for these
+  /// states.
+  void theShiftTableShowsTorques() {
+    const int couplings = panel->model().couplingCount();
+    QVERIFY(table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+    auto torques = std::make_shared<ForceTable>(shiftTable(*document->mechanism(), {}));
+    for (const ShiftState& state : document->mechanism()->states) {
+      ForceRow& row = torques->rows.emplace_back();
+      row.cells.resize(torques->columns.size());
+      row.cells.front().text = state.name;
+    }
+    const auto cell = [&](int row, std::size_t column) -> ForceCell& {
+      return torques->rows[static_cast<std::size_t>(row)].cells[column];
+    };
+    const auto first = static_cast<std::size_t>(couplings) + 1;
+    cell(0, 1) = {"1.23188", 85.0 / 69, "85/69"};
+    cell(8, 1) = {"-1.65406", -1.65406, {}};
+    cell(0, first + static_cast<std::size_t>(ShiftColumn::efficiency)) = {"0.9688", 0.96876, {}};
+    cell(8, first + static_cast<std::size_t>(ShiftColumn::backward)) = {"locks", std::nullopt, {}};
+    cell(0, first + static_cast<std::size_t>(ShiftColumn::circulating)) = {"0", 0.0, {}};
+    cell(8, first + static_cast<std::size_t>(ShiftColumn::circulating)) = {"0.528", 0.528, {}};
+    QAbstractItemModelTester tester(&panel->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    panel->setTorques(torques, document->mechanism());
+    QCOMPARE(panel->model().index(0, 1).data().toString(), QStringLiteral("1.232"));
+    QVERIFY(panel->model().index(0, 1).data(Qt::ToolTipRole).toString().contains(QLatin1String("85/69 N m")));
+    QCOMPARE(panel->model().index(8, 1).data().toString(), QStringLiteral("−1.654"));
+    QCOMPARE(text(0, StatesModel::Tail::efficiency), QStringLiteral("0.9688"));
+    QCOMPARE(text(8, StatesModel::Tail::backward), QStringLiteral("locks"));
+    QCOMPARE(text(0, StatesModel::Tail::circulating), QStringLiteral("·"));
+    QCOMPARE(text(8, StatesModel::Tail::circulating), QStringLiteral("0.528"));
+    QVERIFY(!table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+    QVERIFY(panel->remark().contains(QLatin1String("for 1 N m at the drive")));
+    // Torques beside the dots only where that leaves room for the ratios.
+    const auto& shiftTable = static_cast<const StatesTable&>(table());
+    panel->resize(1100, 420);
+    QVERIFY(shiftTable.showsTorques());
+    panel->resize(380, 420);
+    QVERIFY(!shiftTable.showsTorques());
+    QSignalSpy wanted(panel.get(), &GearboxPanel::exportWanted);
+    panel->wantExport();
+    QVERIFY(wanted.count() == 1 && wanted[0][1].toString().contains(QLatin1String("\n1,1.23188")));
+    // They belong to these states only.
+    press("addState");
+    QCOMPARE(panel->model().index(0, 1).data().toString(), QString());
+    QVERIFY(table().isColumnHidden(couplings + 1 + static_cast<int>(StatesModel::Tail::efficiency)));
+  }
+
+  /// Nothing is solved for a gearbox out of sight, or a document that is none.
+  void torquesAreWantedInSight() {
+    QSignalSpy wanted(panel.get(), &GearboxPanel::torquesWanted);
+    panel->setAwake(true);
+    QCOMPARE(wanted.count(), 1);
+    document->replace(test::eightSpeed(), {});
+    QCOMPARE(wanted.count(), 1);
+    document->replace(Mechanism(), {});
+    QCOMPARE(wanted.takeLast()[0].toBool(), false);
+    document->replace(test::eightSpeed(), {});
+    panel->setAwake(false);
+    QCOMPARE(wanted.takeLast()[0].toBool(), false);
+  }
+
   /// What a step of a drag leaves as it is, is not painted again: names, dots, links, and equal ratios.
   void onlyRatiosThatChangeAreTold() {
     QSignalSpy told(&panel->model(), &QAbstractItemModel::dataChanged);
@@ -113,7 +175,7 @@ class GearboxPanelTest : public QObject {
   }
 
   void aClickOnAStateEngagesIt() {
-    click(0, panel->model().columnCount() - 2);
+    click(0, panel->model().lastColumn() - 1);
     QVERIFY(panel->model().isRunning(0));
     QVERIFY(!panel->model().isRunning(1));
     QCOMPARE(document->undoStack().count(), 1);

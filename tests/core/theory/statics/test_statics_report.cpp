@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "core/mechanism/model/load_edits.h"
+#include "core/theory/statics/load_findings.h"
 #include "core/theory/statics/statics_report.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
@@ -179,6 +180,44 @@ class TestStaticsReport : public QObject {
     // i0 / (i0 - 1) of the power fed crosses each mesh, i0 = 101/99.
     QVERIFY(messageOf(report, Code::recirculation).find("49.5 times") != std::string::npos ||
             messageOf(report, Code::recirculation).find("50.5 times") != std::string::npos);
+  }
+
+  /// A document's findings are about its loads: without any there are none, whatever was solved beside it.
+  void findingsOfADocument() {
+    Mechanism robot = example("robot");
+    robot.balances = std::vector<Balance>{{JointId("8")}};
+    QVERIFY(loadFindings(robot, reportOf(StaticsCase(robot))).empty());
+    robot = *withLoad(robot, inJoint("14", "10"));
+    const Diagnostics findings = loadFindings(robot, reportOf(StaticsCase(robot)));
+    QVERIFY(findings.size() == 1 && findings.front().code == Code::unbalanced);
+    robot.balances.reset();
+    StaticsOptions options;
+    options.losses = true;  // no mesh has an efficiency
+    QVERIFY(loadFindings(robot, reportOf(StaticsCase(robot), options)).empty());
+  }
+
+  /// The errors and warnings of all states of a gearbox; those that states share once.
+  void findingsOfStates() {
+    Mechanism gearbox = eightSpeed();
+    gearbox.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(1)}}};
+    gearbox.balances = std::vector<Balance>{};
+    const StaticsCase train(gearbox);
+    std::vector<StaticsReport> reports;
+    for (int state = 0; state < 9; ++state) {
+      StaticsOptions options;
+      options.state = state;
+      reports.push_back(reportOf(train, options));
+    }
+    std::vector<const StaticsReport*> all(9, nullptr);
+    QVERIFY(loadFindings(gearbox, all).empty());
+    for (const std::size_t state : {0U, 2U}) all[state] = &reports[state];
+    all[1] = &reports[0];  // the same finding
+    const Diagnostics findings = loadFindings(gearbox, all);
+    QCOMPARE(findings.size(), std::size_t{2});
+    QVERIFY2(findings[0].message.starts_with("In states 1 and 2: nothing holds this motion"),
+             findings[0].message.c_str());
+    QVERIFY(findings[1].message.starts_with("In state 3: nothing holds"));
+    QVERIFY(!findings[0].elements.empty());
   }
 };
 
