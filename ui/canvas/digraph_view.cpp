@@ -2,6 +2,8 @@
 
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/edits.h"
+#include "core/presentation/power_drawing/power_drawing.h"
+#include "core/presentation/power_drawing/torque_marks.h"
 #include "ui/canvas/cycle_walk.h"
 
 namespace geargraph::inline canvas {
@@ -24,6 +26,7 @@ DigraphView::DigraphView(Document* document, Selection* selection, QWidget* pare
   setAccessibleName(tr("Digraph"));
   m_drawings->onAnswer(this, [this](const Drawing& drawing) {
     m_scene->show(drawing.places, drawing.geometry);
+    emit redrawn();
     tellWhenSettled();
   });
   connect(m_placer, &NodePlacer::placesFound, this, [this] {
@@ -53,6 +56,18 @@ void DigraphView::rebuild() {
   const bool isThere = m_drawn && isSameDigraph(*m_drawn, *now) && places == m_scene->positions();
   if (!isThere) m_scene->show(*now, std::move(places));
   m_drawn = now;
+  if (!isThere) emit redrawn();
+}
+
+DrawingView::PowerDraw DigraphView::powerDraw() const {
+  if (!m_drawn) return {};
+  return
+      [geometry = m_scene->geometry()](const PowerPicture& picture, const std::vector<ShownTorque>& torques,
+                                       const Mechanism& mechanism) {
+        DisplayList under = digraphPower(picture, mechanism, *geometry);
+        under.append(digraphTorques(torques, *geometry, under));
+        return under;
+      };
 }
 
 bool DigraphView::isSettled() const {

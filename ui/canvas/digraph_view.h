@@ -17,6 +17,7 @@ class DigraphView final : public GraphView {
 
   /// Are all links placed and drawn?
   [[nodiscard]] bool isSettled() const;
+  [[nodiscard]] PowerDraw powerDraw() const override;
 
  signals:
   void settled();

@@ -26,10 +26,14 @@ std::unordered_set<ElementId> difference(const Emphases& before, const Emphases&
 }  // namespace
 
 DrawingScene::DrawingScene(QObject* parent)
-    : QGraphicsScene(parent), m_item(new PartsItem(m_theme)), m_overlay(new MarkItem(kGhostDepth, m_theme)) {
+    : QGraphicsScene(parent),
+      m_item(new PartsItem(m_theme)),
+      m_overlay(new MarkItem(kGhostDepth, m_theme)),
+      m_underlay(new MarkItem(-1, m_theme)) {
   setItemIndexMethod(NoIndex);  // items are never looked up by place
   addItem(m_item);
   addItem(m_overlay);
+  addItem(m_underlay);
   setSheet({-kRoomAround, -kRoomAround, 2 * kRoomAround, 2 * kRoomAround});
 }
 
@@ -139,7 +143,14 @@ DisplayList DrawingScene::displayList(const Emphases& emphases) const {
 }
 
 QRectF DrawingScene::drawnRect() const {
-  return parts().bounds(kHaloDepth);
+  QRectF drawn = parts().bounds(kHaloDepth);
+  if (!m_underlayList.marks.empty()) drawn |= m_underlay->boundingRect();
+  return drawn;
+}
+
+void DrawingScene::setUnderlay(DisplayList underlay) {
+  m_underlay->setMarks(underlay.marks);
+  m_underlayList = std::move(underlay);
 }
 
 void DrawingScene::setOverlay(DisplayList overlay) {

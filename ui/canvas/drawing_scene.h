@@ -34,7 +34,7 @@ class DrawingScene : public QGraphicsScene {
   /// The drawing as one list, for export: as it is seen, or with other emphases.
   [[nodiscard]] DisplayList displayList() const { return displayList(m_emphases); }
   [[nodiscard]] virtual DisplayList displayList(const Emphases& emphases) const;
-  /// All that is drawn, without halos.
+  /// All that is drawn, with what is under it, without halos.
   [[nodiscard]] QRectF drawnRect() const;
 
   /// The parts of the drawing, for what is drawn at which depth.
@@ -44,6 +44,10 @@ class DrawingScene : public QGraphicsScene {
   /// What of the viewport the view is about to paint.
   void beginPainting(const QRegion& exposed);
   void endPainting() { m_item->setExposed({}); }
+
+  /// Marks under the drawing, that can be hit where nothing of it can.
+  void setUnderlay(DisplayList underlay);
+  [[nodiscard]] const DisplayList& underlay() const { return m_underlayList; }
 
   /// Marks over the drawing: what is being drawn, the rubber band, guides.
   void setOverlay(DisplayList overlay);
@@ -79,6 +83,8 @@ class DrawingScene : public QGraphicsScene {
   int m_repaints = 0;           ///< areas that wait to be painted, or more than can be told apart
   PartsItem* m_item = nullptr;  ///< owned by the scene, as the next one
   MarkItem* m_overlay = nullptr;
+  MarkItem* m_underlay = nullptr;
+  DisplayList m_underlayList;
 };
 
 }  // namespace geargraph::inline canvas

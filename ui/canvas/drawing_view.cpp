@@ -119,12 +119,22 @@ void DrawingView::changeEvent(QEvent* event) {
 }
 
 DisplayList DrawingView::displayList() const {
-  return m_scene->displayList();
+  DisplayList all = m_scene->underlay();
+  all.append(m_scene->displayList());
+  return all;
+}
+
+void DrawingView::setUnderlay(DisplayList underlay) {
+  if (underlay == m_scene->underlay()) return;
+  m_scene->setUnderlay(std::move(underlay));
+  if (m_fitted) fit();
 }
 
 DisplayList DrawingView::picture() {
   catchUp();
-  return m_scene->displayList(Emphases{});
+  DisplayList all = m_scene->underlay();
+  all.append(m_scene->displayList(Emphases{}));
+  return all;
 }
 
 void DrawingView::paintEvent(QPaintEvent* event) {

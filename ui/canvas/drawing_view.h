@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QGraphicsView>
+#include <functional>
 #include <optional>
 
 #include "core/presentation/drawing/palette.h"
@@ -12,6 +13,11 @@
 #include "ui/tools/tool.h"
 
 class QMenu;
+
+namespace geargraph::inline power_drawing {
+struct PowerPicture;
+struct ShownTorque;
+}  // namespace geargraph::inline power_drawing
 
 namespace geargraph::inline canvas {
 
@@ -50,6 +56,16 @@ class DrawingView : public QGraphicsView {
   /// Why no gear can be attached to the one selected link, as a sentence; empty where one can.
   [[nodiscard]] QString whyNoGear() const;
 
+  /// Makes the bands of a mechanism's power, and the torques that act on it, for the drawing as it is now, on
+  /// any thread.
+  using PowerDraw =
+      std::function<DisplayList(const PowerPicture&, const std::vector<ShownTorque>&, const Mechanism&)>;
+  /// None where the drawing shows neither, or is not that of the document now.
+  [[nodiscard]] virtual PowerDraw powerDraw() const { return {}; }
+  /// What is painted under the drawing: such bands, or nothing.
+  void setUnderlay(DisplayList underlay);
+  [[nodiscard]] bool hasUnderlay() const { return !m_scene->underlay().marks.empty(); }
+
   [[nodiscard]] DisplayList displayList() const;  ///< what is drawn, as it stands out now
   [[nodiscard]] DisplayList picture();            ///< the same with nothing standing out, for export
   /// Why picture() was not that of the document as it is now, as a sentence; empty where it was.
@@ -85,6 +101,8 @@ class DrawingView : public QGraphicsView {
   void previewChanged(const std::optional<geargraph::JointPreview>& preview);
   /// A double click on what has no name to edit in place: show its properties.
   void propertiesWanted(const geargraph::ElementId& element);
+  /// The drawing has other places: what is painted under it belongs to the former ones.
+  void redrawn();
   /// Space was tapped, not held for panning: play or pause.
   void spaceTapped();
 

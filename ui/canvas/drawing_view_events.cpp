@@ -20,8 +20,9 @@ constexpr double kSlop = 4;   ///< px on screen that a click may wander
 }  // namespace
 
 std::optional<ElementId> DrawingView::elementUnder(QPointF viewportPlace) const {
-  return elementAt(m_scene->outlines(), toSheetPoint(mapToScene(viewportPlace.toPoint())),
-                   kReach / scaleNow());
+  const SheetPoint place = toSheetPoint(mapToScene(viewportPlace.toPoint()));
+  const auto element = elementAt(m_scene->outlines(), place, kReach / scaleNow());
+  return element ? element : elementAt(m_scene->underlay().outlines, place, 0);
 }
 
 Pointer DrawingView::pointerAt(QPointF viewportPlace, Qt::KeyboardModifiers modifiers) const {

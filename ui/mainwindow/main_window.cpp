@@ -18,6 +18,7 @@
 #include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
+#include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(QWidget* parent)
   resize(1366, 768);
   m_workbench->request();
   onDocumentChanged();
+  renewPowerFlow();
   renewTitle();
 }
 
@@ -126,6 +128,8 @@ void MainWindow::makeDrawings() {
   addDrawing(m_schematic, "schematic", tr("Schematic"), tipOf(Term::functionalSchematic));
   connect(m_schematic, &SchematicView::drawn, this, &MainWindow::tellWhenSettled);
   connect(m_ttGraph, &TtGraphView::drawn, this, &MainWindow::tellWhenSettled);
+  m_power = new PowerView(*m_workbench, m_allDrawings, this);
+  connect(m_power, &PowerView::shown, this, &MainWindow::tellWhenSettled);
   connect(m_drawings, &QTabWidget::currentChanged, this, &MainWindow::onDrawingChosen);
   onDrawingChosen();
 }
@@ -287,7 +291,7 @@ void MainWindow::popUpMenuFor(const ElementId& element, QPoint at) {
 
 bool MainWindow::isSettled() const {
   return m_workbench->isUpToDate() && m_schematic->isSettled() && m_digraph->isSettled() &&
-         m_ttGraph->isUpToDate();
+         m_ttGraph->isUpToDate() && m_power->isSettled();
 }
 
 void MainWindow::tellWhenSettled() {
@@ -327,7 +331,14 @@ void MainWindow::onForces(const ForcesPtr& forces) {
   if (torques != nullptr || m_workbench->forces().isComplete())
     m_gearbox->setTorques(std::shared_ptr<const ForceTable>(forces, torques),
                           forces ? forces->snapshot->mechanism : nullptr);
+  m_view3d->setForces(forces ? forces->arrows : nullptr);
+  renewPowerFlow();
   tellWhenSettled();
+}
+
+void MainWindow::renewPowerFlow() {
+  const QString why = m_power->whyNone();
+  WindowActions::setAvailable(m_actions->powerFlow, why.isEmpty(), why);
 }
 
 void MainWindow::renewExport() {

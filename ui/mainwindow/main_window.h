@@ -44,6 +44,7 @@ class DockTitles;
 class EditCommands;
 class NoticeBar;
 class ExportJobs;
+class PowerView;
 class Presentation;
 class RecentFiles;
 class StatusLine;
@@ -144,6 +145,7 @@ class MainWindow : public QMainWindow {
   void onDocumentChanged();
   void onSnapshot(const SnapshotPtr& snapshot);
   void onForces(const ForcesPtr& forces);
+  void renewPowerFlow();
   void tellWhenSettled();
   void renewActions();
   void renewExport();
@@ -196,6 +198,7 @@ class MainWindow : public QMainWindow {
   bool m_hasPicture = false;  ///< the 3D view shows something of this document
   bool m_isOpened = false;    ///< since the last complete snapshot
   ExportJobs* m_exportJobs = nullptr;
+  PowerView* m_power = nullptr;
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
 };

@@ -29,7 +29,8 @@ ExportJobs::Job shotJob(const StageShot& shot, const ViewOptions& options, bool 
     const auto overlay = std::make_shared<PictureOverlay>(options, dark);
     how.finish = [overlay](Image& image, StagePainter& painter) {
       const SeenMap seen = painter.seenForLabels();
-      overlay->paint(image, painter.labelGround(seen));
+      overlay->paint(image, painter.labelGround(seen),
+                     {painter.seen().view().forces, painter.seen().forceArrows(), {}});
     };
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
     const auto failure = form == SolidForm::pictures ? writePictures(shot, file, how)

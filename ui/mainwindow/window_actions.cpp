@@ -163,6 +163,10 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   grid = make("view.grid", words("Snap to the &grid"), words("Nodes keep to a grid; Alt suspends it"),
               {QKeySequence(QStringLiteral("#"))});
   grid->setCheckable(true);
+  powerFlow = make("view.powerFlow", words("Power fl&ow"),
+                   words("Bands in digraph and schematic show where the power of the loads goes"),
+                   {QKeySequence(QStringLiteral("Ctrl+Shift+F"))});
+  powerFlow->setCheckable(true);
   auto* themes = new QActionGroup(window);
   for (QAction* action : {light, dark, highContrast}) {
     action->setCheckable(true);

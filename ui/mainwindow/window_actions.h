@@ -68,6 +68,7 @@ struct WindowActions {
   QAction* highContrast;
   QAction* presentation;
   QAction* grid;
+  QAction* powerFlow;
   QAction* resetLayout;
 
   QAction* play;

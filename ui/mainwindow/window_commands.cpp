@@ -16,6 +16,7 @@
 #include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
+#include "ui/mainwindow/power_view.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/shortcut_sheet.h"
@@ -65,6 +66,10 @@ void MainWindow::makeMenus() {
 
   QMenu* view = menu(tr("&View"));
   view->addActions({a.fit, a.fitSelected, a.zoomIn, a.zoomOut, a.grid});
+  view->addSeparator();
+  view->addAction(a.powerFlow);
+  QMenu* observers = view->addMenu(tr("Power seen fro&m"));
+  connect(observers, &QMenu::aboutToShow, this, [this, observers] { m_power->fillObservers(*observers); });
   view->addSeparator();
   for (QAction* panel : m_panelActions) view->addAction(panel);
   view->addAction(a.resetLayout);
@@ -141,6 +146,11 @@ void MainWindow::wireActions() {
     for (DrawingView* each : m_allDrawings) each->setGrid(on);
   });
   a.grid->setChecked(QSettings().value(QStringLiteral("grid"), false).toBool());
+  connect(a.powerFlow, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(QStringLiteral("powerFlow"), on);
+    m_power->setOn(on);
+  });
+  a.powerFlow->setChecked(QSettings().value(QStringLiteral("powerFlow"), false).toBool());
   connect(a.presentation, &QAction::triggered, m_presentation, &Presentation::setOn);
   connect(a.attachGear, &QAction::triggered, this, [this] { drawing().attachGear(); });
   connect(a.shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);

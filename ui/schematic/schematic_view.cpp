@@ -4,6 +4,8 @@
 
 #include "core/mechanism/fitting/axis_drag.h"
 #include "core/mechanism/fitting/fitted_edits.h"
+#include "core/presentation/power_drawing/power_drawing.h"
+#include "core/presentation/power_drawing/torque_marks.h"
 #include "core/presentation/schematic/sheet_edits.h"
 #include "ui/canvas/context_menu.h"
 
@@ -51,10 +53,21 @@ void SchematicView::showDrawing(const SchematicPtr& schematic) {
   m_sheet->show([schematic](const Emphases& emphases) { return schematicDrawing(*schematic, emphases); });
   updateEmphases();
   updateMessage();
+  emit redrawn();
   if (m_drag) return emit drawn();  // the sheet stays put under the mouse
   if (m_fitNext || isFitted()) fit();
   m_fitNext = false;
   emit drawn();
+}
+
+DrawingView::PowerDraw SchematicView::powerDraw() const {
+  if (!isUpToDate() || !m_schematic) return {};
+  return [schematic = m_schematic](const PowerPicture& picture, const std::vector<ShownTorque>& torques,
+                                   const Mechanism& mechanism) {
+    DisplayList under = schematicPower(picture, mechanism, *schematic);
+    under.append(schematicTorques(torques, *schematic, under));
+    return under;
+  };
 }
 
 QString SchematicView::whyNoPicture() const {

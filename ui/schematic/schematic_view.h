@@ -26,6 +26,7 @@ class SchematicView : public DrawingView {
   [[nodiscard]] bool isSettled() const { return m_service->isUpToDate(); }
   [[nodiscard]] QString whyNoPicture() const override;
   void setTool(ToolKind tool) override;
+  [[nodiscard]] PowerDraw powerDraw() const override;
 
  signals:
   /// The document as it is now is drawn.

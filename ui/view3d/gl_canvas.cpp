@@ -88,7 +88,7 @@ void GlCanvas::paintGL() {
   painter.setFont(font());
   const LabelGround ground{*m_viewer->stage(), frame.poses, frame.showing,          frame.camera,
                            viewport,           ratio,       seen ? &*seen : nullptr};
-  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
+  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
 }
 
 std::optional<Hit> GlCanvas::pick(const Frame& frame, double x, double y) {

@@ -248,7 +248,7 @@ void ImageCanvas::addOverlay() {
                            fits ? &map->seen : nullptr};
   QPainter painter(&m_shown.image);
   painter.setFont(font());
-  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark);
+  paintOverlay(painter, ground, *m_labels, m_viewer->options().scaleBar, m_dark, m_viewer->shownForces());
 }
 
 void ImageCanvas::pick(const Frame& frame, double x, double y, Viewer::PickFor use, Viewer::Answer answer) {

@@ -1,5 +1,6 @@
 #include "ui/view3d/overlay.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <cmath>
 
@@ -25,13 +26,57 @@ void paintScaleBar(QPainter& painter, const LabelGround& ground, double fromBelo
       QStringLiteral("%1 %2").arg(length, 0, 'g', 6).arg(QString::fromStdString(ground.stage.unit)));
 }
 
+QColor inkOf(bool dark) {
+  return dark ? QColor(0xE6, 0xE9, 0xEE) : QColor(0x23, 0x27, 0x2E);
+}
+
+QColor colourOf(ForceKind kind, bool dark) {
+  if (kind == ForceKind::tooth) return inkOf(dark);
+  return dark ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2A, 0x68, 0xE4);
+}
+
+/// Boxes in the colours of their arrows, and what these colours mean in the upper left corner.
+void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
+  if (shown.arrows.empty()) return;
+  const QColor sheet = dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
+  QFont font = painter.font();
+  font.setPixelSize(12);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font);
+  const auto widthOf = [&](const std::string& text) {
+    return metrics.horizontalAdvance(QString::fromStdString(text));
+  };
+  for (const ForceLabel& label : placeForceLabels(*shown.forces, shown.arrows, shown.lit, ground, widthOf)) {
+    const StageForce& force = (*shown.forces)[label.force];
+    const QRectF box(std::round(label.middle.x() - label.half.x()),
+                     std::round(label.middle.y() - label.half.y()), std::round(2 * label.half.x()),
+                     2 * label.half.y());
+    painter.fillRect(box.adjusted(-1, -1, 1, 1), colourOf(force.kind, dark));
+    painter.fillRect(box, sheet);
+    painter.setPen(inkOf(dark));
+    painter.drawText(box, Qt::AlignCenter, QString::fromStdString(force.text));
+  }
+  constexpr double kLeft = 12, kTop = 12, kLine = 18;
+  double line = kTop;
+  for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
+    const QString text = QString::fromUtf8(forceLegend(kind).data(), qsizetype(forceLegend(kind).size()));
+    const QRectF row(kLeft, line, 46 + metrics.horizontalAdvance(text), kLine);
+    painter.fillRect(row, sheet);
+    painter.fillRect(QRectF(kLeft + 6, line + kLine / 2 - 1.4, 26, 2.8), colourOf(kind, dark));
+    painter.setPen(inkOf(dark));
+    painter.drawText(row.adjusted(40, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+    line += kLine;
+  }
+}
+
 }  // namespace
 
-void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar,
-                  bool dark) {
+void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark,
+                  const ShownForces& forces) {
   if (ground.stage.scene.instances.empty()) return;
   labels.place(ground);
   labels.paint(painter, ground.stage, dark);
+  paintForces(painter, ground, forces, dark);
   if (scaleBar) paintScaleBar(painter, ground, kBarOverPlayback, dark);
 }
 
@@ -42,12 +87,13 @@ PictureOverlay::PictureOverlay(const ViewOptions& options, bool dark)
   m_labels.setShown(LabelKind::axis, options.axisLabels);
 }
 
-void PictureOverlay::paint(Image& image, const LabelGround& ground) {
+void PictureOverlay::paint(Image& image, const LabelGround& ground, const ShownForces& forces) {
   QImage pixels(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
   pixels.setDevicePixelRatio(ground.pixelRatio);
   QPainter painter(&pixels);
   m_labels.place(ground);
   m_labels.paint(painter, ground.stage, m_dark);
+  paintForces(painter, ground, forces, m_dark);
   if (m_scaleBar) paintScaleBar(painter, ground, kBarFromBelow, m_dark);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/presentation/painting/image.h"
+#include "core/presentation/stage/stage_forces.h"
 #include "ui/view3d/label_layer.h"
 #include "ui/view3d/view_options.h"
 
@@ -8,17 +9,25 @@ class QPainter;
 
 namespace geargraph::inline view3d {
 
+/// The forces that a picture shows as arrows, for their labels and their legend.
+struct ShownForces {
+  StageForces forces;
+  std::vector<ForceArrow> arrows;
+  std::set<ElementId> lit;  ///< elements whose forces have labels in any case
+};
+
 /// What lies over the picture of the solids, the same in every canvas and file: the labels, and the scale
 /// bar, which holds at the depth of the view's middle. The ground is that of the picture, with a map of it
 /// where one was made.
-void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark);
+void paintOverlay(QPainter& painter, const LabelGround& ground, LabelLayer& labels, bool scaleBar, bool dark,
+                  const ShownForces& forces = {});
 
 /// The labels of these options over the pictures of a film, one after the other. Any one thread may use it.
 class PictureOverlay {
  public:
   PictureOverlay(const ViewOptions& options, bool dark);
   /// @pre the ground has a map
-  void paint(Image& image, const LabelGround& ground);
+  void paint(Image& image, const LabelGround& ground, const ShownForces& forces = {});
 
  private:
   bool m_scaleBar;

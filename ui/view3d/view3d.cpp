@@ -265,6 +265,10 @@ View3D::~View3D() {
   delete d->canvas();
 }
 
+void View3D::setForces(StageForces forces) {
+  d->viewer.setForces(std::move(forces));
+}
+
 void View3D::setStage(const StagePtr& stage) {
   d->viewer.setStage(stage);
   d->playback.setPeriod(stage ? stage->period : 0);

@@ -4,6 +4,7 @@
 
 #include "core/presentation/painting/camera.h"
 #include "core/presentation/stage/stage.h"
+#include "core/presentation/stage/stage_forces.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/playback.h"
 #include "ui/view3d/viewer.h"
@@ -35,6 +36,8 @@ class View3D : public QWidget {
   /// What is shown. Camera and time stay; the first stage is fitted into the view.
   void setStage(const StagePtr& stage);
   [[nodiscard]] const StagePtr& stage() const;
+  /// The forces on its parts, for the entry "Forces" of its menu; null: there are none.
+  void setForces(StageForces forces);
   /// Shown in place of an empty stage: why there is nothing, and what to do.
   void setEmptyText(const QString& text);
   /// A sentence over the picture: why it is not that of the document as it is now. Empty: it is.

@@ -66,6 +66,7 @@ void addMarks(QMenu& menu, View3D& view) {
       {"view3dAxes", tr("Axes"), &MarkChoice::axes},
       {"view3dInstantAxes", tr("Instantaneous axes"), &MarkChoice::instantAxes},
       {"view3dVelocities", tr("Velocities"), &MarkChoice::velocities},
+      {"view3dForces", tr("Forces under the loads"), &MarkChoice::forces},
   };
   QMenu* show = menu.addMenu(tr("Show"));
   for (const Entry& entry : entries) {

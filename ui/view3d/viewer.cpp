@@ -170,6 +170,24 @@ void Viewer::setHidden(std::set<ElementId> links) {
   emit optionsChanged();
 }
 
+void Viewer::setForces(StageForces forces) {
+  if (forces == m_view.forces) return;
+  m_view.forces = std::move(forces);
+  if (!m_options.marks.forces) return;
+  renewMarks();
+  emit viewChanged();
+}
+
+ShownForces Viewer::shownForces() const {
+  ShownForces shown;
+  if (m_stage == nullptr || m_seen.poses.empty() || !m_view.marks.forces || !m_view.forces) return shown;
+  shown.forces = m_view.forces;
+  shown.arrows = seenForces(*m_stage, m_view, m_seen);
+  shown.lit = m_selection->hovered();
+  shown.lit.insert(m_selection->selected().begin(), m_selection->selected().end());
+  return shown;
+}
+
 std::optional<Eigen::Vector3d> Viewer::axisOf(const ElementId& link) const {
   const auto part = instance(link);
   if (!part || *part >= m_stage->handles.size() || m_stage->handles[*part].gains.empty()) {

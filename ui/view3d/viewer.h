@@ -12,6 +12,7 @@
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/stage/stage_view.h"
 #include "ui/selection/selection.h"
+#include "ui/view3d/overlay.h"
 #include "ui/view3d/view_options.h"
 
 class QKeyEvent;
@@ -67,6 +68,9 @@ class Viewer : public QObject {
   void rideAlong(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const { return m_view.hidden; }
   void setHidden(std::set<ElementId> links);
+  /// Forces of the stage, which the marks of the options show; null: there are none.
+  void setForces(StageForces forces);
+  [[nodiscard]] ShownForces shownForces() const;
   /// The direction of the line that a link turns about, as it is seen; none where it does not turn.
   [[nodiscard]] std::optional<Eigen::Vector3d> axisOf(const ElementId& link) const;
 

@@ -1,0 +1,147 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QTest>
+
+#include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/load_edits.h"
+#include "tests/core/support/gearboxes.h"
+#include "tests/core/support/train_sketch.h"
+#include "tests/ui/mainwindow/hand.h"
+#include "ui/canvas/digraph_view.h"
+#include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/power_view.h"
+#include "ui/panels/gearbox_panel.h"
+#include "ui/view3d/view3d.h"
+
+namespace geargraph {
+
+/// Loads of the document in all views of a window.
+class WindowForcesTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<MainWindow> window;
+
+  void open(Mechanism mechanism) {
+    window->document().replace(std::move(mechanism), {});
+    QTRY_VERIFY(window->isSettled());
+  }
+  template <class Reduce>
+  void change(Reduce reduce) {
+    window->document().apply({QStringLiteral("Change"), reduce, 0});
+    QTRY_VERIFY(window->isSettled());
+  }
+  /// Sun at 100 rad/s with 10 N m, ring held, carrier out.
+  static Mechanism set(bool isLoaded = true) {
+    Mechanism mechanism = test::planetary(24, 18);
+    const auto& joints = mechanism.turningJoints;
+    mechanism.inputs = std::vector<Input>{{joints[0].id, Number(100), {}}, {joints[1].id, Number(0), {}}};
+    mechanism.balances = std::vector<Balance>{{joints[1].id}, {joints[2].id}};
+    if (isLoaded) mechanism.loads = {{{}, JointTorque{joints[0].id, Number(10)}}};
+    return mechanism;
+  }
+  [[nodiscard]] QStringList texts(const DrawingView& drawing) {
+    QStringList all;
+    for (const Mark& mark : drawing.displayList().marks)
+      if (const auto* text = std::get_if<Text>(&mark.what)) all << QString::fromStdString(text->text);
+    return all;
+  }
+  QAction& powerFlow() { return *window->findChild<QAction*>(QStringLiteral("view.powerFlow")); }
+  void setPower(bool on) {
+    powerFlow().setChecked(on);
+    QTRY_VERIFY(window->isSettled());
+  }
+  void show(const char* name) {
+    auto* dock = window->findChild<QDockWidget*>(QLatin1String(name));
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(!dock->widget()->visibleRegion().isEmpty());
+    QTRY_VERIFY(window->isSettled());
+  }
+
+ private slots:
+  void initTestCase() { test::setUpProgram(); }
+  void init() {
+    window = test::openedWindow(robotExamplePath());
+    QVERIFY(window != nullptr);
+    setPower(false);
+  }
+  void cleanup() { window.reset(); }
+
+  void powerFlowsUnderTheDrawings() {
+    open(set());
+    for (const char* name : {"digraph", "schematic"}) {
+      QVERIFY(window->showDrawing(QLatin1String(name)));
+      QTRY_VERIFY(window->isSettled());
+      QVERIFY2(texts(window->drawing()).contains("T 10 N m"), name);
+      QVERIFY(!texts(window->drawing()).contains("1000 W"));
+      setPower(true);
+      QTRY_VERIFY2(texts(window->drawing()).contains("1000 W"), name);
+      QVERIFY(texts(window->drawing()).contains("seen from the ground"));
+      setPower(false);
+      QTRY_VERIFY2(!texts(window->drawing()).contains("1000 W"), name);
+    }
+    // It follows the loads.
+    setPower(true);
+    change([](const Mechanism& before) {
+      return withLoadAction(before, 0, JointTorque{before.turningJoints[0].id, Number(20)});
+    });
+    QTRY_VERIFY(texts(window->digraph()).contains("2000 W"));
+    window->document().undoStack().undo();
+    QTRY_VERIFY(texts(window->digraph()).contains("1000 W"));
+  }
+
+  void anotherLinkSeesOtherPowers() {
+    open(set());
+    setPower(true);
+    auto* power = window->findChild<PowerView*>();
+    QMenu observers;
+    power->fillObservers(observers);
+    QCOMPARE(observers.actions().size(), 5);
+    QVERIFY(observers.actions()[0]->isChecked());
+    observers.actions()[3]->trigger();
+    QTRY_VERIFY(texts(window->digraph()).contains("seen from link 3"));
+    open(set());
+    QTRY_VERIFY(texts(window->digraph()).contains("seen from the ground"));
+  }
+
+  void withoutLoadsNothingIsSolved() {
+    setPower(true);
+    QVERIFY(window->workbench().forces().answer() == nullptr);
+    QVERIFY(!window->digraph().hasUnderlay());
+    open(set());
+    QTRY_VERIFY(window->digraph().hasUnderlay());
+    QVERIFY(powerFlow().isEnabled());
+    change([](const Mechanism& before) { return withoutLoad(before, 0); });
+    QVERIFY(window->workbench().forces().answer() == nullptr);
+    QVERIFY(!window->digraph().hasUnderlay());
+    QVERIFY(!powerFlow().isEnabled() && powerFlow().toolTip().contains("add one in Forces"));
+  }
+
+  void theShiftTableHasTorques() {
+    open(test::eightSpeed());
+    show("dock.gearbox");
+    QTRY_VERIFY(window->gearbox().model().torques() != nullptr);
+    QCOMPARE(window->gearbox().model().index(0, 1).data().toString(), QStringLiteral("1.232"));
+    show("dock.inputs");
+    QVERIFY(window->workbench().forces().answer() == nullptr);
+  }
+
+  void forcesIn3D() {
+    open(set());
+    ViewOptions options = window->view3d().options();
+    QVERIFY(window->view3d().view().forces != nullptr);
+    const std::size_t count = window->view3d().view().forces->size();
+    QCOMPARE(count, std::size_t{2 + 4});
+    options.marks.forces = true;
+    window->view3d().setOptions(options);
+    QVERIFY(window->view3d().view().marks.forces);
+    change([](const Mechanism& before) { return withoutLoad(before, 0); });
+    QVERIFY(window->view3d().view().forces == nullptr);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowForcesTest)
+#include "test_window_forces.moc"

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "ui/canvas/drawing_view.h"
+#include "ui/service/service.h"
+#include "ui/workbench/workbench.h"
+
+class QMenu;
+
+namespace geargraph::inline mainwindow {
+
+/// Lays the torques of loads and balances under the drawings, and where it is on, bands that show where their
+/// power goes, as the ground or another link sees it. They are made on threads of their own, and follow
+/// loads, motion and drawing.
+class PowerView : public QObject {
+  Q_OBJECT
+
+ public:
+  PowerView(Workbench& workbench, std::vector<DrawingView*> drawings, QObject* parent = nullptr);
+  ~PowerView() override;
+
+  void setOn(bool on);
+  /// The link that sees the power; an empty id: the ground.
+  void setObserver(LinkId observer);
+  [[nodiscard]] LinkId observer() const { return m_observer; }
+  /// Entries for the ground and all links.
+  void fillObservers(QMenu& menu);
+  /// Why there is no power to show, as a sentence; empty where there is some.
+  [[nodiscard]] QString whyNone() const;
+  [[nodiscard]] bool isSettled() const;
+
+ signals:
+  void shown();  ///< what is painted under a drawing has changed
+
+ private:
+  struct Request {
+    ForcesPtr forces;
+    bool showsPower;
+    LinkId observer;
+    DrawingView::PowerDraw draw;
+  };
+  using Bands = Service<Request, std::shared_ptr<const DisplayList>>;
+  struct Drawing {
+    DrawingView* view;
+    Bands* bands;
+  };
+
+  static void draw(const Request& request, const Bands::Responder& respond);
+  void renew();
+  void renew(const Drawing& drawing);
+
+  Workbench& m_workbench;
+  std::vector<Drawing> m_drawings;
+  LinkId m_observer;
+  bool m_isOn = false;
+};
+
+}  // namespace geargraph::inline mainwindow
