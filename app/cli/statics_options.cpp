@@ -1,7 +1,8 @@
 #include "app/cli/statics_options.h"
 
 #include <algorithm>
-#include <array>
+
+#include "core/mechanism/model/torque_text.h"
 
 namespace geargraph::cli {
 namespace {
@@ -41,19 +42,6 @@ std::variant<Place, UsageError> placeFrom(const Mechanism& mechanism, std::strin
   return Place(place);
 }
 
-/// A torque with its unit, in N m.
-std::optional<Number> torqueFrom(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::int64_t>, 3> kUnits = {
-      {{"kNm", 1'000'000}, {"Nmm", 1}, {"Nm", 1'000}}};
-  for (const auto& [unit, millis] : kUnits) {
-    if (!text.ends_with(unit)) continue;
-    const auto number = Number::fromText(text.substr(0, text.size() - unit.size()));
-    if (!number) return std::nullopt;
-    return Number(number->exact() * Rational(millis, 1'000));
-  }
-  return std::nullopt;
-}
-
 std::optional<NumberTriple> tripleFrom(std::string_view text) {
   NumberTriple triple;
   for (std::size_t i = 0; i < triple.size(); ++i) {
@@ -84,7 +72,7 @@ std::variant<Load, UsageError> loadFrom(const Mechanism& mechanism, std::string_
   const std::string_view size = word.substr(std::min(equals + 1, word.size()));
   const auto& where = std::get<Place>(place);
   const auto* link = std::get_if<Balance::OnLink>(&where);
-  if (const auto torque = torqueFrom(size)) {
+  if (const auto torque = torqueFromText(size)) {
     if (link == nullptr) return Load{{}, JointTorque{std::get<JointId>(where), *torque}};
     return Load{{}, LinkTorque{link->link, link->axis, *torque}};
   }

@@ -53,6 +53,8 @@ class DrawingView : public QGraphicsView {
   static constexpr double kLargestFit = 1.25;
   [[nodiscard]] Theme theme() const;
 
+  /// Why no load can be put on what is selected, as a sentence; empty where one can.
+  [[nodiscard]] QString whyNoLoad() const;
   /// Why no gear can be attached to the one selected link, as a sentence; empty where one can.
   [[nodiscard]] QString whyNoGear() const;
 
@@ -91,6 +93,7 @@ class DrawingView : public QGraphicsView {
   void attachGear();      ///< a new gear in mesh with the one selected link
   virtual void
   toggleInputs();         ///< drives the selected joints, or those that carry the selected links, or stops
+  void editLoad();        ///< opens the editor in place for the torque on the one selected joint or link
   void toggleBrake();     ///< holds the one selected link, or releases it
   virtual void tidy() {}  ///< lays the drawing out anew, as one undo step
 

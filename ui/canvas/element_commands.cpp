@@ -8,7 +8,9 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/model/batch_edits.h"
 #include "core/mechanism/model/edits.h"
+#include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/shift_edits.h"
+#include "core/mechanism/model/torque_text.h"
 #include "core/theory/states/state_edits.h"
 #include "ui/canvas/canvas_edits.h"
 
@@ -53,6 +55,62 @@ Expected<Mechanism> withLastEngaged(Expected<Mechanism> added) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The position of the torque load in the joint or on the link; -1: there is none.
+int torqueLoadOf(const Mechanism& mechanism, const ElementId& element) {
+  for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+    const auto* inJoint = std::get_if<JointTorque>(&mechanism.loads[i].action);
+    const auto* onLink = std::get_if<LinkTorque>(&mechanism.loads[i].action);
+    const bool isThere = (inJoint != nullptr && ElementId(inJoint->joint) == element) ||
+                         (onLink != nullptr && ElementId(onLink->link) == element);
+    if (isThere) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+QString ElementCommands::torqueOf(const ElementId& element) const {
+  const Mechanism& mechanism = *m_document.mechanism();
+  const int load = torqueLoadOf(mechanism, element);
+  if (load < 0) return {};
+  const auto& action = mechanism.loads[static_cast<std::size_t>(load)].action;
+  const auto* inJoint = std::get_if<JointTorque>(&action);
+  const Number& torque = inJoint != nullptr ? inJoint->torque : std::get<LinkTorque>(action).torque;
+  return QString::fromStdString(torque.text()) + QStringLiteral(" Nm");
+}
+
+QString ElementCommands::setTorque(const ElementId& element, const QString& text) {
+  const Mechanism& mechanism = *m_document.mechanism();
+  const int load = torqueLoadOf(mechanism, element);
+  const QString plain = text.trimmed();
+  if (plain.isEmpty()) {
+    if (load >= 0)
+      apply(tr("Remove load"), [load](const Mechanism& before) { return withoutLoad(before, load); });
+    return {};
+  }
+  const bool hasUnit = plain.contains(QLatin1Char('m'));
+  const auto torque = torqueFromText((hasUnit ? plain : plain + QStringLiteral("Nm")).toStdString());
+  if (!torque) return tr("A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm");
+  decltype(Load::action) action;
+  if (element.kind == ElementKind::turningJoint) {
+    action = JointTorque{JointId(element.id), *torque};
+  } else {
+    LinkTorque onLink{LinkId(element.id), {}, *torque};
+    if (load >= 0)
+      onLink.axis = std::get<LinkTorque>(mechanism.loads[static_cast<std::size_t>(load)].action).axis;
+    action = std::move(onLink);
+  }
+  if (load >= 0) {
+    apply(tr("Set load"),
+          [load, action](const Mechanism& before) { return withLoadAction(before, load, action); });
+  } else {
+    apply(tr("Add load"), [action](const Mechanism& before) { return withLoad(before, Load{{}, action}); });
+  }
+  return {};
+}
 
 void ElementCommands::apply(const QString& text, Reduce reduce) {
   m_document.apply({text, std::move(reduce), 0});

@@ -34,6 +34,11 @@ class ElementCommands {
   /// Engages the brake of the link, a new one where it has none, or releases it.
   void toggleBrake(LinkId link);
   void takeOff(const ElementId& coupling);
+  /// The torque in a joint or on a link, "10 Nm"; an empty text removes it. Where that is not possible it
+  /// answers why.
+  QString setTorque(const ElementId& element, const QString& text);
+  /// As setTorque() takes it; empty where no torque acts there.
+  [[nodiscard]] QString torqueOf(const ElementId& element) const;
 
  private:
   void apply(const QString& text, Reduce reduce);

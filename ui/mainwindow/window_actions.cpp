@@ -131,6 +131,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   hold = make("mechanism.hold", words("Hold with a &brake"),
               words("Engage the brake of the selected link, a new one where it has none, or release it"),
               {QKeySequence(QStringLiteral("B"))});
+  load = make("mechanism.load", words("&Load…"),
+              words("A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it"),
+              {QKeySequence(QStringLiteral("W"))});
   releaseAll = make("mechanism.releaseAll", words("&Release brakes and clutches"),
                     words("Release every brake and clutch; the motion goes on"),
                     {QKeySequence(QStringLiteral("Ctrl+B"))});

@@ -55,6 +55,7 @@ struct WindowActions {
   QAction* drive;
   QAction* tidy;
   QAction* hold;
+  QAction* load;
   QAction* releaseAll;
   QAction* insertSet;
   std::array<QAction*, 5> planets{};  ///< 2 to 6 of the selected one

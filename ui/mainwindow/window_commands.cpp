@@ -81,7 +81,7 @@ void MainWindow::makeMenus() {
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
   mechanism->addSeparator();
-  mechanism->addActions({a.flip, a.drive, a.hold, a.releaseAll, a.attachGear, a.makeGround});
+  mechanism->addActions({a.flip, a.drive, a.load, a.hold, a.releaseAll, a.attachGear, a.makeGround});
   mechanism->addSeparator();
   mechanism->addAction(a.insertSet);
   QMenu* planets = mechanism->addMenu(tr("&Planets like the selected one"));
@@ -126,6 +126,7 @@ void MainWindow::wireActions() {
   connect(a.flip, &QAction::triggered, this, [this] { drawing().flipSelected(); });
   connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });
   connect(a.hold, &QAction::triggered, this, [this] { drawing().toggleBrake(); });
+  connect(a.load, &QAction::triggered, this, [this] { drawing().editLoad(); });
   connect(a.releaseAll, &QAction::triggered, this, [this] { m_document->apply(releaseAllEdit()); });
   connect(a.tidy, &QAction::triggered, this, [this] { drawing().tidy(); });
   connect(a.makeGround, &QAction::triggered, m_commands, &EditCommands::makeGround);
@@ -236,6 +237,8 @@ void MainWindow::renewActions() {
   WindowActions::setAvailable(a.remove, !selected.empty() && !onlyGround,
                               onlyGround ? tr("The ground cannot be deleted.") : nothing);
   WindowActions::setAvailable(a.rename, links == 1 && arrows == 0, tr("Select one link to rename it."));
+  const QString whyNoLoad = drawing().whyNoLoad();
+  WindowActions::setAvailable(a.load, whyNoLoad.isEmpty(), whyNoLoad);
   WindowActions::setAvailable(a.flip, arrows > 0, tr("Select a joint or a mesh to turn its arrow round."));
   WindowActions::setAvailable(a.drive, joints + links > 0 && !onlyGround,
                               tr("Select a turning joint, or the link it carries."));

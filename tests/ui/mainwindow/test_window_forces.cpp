@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTest>
 
@@ -125,6 +126,45 @@ class WindowForcesTest : public QObject {
     QCOMPARE(window->gearbox().model().index(0, 1).data().toString(), QStringLiteral("1.232"));
     show("dock.inputs");
     QVERIFY(window->workbench().forces().answer() == nullptr);
+  }
+
+  /// W opens an editor in place: a torque is set, changed and removed, each in one step.
+  void loadsAreTypedInTheDrawing() {
+    open(set(false));
+    const JointId sun = window->document().mechanism()->turningJoints[0].id;
+    auto& load = *window->findChild<QAction*>(QStringLiteral("mechanism.load"));
+    QVERIFY(!load.isEnabled());
+    window->selection().select({sun});
+    QVERIFY(load.isEnabled());
+    const auto type = [&](const char* text) {
+      load.trigger();
+      auto* editor = window->digraph().findChild<QLineEdit*>(QStringLiteral("torqueEditor"));
+      QVERIFY(editor != nullptr);
+      editor->selectAll();
+      QTest::keyClick(editor, Qt::Key_Delete);
+      QTest::keyClicks(editor, QLatin1String(text));
+      QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_VERIFY(window->digraph().findChild<QLineEdit*>(QStringLiteral("torqueEditor")) == nullptr);
+      QTRY_VERIFY(window->isSettled());
+    };
+    const auto torque = [&] {
+      const auto& loads = window->document().mechanism()->loads;
+      return loads.empty() ? Rational(0) : std::get<JointTorque>(loads[0].action).torque.exact();
+    };
+    type("10");
+    QCOMPARE(torque(), Rational(10));
+    QTRY_VERIFY(texts(window->digraph()).contains("T 10 N m"));
+    type("-500 Nmm");
+    QCOMPARE(torque(), Rational(-1, 2));
+    type("much");
+    QCOMPARE(torque(), Rational(-1, 2));
+    QVERIFY(window->digraph().hint().contains("10 Nm"));
+    type("");
+    QVERIFY(window->document().mechanism()->loads.empty());
+    window->document().undoStack().undo();
+    QCOMPARE(torque(), Rational(-1, 2));
+    window->selection().select({window->document().mechanism()->links[0].id});
+    QVERIFY(!load.isEnabled() && load.toolTip().contains("ground"));
   }
 
   void forcesIn3D() {
