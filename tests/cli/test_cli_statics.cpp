@@ -241,6 +241,37 @@ class TestCliStatics : public QObject {
     QVERIFY(none.status != 0 && none.errors.find("needs states of a gearbox") != std::string::npos);
   }
 
+  /// Drawings with the power under them; what cannot be drawn is rejected, and nothing is written.
+  void drawingsWithPower() {
+    Mechanism set = test::planetary(24, 18);
+    set.inputs = std::vector<Input>{{set.turningJoints[0].id, Number(100), {}},
+                                    {set.turningJoints[1].id, Number(0), {}}};
+    set.balances = std::vector<Balance>{{set.turningJoints[1].id}, {set.turningJoints[2].id}};
+    const QString unloaded = saved(set);
+    set = *withLoad(set, {{}, JointTorque{set.turningJoints[0].id, Number(10)}});
+    const QString file = saved(set);
+    const auto drawn = [](const QString& of, const QString& view, const QString& observer) {
+      return run({"export", of, "--to", "svg", "--view", view, "--power", observer, "-o", "-"});
+    };
+    for (const char* view : {"digraph", "schematic"}) {
+      const Run call = drawn(file, view, "ground");
+      QCOMPARE(call.status, 0);
+      for (const char* text : {">1000 W<", ">T 10 N m<", ">seen from the ground<"})
+        QVERIFY2(call.output.find(text) != std::string::npos, text);
+      QVERIFY(drawn(file, view, "3").output.find(">seen from link 3<") != std::string::npos);
+      QVERIFY(run({"export", file, "--to", "svg", "--view", view, "-o", "-"}).output.find(" W<") ==
+              std::string::npos);
+    }
+    QCOMPARE(drawn(file, "schematic", "99").status, 2);
+    QCOMPARE(drawn(file, "ttgraph", "ground").status, 2);
+    const Run none = drawn(unloaded, "digraph", "ground");
+    QCOMPARE(none.status, 1);
+    QVERIFY(none.output.empty() && none.errors.find("needs loads") != std::string::npos);
+    const Run still = run({"export", unloaded, "--to", "png", "--view", "3d", "--show", "forces", "-o", "-"});
+    QCOMPARE(still.status, 1);
+    QVERIFY(still.output.empty() && still.errors.find("--show forces needs loads") != std::string::npos);
+  }
+
   /// What a document may not say: each is rejected with the place, none crashes or is read as something else.
   void documentsThatCannotBe() {
     const json robot = json::parse(writeMechanism(test::example("robot")));
