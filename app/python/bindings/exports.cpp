@@ -16,17 +16,17 @@
 namespace geargraph::python {
 namespace {
 
-[[noreturn]] void raise(const Snapshot& self, const ExportFailure& why) {
+[[noreturn]] void raiseFailure(const Snapshot& self, const ExportFailure& why) {
   using Kind = ExportFailure::Kind;
-  if (!why.diagnostics.empty()) python::raise(why.diagnostics);
+  if (!why.diagnostics.empty()) raise(why.diagnostics);
   if (why.kind == Kind::choice) throw py::value_error(why.message + ".");
   if (why.kind == Kind::mechanism) self.raiseUndefined(why.message + ".");
-  python::raise("limit", why.message + (why.kind == Kind::triangles ? "; choose a coarser tolerance." : "."));
+  raise("limit", why.message + (why.kind == Kind::triangles ? "; choose a coarser tolerance." : "."));
 }
 
 template <class Value>
 Value madeOrRaise(const Snapshot& self, std::variant<Value, ExportFailure>&& made) {
-  if (const auto* why = std::get_if<ExportFailure>(&made)) raise(self, *why);
+  if (const auto* why = std::get_if<ExportFailure>(&made)) raiseFailure(self, *why);
   return std::get<Value>(std::move(made));
 }
 
@@ -41,7 +41,7 @@ double checked(double tolerance) {
 }
 
 void raiseIf(const std::optional<MeshFileError>& error) {
-  if (error) python::raise(error->kind == MeshFileError::Kind::limit ? "limit" : "file", error->message);
+  if (error) raise(error->kind == MeshFileError::Kind::limit ? "limit" : "file", error->message);
 }
 
 /// Writes gears; the tolerance taken in modules, how many gears were left out, why nothing moves.
@@ -156,8 +156,7 @@ py::list parts(const Snapshot& self, double tolerance) {
 
 py::bytes report(Snapshot& self, const std::string& form) {
   if (self.mechanism().n() > kMostReportLinks)
-    python::raise("limit",
-                  "A derivation is written of at most " + std::to_string(kMostReportLinks) + " links.");
+    raise("limit", "A derivation is written of at most " + std::to_string(kMostReportLinks) + " links.");
   const SnapshotPtr snapshot = self.full();
   return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) -> Expected<std::string> {
     const auto drawn = [&](const char* name) { return drawingNamed(name)->draw(*snapshot, nullptr, stop); };
@@ -205,7 +204,7 @@ std::string graphText(const Snapshot& self, const std::string& name, const std::
 
 void addExports(py::module_& module) {
   module.def("write_file", [](const std::string& path, const py::bytes& bytes) {
-    if (const auto error = writeFile(path, std::string_view(bytes))) python::raise("file", error->message);
+    if (const auto error = writeFile(path, std::string_view(bytes))) raise("file", error->message);
   });
   py::class_<Snapshot, std::shared_ptr<Snapshot>>(module.attr("Snapshot"))
       .def("write_solids", writeSolids)
