@@ -56,16 +56,16 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
     painter.setPen(inkOf(dark));
     painter.drawText(box, Qt::AlignCenter, QString::fromStdString(force.text));
   }
-  constexpr double kLeft = 12, kTop = 12, kLine = 18;
-  double line = kTop;
+  constexpr double kLegendLeft = 12, kLegendTop = 12, kLegendLine = 18;
+  double line = kLegendTop;
   for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
     const QString text = QString::fromUtf8(forceLegend(kind).data(), qsizetype(forceLegend(kind).size()));
-    const QRectF row(kLeft, line, 46 + metrics.horizontalAdvance(text), kLine);
+    const QRectF row(kLegendLeft, line, 46 + metrics.horizontalAdvance(text), kLegendLine);
     painter.fillRect(row, sheet);
-    painter.fillRect(QRectF(kLeft + 6, line + kLine / 2 - 1.4, 26, 2.8), colourOf(kind, dark));
+    painter.fillRect(QRectF(kLegendLeft + 6, line + kLegendLine / 2 - 1.4, 26, 2.8), colourOf(kind, dark));
     painter.setPen(inkOf(dark));
     painter.drawText(row.adjusted(40, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
-    line += kLine;
+    line += kLegendLine;
   }
 }
 
