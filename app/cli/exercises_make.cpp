@@ -7,13 +7,13 @@
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
-#include "app/cli/drawings.h"
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/results/named_drawings.h"
 #include "core/presentation/sheets/sheet_report.h"
 #include "core/teaching/grading/question_json.h"
 

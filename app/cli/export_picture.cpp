@@ -9,12 +9,12 @@
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
 #include "app/cli/export_forms.h"
-#include "app/cli/solved_statics.h"
 #include "app/cli/time_limit.h"
 #include "app/cli/view3d_options.h"
 #include "core/foundations/files/file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/picture/picture.h"
+#include "core/presentation/results/solved_statics.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_forces.h"
 #include "core/presentation/train_stage/train_stage.h"
@@ -50,9 +50,9 @@ std::variant<std::pair<SnapshotPtr, StagePtr>, int> stageOf(const Arguments& arg
 
 /// The forces under the document's loads; the exit status where there are none.
 std::variant<StageForces, int> forcesOf(const SnapshotPtr& snapshot, const Arguments& arguments) {
-  auto solved = solvedStatics(snapshot, arguments);
-  if (const int* stopped = std::get_if<int>(&solved)) return *stopped;
-  const SolvedStatics& statics = *std::get<SolvedStaticsPtr>(solved);
+  const SolvedStaticsPtr solved = solvedStatics(snapshot, arguments.value("--state"), false, arguments.stop);
+  if (!solved) return outOfTime(arguments, "the torques");
+  const SolvedStatics& statics = *solved;
   std::vector<StageForce> forces;
   if (statics.report)
     forces = stageForces(*snapshot->mechanism, statics.snapshot->kinematics->placement(), *statics.report);
