@@ -8,6 +8,7 @@
 #include "core/foundations/files/matrix_csv.h"
 #include "core/foundations/files/stoppable_sink.h"
 #include "core/teaching/derivation/matrix_text.h"
+#include "ui/mainwindow/csv_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/models/term_tips.h"
 #include "ui/view3d/motion_panel.h"
@@ -56,28 +57,42 @@ WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Vie
   connect(m_jobs, &ExportJobs::failed, this, &WindowExports::refused);
 }
 
-void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path) {
-  m_jobs->add(tableJob(path, entriesOf(*matrix),
-                       [matrix](ByteSink& sink) { writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix); }));
+void WindowExports::exportCsv(const IntegerMatrixPtr& matrix, const QString& path,
+                              const CsvOptions& options) {
+  m_jobs->add(tableJob(path, entriesOf(*matrix), [matrix, options](ByteSink& sink) {
+    writeMatrixCsv<MatrixEntry, UniformRow>(sink, *matrix, options);
+  }));
 }
 
-void WindowExports::exportCsv(const QuantityTablePtr& table, const QString& path) {
-  m_jobs->add(tableJob(path, entriesOf(*table), [table](ByteSink& sink) { writeQuantityCsv(sink, *table); }));
+void WindowExports::exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options) {
+  m_jobs->add(tableJob(path, entriesOf(*table),
+                       [table, options](ByteSink& sink) { writeQuantityCsv(sink, *table, options); }));
+}
+
+/// Asks for the options, then for the file.
+void WindowExports::chooseCsv(const QString& name,
+                              const std::function<void(const QString&, const CsvOptions&)>& write) {
+  auto* dialog = new CsvDialog(name, m_window);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, name, write] {
+    const CsvOptions options = dialog->options();
+    const QString path = QFileDialog::getSaveFileName(
+        m_window, tr("Export matrix"), name + QStringLiteral(".csv"), tr("CSV files (*.csv);;All files (*)"));
+    if (!path.isEmpty()) write(withSuffix(path, QStringLiteral(".csv")), options);
+  });
+  dialog->show();
 }
 
 void WindowExports::chooseAndExport(const IntegerMatrixPtr& matrix) {
   if (!matrix) return;
-  const QString proposed = QString::fromStdString(matrixAsciiName(matrix->kind())) + QStringLiteral(".csv");
-  const QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
-                                                    tr("CSV files (*.csv);;All files (*)"));
-  if (!path.isEmpty()) exportCsv(matrix, withSuffix(path, QStringLiteral(".csv")));
+  chooseCsv(
+      QString::fromStdString(matrixAsciiName(matrix->kind())),
+      [this, matrix](const QString& path, const CsvOptions& options) { exportCsv(matrix, path, options); });
 }
 
 void WindowExports::chooseAndExportQuantity(const QuantityTablePtr& table) {
-  const QString proposed = shownText(quantityAsciiName(table->kind())) + QStringLiteral(".csv");
-  const QString path = QFileDialog::getSaveFileName(m_window, tr("Export matrix"), proposed,
-                                                    tr("CSV files (*.csv);;All files (*)"));
-  if (!path.isEmpty()) exportCsv(table, withSuffix(path, QStringLiteral(".csv")));
+  chooseCsv(
+      shownText(quantityAsciiName(table->kind())),
+      [this, table](const QString& path, const CsvOptions& options) { exportCsv(table, path, options); });
 }
 
 void WindowExports::chooseAndExportTable(const QString& name, const QString& csv) {

@@ -2,9 +2,12 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/foundations/base/expected.h"
+#include "core/foundations/files/csv.h"
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/teaching/derivation/quantity_table.h"
 
@@ -51,8 +54,8 @@ class WindowExports : public QObject {
 
   /// A matrix with its labels as CSV; written() follows, and a large one can be stopped. Cost: O(rows ·
   /// columns).
-  void exportCsv(const IntegerMatrixPtr& matrix, const QString& path);
-  void exportCsv(const QuantityTablePtr& table, const QString& path);
+  void exportCsv(const IntegerMatrixPtr& matrix, const QString& path, const CsvOptions& options = {});
+  void exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options = {});
   /// A picture of a view; written() follows, at once for a drawing, later for the 3D view.
   void exportPicture(const PictureWish& wish, const QString& path);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
@@ -62,7 +65,7 @@ class WindowExports : public QObject {
   /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".
   bool saveSpeeds(const QString& path);
 
-  // The same with a dialog for the path.
+  // The same with a dialog for the path, and for matrices one for the options of CSV.
   void chooseAndExport(const IntegerMatrixPtr& matrix);
   void chooseAndExportQuantity(const QuantityTablePtr& table);
   /// A table that is CSV already; `name`: proposed for its file.
@@ -82,6 +85,7 @@ class WindowExports : public QObject {
   void written(const QString& path);
 
  private:
+  void chooseCsv(const QString& name, const std::function<void(const QString&, const CsvOptions&)>& write);
   void exportView3D(const PictureWish& wish, const QString& path);
   void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);

@@ -11,6 +11,10 @@
 #include "core/teaching/derivation/cell_explanation.h"
 #include "core/theory/analysis/analysis.h"
 
+namespace geargraph::inline files {
+struct CsvOptions;
+}  // namespace geargraph::inline files
+
 namespace geargraph::inline derivation {
 
 /// What the matroid method computes beside the matrices of whole numbers.
@@ -86,8 +90,9 @@ using QuantityTablePtr = std::shared_ptr<const QuantityTable>;
 // Cost: O(rows * columns).
 [[nodiscard]] std::string quantityTsv(const QuantityTable& table);
 [[nodiscard]] std::string quantityCsv(const QuantityTable& table);
-/// The same row by row, until the sink fails.
-void writeQuantityCsv(ByteSink& sink, const QuantityTable& table);
+/// The same row by row, until the sink fails. Texts are quoted where they hold the separator; the decimal
+/// point is that of decimals, symbols and fractions stay as they are.
+void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptions& options);
 [[nodiscard]] std::string quantityLatex(const QuantityTable& table);
 [[nodiscard]] std::string quantityMatlab(const QuantityTable& table);
 [[nodiscard]] std::string quantityNumpy(const QuantityTable& table);

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 
+#include "core/foundations/files/csv.h"
 #include "core/teaching/derivation/quantity_table.h"
 
 namespace geargraph::inline derivation {
@@ -84,8 +86,37 @@ std::string quantityCsv(const QuantityTable& table) {
   return separated(table, ",");
 }
 
-void writeQuantityCsv(ByteSink& sink, const QuantityTable& table) {
-  writeSeparated(sink, table, ",");
+void writeQuantityCsv(ByteSink& sink, const QuantityTable& table, const CsvOptions& options) {
+  const std::string separator(1, options.separator);
+  BufferedSink text(sink);
+  if (options.byteOrderMark) text.write("\xEF\xBB\xBF");
+  const auto label = [&](const std::string& heading) {
+    return csvLabel(plainLabel(heading), options.separator);
+  };
+  if (options.labels) {
+    text.write(quantityAsciiName(table.kind()));
+    for (int j = 0; j < table.columns(); ++j) text.write(separator + label(table.columnHeading(j).text));
+    text.put('\n');
+  }
+  const auto field = [&](std::string entry, const QuantityEntry& of) {
+    const bool isDecimal = !of.isFormula && options.decimalPoint != '.';
+    if (isDecimal) std::replace(entry.begin(), entry.end(), '.', options.decimalPoint);
+    return entry.find(options.separator) == std::string::npos ? entry : '"' + entry + '"';
+  };
+  for (int i = 0; i < table.rows() && !text.failed(); ++i) {
+    if (options.labels) text.write(label(table.rowHeading(i).text) + separator);
+    int column = 0;
+    const auto put = [&](const std::string& entry) {
+      if (column++ > 0) text.write(separator);
+      text.write(entry);
+    };
+    for (const QuantityEntry& entry : table.row(i)) {
+      while (column < entry.column) put("0");
+      put(field(spelled(table, entry, Spelling::plain), entry));
+    }
+    while (column < table.columns()) put("0");
+    text.put('\n');
+  }
 }
 
 std::string quantityLatex(const QuantityTable& table) {

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/foundations/files/csv.h"
 #include "core/mechanism/model/edits.h"
 #include "core/teaching/derivation/quantity_table.h"
 #include "tests/core/support/example_files.h"
@@ -150,6 +151,21 @@ class QuantityTableTest : public QObject {
                 .find("[-0.3333333333333333, -0.6666666666666666, 0]") != std::string::npos);
     QVERIFY(
         quantityCsv(*table(QuantityKind::screws, EntryForm::decimals)).starts_with("U,L,M,N,P,Q,R\nC15 8,"));
+  }
+
+  void csvIsWrittenAsSpreadsheetsWantIt() {
+    const auto csvOf = [](const QuantityTable& of, const CsvOptions& options) {
+      TextSink sink;
+      writeQuantityCsv(sink, of, options);
+      return sink.take();
+    };
+    const QuantityTablePtr s = table(QuantityKind::solution, EntryForm::decimals);
+    QCOMPARE(csvOf(*s, {}), quantityCsv(*s));
+    QVERIFY(csvOf(*s, {';', ',', true, true}).starts_with("\xEF\xBB\xBFS;8;9;11\n10;-0,5;0;0\n"));
+    QVERIFY(csvOf(*s, {'\t', '.', false, false}).starts_with("-0.5\t0\t0\n"));
+    QVERIFY(csvOf(*s, {',', ',', false, false}).starts_with("\"-0,5\",0,0\n"));
+    const QuantityTablePtr p = table(QuantityKind::coefficients, EntryForm::symbols);
+    QCOMPARE(csvOf(*p, {',', ',', true, false}), quantityCsv(*p));
   }
 
   void whatIsNotThereYetIsNotShown() {
