@@ -3,9 +3,11 @@
 #include <QSignalBlocker>
 #include <QUndoCommand>
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
+#include "core/foundations/base/contract.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/mechanism/model/difference.h"
 #include "core/mechanism/model/limits.h"
@@ -41,17 +43,11 @@ class EditCommand final : public QUndoCommand {
   void redo() override {
     if (m_document.m_rebuilding) return;
     if (m_unpublished) return m_document.publish(*std::exchange(m_unpublished, std::nullopt));
-    MechanismPtr after = m_after.lock();
-    if (!after) after = std::make_shared<const Mechanism>(m_patch.forward(*m_document.mechanism()));
-    m_after = after;
-    m_document.publish(after);
+    m_document.step(m_patch, true, m_after);
   }
   void undo() override {
     if (m_document.m_rebuilding) return;
-    MechanismPtr before = m_before.lock();
-    if (!before) before = std::make_shared<const Mechanism>(m_patch.back(*m_document.mechanism()));
-    m_before = before;
-    m_document.publish(before);
+    m_document.step(m_patch, false, m_before);
   }
 
   /// QUndoStack offers neighbours with equal ids for merging; the gesture's number tells two drags apart.
@@ -115,6 +111,35 @@ bool Document::apply(const Edit& edit) {
   if (m_undoStack.index() > steps) m_gestureStart = before;  // merged steps go on with the one they have
   if (m_historyBytes > m_historyLimit) shortenHistory();
   return true;
+}
+
+void Document::goToStep(int steps) {
+  GEARGRAPH_REQUIRE(0 <= steps && steps <= m_undoStack.count());
+  m_stepsToGo = std::abs(steps - m_undoStack.index());
+  m_undoStack.setIndex(steps);
+}
+
+/// Goes to the neighbour in the history, whose mechanism is kept or else made from the patch.
+void Document::step(const MechanismPatch& patch, bool forward, std::weak_ptr<const Mechanism>& kept) {
+  const bool isLast = m_stepsToGo <= 1;
+  m_stepsToGo = std::max(0, m_stepsToGo - 1);
+  MechanismPtr there = kept.lock();
+  if (!there) {
+    Mechanism here = m_onTheWay ? *std::exchange(m_onTheWay, std::nullopt) : *mechanism();
+    Mechanism made = forward ? patch.forward(std::move(here)) : patch.back(std::move(here));
+    if (!isLast) {
+      m_onTheWay = std::move(made);
+      return;
+    }
+    there = std::make_shared<const Mechanism>(std::move(made));
+    kept = there;
+  }
+  m_onTheWay.reset();
+  if (isLast) {
+    publish(there);
+  } else {
+    m_onTheWay = *there;
+  }
 }
 
 /// Commands can only be taken from a QUndoStack all together: the newest come back as copies.

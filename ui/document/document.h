@@ -18,6 +18,10 @@ namespace geargraph::inline bodies {
 class DerivedGeometry;
 }  // namespace geargraph::inline bodies
 
+namespace geargraph::inline model {
+class MechanismPatch;
+}  // namespace geargraph::inline model
+
 namespace geargraph::inline document {
 
 /// A pure function from one mechanism to the next; one that reads the placement takes and gives placed ones,
@@ -84,6 +88,9 @@ class Document : public QObject {
   /// edit that gives back an equal mechanism makes no undo step. Refused is, too, what could be saved and not
   /// opened again (core/mechanism/model/limits.h).
   bool apply(const Edit& edit);
+  /// Undoes or repeats steps until this many of undoStack() are done; views hear of the last one only.
+  /// Cost: that of a patch for each step in between. @pre 0 <= steps <= undoStack().count()
+  void goToStep(int steps);
   /// A number for the edits of one gesture, never given before.
   [[nodiscard]] quint64 newGesture() { return ++m_lastGesture; }
 
@@ -108,6 +115,7 @@ class Document : public QObject {
  private:
   friend class EditCommand;
   void publish(const PlacedMechanism& placed);
+  void step(const MechanismPatch& patch, bool forward, std::weak_ptr<const Mechanism>& kept);
   void keepWhole(const MechanismPtr& mechanism);
   void shortenHistory();
 
@@ -118,7 +126,9 @@ class Document : public QObject {
   MechanismPtr m_gestureStart;                     ///< what the newest step began with
   std::size_t m_historyBytes = 0;
   std::size_t m_historyLimit = kHistoryLimit;
-  bool m_rebuilding = false;  ///< the history; nothing is published then
+  bool m_rebuilding = false;            ///< the history; nothing is published then
+  int m_stepsToGo = 0;                  ///< of goToStep(); only the last is published
+  std::optional<Mechanism> m_onTheWay;  ///< the document between two of these steps
   quint64 m_revision = 0;
   quint64 m_mechanicsRevision = 0;
   quint64 m_lastGesture = 0;

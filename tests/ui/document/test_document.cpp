@@ -1,9 +1,11 @@
+#include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/limits.h"
 #include "ui/document/document.h"
+#include "ui/document/history_model.h"
 
 namespace geargraph {
 namespace {
@@ -76,6 +78,54 @@ class DocumentTest : public QObject {
     QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 3.0);
     document.undoStack().undo();
     QCOMPARE(document.mechanism()->view.nodes.at(LinkId("0")).x, 0.0);
+  }
+
+  void aJumpThroughTheHistoryIsOneChange() {
+    Document document;
+    std::vector<Mechanism> steps{*document.mechanism()};
+    constexpr int kSteps = 60;  // most of them are not kept whole
+    for (int i = 0; i < kSteps; ++i) {
+      document.apply(addLink());
+      steps.push_back(*document.mechanism());
+    }
+    document.markSaved(QStringLiteral("a.geargraph"));
+    QSignalSpy changed(&document, &Document::changed);
+    for (const int step : {3, 3, 57, 0, kSteps, kSteps - 1, 20}) {
+      changed.clear();
+      const bool isElsewhere = step != document.undoStack().index();
+      document.goToStep(step);
+      QCOMPARE(changed.count(), isElsewhere ? 1 : 0);
+      QCOMPARE(document.undoStack().index(), step);
+      QCOMPARE(*document.mechanism(), steps[static_cast<std::size_t>(step)]);
+      QCOMPARE(document.isModified(), step != kSteps);
+    }
+    document.undoStack().undo();
+    QCOMPARE(*document.mechanism(), steps[19]);
+    document.apply(addLink());  // from here on the history is another one
+    QCOMPARE(document.undoStack().count(), 20);
+  }
+
+  void theHistoryIsAList() {
+    Document document;
+    HistoryModel model(&document.undoStack());
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const auto textOf = [&](int row, int role = Qt::DisplayRole) {
+      return model.index(row).data(role).toString();
+    };
+    document.apply(addLink());
+    document.apply(moveGround(1, 0));
+    QCOMPARE(model.rowCount(), 3);
+    QCOMPARE(textOf(0), QStringLiteral("Before the first step (saved)"));
+    QCOMPARE(textOf(2), QStringLiteral("Move"));
+    document.goToStep(1);
+    QCOMPARE(textOf(1, Qt::AccessibleTextRole), QStringLiteral("Add link, shown now"));
+    QCOMPARE(textOf(2, Qt::AccessibleTextRole), QStringLiteral("Move, undone"));
+    QVERIFY(!model.index(2).data(HistoryModel::DoneRole).toBool());
+    document.apply(addLink());
+    QCOMPARE(model.rowCount(), 3);
+    QCOMPARE(textOf(2), QStringLiteral("Add link"));
+    document.replace(emptyMechanism(), {});
+    QCOMPARE(model.rowCount(), 1);
   }
 
   void draggedBackLeavesNoStep() {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QDialog>
+
+class QListView;
+
+namespace geargraph::inline document {
+class Document;
+class HistoryModel;
+}  // namespace geargraph::inline document
+
+namespace geargraph::inline mainwindow {
+
+/// The history of a document as a list that follows it: a click on a step, or Return, goes there. It does not
+/// lock the window.
+class HistoryDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  HistoryDialog(Document* document, QWidget* parent);
+
+ private:
+  void showStep();
+
+  Document* m_document;
+  HistoryModel* m_model;
+  QListView* m_list;
+};
+
+}  // namespace geargraph::inline mainwindow
