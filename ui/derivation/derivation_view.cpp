@@ -18,30 +18,6 @@ constexpr int kMargin = 18;
 constexpr int kWidestPage = 900;  // px at zoom 1: longer lines are hard to read
 constexpr double kLightRoom = 4;
 
-QFont fontOf(const QFont& base, const WordLook& look) {
-  QFont font = base;
-  font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.size))));
-  font.setBold(look.bold);
-  return font;
-}
-
-/// Words as the view's own font shows them.
-class ScreenMeasure : public WordMeasure {
- public:
-  explicit ScreenMeasure(const QFont& base) : m_base(base) {}
-  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override {
-    const std::pair key{std::lround(look.size), look.bold};
-    auto found = m_metrics.find(key);
-    if (found == m_metrics.end()) found = m_metrics.emplace(key, QFontMetricsF(fontOf(m_base, look))).first;
-    return found->second.horizontalAdvance(
-        QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
-  }
-
- private:
-  QFont m_base;
-  mutable std::map<std::pair<long, bool>, QFontMetricsF> m_metrics;
-};
-
 QString textOf(const ReportWords& words) {
   QString text;
   for (const ReportSpan& span : words) {
@@ -138,7 +114,7 @@ void DerivationView::layOut() {
   flow.tallest = 1e6;
   flow.leastPart = 0.8;
   flow.leavesOutWide = false;
-  m_lines = m_report->lines(flow, ScreenMeasure(font()));
+  m_lines = m_report->lines(flow, FontMeasure(font()));
   m_tops.clear();
   double y = kMargin, width = room;
   for (std::size_t i = 0; i < m_lines.size(); ++i) {
@@ -235,8 +211,10 @@ void DerivationView::paintEvent(QPaintEvent* event) {
       static_cast<std::size_t>(std::lower_bound(m_tops.begin(), m_tops.end(), from) - m_tops.begin());
   const std::size_t first = after > 0 ? after - 1 : 0;
   for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) paintLight(painter, i, origin);
+  const FlowPainter::Colors colors{qColor(ColorRole::ink, theme), qColor(ColorRole::secondary, theme),
+                                   qColor(ColorRole::hairline, theme)};
   for (std::size_t i = first; i < m_lines.size() && m_tops[i] <= to; ++i) {
-    paintLine(painter, m_lines[i], origin + QPointF(0, m_tops[i]));
+    m_painter.paint(painter, m_lines[i], origin + QPointF(0, m_tops[i]), font(), colors);
   }
 }
 
@@ -258,25 +236,6 @@ void DerivationView::paintLight(QPainter& painter, std::size_t line, QPointF ori
   painter.fillRect(area, light);
   if (m_selection->isSelected(*element)) {
     painter.fillRect(QRectF(area.left(), area.top(), 3, area.height()), qColor(ColorRole::accent, theme));
-  }
-}
-
-void DerivationView::paintLine(QPainter& painter, const FlowLine& line, QPointF origin) {
-  const Theme theme = themeOf(palette());
-  const QColor ink = qColor(ColorRole::ink, theme), soft = qColor(ColorRole::secondary, theme);
-  for (const FlowRule& rule : line.rules) {
-    const QPointF from = origin + QPointF(rule.x, rule.y);
-    painter.fillRect(QRectF(from.x(), std::floor(from.y()), rule.width, 1),
-                     qColor(ColorRole::hairline, theme));
-  }
-  for (const FlowWords& words : line.words) {
-    painter.setFont(fontOf(font(), words.look));
-    painter.setPen(words.look.soft ? soft : ink);
-    painter.drawText(origin + QPointF(words.x, std::round(words.y)), QString::fromStdString(words.text));
-  }
-  for (const FlowFormula& formula : line.formulas) {
-    m_formulas.paint(painter, *formula.box, origin + QPointF(formula.x, std::round(formula.y)), formula.size,
-                     {ink, soft});
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/derivation/derivation_service.h"
-#include "ui/derivation/formula_painter.h"
+#include "ui/derivation/flow_painter.h"
 #include "ui/selection/selection.h"
 
 namespace geargraph::inline ui_derivation {
@@ -71,7 +71,6 @@ class DerivationView : public QAbstractScrollArea {
   void renewScrollBars(double width, double height);
   [[nodiscard]] std::optional<std::size_t> lineAt(QPoint place) const;
   [[nodiscard]] std::optional<ElementId> elementAt(QPoint place) const;
-  void paintLine(QPainter& painter, const FlowLine& line, QPointF origin);
   void paintLight(QPainter& painter, std::size_t line, QPointF origin);
   void hover(const std::optional<ElementId>& element);
   /// Scrolls to the nearest equation of what is selected where none is in sight.
@@ -82,7 +81,7 @@ class DerivationView : public QAbstractScrollArea {
   std::vector<FlowLine> m_lines;
   std::vector<double> m_tops;           ///< of lines; one more: the end
   std::vector<std::size_t> m_headings;  ///< blocks
-  FormulaPainter m_formulas;
+  FlowPainter m_painter;
   double m_zoom = 1;
   int m_laidOutFor = -1;  ///< width
   bool m_hovers = false;  ///< what is hovered was hovered here

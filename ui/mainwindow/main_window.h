@@ -158,6 +158,9 @@ class MainWindow : public QMainWindow {
   void popUpMenuFor(const ElementId& element, QPoint at);
   void showShortcuts();
 
+  void showPrintDialog();
+  void showHistory();
+  [[nodiscard]] bool isView3DInFocus() const;
   void showDerivation();
   void askForPicture();
   void showAbout();

@@ -90,6 +90,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
       "file.exportDerivation", words("Export &derivation…"),
       words("Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown"),
       {});
+  print = make("file.print", words("&Print…"),
+               words("Print the drawings and the derivation, or look at the pages first"),
+               {QKeySequence(QStringLiteral("Ctrl+P"))});
   showDerivation =
       make("learn.derivation", words("Show the &derivation"),
            words("Both methods worked out step by step for this mechanism"), {QKeySequence(Qt::Key_F6)});
@@ -104,6 +107,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   redo = make("edit.redo", words("&Redo"), words("Redo"),
               {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
               QStringLiteral("redo"));
+  history =
+      make("edit.history", words("&History…"), words("All steps as a list; a click goes to any of them"),
+           {QKeySequence(QStringLiteral("Ctrl+Shift+H"))});
   cut = make("edit.cut", words("Cu&t"), words("Copy what is selected, and delete it"), {QKeySequence::Cut});
   copy = make("edit.copy", words("&Copy"),
               words("Copy the selected links with the joints and meshes between them"), {QKeySequence::Copy});

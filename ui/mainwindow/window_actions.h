@@ -31,6 +31,7 @@ struct WindowActions {
   QAction* restoreSession;
   QAction* exportPicture;
   QAction* exportDerivation;
+  QAction* print;
   QAction* showDerivation;
   QAction* compareMethods;
   QAction* close;
@@ -39,6 +40,7 @@ struct WindowActions {
   QAction* undo;
   QAction* redo;
   QAction* cut;
+  QAction* history;
   QAction* copy;
   QAction* paste;
   QAction* duplicate;

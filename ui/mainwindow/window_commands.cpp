@@ -14,6 +14,7 @@
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
+#include "ui/mainwindow/history_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/power_view.h"
@@ -29,6 +30,7 @@
 #include "ui/panels/insert_set_dialog.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/problems_panel.h"
+#include "ui/printing/print_dialog.h"
 #include "ui/search/search_field.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
@@ -53,12 +55,14 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture, a.exportDerivation});
   file->addSeparator();
+  file->addAction(a.print);
+  file->addSeparator();
   file->addAction(a.restoreSession);
   file->addSeparator();
   file->addActions({a.close, a.quit});
 
   QMenu* edit = menu(tr("&Edit"));
-  edit->addActions({a.undo, a.redo});
+  edit->addActions({a.undo, a.redo, a.history});
   edit->addSeparator();
   edit->addActions({a.cut, a.copy, a.paste, a.duplicate, a.remove});
   edit->addSeparator();
@@ -104,6 +108,11 @@ void MainWindow::wireActions() {
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.exportDerivation, &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
+  connect(a.print, &QAction::triggered, this, &MainWindow::showPrintDialog);
+  connect(a.history, &QAction::triggered, this, &MainWindow::showHistory);
+  connect(a.copyPicture, &QAction::triggered, this, [this] {
+    m_exports->copyPicture(isView3DInFocus() ? QStringLiteral("3d") : drawing().objectName());
+  });
   connect(a.showDerivation, &QAction::triggered, this, &MainWindow::showDerivation);
   connect(a.compareMethods, &QAction::triggered, this, [this] {
     showDerivation();
@@ -297,6 +306,35 @@ void MainWindow::askForPicture() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::wanted, m_exports, &WindowExports::chooseAndExportPicture);
   dialog->show();
+}
+
+bool MainWindow::isView3DInFocus() const {
+  const QWidget* focus = QApplication::focusWidget();
+  return focus == m_view3d || m_view3d->isAncestorOf(focus);
+}
+
+/// Prints the document as it is now, whatever is edited while the dialog is open.
+void MainWindow::showPrintDialog() {
+  PrintSource source;
+  const QString name = shownText(m_document->mechanism()->name);
+  source.title = name.isEmpty() ? m_files->title() : name;
+  for (int i = 0; i < m_drawings->count(); ++i) {
+    DrawingView* each = m_allDrawings[static_cast<std::size_t>(i)];
+    DisplayList list = each->picture();
+    if (each->whyNoPicture().isEmpty()) source.drawings.push_back({m_drawings->tabText(i), std::move(list)});
+    if (each == &drawing()) source.inFront = source.drawings.size() - 1;
+  }
+  source.whyNoDerivation = m_exports->whyNoDerivation();
+  if (source.whyNoDerivation.isEmpty() && !analysis().isComplete())
+    source.whyNoDerivation = tr("The solution is still being worked out.");
+  if (source.whyNoDerivation.isEmpty()) source.snapshot = analysis().snapshot();
+  auto* dialog = new PrintDialog(std::move(source), this);
+  connect(dialog, &PrintDialog::printWanted, m_exports, &WindowExports::print);
+  dialog->show();
+}
+
+void MainWindow::showHistory() {
+  (new HistoryDialog(m_document, this))->show();
 }
 
 void MainWindow::showDerivation() {

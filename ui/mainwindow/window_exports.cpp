@@ -11,6 +11,7 @@
 #include "ui/mainwindow/csv_dialog.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/models/term_tips.h"
+#include "ui/printing/print_dialog.h"
 #include "ui/view3d/motion_panel.h"
 #include "ui/view3d/view3d.h"
 
@@ -101,6 +102,13 @@ void WindowExports::chooseAndExportTable(const QString& name, const QString& csv
   if (path.isEmpty()) return;
   const auto write = [text = csv.toStdString()](ByteSink& sink) { sink.write(text); };
   m_jobs->add(tableJob(withSuffix(path, QStringLiteral(".csv")), 0, write));
+}
+
+void WindowExports::print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer) {
+  const auto run = [pages, printer](const ExportJobs::Progress&, const std::stop_token& stop) {
+    return PrintDialog::print(*pages, *printer, stop);
+  };
+  m_jobs->add({printer->outputFileName(), false, run});
 }
 
 void WindowExports::chooseAndSaveTrace() {

@@ -11,11 +11,16 @@
 #include "core/mechanism/graph/integer_matrix.h"
 #include "core/teaching/derivation/quantity_table.h"
 
+class QPrinter;
 class QWidget;
 
 namespace geargraph::inline canvas {
 class DrawingView;
 }  // namespace geargraph::inline canvas
+namespace geargraph::inline printing {
+class PrintedPages;
+using PrintedPagesPtr = std::shared_ptr<const PrintedPages>;
+}  // namespace geargraph::inline printing
 namespace geargraph::inline ui_schematic {
 class SchematicView;
 }  // namespace geargraph::inline ui_schematic
@@ -60,6 +65,8 @@ class WindowExports : public QObject {
   void exportPicture(const PictureWish& wish, const QString& path);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
   void exportDerivation(const QString& path);
+  /// Prints pages on a thread.
+  void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
   bool saveTrace(const QString& path);
   /// What the plots show, as CSV: points and angles in one file each, "speeds.csv" and "speeds-2.csv".

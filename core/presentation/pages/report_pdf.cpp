@@ -1,10 +1,8 @@
 #include "core/presentation/pages/report_pdf.h"
 
-#include <algorithm>
-
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/flow.h"
-#include "core/presentation/pages/paragraph.h"
+#include "core/presentation/pages/page_break.h"
 #include "core/presentation/picture/pdf_pages.h"
 
 namespace geargraph::inline pages {
@@ -31,46 +29,13 @@ class PageMeasure : public WordMeasure {
   const PdfPages& m_pages;
 };
 
-/// Strips of one page and how far below the top of the body each begins.
-struct Page {
-  std::vector<std::pair<const FlowLine*, double>> lines;
-};
-
-/// Strips that no page's end parts go to a page together, where they are not taller than one.
-std::vector<Page> pagesOf(const std::vector<FlowLine>& lines) {
-  std::vector<Page> pages(1);
-  double used = 0;
-  for (std::size_t begin = 0; begin < lines.size();) {
-    std::size_t end = begin;
-    double height = 0;
-    do {
-      height += (end > begin ? lines[end].above : 0) + lines[end].height;
-    } while (lines[end++].keepsWithNext && end < lines.size());
-    const bool isNew = pages.back().lines.empty();
-    if (!isNew && used + lines[begin].above + height > kBody) {
-      pages.emplace_back();
-      used = 0;
-    }
-    for (; begin < end; ++begin) {
-      double top = used + (pages.back().lines.empty() ? 0 : lines[begin].above);
-      if (!pages.back().lines.empty() && top + lines[begin].height > kBody) {
-        pages.emplace_back();
-        top = 0;
-      }
-      pages.back().lines.emplace_back(&lines[begin], top);
-      used = top + lines[begin].height;
-    }
-  }
-  return pages;
-}
-
 class PagePainter {
  public:
   PagePainter(PdfPages& pages, const Report& report, const ReportLists& drawings)
       : m_pages(pages), m_report(report), m_drawings(drawings) {}
 
-  void paint(const Page& page) {
-    for (const auto& [line, top] : page.lines) paint(*line, kHead + top);
+  void paint(const FlowPage& page, const std::vector<FlowLine>& lines) {
+    for (const auto& [line, top] : page.lines) paint(lines[line], kHead + top);
   }
   void paintFoot(std::size_t page, std::size_t of) {
     const std::string text = std::to_string(page) + " / " + std::to_string(of);
@@ -105,22 +70,6 @@ class PagePainter {
   std::size_t m_bookmarked = 0;  ///< one more than the block of the last bookmark
 };
 
-/// The name of the mechanism and what the document is.
-std::vector<FlowLine> titleLines(const SetReport& report, const FlowLook& flow, const WordMeasure& measure) {
-  const std::size_t none = report.report().blocks.size();
-  std::vector<FlowLine> lines = paragraphLines(report, {{report.report().title, false}},
-                                               {1.9 * kSize, true, false}, flow, measure, 0, kWidth);
-  for (FlowLine& line : paragraphLines(report, {{report.report().subtitle, false}},
-                                       {1.1 * kSize, false, true}, flow, measure, 0, kWidth)) {
-    lines.push_back(std::move(line));
-  }
-  for (FlowLine& line : lines) {
-    line.block = none;
-    line.keepsWithNext = true;
-  }
-  return lines;
-}
-
 }  // namespace
 
 const DisplayList& ReportLists::of(ReportDrawing drawing) const {
@@ -144,10 +93,10 @@ Expected<std::string> reportPdf(Report report, const ReportLists& drawings) {
   };
   std::vector<FlowLine> lines = titleLines(set, flow, measure);
   for (FlowLine& line : set.lines(flow, measure)) lines.push_back(std::move(line));
-  const std::vector<Page> pages = pagesOf(lines);
+  const std::vector<FlowPage> pages = flowPages(lines, kBody);
   PagePainter painter(pdf, set.report(), drawings);
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    painter.paint(pages[i]);
+    painter.paint(pages[i], lines);
     painter.paintFoot(i + 1, pages.size());
     pdf.endPage();
   }

@@ -1,0 +1,42 @@
+#include "ui/derivation/flow_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geargraph::inline ui_derivation {
+namespace {
+
+QFont fontOf(const QFont& base, const WordLook& look) {
+  QFont font = base;
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(look.size))));
+  font.setBold(look.bold);
+  return font;
+}
+
+}  // namespace
+
+double FontMeasure::widthOf(std::string_view utf8, const WordLook& look) const {
+  const std::pair key{std::lround(look.size), look.bold};
+  auto found = m_metrics.find(key);
+  if (found == m_metrics.end()) found = m_metrics.emplace(key, QFontMetricsF(fontOf(m_base, look))).first;
+  return found->second.horizontalAdvance(QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())));
+}
+
+void FlowPainter::paint(QPainter& painter, const FlowLine& line, QPointF origin, const QFont& base,
+                        const Colors& colors, double hair) {
+  for (const FlowRule& rule : line.rules) {
+    const QPointF from = origin + QPointF(rule.x, rule.y);
+    painter.fillRect(QRectF(from.x(), std::floor(from.y()), rule.width, hair), colors.hairline);
+  }
+  for (const FlowWords& words : line.words) {
+    painter.setFont(fontOf(base, words.look));
+    painter.setPen(words.look.soft ? colors.soft : colors.ink);
+    painter.drawText(origin + QPointF(words.x, std::round(words.y)), QString::fromStdString(words.text));
+  }
+  for (const FlowFormula& formula : line.formulas) {
+    m_formulas.paint(painter, *formula.box, origin + QPointF(formula.x, std::round(formula.y)), formula.size,
+                     {colors.ink, colors.soft});
+  }
+}
+
+}  // namespace geargraph::inline ui_derivation

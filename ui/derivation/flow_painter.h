@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QFont>
+#include <QFontMetricsF>
+#include <map>
+
+#include "core/presentation/pages/flow.h"
+#include "ui/derivation/formula_painter.h"
+
+namespace geargraph::inline ui_derivation {
+
+/// Words as QPainter shows them in a font.
+class FontMeasure : public WordMeasure {
+ public:
+  explicit FontMeasure(const QFont& base) : m_base(base) {}
+  [[nodiscard]] double widthOf(std::string_view utf8, const WordLook& look) const override;
+
+ private:
+  QFont m_base;
+  mutable std::map<std::pair<long, bool>, QFontMetricsF> m_metrics;
+};
+
+/// Paints the strips of a report, on the screen and on pages. Use it on the thread that made it.
+class FlowPainter {
+ public:
+  struct Colors {
+    QColor ink;
+    QColor soft;
+    QColor hairline;
+  };
+
+  /// The strip with its upper left corner at `origin`; words in `base`, as FontMeasure has measured them.
+  /// Rules are `hair` thick.
+  void paint(QPainter& painter, const FlowLine& line, QPointF origin, const QFont& base, const Colors& colors,
+             double hair = 1);
+
+ private:
+  FormulaPainter m_formulas;
+};
+
+}  // namespace geargraph::inline ui_derivation

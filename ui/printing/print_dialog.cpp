@@ -1,0 +1,185 @@
+#include "ui/printing/print_dialog.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPageSetupDialog>
+#include <QPainter>
+#include <QPrintDialog>
+#include <QPushButton>
+#include <QSpinBox>
+#include <algorithm>
+#include <utility>
+
+#include "ui/printing/page_preview.h"
+
+namespace geargraph::inline printing {
+namespace {
+
+/// The derivation of a snapshot, worked out and set when it is first wanted. Used by one thread.
+class LazyReport {
+ public:
+  using Set = std::shared_ptr<const SetReport>;
+
+  explicit LazyReport(SnapshotPtr snapshot) : m_snapshot(std::move(snapshot)) {}
+
+  Set operator()(const std::stop_token& stop) {
+    if (m_report) return m_report;
+    Report report = derivationReport(m_snapshot, stop);
+    if (stop.stop_requested()) return nullptr;
+    auto set = std::make_shared<const SetReport>(std::move(report), stop);
+    if (stop.stop_requested()) return nullptr;
+    return m_report = std::move(set);
+  }
+
+ private:
+  SnapshotPtr m_snapshot;
+  Set m_report;
+};
+
+}  // namespace
+
+PrintDialog::PrintDialog(PrintSource source, QWidget* parent)
+    : QDialog(parent),
+      m_source(std::move(source)),
+      m_printer(std::make_shared<QPrinter>(QPrinter::HighResolution)),
+      m_pages(new Pages(
+          [report = std::make_shared<LazyReport>(m_source.snapshot), title = m_source.title](
+              const Request& request, const Pages::Responder& respond) {
+            const auto derivation = request.withDerivation ? (*report)(respond.stop()) : nullptr;
+            respond(std::make_shared<const PrintedPages>(title, request.drawings, derivation, request.paper,
+                                                         request.font, respond.stop()));
+          },
+          this)),
+      m_preview(new PagePreview(this)) {
+  setObjectName(QStringLiteral("printDialog"));
+  setWindowTitle(tr("Print"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  m_printer->setDocName(m_source.title);
+  auto* right = new QVBoxLayout;
+  right->addWidget(m_preview, 1);
+  right->addWidget(makePageField());
+  auto* all = new QHBoxLayout(this);
+  all->addWidget(makeChoices());
+  all->addLayout(right, 1);
+  m_pages->onAnswer(this, [this](const PrintedPagesPtr& pages) { showPages(pages); });
+  request();
+}
+
+QWidget* PrintDialog::makeChoices() {
+  auto* side = new QWidget(this);
+  auto* layout = new QVBoxLayout(side);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* group = new QGroupBox(tr("What"), side);
+  auto* list = new QVBoxLayout(group);
+  for (std::size_t i = 0; i < m_source.drawings.size(); ++i) {
+    auto* box = new QCheckBox(m_source.drawings[i].title, group);
+    box->setObjectName(QStringLiteral("print%1").arg(i));
+    box->setToolTip(tr("The drawing on a page of its own"));
+    box->setChecked(i == m_source.inFront);
+    connect(box, &QCheckBox::toggled, this, &PrintDialog::request);
+    list->addWidget(box);
+    m_drawings.push_back(box);
+  }
+  m_derivation = new QCheckBox(tr("Derivation with its matrices"), group);
+  m_derivation->setObjectName(QStringLiteral("printDerivation"));
+  m_derivation->setEnabled(m_source.snapshot != nullptr);
+  m_derivation->setToolTip(m_source.snapshot ? tr("Both methods worked out step by step")
+                                             : m_source.whyNoDerivation);
+  connect(m_derivation, &QCheckBox::toggled, this, &PrintDialog::request);
+  list->addWidget(m_derivation);
+  layout->addWidget(group);
+  layout->addStretch(1);
+  auto* setUp = new QPushButton(tr("Page setup…"), side);
+  setUp->setToolTip(tr("Size and orientation of the paper"));
+  connect(setUp, &QPushButton::clicked, this, &PrintDialog::setUpPage);
+  m_print = new QPushButton(tr("Print…"), side);
+  m_print->setObjectName(QStringLiteral("printNow"));
+  m_print->setToolTip(tr("Choose a printer, or a PDF file"));
+  m_print->setDefault(true);
+  connect(m_print, &QPushButton::clicked, this, &PrintDialog::choosePrinter);
+  auto* close = new QPushButton(tr("Close"), side);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  for (QPushButton* button : {setUp, m_print, close}) layout->addWidget(button);
+  return side;
+}
+
+QWidget* PrintDialog::makePageField() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(tr("Page"), row);
+  m_page = new QSpinBox(row);
+  m_page->setObjectName(QStringLiteral("printPage"));
+  m_page->setAccessibleName(tr("Page"));
+  m_page->setToolTip(tr("The page that is shown"));
+  label->setBuddy(m_page);
+  layout->addStretch(1);
+  layout->addWidget(label);
+  layout->addWidget(m_page);
+  layout->addStretch(1);
+  connect(m_page, &QSpinBox::valueChanged, m_preview, [this](int page) { m_preview->setPage(page - 1); });
+  connect(m_preview, &PagePreview::pageChanged, m_page, [this](int page) { m_page->setValue(page + 1); });
+  return row;
+}
+
+void PrintDialog::request() {
+  Request wanted;
+  for (std::size_t i = 0; i < m_drawings.size(); ++i) {
+    if (m_drawings[i]->isChecked()) wanted.drawings.push_back(m_source.drawings[i]);
+  }
+  wanted.withDerivation = m_derivation->isChecked();
+  wanted.paper = m_printer->pageLayout().fullRectPoints().size();
+  wanted.font = font();
+  m_print->setEnabled(false);
+  m_pages->request(std::move(wanted));
+}
+
+void PrintDialog::showPages(const PrintedPagesPtr& pages) {
+  m_page->setRange(1, std::max(1, pages->count()));
+  m_page->setSuffix(tr(" of %1").arg(pages->count()));
+  m_preview->setPages(pages, tr("Nothing is chosen."));
+  m_print->setEnabled(pages->count() > 0);
+}
+
+void PrintDialog::setUpPage() {
+  auto* dialog = new QPageSetupDialog(m_printer.get(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, &PrintDialog::request);
+  dialog->open();
+}
+
+void PrintDialog::choosePrinter() {
+  auto* dialog = new QPrintDialog(m_printer.get(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setMinMax(1, pages()->count());
+  dialog->setFromTo(1, pages()->count());
+  connect(dialog, &QDialog::accepted, this, [this] {
+    emit printWanted(pages(), m_printer);
+    close();
+  });
+  dialog->open();
+}
+
+QString PrintDialog::print(const PrintedPages& pages, QPrinter& printer, const std::stop_token& stop) {
+  printer.setFullPage(true);
+  const int first = printer.fromPage() > 0 ? printer.fromPage() - 1 : 0;
+  const int end = printer.toPage() > 0 ? std::min(printer.toPage(), pages.count()) : pages.count();
+  QPainter painter;
+  if (first >= end) return tr("There is no such page to print.");
+  if (!painter.begin(&printer)) return tr("The printer could not be opened.");
+  FlowPainter flow;
+  const double scale = printer.resolution() / 72.0;
+  for (int page = first; page < end && !stop.stop_requested(); ++page) {
+    if (page > first && !printer.newPage()) return tr("The printer stopped at page %1.").arg(page + 1);
+    pages.paint(painter, page, scale, flow);
+  }
+  if (stop.stop_requested()) {
+    printer.abort();
+    return tr("Printing was stopped.");
+  }
+  return painter.end() ? QString() : tr("The printer reported an error.");
+}
+
+}  // namespace geargraph::inline printing

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QFont>
+#include <QSizeF>
+#include <QString>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/pages/page_break.h"
+#include "ui/derivation/flow_painter.h"
+
+namespace geargraph::inline printing {
+
+/// A drawing that gets a page of its own.
+struct PrintedDrawing {
+  QString title;
+  DisplayList list;
+};
+
+/// What is printed: drawings as large as their pages allow, at most at their size on the screen, then the
+/// derivation with its matrices. Black on white, whatever the theme. An immutable value, made on any thread.
+class PrintedPages {
+ public:
+  /// @param paper of a page, in points
+  /// @param report null: no derivation
+  /// Cost: linear in the report. Of no use when `stop` was requested meanwhile.
+  PrintedPages(QString title, std::vector<PrintedDrawing> drawings, std::shared_ptr<const SetReport> report,
+               QSizeF paper, const QFont& font, const std::stop_token& stop = {});
+
+  [[nodiscard]] int count() const { return static_cast<int>(m_drawings.size() + m_flow.size()); }
+  [[nodiscard]] const QString& title() const { return m_title; }
+  [[nodiscard]] QSizeF paper() const { return m_paper; }
+  /// What a page shows, in a word: for people who do not see it.
+  [[nodiscard]] QString describe(int page) const;
+
+  /// A page over its paper, from the upper left corner at the origin, `scale` pixels to a point. Not the
+  /// paper itself. @pre 0 <= page < count()
+  void paint(QPainter& painter, int page, double scale, FlowPainter& flow) const;
+
+ private:
+  void paintDrawing(QPainter& painter, const PrintedDrawing& drawing, double scale) const;
+  void paintFlow(QPainter& painter, const FlowPage& page, double scale, FlowPainter& flow) const;
+
+  QString m_title;
+  std::vector<PrintedDrawing> m_drawings;
+  std::shared_ptr<const SetReport> m_report;
+  QSizeF m_paper;
+  QFont m_font;
+  std::vector<FlowLine> m_lines;
+  std::vector<FlowPage> m_flow;
+};
+
+using PrintedPagesPtr = std::shared_ptr<const PrintedPages>;
+
+}  // namespace geargraph::inline printing
