@@ -417,6 +417,7 @@ QMenu* DrawingView::contextMenuFor(const std::optional<ElementId>& element, Shee
   auto* menu = new QMenu(this);
   fillContextMenu(*menu, mechanism(), element, actions);
   fillMenuFurther(*menu, element, at);
+  emit menuOpening(menu, element);
   return menu;
 }
 

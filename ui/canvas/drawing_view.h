@@ -106,6 +106,10 @@ class DrawingView : public QGraphicsView {
   void propertiesWanted(const geargraph::ElementId& element);
   /// The drawing has other places: what is painted under it belongs to the former ones.
   void redrawn();
+  /// A context menu has been made for an element, or for the sheet: others may add what they know of it.
+  void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
+  /// Keys have selected an element: for those who do not see the drawing.
+  void walkedTo(const geargraph::ElementId& element);
   /// Space was tapped, not held for panning: play or pause.
   void spaceTapped();
 

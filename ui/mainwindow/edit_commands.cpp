@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
+#include <unordered_set>
+#include <utility>
 
 #include "core/design/synthesis/insertion.h"
 #include "core/design/synthesis/planets.h"
@@ -10,13 +12,28 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
 #include "ui/canvas/canvas_edits.h"
+#include "ui/mainwindow/picture_clipboard.h"
 #include "ui/models/term_tips.h"
 #include "ui/workbench/workbench.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
 
-const QString kMimeType = QStringLiteral("application/x-geargraph+json");
+/// Above this number of links a picture would not be readable.
+constexpr int kMostPicturedLinks = 2'000;
+
+/// The marks of the elements in the fragment; those of its ground only if that was selected.
+DisplayList partOf(DisplayList drawing, const Mechanism& fragment, bool withGround) {
+  std::unordered_set<ElementId> copied;
+  for (const Link& link : fragment.links) copied.insert(link.id);
+  if (!withGround) copied.erase(fragment.links.front().id);
+  for (const Axis& axis : fragment.axes) copied.insert(axis.id);
+  for (const TurningJoint& joint : fragment.turningJoints) copied.insert(joint.id);
+  for (const GearMesh& mesh : fragment.gearMeshes) copied.insert(mesh.id);
+  for (const Coupling& coupling : fragment.couplings) copied.insert(coupling.id);
+  std::erase_if(drawing.marks, [&](const Mark& mark) { return !copied.contains(mark.element); });
+  return drawing;
+}
 
 /// A place of a text that is a document in the making is told without its pointer, as the text is not shown.
 QString whyUnreadable(const Diagnostics& problems) {
@@ -25,8 +42,13 @@ QString whyUnreadable(const Diagnostics& problems) {
 
 }  // namespace
 
-EditCommands::EditCommands(Workbench& workbench, QObject* parent)
-    : QObject(parent), m_document(&workbench.document()), m_selection(&workbench.selection()) {}
+EditCommands::EditCommands(Workbench& workbench, PictureClipboard* clipboard,
+                           std::function<DisplayList()> picture, QObject* parent)
+    : QObject(parent),
+      m_document(&workbench.document()),
+      m_selection(&workbench.selection()),
+      m_clipboard(clipboard),
+      m_picture(std::move(picture)) {}
 
 bool EditCommands::copy() {
   const Mechanism fragment = fragmentOf(*m_document->mechanism(), m_selection->selected());
@@ -34,11 +56,14 @@ bool EditCommands::copy() {
     emit refused(tr("Select links to copy; the ground stays where it is."));
     return false;
   }
-  const QByteArray json = QByteArray::fromStdString(writeMechanism(fragment));
-  auto* content = new QMimeData;
-  content->setData(kMimeType, json);
-  content->setText(QString::fromUtf8(json));
-  QApplication::clipboard()->setMimeData(content);
+  CopiedContent content;
+  content.json = QByteArray::fromStdString(writeMechanism(fragment));
+  content.asText = true;
+  if (fragment.n() <= kMostPicturedLinks) {
+    const bool withGround = m_selection->isSelected(fragment.links.front().id);
+    content.drawing = partOf(m_picture(), fragment, withGround);
+  }
+  m_clipboard->copy(std::move(content));
   emit noted(tr("Copied %1").arg(fragment.n() == 1 ? tr("1 link") : tr("%1 links").arg(fragment.n())));
   return true;
 }
@@ -54,7 +79,9 @@ void EditCommands::cut() {
 void EditCommands::paste() {
   const QMimeData* content = QApplication::clipboard()->mimeData();
   if (content == nullptr) return emit refused(tr("The clipboard is empty."));
-  const QByteArray json = content->hasFormat(kMimeType) ? content->data(kMimeType) : content->text().toUtf8();
+  const QByteArray json = content->hasFormat(PictureClipboard::mimeType())
+                              ? content->data(PictureClipboard::mimeType())
+                              : content->text().toUtf8();
   if (json.trimmed().isEmpty()) return emit refused(tr("The clipboard holds no links."));
   if (static_cast<std::size_t>(json.size()) > kLargestFile) {
     return emit refused(tr("What the clipboard holds is too large to be a mechanism."));

@@ -2,8 +2,10 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 #include "core/mechanism/model/mechanism.h"
+#include "core/presentation/drawing/display_list.h"
 
 namespace geargraph::inline document {
 class Document;
@@ -17,13 +19,17 @@ class Workbench;
 
 namespace geargraph::inline mainwindow {
 
+class PictureClipboard;
+
 /// Commands that edit what is selected, whatever view shows it. The clipboard holds a document in JSON, which
-/// reaches other windows, other programs and text editors.
+/// reaches other windows, other programs and text editors, and beside it the picture of what was copied.
 class EditCommands : public QObject {
   Q_OBJECT
 
  public:
-  EditCommands(Workbench& workbench, QObject* parent);
+  /// `picture`: the drawing in front as it is exported.
+  EditCommands(Workbench& workbench, PictureClipboard* clipboard, std::function<DisplayList()> picture,
+               QObject* parent);
 
   bool copy();  ///< false if nothing selected can be copied
   void cut();
@@ -43,6 +49,8 @@ class EditCommands : public QObject {
 
   Document* m_document;
   Selection* m_selection;
+  PictureClipboard* m_clipboard;
+  std::function<DisplayList()> m_picture;
 };
 
 }  // namespace geargraph::inline mainwindow

@@ -19,6 +19,7 @@
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
 #include "ui/mainwindow/power_view.h"
+#include "ui/mainwindow/picture_clipboard.h"
 #include "ui/mainwindow/presentation.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/start_page.h"
@@ -166,11 +167,14 @@ void MainWindow::onDrawingChosen() {
 }
 
 void MainWindow::makeCommands() {
-  m_commands = new EditCommands(*m_workbench, this);
+  auto* clipboard = new PictureClipboard(this);
+  connect(clipboard, &PictureClipboard::refused, m_status, &StatusLine::showRefusal);
+  m_commands = new EditCommands(
+      *m_workbench, clipboard, [this] { return drawing().picture(); }, this);
   connect(m_commands, &EditCommands::refused, m_status, &StatusLine::showRefusal);
   connect(m_commands, &EditCommands::noted, m_status, &StatusLine::showNote);
   m_exports = new WindowExports(*m_workbench, *m_files, {m_allDrawings, m_schematic, m_view3d, m_motion},
-                                m_exportJobs, this);
+                                m_exportJobs, clipboard, this);
   connect(m_exports, &WindowExports::refused, m_status, &StatusLine::showRefusal);
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
   connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);
@@ -244,6 +248,13 @@ void MainWindow::wireDrawing(DrawingView* drawing) {
     dock->show();
     dock->raise();
   });
+  connect(drawing, &DrawingView::menuOpening, this,
+          [this, drawing](QMenu* menu, const std::optional<ElementId>& element) {
+            if (element) return;
+            menu->addSeparator();
+            menu->addAction(m_actions->copyPicture->text(), m_exports,
+                            [this, drawing] { m_exports->copyPicture(drawing->objectName()); });
+          });
   connect(drawing, &DrawingView::spaceTapped, this, [this] { m_view3d->playback().toggle(); });
 }
 

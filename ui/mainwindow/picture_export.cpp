@@ -4,10 +4,12 @@
 #include <QFileInfo>
 
 #include "core/foundations/files/file.h"
+#include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/export_jobs.h"
+#include "ui/mainwindow/picture_clipboard.h"
 #include "ui/mainwindow/picture_dialog.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
@@ -111,6 +113,37 @@ void WindowExports::exportView3D(const PictureWish& wish, const QString& path) {
   m_jobs->add(shotJob(shot, m_views.view3d->options(), look.theme == Theme::dark, wish.solid, path));
 }
 
+void WindowExports::copyPicture(const QString& view) {
+  if (view == QLatin1String("3d")) return copyView3D();
+  for (DrawingView* each : m_views.drawings) {
+    if (each->objectName() != view) continue;
+    CopiedContent content;
+    content.drawing = each->picture();
+    const QString why = each->whyNoPicture();
+    if (!why.isEmpty()) return emit refused(why);
+    content.json = QByteArray::fromStdString(writeMechanism(*m_workbench.document().mechanism()));
+    m_clipboard->copy(std::move(content));
+    emit noted(tr("Copied the drawing as a picture"));
+  }
+}
+
+/// As the view shows it, at the size of a page.
+void WindowExports::copyView3D() {
+  const StagePtr stage = m_views.view3d->stage();
+  if (!stage || stage->scene.instances.empty())
+    return emit refused(tr("The 3D view is empty: there is nothing to copy."));
+  CopiedContent::Seen seen{{}, m_views.view3d->options()};
+  seen.shot.stage = stage;
+  seen.shot.view = m_views.view3d->view();
+  seen.shot.view.look = pictureLook(Theme::light, true);
+  seen.shot.view.look.faces = seen.options.faces;
+  seen.shot.fits = false;
+  CopiedContent content;
+  content.seen = std::move(seen);
+  m_clipboard->copy(std::move(content));
+  emit noted(tr("Copied the 3D view as a picture"));
+}
+
 void WindowExports::writePicture(const Expected<std::string>& bytes, const QString& path) {
   if (!bytes) {
     emit refused(QString::fromStdString(bytes.error().front().message));
@@ -122,6 +155,7 @@ void WindowExports::writePicture(const Expected<std::string>& bytes, const QStri
 }
 
 void WindowExports::onWritten(const QString& path) {
+  if (path.isEmpty()) return emit noted(tr("Sent to the printer"));
   emit noted(tr("Exported %1").arg(QFileInfo(path).fileName()));
   emit written(path);
 }

@@ -113,6 +113,10 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   cut = make("edit.cut", words("Cu&t"), words("Copy what is selected, and delete it"), {QKeySequence::Cut});
   copy = make("edit.copy", words("&Copy"),
               words("Copy the selected links with the joints and meshes between them"), {QKeySequence::Copy});
+  copyPicture =
+      make("edit.copyPicture", words("Copy as p&icture"),
+           words("Copy the drawing in front, or the 3D view where it has the focus, as SVG and PNG"),
+           {QKeySequence(QStringLiteral("Ctrl+Shift+C"))});
   paste = make("edit.paste", words("&Paste"), words("Insert what was copied, in this window or in another"),
                {QKeySequence::Paste});
   duplicate = make("edit.duplicate", words("D&uplicate"), words("A copy of the selection in the drawing"),

@@ -42,6 +42,7 @@ struct WindowActions {
   QAction* cut;
   QAction* history;
   QAction* copy;
+  QAction* copyPicture;
   QAction* paste;
   QAction* duplicate;
   QAction* remove;

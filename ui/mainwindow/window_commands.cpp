@@ -64,7 +64,7 @@ void MainWindow::makeMenus() {
   QMenu* edit = menu(tr("&Edit"));
   edit->addActions({a.undo, a.redo, a.history});
   edit->addSeparator();
-  edit->addActions({a.cut, a.copy, a.paste, a.duplicate, a.remove});
+  edit->addActions({a.cut, a.copy, a.copyPicture, a.paste, a.duplicate, a.remove});
   edit->addSeparator();
   edit->addActions({a.rename, a.selectAll});
 
@@ -299,9 +299,7 @@ void MainWindow::askForPicture() {
     views.emplace_back(m_drawings->widget(i)->objectName(), m_drawings->tabText(i));
   }
   views.emplace_back(QStringLiteral("3d"), tr("3D"));
-  const QWidget* focus = QApplication::focusWidget();
-  const bool solid = focus == m_view3d || m_view3d->isAncestorOf(focus);
-  auto* dialog = new PictureDialog(views, solid ? QStringLiteral("3d") : drawing().objectName(),
+  auto* dialog = new PictureDialog(views, isView3DInFocus() ? QStringLiteral("3d") : drawing().objectName(),
                                    drawing().theme() == Theme::dark, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::wanted, m_exports, &WindowExports::chooseAndExportPicture);

@@ -47,12 +47,13 @@ ExportJobs::Job tableJob(const QString& path, qint64 entries, const std::functio
 }  // namespace
 
 WindowExports::WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
-                             QWidget* window)
+                             PictureClipboard* clipboard, QWidget* window)
     : QObject(window),
       m_workbench(workbench),
       m_files(files),
       m_views(std::move(views)),
       m_jobs(jobs),
+      m_clipboard(clipboard),
       m_window(window) {
   connect(m_jobs, &ExportJobs::finished, this, &WindowExports::onWritten);
   connect(m_jobs, &ExportJobs::failed, this, &WindowExports::refused);

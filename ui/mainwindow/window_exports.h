@@ -36,6 +36,7 @@ namespace geargraph::inline mainwindow {
 
 struct PictureWish;
 class ExportJobs;
+class PictureClipboard;
 class WindowFiles;
 
 /// What a window writes besides its document: matrices and tables as CSV, drawings, 3D pictures and
@@ -55,7 +56,7 @@ class WindowExports : public QObject {
 
   /// `window`: the parent of its dialogs, and of this.
   WindowExports(Workbench& workbench, const WindowFiles& files, Views views, ExportJobs* jobs,
-                QWidget* window);
+                PictureClipboard* clipboard, QWidget* window);
 
   /// A matrix with its labels as CSV; written() follows, and a large one can be stopped. Cost: O(rows ·
   /// columns).
@@ -63,6 +64,9 @@ class WindowExports : public QObject {
   void exportCsv(const QuantityTablePtr& table, const QString& path, const CsvOptions& options = {});
   /// A picture of a view; written() follows, at once for a drawing, later for the 3D view.
   void exportPicture(const PictureWish& wish, const QString& path);
+  /// A view as a picture on the clipboard, by the name of its drawing, or "3d": soon after, and with the
+  /// document where it is a drawing.
+  void copyPicture(const QString& view);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
   void exportDerivation(const QString& path);
   /// Prints pages on a thread.
@@ -94,6 +98,7 @@ class WindowExports : public QObject {
  private:
   void chooseCsv(const QString& name, const std::function<void(const QString&, const CsvOptions&)>& write);
   void exportView3D(const PictureWish& wish, const QString& path);
+  void copyView3D();
   void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);
 
@@ -101,6 +106,7 @@ class WindowExports : public QObject {
   const WindowFiles& m_files;
   Views m_views;
   ExportJobs* m_jobs;
+  PictureClipboard* m_clipboard;
   QWidget* m_window;
 };
 

@@ -33,6 +33,9 @@ void MainWindow::wireView3DCommands() {
   connect(m_motion, &MotionPanel::fileWanted, m_exports, &WindowExports::chooseAndSaveSpeeds);
   // The part that the menu is about is selected, so the commands of the menu bar mean it.
   connect(m_view3d, &View3D::menuOpening, this, [this](QMenu* menu, const std::optional<ElementId>& element) {
+    menu->addSeparator();
+    menu->addAction(m_actions->copyPicture->text(), m_exports,
+                    [this] { m_exports->copyPicture(QStringLiteral("3d")); });
     if (!element) return;
     menu->addSeparator();
     menu->addActions({m_actions->drive, m_actions->hold, m_actions->makeGround, m_actions->rename});

@@ -1,5 +1,7 @@
 #include <QApplication>
 #include <QClipboard>
+#include <QImage>
+#include <QMenu>
 #include <QMimeData>
 #include <QTest>
 
@@ -10,6 +12,7 @@
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/view3d/view3d.h"
 
 namespace geargraph {
 
@@ -93,6 +96,72 @@ class WindowClipboardTest : public QObject {
     press(*window, Qt::Key_V);
     QCOMPARE(now()->n(), 8);
     QCOMPARE(now()->links.back().name, std::string("end-effector"));
+  }
+
+  void thePictureOfWhatIsCopiedLiesBesideIt() {
+    const auto pixelsOf = [] {
+      return QApplication::clipboard()->mimeData()->imageData().value<QImage>().size();
+    };
+    const auto has = [](const char* format) {
+      return QApplication::clipboard()->mimeData()->hasFormat(QLatin1String(format));
+    };
+    window->selection().select({LinkId("1"), LinkId("2"), LinkId("5")});
+    press(*window, Qt::Key_C);
+    QVERIFY(has("application/x-geargraph+json"));  // at once
+    QTRY_VERIFY(has("image/svg+xml") && has("image/png"));
+    QVERIFY(has("application/x-geargraph+json"));
+    const QByteArray svg = QApplication::clipboard()->mimeData()->data(QStringLiteral("image/svg+xml"));
+    QVERIFY(svg.contains("data-id=\"12\""));  // the joint between two of them
+    QVERIFY(!svg.contains("data-id=\"3\""));  // another link
+    const QSize part = pixelsOf();
+    QVERIFY(!part.isEmpty());
+    press(*window, Qt::Key_V);
+    QCOMPARE(now()->n(), 10);
+
+    press(*window, Qt::Key_A);
+    press(*window, Qt::Key_C);
+    QTRY_VERIFY(pixelsOf().width() > part.width());
+  }
+
+  void drawingsAndThe3DViewAreCopiedAsPictures() {
+    const auto* content = QApplication::clipboard()->mimeData();
+    window->showDrawing(QStringLiteral("schematic"));
+    QTRY_VERIFY(window->isSettled());
+    window->drawing().setFocus();
+    QTest::keyClick(&window->drawing(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(
+        (content = QApplication::clipboard()->mimeData())->hasFormat(QStringLiteral("image/svg+xml")));
+    QVERIFY(content->hasImage());
+    QVERIFY(readMechanism(content->data(QStringLiteral("application/x-geargraph+json")).toStdString()));
+    QVERIFY(!content->hasText());  // a text editor gets nothing that was not asked for
+
+    window->view3d().setFocus();
+    QTest::keyClick(&window->view3d(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT((content = QApplication::clipboard()->mimeData())->hasImage() &&
+                                 !content->hasFormat(QStringLiteral("image/svg+xml")),
+                             20'000);
+    QCOMPARE(content->imageData().value<QImage>().size(), QSize(1600, 1000));
+  }
+
+  void aPictureThatComesLateTakesNothingAway() {
+    press(*window, Qt::Key_A);
+    press(*window, Qt::Key_C);
+    QApplication::clipboard()->setText(QStringLiteral("another"));
+    QTest::qWait(300);
+    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("another"));
+  }
+
+  void everySheetsMenuCopiesItsPicture() {
+    for (const char* name : {"digraph", "ttgraph", "schematic"}) {
+      window->showDrawing(QLatin1String(name));
+      QTRY_VERIFY(window->isSettled());
+      const std::unique_ptr<QMenu> menu(window->drawing().contextMenuFor(std::nullopt, {}));
+      QApplication::clipboard()->clear();
+      for (QAction* action : menu->actions()) {
+        if (action->text().remove(QLatin1Char('&')) == QLatin1String("Copy as picture")) action->trigger();
+      }
+      QTRY_VERIFY(QApplication::clipboard()->mimeData()->hasFormat(QStringLiteral("image/svg+xml")));
+    }
   }
 
   void cutIsOneStep() {

@@ -1,0 +1,107 @@
+#include "ui/mainwindow/picture_clipboard.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
+#include <algorithm>
+#include <utility>
+
+#include "core/presentation/picture/picture.h"
+#include "ui/view3d/overlay.h"
+
+namespace geargraph::inline mainwindow {
+namespace {
+
+QByteArray bytesOf(const Expected<std::string>& file) {
+  return file ? QByteArray::fromStdString(*file) : QByteArray();
+}
+
+SheetLook paperLook() {
+  SheetLook look;
+  look.transparent = true;
+  return look;
+}
+
+/// Twice the size of the screen, unless that is more than a picture may have.
+double scaleOf(const DisplayList& drawing) {
+  const Extent sheet = sheetOf(drawing, paperLook());
+  constexpr double kScale = 2;
+  return std::min(kScale, PictureClipboard::kMostPixels / (2 * std::max(sheet.halfWidth, sheet.halfHeight)));
+}
+
+}  // namespace
+
+QString PictureClipboard::mimeType() {
+  return QStringLiteral("application/x-geargraph+json");
+}
+
+PictureClipboard::PictureClipboard(QObject* parent)
+    : QObject(parent),
+      m_painter(
+          new Painter([](const Request& request,
+                         const Painter::Responder& respond) { respond(painted(*request, respond.stop())); },
+                      this)) {
+  connect(QApplication::clipboard(), &QClipboard::dataChanged, this, [this] {
+    if (!m_isPutting) m_isOurs = false;
+  });
+  m_painter->onAnswer(this, [this](const Picture& picture) {
+    if (!m_isOurs) return;  // something else has been copied meanwhile
+    if (!picture.why.isEmpty()) return emit refused(picture.why);
+    put(picture);
+    emit pictured();
+  });
+}
+
+void PictureClipboard::copy(CopiedContent content) {
+  if (!content.json.isEmpty()) put({content, {}, {}, {}, {}});
+  m_isOurs = true;
+  if (content.drawing.marks.empty() && !content.seen) return m_painter->cancel();
+  m_painter->request(std::make_shared<const CopiedContent>(std::move(content)));
+}
+
+PictureClipboard::Picture PictureClipboard::painted(const CopiedContent& content,
+                                                    const std::stop_token& stop) {
+  Picture picture{content, {}, {}, {}, {}};
+  if (content.seen) {
+    Expected<std::unique_ptr<StagePainter>> painter = StagePainter::create(content.seen->shot, stop);
+    if (!painter) {
+      picture.why = QString::fromStdString(painter.error().front().message);
+      return picture;
+    }
+    if (*painter == nullptr) return picture;  // stopped
+    Image image = (*painter)->paint(0);
+    PictureOverlay overlay(content.seen->options, false);
+    const SeenMap seen = (*painter)->seenForLabels();
+    if (image.width > 0) overlay.paint(image, (*painter)->labelGround(seen));
+    const auto bytes = pngBytes(image, stop);
+    picture.png =
+        QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+  } else {
+    DrawingPicture how;
+    how.look = paperLook();
+    picture.svg = bytesOf(pictureOf(content.drawing, how));
+    how.form = PictureForm::png;
+    how.scale = scaleOf(content.drawing);
+    picture.png = bytesOf(pictureOf(content.drawing, how));
+  }
+  if (stop.stop_requested()) return picture;
+  if (picture.png.isEmpty()) picture.why = tr("There is not enough memory for the picture.");
+  picture.image = QImage::fromData(picture.png, "PNG");
+  return picture;
+}
+
+void PictureClipboard::put(const Picture& picture) {
+  auto* data = new QMimeData;
+  if (!picture.content.json.isEmpty()) {
+    data->setData(mimeType(), picture.content.json);
+    if (picture.content.asText) data->setText(QString::fromUtf8(picture.content.json));
+  }
+  if (!picture.svg.isEmpty()) data->setData(QStringLiteral("image/svg+xml"), picture.svg);
+  if (!picture.png.isEmpty()) data->setData(QStringLiteral("image/png"), picture.png);
+  if (!picture.image.isNull()) data->setImageData(picture.image);
+  m_isPutting = true;
+  QApplication::clipboard()->setMimeData(data);
+  m_isPutting = false;
+}
+
+}  // namespace geargraph::inline mainwindow

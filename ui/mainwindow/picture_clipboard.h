@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "core/presentation/drawing/display_list.h"
+#include "core/presentation/train_stage/stage_picture.h"
+#include "ui/service/service.h"
+#include "ui/view3d/view_options.h"
+
+namespace geargraph::inline mainwindow {
+
+/// What is copied: elements as JSON, what they look like, or both.
+struct CopiedContent {
+  QByteArray json;      ///< a document, which other windows paste; empty: none
+  bool asText = false;  ///< the JSON is the text of the clipboard, too
+  DisplayList drawing;  ///< empty: none
+  /// The 3D view as it is seen, with its labels.
+  struct Seen {
+    StageShot shot;
+    ViewOptions options;
+  };
+  std::optional<Seen> seen;
+};
+
+/// Puts elements on the clipboard at once, and beside them, when a thread has painted it, their picture: SVG
+/// and PNG of a drawing, PNG of the 3D view. Pictures are dark on light, on no ground, as paper wants them.
+class PictureClipboard : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Longest side of a PNG of a drawing; an SVG has no pixels.
+  static constexpr double kMostPixels = 4096;
+
+  explicit PictureClipboard(QObject* parent = nullptr);
+
+  void copy(CopiedContent content);
+  /// The type of the JSON on the clipboard.
+  [[nodiscard]] static QString mimeType();
+
+ signals:
+  /// The picture of the newest content is on the clipboard.
+  void pictured();
+  /// Why there is no picture.
+  void refused(const QString& why);
+
+ private:
+  struct Picture {
+    CopiedContent content;
+    QByteArray svg;
+    QByteArray png;
+    QImage image;
+    QString why;  ///< there is none
+  };
+  using Request = std::shared_ptr<const CopiedContent>;
+  using Painter = Service<Request, Picture>;
+
+  static Picture painted(const CopiedContent& content, const std::stop_token& stop);
+  void put(const Picture& picture);
+
+  Painter* m_painter;
+  bool m_isOurs = false;  ///< the clipboard holds what was copied here last
+  bool m_isPutting = false;
+};
+
+}  // namespace geargraph::inline mainwindow
