@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "core/mechanism/model/difference.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/file_texts.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -114,6 +115,9 @@ bool WindowFiles::isUnused() const {
 }
 
 void WindowFiles::newForPerson() {
+  const bool isEmpty =
+      m_document->filePath().isEmpty() && isSameButForView(*m_document->mechanism(), emptyMechanism());
+  if (isEmpty) return startAnew();  // all that was drawn has been deleted: nothing to save
   if (isUnused() || m_windows == nullptr) {
     if (mayDiscard()) startAnew();
   } else {

@@ -51,6 +51,8 @@ QVariant DiagnosticModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return shownText(severityName(diagnostic.severity())) + QStringLiteral(": ") +
              shownText(diagnostic.message);
+    case Qt::ToolTipRole:
+      return tr("Code: %1").arg(shownText(codeName(diagnostic.code)));
     case SeverityRole:
       return static_cast<int>(diagnostic.severity());
     case CodeRole:

@@ -23,7 +23,7 @@ namespace {
 constexpr int kIconRoom = 38;
 constexpr int kRight = 14;
 
-/// An icon, the sentence, and below it the code and the place, in secondary ink.
+/// An icon, the sentence, and below it the place in a file, in secondary ink.
 class FindingDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -49,7 +49,7 @@ class FindingDelegate : public QStyledItemDelegate {
     room.setTop(used.bottom() + 3);
     painter->setPen(qColor(ColorRole::secondary, theme));
     painter->setFont(smallFont(option.font));
-    painter->drawText(room, Qt::AlignLeft | Qt::AlignTop, footer(index));
+    painter->drawText(room, Qt::AlignLeft | Qt::AlignTop, placeOf(index));
     painter->restore();
   }
 
@@ -59,9 +59,9 @@ class FindingDelegate : public QStyledItemDelegate {
     const QRect text =
         QFontMetrics(option.font)
             .boundingRect(QRect(0, 0, width, 10'000), Qt::TextWordWrap, index.data().toString());
-    const int small = QFontMetrics(smallFont(option.font)).height();
+    const int small = placeOf(index).isEmpty() ? 0 : QFontMetrics(smallFont(option.font)).height() + 3;
     const auto* fixes = list != nullptr ? qobject_cast<FixRow*>(list->indexWidget(index)) : nullptr;
-    return {width, text.height() + small + 19 + (fixes != nullptr ? fixes->heightFor(width) : 0)};
+    return {width, text.height() + small + 16 + (fixes != nullptr ? fixes->heightFor(width) : 0)};
   }
 
  private:
@@ -69,10 +69,8 @@ class FindingDelegate : public QStyledItemDelegate {
     font.setPixelSize(smallPixels());
     return font;
   }
-  static QString footer(const QModelIndex& index) {
-    const QString place = index.data(DiagnosticModel::PlaceRole).toString();
-    const QString code = index.data(DiagnosticModel::CodeRole).toString();
-    return place.isEmpty() ? code : code + QStringLiteral(" · ") + place;
+  static QString placeOf(const QModelIndex& index) {
+    return index.data(DiagnosticModel::PlaceRole).toString();
   }
 };
 
@@ -87,6 +85,7 @@ ProblemsPanel::ProblemsPanel(Selection* selection, QWidget* parent)
       m_motionNote(new QLabel(this)) {
   m_list->setModel(m_model);
   m_list->setObjectName(QStringLiteral("problemList"));
+  m_list->setAccessibleName(tr("Problems"));
   m_list->setItemDelegate(new FindingDelegate(m_list));
   m_list->setMouseTracking(true);
   m_list->setSelectionMode(QAbstractItemView::NoSelection);

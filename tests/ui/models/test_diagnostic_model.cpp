@@ -18,6 +18,7 @@ class DiagnosticModelTest : public QObject {
     QCOMPARE(model.rowCount(), 3);
     QCOMPARE(model.index(0).data().toString(), QStringLiteral("Loose."));
     QCOMPARE(model.index(0).data(DiagnosticModel::CodeRole).toString(), QStringLiteral("disconnected"));
+    QCOMPARE(model.index(0).data(Qt::ToolTipRole).toString(), QStringLiteral("Code: disconnected"));
     QCOMPARE(model.index(2).data(DiagnosticModel::SeverityRole).toInt(), static_cast<int>(Severity::info));
     QCOMPARE(model.elementsOf(model.index(0)), (std::set<ElementId>{LinkId("3"), LinkId("7")}));
     QVERIFY(model.elementsOf(QModelIndex()).empty());
