@@ -139,6 +139,8 @@ QWidget* ForcesPanel::makeBar() {
 QWidget* ForcesPanel::makeMiddle() {
   m_table->setModel(m_model);
   m_table->setObjectName(QStringLiteral("forceTable"));
+  m_table->setAccessibleName(tr("Forces"));
+  m_table->setTabKeyNavigation(false);
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setSelectionMode(QAbstractItemView::SingleSelection);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);

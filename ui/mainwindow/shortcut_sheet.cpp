@@ -67,7 +67,10 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("Step back, step on"), tr("Comma, point")},
                      {tr("Fit"), tr("F, Home")},
                      {tr("Isometric, front, right, top"), tr("0, 1, 2, 3")},
-                     {tr("Orbit"), tr("Drag, arrow keys")},
+                     {tr("Turn the train"), tr("Drag a gear")},
+                     {tr("Turn a part by hand"), tr("Ctrl, and drag")},
+                     {tr("Orbit"), tr("Drag elsewhere, arrow keys")},
+                     {tr("Pan"), tr("Shift with drag or arrow keys")},
                      {tr("Zoom"), tr("Wheel, + and −")},
                      {tr("Turn a part by hand"), tr("Ctrl, and drag")}}});
   return groups;

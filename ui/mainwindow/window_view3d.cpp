@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/shapes_dialog.h"
 #include "ui/mainwindow/status_line.h"
@@ -28,6 +29,8 @@ Camera cameraOf(const ViewCamera& camera) {
 }  // namespace
 
 void MainWindow::wireView3DCommands() {
+  connect(m_view3d, &View3D::hintChanged, this,
+          [this](const QString& hint) { m_status->setHint(hint.isEmpty() ? drawing().hint() : hint); });
   connect(m_view3d, &View3D::noteMade, m_status, &StatusLine::showNote);
   connect(m_view3d, &View3D::traceFileWanted, m_exports, &WindowExports::chooseAndSaveTrace);
   connect(m_motion, &MotionPanel::fileWanted, m_exports, &WindowExports::chooseAndSaveSpeeds);

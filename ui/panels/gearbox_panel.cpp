@@ -82,6 +82,8 @@ QToolButton* GearboxPanel::makeButton(const char* name, const QString& text, con
 
 void GearboxPanel::wireTable() {
   m_table->setObjectName(QStringLiteral("shiftTable"));
+  m_table->setAccessibleName(tr("Shift table"));
+  m_table->setTabKeyNavigation(false);
   connect(m_table, &StatesTable::clicked, this, &GearboxPanel::onClick);
   connect(m_table, &StatesTable::entered, this, &GearboxPanel::hoverCell);
   connect(m_table, &StatesTable::left, this, [this] { m_selection->unhover(); });

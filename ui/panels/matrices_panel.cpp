@@ -77,6 +77,8 @@ MatricesPanel::MatricesPanel(Selection* selection, QWidget* parent)
             Qt::QueuedConnection);
       }) {
   m_view->setObjectName(QStringLiteral("matrixView"));
+  m_view->setAccessibleName(tr("Matrix"));
+  m_view->setTabKeyNavigation(false);  // arrow keys move in it, Tab leaves it
   m_empty = emptyLabel(this);
   m_pages = new QStackedWidget(this);
   m_pages->addWidget(m_view);

@@ -100,6 +100,8 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
 void ResultsPanel::makeTable() {
   m_table->setModel(m_model);
   m_table->setObjectName(QStringLiteral("resultsTable"));
+  m_table->setAccessibleName(tr("Results"));
+  m_table->setTabKeyNavigation(false);
   m_table->setItemDelegate(new ResultsDelegate(m_selection, m_table));
   auto* header = new ResultsHeader(m_table);
   m_table->setHorizontalHeader(header);

@@ -46,7 +46,7 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   makeSpeedMenu();
   m_scrub->setObjectName("view3dScrub");
   m_scrub->setRange(0, kSteps);
-  m_scrub->setFocusPolicy(Qt::NoFocus);
+  m_scrub->setFocusPolicy(Qt::TabFocus);
   m_scrub->setToolTip(tr("Drag through one period of the motion"));
   m_time->setObjectName("view3dTime");
   m_time->setProperty("look", "hint");
@@ -80,7 +80,7 @@ QToolButton* PlaybackBar::addButton(const char* name, const QString& text, const
   button->setText(text);
   button->setToolTip(tip);
   button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
 

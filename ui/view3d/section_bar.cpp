@@ -20,7 +20,7 @@ QToolButton* flatButton(QWidget* parent, const char* name, const QString& text, 
   button->setText(text);
   button->setToolTip(tip);
   button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
 
@@ -28,7 +28,7 @@ QSlider* slider(QWidget* parent, const char* name, const QString& tip) {
   auto* made = new QSlider(Qt::Horizontal, parent);
   made->setObjectName(QLatin1String(name));
   made->setRange(0, kSteps);
-  made->setFocusPolicy(Qt::NoFocus);
+  made->setFocusPolicy(Qt::TabFocus);
   made->setToolTip(tip);
   made->setMinimumWidth(90);
   return made;

@@ -1,13 +1,17 @@
 #include "ui/view3d/view3d.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QSettings>
 #include <QSurfaceFormat>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "ui/view3d/canvas_surface.h"
@@ -17,6 +21,10 @@
 #include "ui/view3d/section_bar.h"
 
 namespace geargraph::inline view3d {
+namespace {
+const QString kNavigationKey = QStringLiteral("view3d/navigation");
+}
+
 class View3D::Private {
  public:
   Private(View3D* view, Selection* chosen)
@@ -127,7 +135,7 @@ QToolButton* View3D::Private::addButton(const QString& text, const QString& tip,
   button->setText(text);
   button->setToolTip(tip);
   button->setAutoRaise(true);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFocusPolicy(Qt::TabFocus);
   buttons->layout()->addWidget(button);
   connect(button, &QToolButton::clicked, q, act);
   return button;
@@ -240,6 +248,16 @@ View3D::View3D(Selection* selection, QWidget* parent)
     d->viewer.setTime(seconds);
   });
   connect(&d->playback, &Playback::playingChanged, &d->viewer, &Viewer::setRunning);
+  connect(&d->viewer, &Viewer::timeWanted, this, [this](double seconds) {
+    d->playback.setPlaying(false);
+    const StageRange range = d->range();
+    d->playback.setTime(seconds);
+    if (seconds < d->playback.from() || seconds > d->playback.to())
+      emit noteMade(
+          tr("Limit reached: %1.")
+              .arg(QString::fromStdString((seconds > d->playback.to() ? range.to : range.from).text)));
+  });
+  connect(&d->viewer, &Viewer::pointed, this, &View3D::hintChanged);
   connect(&d->playback, &Playback::endReached, this, [this](bool isEnd) {
     const StageRange range = d->range();
     const QString joint = QString::fromStdString((isEnd ? range.to : range.from).text);
@@ -256,6 +274,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   });
   connect(&d->viewer, &Viewer::menuWanted, this,
           [this](const std::optional<Hit>& hit, const QPointF& at) { d->openPartMenu(hit, at); });
+  setNavigation(savedNavigation());
   setDark(false);
   setEmptyText(tr("Nothing to turn yet: place axes and give the meshes their teeth."));
 }
@@ -336,6 +355,23 @@ bool View3D::isCameraChosen() const {
 }
 const StageView& View3D::view() const {
   return d->viewer.view();
+}
+
+Navigation View3D::savedNavigation() {
+  const int saved = QSettings().value(kNavigationKey, 0).toInt();
+  return static_cast<Navigation>(std::clamp(saved, 0, static_cast<int>(Navigation::solidWorks)));
+}
+
+void View3D::setNavigation(Navigation navigation) {
+  d->viewer.setNavigation(navigation);
+}
+
+void View3D::chooseNavigation(Navigation navigation) {
+  QSettings().setValue(kNavigationKey, static_cast<int>(navigation));
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    for (View3D* view : window->findChildren<View3D*>()) view->setNavigation(navigation);
+  }
+  setNavigation(navigation);
 }
 
 void View3D::setDark(bool dark) {
@@ -433,6 +469,10 @@ void View3D::keyPressEvent(QKeyEvent* event) {
       return showFrom(StandardView::right);
     case Qt::Key_3:
       return showFrom(StandardView::top);
+    case Qt::Key_PageDown:
+      return walk(1);
+    case Qt::Key_PageUp:
+      return walk(-1);
     case Qt::Key_Backspace:
       return d->viewer.setTurnedByHand({});
     case Qt::Key_Comma:
@@ -458,6 +498,54 @@ void View3D::keyPressEvent(QKeyEvent* event) {
     default:
       if (!d->viewer.keyPress(*event)) QWidget::keyPressEvent(event);
   }
+}
+
+std::vector<ElementId> View3D::shownLinks() const {
+  std::vector<ElementId> links;
+  std::unordered_set<ElementId> known;
+  if (stage() == nullptr) return links;
+  for (const StageLabel& label : stage()->labels) {
+    const bool isLink = label.element.kind == ElementKind::link && !hidden().contains(label.element);
+    if (isLink && known.insert(label.element).second) links.push_back(label.element);
+  }
+  return links;
+}
+
+bool View3D::isSelected(const ElementId& link) const {
+  return d->selection->isSelected(link);
+}
+
+void View3D::select(const ElementId& link) {
+  d->selection->select({link});
+}
+
+/// By the number that the link's label shows; the ground has none.
+QString View3D::nameOf(const ElementId& link) const {
+  for (const StageLabel& label : stage()->labels) {
+    if (label.element == link) return tr("link %1").arg(QString::fromStdString(label.text));
+  }
+  return tr("the ground");
+}
+
+/// Selects the link after, or before, the one that is selected.
+void View3D::walk(int steps) {
+  const std::vector<ElementId> links = shownLinks();
+  if (links.empty()) return;
+  const auto count = static_cast<int>(links.size());
+  const auto selected = d->selectedLink();
+  const auto found = selected ? std::find(links.begin(), links.end(), *selected) : links.end();
+  const int at = found == links.end() ? (steps > 0 ? -1 : count) : static_cast<int>(found - links.begin());
+  select(links[static_cast<std::size_t>((at + steps + count) % count)]);
+}
+
+/// The mouse opens it on release over the picture; this is for the Menu key.
+void View3D::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() != QContextMenuEvent::Keyboard) return QWidget::contextMenuEvent(event);
+  const auto link = d->selectedLink();
+  const auto part = stage() != nullptr ? instanceOf(*stage(), link) : std::nullopt;
+  std::optional<Hit> hit;
+  if (part) hit = Hit{*part, *link, d->viewer.poses()[*part].translation()};
+  d->openPartMenu(hit, QPointF(d->canvas()->rect().center()));
 }
 
 void View3D::resizeEvent(QResizeEvent* event) {

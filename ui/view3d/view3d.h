@@ -18,7 +18,8 @@ namespace geargraph::inline view3d {
 /// Keys while it has the focus: Space plays and pauses, F or Home fits, 0 isometric, 1 front, 2 right, 3 top;
 /// arrows orbit, + and - zoom; , and . step the time back and on; R rides along with the selected link or
 /// stops it, A looks along its axis, S cuts a section, E pulls apart, H hides what is selected or shows all;
-/// Backspace undoes what hands have turned.
+/// Backspace undoes what hands have turned; Page down and up select the next and the last link, the Menu key
+/// opens its menu.
 /// Mouse: viewer.h.
 class View3D : public QWidget {
   Q_OBJECT
@@ -57,6 +58,16 @@ class View3D : public QWidget {
   [[nodiscard]] bool isCameraChosen() const;
   /// All that is shown, as a picture elsewhere takes it.
   [[nodiscard]] const StageView& view() const;
+  /// The links that have a part in sight, by their labels.
+  [[nodiscard]] std::vector<ElementId> shownLinks() const;
+  [[nodiscard]] bool isSelected(const ElementId& link) const;
+  void select(const ElementId& link);
+  /// "link 3", "the ground"
+  [[nodiscard]] QString nameOf(const ElementId& link) const;
+  /// What the middle button does, of the settings; for all views of the program when it is chosen.
+  [[nodiscard]] static Navigation savedNavigation();
+  void chooseNavigation(Navigation navigation);
+  void setNavigation(Navigation navigation);
   void setDark(bool dark);
   [[nodiscard]] const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
@@ -93,14 +104,17 @@ class View3D : public QWidget {
   void contentChanged();  ///< another stage, other traces: what moves, and what is said of it
   /// A context menu is about to open for an element, or for the ground: others may add what they know of it.
   void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
-  void traceFileWanted();              ///< the newest of traces() is to be saved
-  void noteMade(const QString& text);  ///< something to be said in a line: a traced path's length
+  void traceFileWanted();                 ///< the newest of traces() is to be saved
+  void hintChanged(const QString& hint);  ///< what a drag would do there; empty: the pointer has left
+  void noteMade(const QString& text);     ///< something to be said in a line: a traced path's length
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  void walk(int steps);
   /// What the view can show: faces, section, exploded view, translucency, labels, marks of geometry and
   /// motion, and what is hidden or the reference frame is fixed to.
   void fillViewMenu(QMenu& menu);

@@ -75,12 +75,23 @@ void addMarks(QMenu& menu, View3D& view) {
   }
 }
 
-/// The number that the link's label shows; the ground has none.
-QString nameOf(const View3D& view, const ElementId& link) {
-  for (const StageLabel& label : view.stage()->labels) {
-    if (label.element == link) return tr("link %1").arg(QString::fromStdString(label.text));
+void addNavigation(QMenu& menu, View3D& view) {
+  const std::pair<Navigation, QString> habits[] = {
+      {Navigation::blender, tr("Orbit; Shift pans, Ctrl zooms (Blender)")},
+      {Navigation::freeCad, tr("Pan; Shift orbits, Ctrl zooms (FreeCAD)")},
+      {Navigation::solidWorks, tr("Orbit; Ctrl pans, Shift zooms (SolidWorks)")}};
+  const char* names[] = {"view3dBlender", "view3dFreeCad", "view3dSolidWorks"};
+  QMenu* middle = menu.addMenu(tr("Middle button"));
+  auto* group = new QActionGroup(middle);
+  std::size_t at = 0;
+  for (const auto& [habit, text] : habits) {
+    QAction* action =
+        middle->addAction(text, &view, [&view, habit = habit] { view.chooseNavigation(habit); });
+    action->setObjectName(QLatin1String(names[at++]));
+    action->setCheckable(true);
+    action->setChecked(View3D::savedNavigation() == habit);
+    group->addAction(action);
   }
-  return tr("the ground");
 }
 
 /// What undoes riding, hiding and tracing, where there is something of it.
@@ -129,6 +140,7 @@ void View3D::fillViewMenu(QMenu& menu) {
            [](ViewOptions& options, bool on) { options.ghostOthers = on; });
   addLabels(menu, view);
   addMarks(menu, view);
+  addNavigation(menu, view);
   menu.addSeparator();
   addWaysBack(menu, view);
 }
@@ -138,7 +150,7 @@ void View3D::fillPartMenu(QMenu& menu, const std::optional<Hit>& hit) {
   if (hit) {
     const ElementId link = hit->element;
     const bool moves = view.stage()->place != nullptr;
-    QAction* ride = menu.addAction(tr("Follow %1").arg(nameOf(view, link)), &view,
+    QAction* ride = menu.addAction(tr("Follow %1").arg(view.nameOf(link)), &view,
                                    [&view, link] { view.rideAlong(link); });
     ride->setObjectName("view3dRide");
     ride->setEnabled(moves && view.ridden() != std::optional(link));

@@ -218,15 +218,24 @@ void Viewer::clearTraces() {
 // The pointer's way along the circle of the held point, as the picture shows it, is the angle; where the
 // circle is seen from its edge, a small part of its radius stands for it, so that the part does not spin
 // away.
-void Viewer::turn(Hit& held, const QPointF& step) {
+/// rad/s that the part turns by as the inputs run, against what carries it.
+double Viewer::rateOf(std::size_t instance) const {
+  const StageHandle& handle = m_stage->handles[instance];
+  double rate = 0;
+  for (std::size_t k = 0; k < handle.gains.size() && k < m_stage->inputSpeeds.size(); ++k)
+    rate += handle.gains[k] * m_stage->inputSpeeds[k];
+  return rate;
+}
+
+Pose Viewer::displacementOf(std::size_t instance) const {
+  return m_seen.poses[instance] * m_stage->scene.instances[instance].pose.inverse();
+}
+
+/// How far the part turns so that the held point follows the pointer as nearly as it can; none where that
+/// cannot be told.
+std::optional<double> Viewer::angleOf(const Hit& held, const QPointF& step) const {
   const StageHandle& handle = m_stage->handles[held.instance];
-  double strength = 0;
-  for (const double gain : handle.gains) strength += gain * gain;
-  if (strength == 0) return;
-  const auto displacement = [this, &held] {
-    return m_seen.poses[held.instance] * m_stage->scene.instances[held.instance].pose.inverse();
-  };
-  const Pose before = displacement();
+  const Pose before = displacementOf(held.instance);
   const Eigen::Vector3d axis = before.linear() * handle.direction, origin = before * handle.point;
   const Eigen::Vector3d along = axis.cross(held.point - origin);  // of the held point, a rad
   const double pixels = 1 / m_view.camera.millimetresPerPixel(m_viewport);
@@ -235,10 +244,27 @@ void Viewer::turn(Hit& held, const QPointF& step) {
   const double least = 0.2 * pixels * along.norm();
   const Eigen::Vector2d moved(step.x() * m_pixelRatio, step.y() * m_pixelRatio);
   const double size = std::max(seen.squaredNorm(), least * least);
-  if (size == 0) return;
-  const double angle = moved.dot(seen) / size;
+  if (size == 0) return std::nullopt;
+  return moved.dot(seen) / size;
+}
+
+void Viewer::runTo(Hit& held, const QPointF& step) {
+  const std::optional<double> angle = angleOf(held, step);
+  if (!angle) return;
+  const Pose before = displacementOf(held.instance);
+  emit timeWanted(m_view.time + *angle / rateOf(held.instance));
+  held.point = displacementOf(held.instance) * before.inverse() * held.point;
+}
+
+void Viewer::turn(Hit& held, const QPointF& step) {
+  const StageHandle& handle = m_stage->handles[held.instance];
+  double strength = 0;
+  for (const double gain : handle.gains) strength += gain * gain;
+  const std::optional<double> angle = angleOf(held, step);
+  if (strength == 0 || !angle) return;
+  const Pose before = displacementOf(held.instance);
   std::vector<double> turned = m_view.turned;
-  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * angle / strength;
+  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] += handle.gains[k] * *angle / strength;
   if (m_stage->beyondLimits) {
     StageView next = m_view;
     next.turned = turned;
@@ -246,7 +272,7 @@ void Viewer::turn(Hit& held, const QPointF& step) {
     if (!joint.empty()) return emit limitReached(QString::fromStdString(joint));
   }
   setTurnedByHand(std::move(turned));
-  held.point = displacement() * before.inverse() * held.point;
+  held.point = displacementOf(held.instance) * before.inverse() * held.point;
 }
 
 void Viewer::setCamera(const Camera& camera) {

@@ -22,19 +22,30 @@ class QWheelEvent;
 
 namespace geargraph::inline view3d {
 
+/// What the middle button does, with Shift and Ctrl, as other programs have it.
+enum class Navigation {
+  blender,     ///< orbit; Shift: pan; Ctrl: zoom
+  freeCad,     ///< pan; Shift: orbit; Ctrl: zoom
+  solidWorks,  ///< orbit; Ctrl: pan; Shift: zoom
+};
+
 /// What a canvas of the 3D view shows and how the hand moves it, without any painting: the stage, the poses
 /// of the moment, the camera, what is lit up, and the gestures.
 ///
-///     left or middle drag        orbit          wheel         zoom at the pointer
-///     right or Shift+left drag   pan            click         select (Ctrl: add or take away)
-///     Ctrl+left drag on a part   turn it        right click   menuWanted()
-///     two fingers on a pad       pan            arrows        orbit
-///     pinch, or with Ctrl        zoom           + -           zoom
+///     left drag on a part        turn the train wheel         zoom at the pointer
+///     left drag elsewhere        orbit          click         select (Ctrl: add or take away)
+///     right or Shift+left drag   pan            right click   menuWanted()
+///     Ctrl+left drag on a part   turn it        arrows        orbit (Shift: pan)
+///     two fingers on a pad       pan            + -           zoom
+///     pinch, or with Ctrl        zoom           middle drag   as Navigation says
 ///
-/// A part that is turned by hand takes the inputs with it, as little as will do (least squares), and they all
-/// the rest.
+/// A part that is dragged takes the train with it as its inputs run: the time goes where the part is held.
+/// One that their speeds leave at rest, and any with Ctrl, is turned by hand: it takes the inputs with it, as
+/// little as will do (least squares), and they all the rest.
 class Viewer : public QObject {
   Q_OBJECT
+
+  enum class Gesture { none, orbit, pan, zoom, time, turn, grab };
 
  public:
   using Answer = std::function<void(const std::optional<Hit>& hit)>;
@@ -89,6 +100,7 @@ class Viewer : public QObject {
   void showFrom(StandardView view);
   void fit();
 
+  void setNavigation(Navigation navigation) { m_navigation = navigation; }
   void setLook(const Look& look);
   /// Open questions are dropped.
   void setPick(Pick pick);
@@ -117,15 +129,17 @@ class Viewer : public QObject {
   void optionsChanged();  ///< of options, the ridden link, what is hidden, the traces
   void menuWanted(const std::optional<geargraph::Hit>& hit, const QPointF& place);
   void turnedByHandChanged();
+  void timeWanted(double seconds);  ///< a hand has taken the train there
+  /// What the hand points at: a part that turns the train, another one, nothing. Empty: the pointer is gone.
+  void pointed(const QString& hint);
   void limitReached(const QString& joint);  ///< a hand tried to turn a joint beyond its limit
   void moving();  ///< the hand or the clock moves the picture: more changes will follow at once
 
  private:
-  /// grab: it is not known yet what Ctrl was pressed on.
-  enum class Gesture { none, orbit, pan, turn, grab };
   /// What the pointer does before it is known what it has grabbed.
   struct Grab {
     std::vector<QPointF> steps;
+    bool isByHand = false;  ///< Ctrl is held
   };
   /// Notches of a wheel until it is known what is under the pointer.
   struct Zoom {
@@ -153,7 +167,13 @@ class Viewer : public QObject {
   void ask(const QPointF& place, PickFor use, Answer answer);
   void dropQuestions();
   void hover(const QPointF& place);
-  void grab(const QPointF& place);
+  void grab(const QPointF& place, bool isByHand);
+  [[nodiscard]] Gesture gestureOf(const QMouseEvent& event) const;
+  [[nodiscard]] Gesture gestureOn(const std::optional<Hit>& hit, bool isByHand) const;
+  [[nodiscard]] double rateOf(std::size_t instance) const;
+  [[nodiscard]] std::optional<double> angleOf(const Hit& held, const QPointF& step) const;
+  [[nodiscard]] Pose displacementOf(std::size_t instance) const;
+  void runTo(Hit& held, const QPointF& step);
   void drag(Gesture gesture, std::optional<Hit>& held, const QPointF& step);
   void click(const std::optional<Hit>& hit, bool isAdded);
   void zoomAt(const QPointF& place, double factor);
@@ -180,6 +200,7 @@ class Viewer : public QObject {
   std::optional<Camera> m_opening;  ///< where that document wants to be seen from
   Pick m_pick;
   Gesture m_gesture = Gesture::none;
+  Navigation m_navigation = Navigation::blender;
   QPointF m_pressedAt;
   QPointF m_last;
   bool m_dragged = false;

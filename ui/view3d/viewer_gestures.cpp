@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kMostZoomPerEvent = 4;
+constexpr double kZoomPerPixel = 1.006;
 constexpr double kKeyPixels = 32;  // an arrow key turns as far as a drag by as many pixels
 
 }  // namespace
@@ -50,18 +51,22 @@ void Viewer::hover(const QPointF& place) {
   ask(place, PickFor::hover, [this](const std::optional<Hit>& hit) {
     if (!m_isPointedAt) return;
     hit ? m_selection->hover(hit->element) : m_selection->unhover();
+    const Gesture gesture = gestureOn(hit, false);
+    emit pointed(gesture == Gesture::time ? tr("Drag the part to turn the train. Ctrl turns it alone by hand")
+                 : gesture == Gesture::turn ? tr("Drag the part to turn it by hand")
+                 : hit                      ? tr("Drag to orbit: this part does not turn")
+                                            : tr("Drag to orbit, with Shift to pan; the wheel zooms"));
   });
 }
 
 // What the pointer has done before the answer is there is made up for then, even if the button is up again.
-void Viewer::grab(const QPointF& place) {
+void Viewer::grab(const QPointF& place, bool isByHand) {
   m_gesture = Gesture::grab;
   m_grab = std::make_shared<Grab>();
+  m_grab->isByHand = isByHand;
   ask(place, PickFor::gesture, [this, grab = m_grab](const std::optional<Hit>& hit) {
     std::optional<Hit> held = hit;
-    const bool turns =
-        held && held->instance < m_stage->handles.size() && !m_stage->handles[held->instance].gains.empty();
-    const Gesture gesture = turns ? Gesture::turn : Gesture::orbit;
+    const Gesture gesture = gestureOn(held, grab->isByHand);
     for (const QPointF& step : grab->steps) drag(gesture, held, step);
     if (m_grab != grab) return;
     m_grab.reset();
@@ -70,9 +75,19 @@ void Viewer::grab(const QPointF& place) {
   });
 }
 
+/// What dragging the thing under the pointer does.
+Viewer::Gesture Viewer::gestureOn(const std::optional<Hit>& hit, bool isByHand) const {
+  const bool turns = hit && m_stage != nullptr && hit->instance < m_stage->handles.size() &&
+                     !m_stage->handles[hit->instance].gains.empty();
+  if (!turns) return Gesture::orbit;
+  return isByHand || rateOf(hit->instance) == 0 ? Gesture::turn : Gesture::time;
+}
+
 void Viewer::drag(Gesture gesture, std::optional<Hit>& held, const QPointF& step) {
   emit moving();
   if (gesture == Gesture::turn) return turn(*held, step);
+  if (gesture == Gesture::time) return runTo(*held, step);
+  if (gesture == Gesture::zoom) return zoomAt(m_pressedAt, std::pow(kZoomPerPixel, -step.y()));
   setCamera(gesture == Gesture::orbit
                 ? m_view.camera.orbited(step.x(), step.y())
                 : m_view.camera.panned(step.x() * m_pixelRatio, step.y() * m_pixelRatio, m_viewport));
@@ -110,15 +125,30 @@ bool Viewer::mousePress(const QMouseEvent& event) {
   m_pressedAt = m_last = event.position();
   m_dragged = false;
   if (isLeft && event.modifiers().testFlag(Qt::ControlModifier)) {
-    grab(event.position());
-  } else if (event.button() == Qt::RightButton || (isLeft && event.modifiers().testFlag(Qt::ShiftModifier))) {
-    m_gesture = Gesture::pan;
-  } else if (isLeft || event.button() == Qt::MiddleButton) {
-    m_gesture = Gesture::orbit;
+    grab(event.position(), true);
+  } else if (isLeft && !event.modifiers().testFlag(Qt::ShiftModifier)) {
+    m_gesture = Gesture::grab;  // what is there is asked when the pointer moves: it may be a click
   } else {
-    return false;
+    m_gesture = gestureOf(event);
   }
-  return true;
+  return m_gesture != Gesture::none;
+}
+
+/// For buttons that never grab a part.
+Viewer::Gesture Viewer::gestureOf(const QMouseEvent& event) const {
+  if (event.button() == Qt::RightButton || event.button() == Qt::LeftButton) return Gesture::pan;
+  if (event.button() != Qt::MiddleButton) return Gesture::none;
+  const bool isShift = event.modifiers().testFlag(Qt::ShiftModifier);
+  const bool isControl = event.modifiers().testFlag(Qt::ControlModifier);
+  switch (m_navigation) {
+    case Navigation::blender:
+      return isControl ? Gesture::zoom : isShift ? Gesture::pan : Gesture::orbit;
+    case Navigation::freeCad:
+      return isControl ? Gesture::zoom : isShift ? Gesture::orbit : Gesture::pan;
+    case Navigation::solidWorks:
+      return isControl ? Gesture::pan : isShift ? Gesture::zoom : Gesture::orbit;
+  }
+  return Gesture::none;
 }
 
 bool Viewer::mouseMove(const QMouseEvent& event) {
@@ -130,6 +160,7 @@ bool Viewer::mouseMove(const QMouseEvent& event) {
     const QPointF away = event.position() - m_pressedAt;
     if (away.manhattanLength() < QApplication::startDragDistance() / 2.0) return true;
     m_dragged = true;
+    if (m_gesture == Gesture::grab && m_grab == nullptr) grab(m_pressedAt, false);
   }
   const QPointF step = event.position() - m_last;
   m_last = event.position();
@@ -205,20 +236,23 @@ bool Viewer::nativeGesture(const QNativeGestureEvent& event) {
 }
 
 bool Viewer::keyPress(const QKeyEvent& event) {
+  const auto arrow = [&](double across, double down) {
+    const double x = kKeyPixels * across, y = kKeyPixels * down;
+    setCamera(event.modifiers().testFlag(Qt::ShiftModifier)
+                  ? m_view.camera.panned(x * m_pixelRatio, y * m_pixelRatio, m_viewport)
+                  : m_view.camera.orbited(x, y));
+    return true;
+  };
   const QPointF middle(0.5 * m_viewport.width / m_pixelRatio, 0.5 * m_viewport.height / m_pixelRatio);
   switch (event.key()) {
     case Qt::Key_Left:
-      setCamera(m_view.camera.orbited(-kKeyPixels, 0));
-      return true;
+      return arrow(-1, 0);
     case Qt::Key_Right:
-      setCamera(m_view.camera.orbited(kKeyPixels, 0));
-      return true;
+      return arrow(1, 0);
     case Qt::Key_Up:
-      setCamera(m_view.camera.orbited(0, -kKeyPixels));
-      return true;
+      return arrow(0, -1);
     case Qt::Key_Down:
-      setCamera(m_view.camera.orbited(0, kKeyPixels));
-      return true;
+      return arrow(0, 1);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
       zoomAt(middle, kZoomPerNotch);
@@ -233,6 +267,7 @@ bool Viewer::keyPress(const QKeyEvent& event) {
 
 void Viewer::leave() {
   m_isPointedAt = false;
+  emit pointed({});
   if (m_gesture == Gesture::none) m_selection->unhover();
 }
 

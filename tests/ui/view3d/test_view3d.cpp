@@ -1,12 +1,15 @@
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
 #include <QScreen>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -85,6 +88,12 @@ class TestView3D : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() {
+    static const QTemporaryDir folder;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("GearGraphTest"));
+  }
   void thePlatformDecidesHowItPaints() {
     Shown shown;
     const bool wantsWindow = qgetenv("GEARGRAPH_3D") == "window";
@@ -98,7 +107,7 @@ class TestView3D : public QObject {
   void thePictureOfTheMomentComesToTheScreen() {
     Shown shown;
     QTRY_VERIFY(shown.view.isUpToDate());
-    shown.drag(Qt::LeftButton, {}, shown.at(kOnBox), {60, 20});
+    shown.drag(Qt::MiddleButton, {}, shown.at(kOnBox), {60, 20});
     QCOMPARE(shown.view.isUpToDate(), !shown.view.isImage());
     QTRY_VERIFY(shown.view.isUpToDate());
     shown.view.resize(500, 400);
@@ -210,6 +219,7 @@ class TestView3D : public QObject {
     for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton}) {
       const Camera before = shown.view.camera();
       shown.drag(button, {}, shown.at(kOnBox), {60, 20});
+      QTRY_VERIFY(shown.view.camera() != before);  // what the left button has taken is known a moment later
       const Camera after = shown.view.camera();
       QVERIFY(after.yaw() != before.yaw() && after.pitch() != before.pitch());
       QCOMPARE(after.target(), before.target());
@@ -342,6 +352,93 @@ class TestView3D : public QObject {
              qPrintable(QString::number(shown.view.turnedByHand().front())));
     QTest::keyClick(&shown.view, Qt::Key_Backspace);
     QCOMPARE(shown.view.turnedByHand(), std::vector<double>{0});
+  }
+
+  void aPartThatIsDraggedTakesTheTimeWithIt() {
+    Shown shown;
+    shown.view.showFrom(StandardView::top);
+    shown.view.grab();
+    const Camera before = shown.view.camera();
+    QSignalSpy hints(&shown.view, &View3D::hintChanged);
+    const QPoint start = shown.at({15, -22, 4}), centre = shown.at({0, -22, 4});
+    shown.moveTo(start);
+    QTRY_VERIFY(!hints.empty());
+    QVERIFY(hints.back().front().toString().contains(QLatin1String("turn the train")));
+    shown.view.playback().setPlaying(true);
+    QTest::mousePress(shown.canvas(), Qt::LeftButton, {}, start);
+    const QPointF arm = start - centre;
+    const auto turnTo = [&](double from, double to) {
+      for (int step = 0; step <= 45; ++step) {
+        const double angle = from + (to - from) * step / 45;
+        const QPointF at = centre + QPointF(arm.x() * std::cos(angle), -arm.x() * std::sin(angle));
+        QMouseEvent event(QEvent::MouseMove, at, shown.canvas()->mapToGlobal(at), Qt::NoButton,
+                          Qt::LeftButton, {});
+        QApplication::sendEvent(shown.canvas(), &event);
+      }
+    };
+    turnTo(0, 0.1);
+    QTRY_VERIFY(!shown.view.playback().isPlaying());  // the hand holds it
+    const double held = shown.view.playback().time();
+    turnTo(0.1, 1.5);
+    const double turned = 1.5 * (shown.view.playback().time() - held);  // the input runs at 1.5 rad/s
+    QVERIFY2(std::abs(turned - 1.4) < 0.12, qPrintable(QString::number(turned)));
+    turnTo(1.5, 0.1);
+    QVERIFY(std::abs(shown.view.playback().time() - held) < 0.05);
+    QTest::mouseRelease(shown.canvas(), Qt::LeftButton, {}, start);
+    QCOMPARE(shown.view.turnedByHand(), std::vector<double>{0});
+    QCOMPARE(shown.view.camera(), before);
+    QVERIFY(shown.selection.selected().empty());
+    shown.moveTo(shown.at(kOnBox));
+    QTRY_VERIFY(hints.back().front().toString().contains(QLatin1String("does not turn")));
+  }
+
+  void theMiddleButtonDoesWhatHandsAreUsedTo() {
+    Shown shown;
+    enum Moved { orbited, panned, zoomed };
+    const auto dragged = [&](Qt::KeyboardModifiers keys) {
+      const Camera before = shown.view.camera();
+      shown.drag(Qt::MiddleButton, keys, {200, 200}, {0, 40});
+      const auto isOther = [&] { return shown.view.camera() != before; };
+      if (!QTest::qWaitFor(isOther)) qFatal("The camera stays");
+      const Camera after = shown.view.camera();
+      if (after.pitch() != before.pitch()) return orbited;
+      return after.distance() != before.distance() ? zoomed : panned;
+    };
+    shown.view.chooseNavigation(Navigation::freeCad);
+    QCOMPARE(dragged({}), panned);
+    QCOMPARE(dragged(Qt::ShiftModifier), orbited);
+    QCOMPARE(dragged(Qt::ControlModifier), zoomed);
+    shown.view.chooseNavigation(Navigation::solidWorks);
+    QCOMPARE(dragged({}), orbited);
+    QCOMPARE(dragged(Qt::ShiftModifier), zoomed);
+    QCOMPARE(dragged(Qt::ControlModifier), panned);
+    QCOMPARE(View3D::savedNavigation(), Navigation::solidWorks);
+    shown.view.chooseNavigation(Navigation::blender);
+    QCOMPARE(dragged({}), orbited);
+    QCOMPARE(dragged(Qt::ShiftModifier), panned);
+    QCOMPARE(dragged(Qt::ControlModifier), zoomed);
+  }
+
+  void keysSelectTurnAndPan() {
+    Shown shown;
+    QTest::keyClick(&shown.view, Qt::Key_PageDown);
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("1")});
+    QTest::keyClick(&shown.view, Qt::Key_PageUp);
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("3")});
+    shown.view.setHidden({LinkId("1")});
+    QTest::keyClick(&shown.view, Qt::Key_PageDown);
+    QCOMPARE(shown.selection.selected(), std::set<ElementId>{LinkId("2")});
+    const Camera before = shown.view.camera();
+    QTest::keyClick(&shown.view, Qt::Key_Left, Qt::ShiftModifier);
+    QCOMPARE(shown.view.camera().yaw(), before.yaw());
+    QVERIFY(shown.view.camera().target() != before.target());
+    QContextMenuEvent menu(QContextMenuEvent::Keyboard, {1, 1}, shown.view.mapToGlobal(QPoint(1, 1)));
+    QApplication::sendEvent(&shown.view, &menu);
+    auto* open = shown.view.findChild<QMenu*>(QStringLiteral("view3dPartMenu"));
+    QVERIFY(open != nullptr && open->isVisible());
+    QCOMPARE(open->findChild<QAction*>(QStringLiteral("view3dRide"))->text(),
+             QStringLiteral("Follow link 2"));
+    open->close();
   }
 
   void controlOnAFixedPartOrbits() {
