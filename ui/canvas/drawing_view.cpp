@@ -152,6 +152,11 @@ void DrawingView::drawForeground(QPainter* painter, const QRectF&) {
     drawLines(*painter, boxOf(m_notice, Qt::TopLeftCorner), quiet);
   }
   if (!m_caption.isEmpty()) drawLines(*painter, boxOf(m_caption, Qt::BottomLeftCorner), m_captionColors);
+  if (m_showsFocus) {
+    painter->setPen(QPen(toQColor(colorOf(ColorRole::accent, theme())), 2));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(viewport()->rect().adjusted(1, 1, -1, -1));
+  }
   painter->restore();
 }
 

@@ -30,6 +30,11 @@ namespace geargraph::inline canvas {
 /// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
 /// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
 /// the mouse; the middle button, or Space with the left one, pans.
+///
+/// Without a mouse: Page down and up select the next and the last element, Ctrl and an arrow key the nearest
+/// one that way, with Shift besides what is selected. Return does what a click on it does with the tool, an
+/// arrow begins at one and ends at the next; with Select it opens the element. The Menu key opens its menu,
+/// Tab goes on to the next control.
 class DrawingView : public QGraphicsView {
   Q_OBJECT
 
@@ -79,6 +84,21 @@ class DrawingView : public QGraphicsView {
   /// The lines in the box at the lower left, and the ones at the upper left; empty where there is none.
   [[nodiscard]] QStringList caption() const { return m_caption; }
   [[nodiscard]] QStringList notice() const { return m_notice; }
+
+  /// Is a gesture of mouse or keys under way, which Esc gives up?
+  [[nodiscard]] bool isDrawing() const { return !isIdle(); }
+  /// All elements that are drawn, as keys walk along them: links, joints, meshes, what else there is, each in
+  /// the order of the document. Cost: O(elements).
+  [[nodiscard]] std::vector<ElementId> drawnElements() const;
+  /// The one that the keys are at; none where nothing drawn is selected.
+  [[nodiscard]] std::optional<ElementId> currentElement() const;
+  /// The box of an element in the viewport; null where it is not drawn. Cost: O(elements).
+  [[nodiscard]] QRect boxOf(const ElementId& element) const;
+  /// What an element is, and what is known of it: as its tip says.
+  [[nodiscard]] QString describe(const ElementId& element) const { return toolTipFor(element); }
+  [[nodiscard]] bool isSelected(const ElementId& element) const { return m_selection->isSelected(element); }
+  /// Selects an element as the keys do, and brings it into sight.
+  void walkTo(const ElementId& element, bool add = false);
 
  public slots:
   void fit();  ///< all of the drawing in the window, at most at twice its size
@@ -148,6 +168,10 @@ class DrawingView : public QGraphicsView {
   /// Esc: false where there was nothing to give up.
   virtual bool cancel() { return false; }
   virtual void nudge(double /*dx*/, double /*dy*/, bool /*repeated*/) {}
+  /// Where what Return has begun with the tool ends at once; none: at the element of the next Return.
+  [[nodiscard]] virtual std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const;
+  /// A place on the sheet near the middle of the view where nothing is drawn.
+  [[nodiscard]] SheetPoint freePlace() const;
 
   // For the drawing's use.
   [[nodiscard]] const Mechanism& mechanism() const { return *m_document->mechanism(); }
@@ -179,6 +203,7 @@ class DrawingView : public QGraphicsView {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -194,6 +219,11 @@ class DrawingView : public QGraphicsView {
   bool editKey(const QKeyEvent& event);
   bool viewKey(const QKeyEvent& event);
   bool toolKeyPressed(const QKeyEvent& event);
+  bool walkKey(const QKeyEvent& event);
+  void walk(int steps, bool add);
+  void walkTowards(SheetPoint direction, bool add);
+  void clickCurrent();
+  [[nodiscard]] std::optional<SheetPoint> middleOf(const ElementId& element) const;
   struct LineBox {
     QRect box;
     QStringList lines;  ///< cut to the room there is
@@ -223,9 +253,11 @@ class DrawingView : public QGraphicsView {
   QPointF m_panFrom;
   bool m_spaceDown = false;
   bool m_spaceUsed = false;
-  bool m_fitted = true;        ///< the drawing still fills the window, as nobody moved it
-  bool m_themeChosen = false;  ///< setTheme() was called: the palette does not decide any more
-  bool m_hovering = false;     ///< what is hovered is under our mouse
+  bool m_fitted = true;                ///< the drawing still fills the window, as nobody moved it
+  bool m_themeChosen = false;          ///< setTheme() was called: the palette does not decide any more
+  bool m_hovering = false;             ///< what is hovered is under our mouse
+  bool m_showsFocus = false;           ///< the focus came by a key
+  std::optional<ElementId> m_current;  ///< the element that was walked to last
 };
 
 }  // namespace geargraph::inline canvas

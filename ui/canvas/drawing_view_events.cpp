@@ -1,7 +1,6 @@
-// The mouse and the keys of a drawing: turns Qt's events into those of tools and commands.
+// The mouse on a drawing: turns Qt's events into those of tools. The keys are in drawing_view_keys.cpp.
 
 #include <QHelpEvent>
-#include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -117,9 +116,13 @@ void DrawingView::wheelEvent(QWheelEvent* event) {
 
 void DrawingView::contextMenuEvent(QContextMenuEvent* event) {
   if (!isIdle()) return;
-  QMenu* menu = contextMenuAt(viewport()->mapFromGlobal(event->globalPos()));
+  QPoint place = viewport()->mapFromGlobal(event->globalPos());
+  const std::optional<ElementId> current = currentElement();
+  const bool byKey = event->reason() == QContextMenuEvent::Keyboard && current;
+  if (byKey) place = boxOf(*current).center();
+  QMenu* menu = byKey ? contextMenuFor(current, toSheetPoint(mapToScene(place))) : contextMenuAt(place);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->popup(event->globalPos());
+  menu->popup(viewport()->mapToGlobal(place));
 }
 
 bool DrawingView::viewportEvent(QEvent* event) {
@@ -156,132 +159,6 @@ void DrawingView::updateCursor() {
   if (tool() == ToolKind::pan || m_spaceDown) shape = Qt::OpenHandCursor;
   const bool pulling = m_grip == Grip::pan || (m_grip == Grip::tool && tool() == ToolKind::pan);
   viewport()->setCursor(pulling ? Qt::ClosedHandCursor : shape);
-}
-
-// --- keys -------------------------------------------------------------------------------------------------
-
-bool DrawingView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    // Space belongs to panning as long as the drawing has the focus; a tap is handed on by spaceTapped().
-    auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
-      event->accept();
-      return true;
-    }
-  }
-  return QGraphicsView::event(event);
-}
-
-void DrawingView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Space) {
-    if (event->isAutoRepeat()) return;
-    m_spaceDown = true;
-    m_spaceUsed = false;
-    updateCursor();
-    return;
-  }
-  if (viewKey(*event) || editKey(*event) || toolKeyPressed(*event)) return;
-  event->ignore();
-}
-
-void DrawingView::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space || event->isAutoRepeat()) {
-    event->ignore();
-    return;
-  }
-  const bool tap = m_spaceDown && !m_spaceUsed;
-  m_spaceDown = false;
-  updateCursor();
-  if (tap) emit spaceTapped();
-}
-
-void DrawingView::focusOutEvent(QFocusEvent* event) {
-  m_spaceDown = false;  // its release goes elsewhere
-  updateCursor();
-  QGraphicsView::focusOutEvent(event);
-}
-
-void DrawingView::escape() {
-  if (cancel()) {
-    m_grip = Grip::none;
-  } else if (!m_selection->selected().empty()) {
-    m_selection->clear();
-  } else {
-    setTool(ToolKind::select);
-  }
-}
-
-bool DrawingView::viewKey(const QKeyEvent& event) {
-  const bool control = (event.modifiers() & Qt::ControlModifier) != 0;
-  switch (event.key()) {
-    case Qt::Key_Escape:
-      escape();
-      return true;
-    case Qt::Key_F:
-      if (control) return false;
-      (event.modifiers() & Qt::ShiftModifier) != 0 ? fitSelected() : fit();
-      return true;
-    case Qt::Key_0:
-      if (control) fit();
-      return control;
-    case Qt::Key_1:
-      if (control) resetZoom();
-      return control;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      if (control) zoomIn();
-      return control;
-    case Qt::Key_Minus:
-      if (control) zoomOut();
-      return control;
-    default:
-      return false;
-  }
-}
-
-bool DrawingView::editKey(const QKeyEvent& event) {
-  const bool control = (event.modifiers() & Qt::ControlModifier) != 0;
-  const double step = (event.modifiers() & Qt::ShiftModifier) != 0 ? 1 : 10;
-  switch (event.key()) {
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-      deleteSelected();
-      return true;
-    case Qt::Key_F2:
-      renameSelected();
-      return true;
-    case Qt::Key_A:
-      if (control) selectAll();
-      return control;
-    case Qt::Key_X:
-      if (!control) flipSelected();
-      return !control;
-    case Qt::Key_Left:
-      nudge(-step, 0, event.isAutoRepeat());
-      return true;
-    case Qt::Key_Right:
-      nudge(step, 0, event.isAutoRepeat());
-      return true;
-    case Qt::Key_Up:
-      nudge(0, -step, event.isAutoRepeat());
-      return true;
-    case Qt::Key_Down:
-      nudge(0, step, event.isAutoRepeat());
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool DrawingView::toolKeyPressed(const QKeyEvent& event) {
-  if ((event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier)) != Qt::NoModifier) return false;
-  for (int kind = 0; kind < kToolCount; ++kind) {
-    const auto tool = static_cast<ToolKind>(kind);
-    if (event.key() != toolKey(tool)) continue;
-    setTool(tool);
-    return true;
-  }
-  return false;
 }
 
 }  // namespace geargraph::inline canvas

@@ -11,6 +11,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/validate.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/canvas/drawing_accessible.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
 #include "ui/forces/forces_panel.h"
@@ -37,6 +38,7 @@
 #include "ui/schematic/schematic_view.h"
 #include "ui/theme/application_theme.h"
 #include "ui/theme/icons.h"
+#include "ui/view3d/stage_accessible.h"
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
@@ -68,6 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_document(&m_workbench->document()),
       m_selection(&m_workbench->selection()),
       m_actions(std::make_unique<WindowActions>(this)) {
+  installDrawingAccessibility();
+  installStageAccessibility();
   setObjectName(QStringLiteral("mainWindow"));
   setAttribute(Qt::WA_DeleteOnClose, false);
   setWindowIcon(applicationIcon());

@@ -40,7 +40,7 @@ PlayControls::PlayControls(Playback* playback, QWidget* parent)
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_speed(new QLabel(this)) {
   m_play->setObjectName(QStringLiteral("play"));
-  m_play->setFocusPolicy(Qt::NoFocus);
+  m_play->setFocusPolicy(Qt::TabFocus);
   m_slider->setObjectName(QStringLiteral("playSpeed"));
   m_slider->setRange(-kSteps, kSteps);
   m_slider->setPageStep(kSteps / 3);

@@ -61,6 +61,9 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("Add to the selection"), tr("Shift or Ctrl, and click")},
                      {tr("Drag without snapping"), tr("Alt")},
                      {tr("Rename in place"), tr("Double click")},
+                     {tr("Next, last element; besides"), tr("Page down, up; with Shift")},
+                     {tr("The nearest element that way"), tr("Ctrl and arrow key")},
+                     {tr("As a click on the element"), tr("Return")},
                      {tr("Give up, deselect, back to Select"), tr("Esc")}}});
   groups.push_back({tr("In the 3D view"),
                     {{tr("Play, pause"), tr("Space")},
@@ -72,7 +75,7 @@ std::vector<Group> groupsOf(const QMenuBar& menus) {
                      {tr("Orbit"), tr("Drag elsewhere, arrow keys")},
                      {tr("Pan"), tr("Shift with drag or arrow keys")},
                      {tr("Zoom"), tr("Wheel, + and −")},
-                     {tr("Turn a part by hand"), tr("Ctrl, and drag")}}});
+                     {tr("Next, last link"), tr("Page down, Page up")}}});
   return groups;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/mainwindow/status_line.h"
 
+#include <QAccessible>
 #include <QEvent>
 #include <QLabel>
 #include <QStyle>
@@ -49,7 +50,7 @@ QToolButton* StatusLine::addChip(const char* name, const QString& tip, const cha
   chip->setObjectName(QLatin1String(name));
   chip->setProperty("look", look);
   chip->setToolTip(tip);
-  chip->setFocusPolicy(Qt::NoFocus);
+  chip->setFocusPolicy(Qt::TabFocus);
   chip->installEventFilter(this);
   addPermanentWidget(chip);
   connect(chip, &QToolButton::clicked, this, [this, chip] { m_selection->select(counted(chip)); });
@@ -90,6 +91,7 @@ void StatusLine::renewMessage() {
   if (m_shown == message) return;
   m_shown = message;
   m_message->setText(text());
+  announce(refused || !m_note.isEmpty());
   m_message->setToolTip(refused ? text() : QString());
   const QString look = refused ? QStringLiteral("problem") : QStringLiteral("hint");
   if (m_message->property("look") != look) {
@@ -99,6 +101,16 @@ void StatusLine::renewMessage() {
   m_icon->setVisible(refused);
   m_icon->setPixmap(
       iconPixmap(severityIconName(Severity::error), ColorRole::error, theme, 16, devicePixelRatioF()));
+}
+
+/// For screen readers: what was refused or done is read out; what the tool expects waits until it is asked.
+void StatusLine::announce(bool isUrgent) {
+  if (!QAccessible::isActive() || m_message->text().isEmpty()) return;
+  QAccessibleEvent changed(m_message, QAccessible::NameChanged);
+  QAccessible::updateAccessibility(&changed);
+  if (!isUrgent) return;
+  QAccessibleEvent alert(m_message, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 void StatusLine::setSnapshot(const SnapshotPtr& snapshot) {

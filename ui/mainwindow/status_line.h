@@ -37,6 +37,7 @@ class StatusLine : public QStatusBar {
  private:
   QToolButton* addChip(const char* name, const QString& tip, const char* look = "count");
   void renewMessage();
+  void announce(bool isUrgent);
   void renewFreedomTip();
   [[nodiscard]] std::set<ElementId> counted(const QObject* chip) const;
 

@@ -39,6 +39,7 @@ void MainWindow::makeToolBar() {
   for (QAction* action : {m_actions->undo, m_actions->redo}) {
     qobject_cast<QToolButton*>(bar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
+  for (auto* button : bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   bar->addSeparator();
   bar->addWidget(new PlayControls(&m_view3d->playback(), bar));
   auto* gap = new QWidget(bar);

@@ -217,12 +217,25 @@ QString StatesModel::textOf(int row, int column) const {
   return m_rows[static_cast<std::size_t>(row)].tails[static_cast<std::size_t>(column - couplingCount() - 1)];
 }
 
+/// In words what the eye sees: a dot, an empty cell.
+QString StatesModel::accessibleText(const QModelIndex& index) const {
+  const int coupling = couplingAt(index.column());
+  if (coupling < 0) {
+    const QString text = textOf(index.row(), index.column());
+    return text.isEmpty() ? tr("none") : text;
+  }
+  const QString name = shown(m_mechanism->couplings[static_cast<std::size_t>(coupling)].id.text());
+  return data(index, EngagedRole).toBool() ? tr("%1 engaged").arg(name) : tr("%1 released").arg(name);
+}
+
 QVariant StatesModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const int row = index.row();
   switch (role) {
     case Qt::DisplayRole:
       return textOf(row, index.column());
+    case Qt::AccessibleTextRole:
+      return accessibleText(index);
     case Qt::EditRole:
       return index.column() == 0 ? QVariant(textOf(row, 0)) : QVariant();
     case EngagedRole: {

@@ -78,6 +78,7 @@ class StatesModel : public QAbstractTableModel {
   [[nodiscard]] std::vector<Row> rowsNow() const;
   void tellChange(int row, const Row& before);
   void renewRows();
+  [[nodiscard]] QString accessibleText(const QModelIndex& index) const;
   [[nodiscard]] QString textOf(int row, int column) const;
   [[nodiscard]] QString ratioText(int row) const;
   [[nodiscard]] const ForceCell* torqueCell(int row, int coupling) const;

@@ -102,6 +102,7 @@ LinkForm::LinkForm(Document* document, std::vector<ElementId> links)
   }
   m_name = new QLineEdit(this);
   m_name->setObjectName(QStringLiteral("linkName"));
+  m_name->setAccessibleName(tr("Name of the link"));
   addRow(tr("Name"), Term::link, m_name);
   newGesture();
   connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {

@@ -181,8 +181,11 @@ InputsPanel::Row InputsPanel::makeRow(const Input& input, int line) {
                        .arg(jointLabel, head, tail));
   row.slider = new SpeedSlider(this);
   row.slider->setObjectName(QStringLiteral("slider.") + jointLabel);
+  dot->setAccessibleName(tr("Colour of link %1").arg(head));
+  row.slider->setAccessibleName(tr("Speed of joint %1").arg(jointLabel));
   row.field = new NumberField(this);
   row.field->setObjectName(QStringLiteral("speed.") + jointLabel);
+  row.field->setAccessibleName(row.slider->accessibleName());
   row.field->setFixedWidth(76);
   row.field->setStep(Rational(1, 10));
   row.field->setAlignment(Qt::AlignCenter);

@@ -22,6 +22,7 @@ SchematicView::SchematicView(Document* document, Selection* selection, QWidget* 
     : DrawingView(document, selection, new DrawingScene, parent),
       m_service(new SchematicService(this)),
       m_sheet(static_cast<DrawingScene*>(scene())) {
+  setAccessibleName(tr("Schematic"));
   m_service->onAnswer(this, [this](const SchematicPtr& schematic) { showDrawing(schematic); });
   showState();
   rebuild();
@@ -172,6 +173,26 @@ void SchematicView::dragAxis(const section_tool::DragAxis& drag) {
   applyDragged([dragged, at = *m_drag](const PlacedMechanism&) {
     return withAxisOnSheet(at.before, at.schematic->frame, dragged);
   });
+}
+
+void SchematicView::nudge(double dx, double dy, bool /*repeated*/) {
+  const std::optional<ElementId> current = currentElement();
+  if (!current || !isIdle() || !isUpToDate()) return;  // what the drawing shows is what is moved
+  const TurningJoint* joint =
+      current->kind == ElementKind::turningJoint ? mechanism().find(JointId(current->id)) : nullptr;
+  if (joint == nullptr && current->kind != ElementKind::axis) return;
+  const AxisId axis = joint != nullptr ? joint->axis : AxisId(current->id);
+  dragAxis({axis, {0, 0}, {dx, dy}, true});
+  endDrag();
+}
+
+std::optional<Pointer> SchematicView::keyStrokeEnd(const Pointer& begin) const {
+  constexpr double kShaft = 120;
+  if (tool() != ToolKind::link && tool() != ToolKind::turningJoint) return std::nullopt;
+  Pointer end = begin;
+  end.on.reset();
+  end.at = tool() == ToolKind::link ? begin.at + SheetPoint{kShaft, 0} : freePlace();
+  return end;
 }
 
 /// Every edit of the drag begins where the drag did, so that one that is refused leaves the last valid one.

@@ -47,6 +47,9 @@ class SchematicView : public DrawingView {
   void released(const Pointer& pointer) override { step(Released{meant(pointer)}); }
   [[nodiscard]] bool isIdle() const override { return m_state.index() == 0; }
   bool cancel() override;
+  /// Moves the axis of what is selected, as one step.
+  void nudge(double dx, double dy, bool repeated) override;
+  [[nodiscard]] std::optional<Pointer> keyStrokeEnd(const Pointer& begin) const override;
 
  private:
   /// An axis that goes along with the mouse, until the offer after it is closed.

@@ -1,9 +1,11 @@
 #include "ui/theme/program_style.h"
 
+#include <QAbstractButton>
 #include <QPainter>
 #include <QPolygonF>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QTextDocumentFragment>
 #include <algorithm>
 
 #include "ui/theme/theme_colors.h"
@@ -89,6 +91,12 @@ void drawRadioButton(const QStyleOption& option, QPainter& painter) {
   painter.restore();
 }
 
+bool isWordless(const QWidget& widget) {
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text().isEmpty();
+  return widget.inherits("QAbstractSlider") || widget.inherits("QAbstractSpinBox") ||
+         widget.inherits("QComboBox") || widget.inherits("QLineEdit") || widget.inherits("QAbstractItemView");
+}
+
 }  // namespace
 
 ProgramStyle::ProgramStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -103,6 +111,14 @@ int ProgramStyle::styleHint(StyleHint hint, const QStyleOption* option, const QW
                             QStyleHintReturn* answer) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
   return QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+void ProgramStyle::polish(QWidget* widget) {
+  QProxyStyle::polish(widget);
+  const QString tip = widget->toolTip();
+  if (!widget->accessibleName().isEmpty() || tip.isEmpty() || !isWordless(*widget)) return;
+  widget->setAccessibleName(Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText()
+                                                     : tip);
 }
 
 void ProgramStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

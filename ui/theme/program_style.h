@@ -17,6 +17,9 @@ class ProgramStyle : public QProxyStyle {
                                 const QWidget* widget) const override;
   [[nodiscard]] int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                               QStyleHintReturn* answer) const override;
+  using QProxyStyle::polish;
+  /// Controls without words of their own are told by their tips to those who do not see them.
+  void polish(QWidget* widget) override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
 };
