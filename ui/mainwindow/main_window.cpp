@@ -209,6 +209,7 @@ void MainWindow::wireViews() {
     }
     setTheme(themeOf(QApplication::palette()));
   });
+  connect(m_presentation, &Presentation::played, this, [this] { m_view3d->playback().toggle(); });
   m_workbench->motionCheck().onAnswer(this, [this](const MotionReportPtr& report) {
     m_problems->setMotionFindings(report ? report->diagnostics : Diagnostics(),
                                   shownText(motionNote(*m_workbench->analysis().snapshot(), report.get())));
@@ -382,12 +383,18 @@ void MainWindow::renewTitle() {
 }
 
 void MainWindow::setTheme(Theme theme) {
-  const double scale = m_presentation->isOn() ? Presentation::kTypeScale : 1;
+  const double scale = savedTypeScale() * (m_presentation->isOn() ? Presentation::kTypeScale : 1);
   const bool applied = themeOf(QApplication::palette()) == theme && scaledPixels(100) == qRound(100 * scale);
   if (!applied) applyTheme(*qApp, theme, scale);
-  m_actions->setTheme(theme);
+  m_actions->setTheme(theme, followsSystemTheme(), savedTypeScale());
   for (DrawingView* each : m_allDrawings) each->setTheme(theme);
   m_view3d->setDark(theme != Theme::light);
+}
+
+bool MainWindow::event(QEvent* event) {
+  const bool isOther = event->type() == QEvent::ThemeChange && followsSystemTheme();
+  if (isOther && systemTheme() != themeOf(QApplication::palette())) setTheme(systemTheme());
+  return QMainWindow::event(event);
 }
 
 void MainWindow::restoreLayout() {

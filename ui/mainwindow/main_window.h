@@ -111,6 +111,7 @@ class MainWindow : public QMainWindow {
   void closed();
 
  protected:
+  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -152,7 +153,9 @@ class MainWindow : public QMainWindow {
   void renewTitle();
   void showInsertSet();
   void showElement(const ElementId& element);
-  void chooseTheme(Theme theme);
+  void chooseTheme(const std::optional<Theme>& theme);
+  void chooseTypeScale(double scale);
+  void showView3DOnHalf();
   void onStage(const StagePtr& stage);
   void onSelectionChanged();
   void popUpMenuFor(const ElementId& element, QPoint at);

@@ -29,7 +29,6 @@ NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
   m_text->setWordWrap(true);
   // Two lines, whatever the width: a label that wraps would ask for the height of its narrowest form.
   m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  m_text->setFixedHeight(2 * m_text->fontMetrics().lineSpacing() + 2);
   m_text->setTextFormat(Qt::PlainText);
   m_count = new QLabel(strip);
   m_count->setProperty("look", "hint");
@@ -37,7 +36,21 @@ NoticeBar::NoticeBar(QWidget* parent) : QToolBar(tr("Notices"), parent) {
   m_layout->addWidget(m_text, 1);
   m_layout->addWidget(m_count);
   addWidget(strip);
+  m_text->installEventFilter(this);
+  fitText();
   renew();
+}
+
+/// In the type that there is now: it grows in presentations.
+void NoticeBar::fitText() {
+  const int height = 2 * m_text->fontMetrics().lineSpacing() + 2;
+  if (m_text->minimumHeight() != height) m_text->setFixedHeight(height);
+}
+
+bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOther = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+  if (watched == m_text && isOther) fitText();
+  return QToolBar::eventFilter(watched, event);
 }
 
 void NoticeBar::post(Notice notice) {

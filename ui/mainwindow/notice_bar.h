@@ -46,9 +46,11 @@ class NoticeBar : public QToolBar {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void renewIcon();
+  void fitText();
 
   std::vector<Notice> m_notices;
   QLabel* m_icon;

@@ -1,6 +1,8 @@
 #include "ui/mainwindow/presentation.h"
 
+#include <QApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -9,11 +11,19 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "ui/canvas/drawing_view.h"
+
 namespace geargraph::inline mainwindow {
 namespace {
 
 constexpr int kHintMilliseconds = 5000;
 const QString kLayoutKey = QStringLiteral("presentation/state");
+
+/// Does it take Space and Esc for what is being typed?
+bool isTypedInto(const QWidget& widget) {
+  return widget.inherits("QLineEdit") || widget.inherits("QAbstractSpinBox") ||
+         widget.inherits("QTextEdit") || widget.inherits("QPlainTextEdit");
+}
 
 }  // namespace
 
@@ -48,11 +58,36 @@ void Presentation::enter() {
   choosePanels();
   m_window->setWindowState(m_workState | Qt::WindowFullScreen);
   emit changed(true);
+  qApp->installEventFilter(this);
   showHint();
+}
+
+bool Presentation::eventFilter(QObject* watched, QEvent* event) {
+  const bool isPressed = event->type() == QEvent::KeyPress;
+  if (!isPressed && event->type() != QEvent::KeyRelease && event->type() != QEvent::ShortcutOverride)
+    return QObject::eventFilter(watched, event);
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool isOurs = widget != nullptr && widget == QApplication::focusWidget() &&
+                      widget->window() == m_window && QApplication::activePopupWidget() == nullptr &&
+                      key.modifiers() == Qt::NoModifier && !isTypedInto(*widget);
+  const bool isEscape = key.key() == Qt::Key_Escape;
+  if (!isOurs || (!isEscape && key.key() != Qt::Key_Space)) return QObject::eventFilter(watched, event);
+  const auto* drawing = qobject_cast<const DrawingView*>(widget);
+  if (isEscape && drawing != nullptr && drawing->isDrawing()) return false;
+  // In a drawing Space pans while it is held; a tap plays by itself.
+  if (!isEscape && drawing != nullptr) return false;
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();
+  } else if (isPressed && !key.isAutoRepeat()) {
+    isEscape ? setOn(false) : emit played();
+  }
+  return true;
 }
 
 /// The type shrinks first: large panels would push the window wider than it was.
 void Presentation::leave() {
+  qApp->removeEventFilter(this);
   QSettings().setValue(kLayoutKey, m_window->saveState());
   delete m_hint;
   m_hint = nullptr;
@@ -64,7 +99,8 @@ void Presentation::leave() {
 }
 
 void Presentation::showHint() {
-  m_hint = new QLabel(tr("F11 ends the presentation.  Alt+1, Alt+2, … show and hide panels."), m_window);
+  m_hint = new QLabel(
+      tr("Esc or F11 ends the presentation, Space plays.  Alt+1, Alt+2, … show and hide panels."), m_window);
   m_hint->setObjectName(QStringLiteral("presentationHint"));
   m_hint->setProperty("look", "toast");
   m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -10,6 +10,9 @@ namespace geargraph::inline mainwindow {
 
 /// The window as a lecture hall wants it: full screen, large type, no bars, the drawing and the panels that
 /// were chosen. The choice is remembered apart from the layout for work; either comes back as it was.
+///
+/// Esc ends it, unless there is something else to give up: a gesture, a menu, what is being typed. Space is
+/// played(), whatever has the focus but a field that text is typed into.
 class Presentation : public QObject {
   Q_OBJECT
 
@@ -26,6 +29,10 @@ class Presentation : public QObject {
 
  signals:
   void changed(bool on);
+  void played();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void enter();

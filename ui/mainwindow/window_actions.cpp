@@ -166,9 +166,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   zoomOut = make("view.zoomOut", words("Zoom &out"), words("Smaller"), {QKeySequence::ZoomOut});
   fitSelected = make("view.fitSelected", words("Fit the &selection"), words("Show all that is selected"),
                      {QKeySequence(QStringLiteral("Ctrl+Shift+0"))});
-  light = make("view.light", words("&Light"), words("Dark on light"), {});
-  dark = make("view.dark", words("&Dark"), words("Light on dark"), {});
-  highContrast = make("view.highContrast", words("&High contrast"), words("Light on black"), {});
+  makeLooks();
   presentation = make("view.presentation", words("&Presentation"),
                       words("Full screen, large type, the drawing and the panels that were chosen"),
                       {QKeySequence(Qt::Key_F11)});
@@ -180,11 +178,6 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
                    words("Bands in digraph and schematic show where the power of the loads goes"),
                    {QKeySequence(QStringLiteral("Ctrl+Shift+F"))});
   powerFlow->setCheckable(true);
-  auto* themes = new QActionGroup(window);
-  for (QAction* action : {light, dark, highContrast}) {
-    action->setCheckable(true);
-    themes->addAction(action);
-  }
   resetLayout = make("view.reset", words("&Reset the layout"), words("All panels back to their places"), {});
   makeMotion();
   lookUp = make("learn.lookUp", words("&Look up a term…"), words("The definition of a technical term"), {});
@@ -193,6 +186,29 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   shortcuts = make("help.shortcuts", words("&Keyboard shortcuts"), words("All keys on one sheet"),
                    {QKeySequence(Qt::Key_F1)});
   about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
+}
+
+void WindowActions::makeLooks() {
+  asSystem = make("view.asSystem", words("As the &system"), words("Light or dark as the system is"), {});
+  light = make("view.light", words("&Light"), words("Dark on light"), {});
+  dark = make("view.dark", words("&Dark"), words("Light on dark"), {});
+  highContrast = make("view.highContrast", words("&High contrast"), words("Light on black"), {});
+  auto* themes = new QActionGroup(m_window);
+  for (QAction* action : {asSystem, light, dark, highContrast}) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+  typeSizes = new QActionGroup(m_window);
+  for (const int percent : {90, 100, 115, 130, 150, 200}) {
+    QAction* size = make("", words("%1 %").arg(percent),
+                         words("Words of the window at %1 % of their size").arg(percent), {});
+    size->setObjectName(QStringLiteral("view.typeSize%1").arg(percent));
+    size->setCheckable(true);
+    size->setData(percent / 100.0);
+    typeSizes->addAction(size);
+  }
+  half3d = make("view.half3d", words("3D on &half the width"), words("The 3D view as wide as the drawing"),
+                {QKeySequence(QStringLiteral("Ctrl+Shift+3"))});
 }
 
 void WindowActions::makeMotion() {
@@ -211,10 +227,13 @@ void WindowActions::makeMotion() {
   backwards->setCheckable(true);
 }
 
-void WindowActions::setTheme(Theme theme) {
+void WindowActions::setTheme(Theme theme, bool isAsSystem, double typeScale) {
   for (const auto& [action, name] : m_icons) action->setIcon(icon(name, ColorRole::ink, theme));
   QAction* chosen = theme == Theme::light ? light : theme == Theme::dark ? dark : highContrast;
-  chosen->setChecked(true);
+  (isAsSystem ? asSystem : chosen)->setChecked(true);
+  for (QAction* size : typeSizes->actions()) {
+    if (size->data().toDouble() == typeScale) size->setChecked(true);
+  }
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -18,7 +18,7 @@ struct WindowActions {
 
   /// Enables or disables an action; `why` becomes the tip of a disabled one.
   static void setAvailable(QAction* action, bool available, const QString& why);
-  void setTheme(Theme theme);
+  void setTheme(Theme theme, bool asSystem, double typeScale);
 
   QAction* newDocument;
   QAction* newWindow;
@@ -67,10 +67,13 @@ struct WindowActions {
   QAction* zoomIn;
   QAction* zoomOut;
   QAction* fitSelected;
+  QAction* asSystem;
   QAction* light;
   QAction* dark;
   QAction* highContrast;
+  QActionGroup* typeSizes;  ///< each with its scale as data
   QAction* presentation;
+  QAction* half3d;
   QAction* grid;
   QAction* powerFlow;
   QAction* resetLayout;
@@ -92,6 +95,7 @@ struct WindowActions {
                 const QString& iconName = {});
   void makeTools();
   void makeMotion();
+  void makeLooks();
 
   QMainWindow* m_window;
   std::vector<std::pair<QAction*, QString>> m_icons;

@@ -79,8 +79,9 @@ void MainWindow::makeMenus() {
   view->addAction(a.resetLayout);
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Theme"));
-  theme->addActions({a.light, a.dark, a.highContrast});
-  view->addAction(a.presentation);
+  theme->addActions({a.asSystem, a.light, a.dark, a.highContrast});
+  view->addMenu(tr("T&ype size"))->addActions(a.typeSizes->actions());
+  view->addActions({a.half3d, a.presentation});
 
   QMenu* mechanism = menu(tr("&Mechanism"));
   mechanism->addActions(a.tools->actions());
@@ -148,6 +149,10 @@ void MainWindow::wireActions() {
   connect(a.zoomIn, &QAction::triggered, this, [this] { drawing().zoomIn(); });
   connect(a.zoomOut, &QAction::triggered, this, [this] { drawing().zoomOut(); });
   connect(a.fitSelected, &QAction::triggered, this, [this] { drawing().fitSelected(); });
+  connect(a.asSystem, &QAction::triggered, this, [this] { chooseTheme(std::nullopt); });
+  connect(a.typeSizes, &QActionGroup::triggered, this,
+          [this](const QAction* size) { chooseTypeScale(size->data().toDouble()); });
+  connect(a.half3d, &QAction::triggered, this, &MainWindow::showView3DOnHalf);
   connect(a.light, &QAction::triggered, this, [this] { chooseTheme(Theme::light); });
   connect(a.dark, &QAction::triggered, this, [this] { chooseTheme(Theme::dark); });
   connect(a.highContrast, &QAction::triggered, this, [this] { chooseTheme(Theme::highContrast); });
@@ -269,11 +274,27 @@ void MainWindow::renewActions() {
   WindowActions::setAvailable(a.tidy, mechanism.n() > 0, tr("There is no link to lay out yet."));
 }
 
-void MainWindow::chooseTheme(Theme theme) {
-  saveTheme(theme);
+/// None: the system's.
+void MainWindow::chooseTheme(const std::optional<Theme>& theme) {
+  theme ? saveTheme(*theme) : followSystemTheme();
   for (QWidget* window : QApplication::topLevelWidgets()) {
-    if (auto* main = qobject_cast<MainWindow*>(window)) main->setTheme(theme);
+    if (auto* main = qobject_cast<MainWindow*>(window)) main->setTheme(savedTheme());
   }
+}
+
+void MainWindow::chooseTypeScale(double scale) {
+  saveTypeScale(scale);
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    if (auto* main = qobject_cast<MainWindow*>(window)) main->setTheme(themeOf(QApplication::palette()));
+  }
+}
+
+void MainWindow::showView3DOnHalf() {
+  QDockWidget* view = dock("dock.view3d");
+  view->setFloating(false);
+  view->show();
+  view->raise();
+  resizeDocks({view}, {width() / 2}, Qt::Horizontal);
 }
 
 void MainWindow::showShortcuts() {

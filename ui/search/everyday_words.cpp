@@ -44,6 +44,8 @@ constexpr Words kWords[] = {
     {"view.dark", "night mode theme colour color"},
     {"view.light", "day mode theme colour color"},
     {"view.highContrast", "accessibility theme colour color"},
+    {"view.asSystem", "theme automatic desktop colour color"},
+    {"view.half3d", "wide large split solid gears"},
     {"view.fit", "zoom all show everything"},
     {"view.grid", "snap raster align"},
     {"view.reset", "panels docks default windows"},

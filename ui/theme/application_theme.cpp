@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QSettings>
 #include <QToolTip>
+#include <algorithm>
 #include <utility>
 
 #include "ui/theme/program_style.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr std::pair<Theme, const char*> kThemeNames[] = {
     {Theme::light, "light"}, {Theme::dark, "dark"}, {Theme::highContrast, "highContrast"}};
 const QString kThemeKey = QStringLiteral("theme");
+const QString kTypeScaleKey = QStringLiteral("typeScale");
 constexpr const char* kStyledProperty = "geargraphStyled";
 
 }  // namespace
@@ -25,7 +27,35 @@ Theme savedTheme() {
   for (const auto& [theme, saved] : kThemeNames) {
     if (name == QLatin1String(saved)) return theme;
   }
-  return Theme::light;
+  return systemTheme();
+}
+
+bool followsSystemTheme() {
+  return !QSettings().contains(kThemeKey);
+}
+
+void followSystemTheme() {
+  QSettings().remove(kThemeKey);
+}
+
+Theme systemTheme() {
+  // The palette that was set hides the system's, which comes back when nothing is set.
+  const QPalette set = QGuiApplication::palette();
+  if (set.resolveMask() == 0) return themeOf(set);
+  QGuiApplication::setPalette(QPalette());
+  const Theme theme =
+      QGuiApplication::palette().color(QPalette::Base).lightness() < 128 ? Theme::dark : Theme::light;
+  QGuiApplication::setPalette(set);
+  return theme;
+}
+
+double savedTypeScale() {
+  constexpr double kLeast = 0.5, kMost = 3;
+  return std::clamp(QSettings().value(kTypeScaleKey, 1.0).toDouble(), kLeast, kMost);
+}
+
+void saveTypeScale(double scale) {
+  QSettings().setValue(kTypeScaleKey, scale);
 }
 
 void saveTheme(Theme theme) {

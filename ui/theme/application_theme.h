@@ -11,8 +11,18 @@ namespace geargraph::inline theme {
 /// the new sheet (ThemeSheets::settled).
 void applyTheme(QApplication& application, Theme theme, double typeScale = 1);
 
-/// The theme that was chosen last, of the settings; light at first.
+/// The theme that was chosen last, of the settings; the system's where none was.
 [[nodiscard]] Theme savedTheme();
 void saveTheme(Theme theme);
+/// Has no theme been chosen, so that the window looks as the system does?
+[[nodiscard]] bool followsSystemTheme();
+/// No theme is chosen any more.
+void followSystemTheme();
+/// Light or dark, as the system's own palette is.
+[[nodiscard]] Theme systemTheme();
+
+/// How large type is that the user wants, for the normal size 1; of the settings.
+[[nodiscard]] double savedTypeScale();
+void saveTypeScale(double scale);
 
 }  // namespace geargraph::inline theme
