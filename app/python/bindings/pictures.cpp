@@ -42,8 +42,9 @@ py::bytes drawing(const Snapshot& self, const std::string& name, const std::stri
   picture.look.transparent = transparent;
   if (size) picture.look.size = SheetLook::Size{size->first, size->second};
   picture.title = self.mechanism().name;
-  return bytesOf(valueOrRaise(interruptible(
-      [&](const std::stop_token& stop) { return pictureOf(found->draw(*self.live(), nullptr, stop), picture); })));
+  return bytesOf(valueOrRaise(interruptible([&](const std::stop_token& stop) {
+    return pictureOf(found->draw(*self.live(), nullptr, stop), picture);
+  })));
 }
 
 /// What a 3D picture shows, as Python gives it.
