@@ -18,6 +18,7 @@
 #include "core/foundations/files/file.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/machine/train/train.h"
+#include "core/mechanism/model/torque_text.h"
 
 namespace geargraph::cli {
 namespace {
@@ -25,31 +26,39 @@ namespace {
 constexpr double kMostSeconds = 1e6;
 constexpr double kLeastInterval = 1e-6;
 
-/// Sets a number of one input by a word like "8=1.5Nm"; `units` are those that may follow the number, with
-/// what they are worth.
+using ReadNumber = std::optional<double> (*)(std::string_view text);
+
+std::optional<double> plainNumber(std::string_view text) {
+  const auto number = Number::fromText(text);
+  return number ? std::optional(number->value()) : std::nullopt;
+}
+std::optional<double> torqueNumber(std::string_view text) {
+  const auto torque = torqueFromText(text);
+  return torque ? std::optional(torque->value()) : std::nullopt;
+}
+/// "30deg", "1/2rad", "1/2", in rad.
+std::optional<double> angleNumber(std::string_view text) {
+  const bool isDegrees = text.ends_with("deg");
+  if (isDegrees || text.ends_with("rad")) text.remove_suffix(3);
+  const auto number = plainNumber(text);
+  if (!number) return std::nullopt;
+  return isDegrees ? *number * std::numbers::pi / 180 : *number;
+}
+
+/// Sets a number of one input by a word like `example`, "8=1.5Nm".
 std::optional<UsageError> setByInput(const DynamicsResult& result, std::string_view option,
-                                     std::string_view word,
-                                     std::span<const std::pair<std::string_view, double>> units,
+                                     std::string_view word, std::string_view example, ReadNumber read,
                                      const std::function<void(std::size_t, double)>& set) {
   const std::size_t equals = std::min(word.find('='), word.size());
   const std::string_view label = word.substr(0, equals);
-  std::string_view text = word.substr(std::min(equals + 1, word.size()));
-  double worth = 1;
-  for (const auto& [unit, value] : units) {
-    if (!text.ends_with(unit)) continue;
-    text.remove_suffix(unit.size());
-    worth = value;
-    break;
-  }
-  const auto number = Number::fromText(text);
+  const auto number = read(word.substr(std::min(equals + 1, word.size())));
   if (!number) {
-    return UsageError{std::string(option) + " names an input and its number, like 8=1.5" +
-                      std::string(units.empty() ? "" : units.front().first) + ", not \"" + std::string(word) +
-                      "\"."};
+    return UsageError{std::string(option) + " names an input and its number, like " + std::string(example) +
+                      ", not \"" + std::string(word) + "\"."};
   }
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
     if (std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[i])) != label) continue;
-    set(i, worth * number->value());
+    set(i, *number);
     return std::nullopt;
   }
   return UsageError{"Joint \"" + std::string(label) + "\" is not an input; see --inputs."};
@@ -57,9 +66,6 @@ std::optional<UsageError> setByInput(const DynamicsResult& result, std::string_v
 
 /// Motors, start and length of the motion.
 std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arguments) {
-  using Unit = std::pair<std::string_view, double>;
-  static constexpr std::array kTorques = {Unit{"kNm", 1000}, Unit{"Nmm", 1e-3}, Unit{"Nm", 1}};
-  static constexpr std::array kAngles = {Unit{"deg", std::numbers::pi / 180}, Unit{"rad", 1}};
   SimulationOptions& start = result.start;
   const auto inputs = static_cast<Eigen::Index>(result.dynamics.inputs.size());
   start.motors.resize(result.dynamics.inputs.size());
@@ -67,26 +73,27 @@ std::optional<UsageError> readStart(DynamicsResult& result, const Arguments& arg
   start.speeds = Eigen::VectorXd::Zero(inputs);
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
   for (const std::string& word : arguments.values("--torque")) {
-    if (const auto error = setByInput(result, "--torque", word, kTorques,
+    if (const auto error = setByInput(result, "--torque", word, "8=1.5Nm", torqueNumber,
                                       [&](std::size_t i, double torque) { start.motors[i].torque = torque; }))
       return error;
   }
   bool isNegative = false;
   for (const std::string& word : arguments.values("--damping")) {
-    if (const auto error = setByInput(result, "--damping", word, {}, [&](std::size_t i, double damping) {
-          start.motors[i].damping = damping;
-          isNegative = isNegative || damping < 0;
-        }))
+    if (const auto error =
+            setByInput(result, "--damping", word, "8=0.01", plainNumber, [&](std::size_t i, double damping) {
+              start.motors[i].damping = damping;
+              isNegative = isNegative || damping < 0;
+            }))
       return error;
   }
   if (isNegative) return UsageError{"--damping is at least 0, in N m s."};
   for (const std::string& word : arguments.values("--angle")) {
-    if (const auto error = setByInput(result, "--angle", word, kAngles,
+    if (const auto error = setByInput(result, "--angle", word, "8=30deg", angleNumber,
                                       [&](std::size_t i, double angle) { start.angles[at(i)] = angle; }))
       return error;
   }
   for (const std::string& word : arguments.values("--start-speed")) {
-    if (const auto error = setByInput(result, "--start-speed", word, {},
+    if (const auto error = setByInput(result, "--start-speed", word, "8=1", plainNumber,
                                       [&](std::size_t i, double speed) { start.speeds[at(i)] = speed; }))
       return error;
   }
