@@ -10,7 +10,9 @@
 #include <QSettings>
 
 #include "core/mechanism/model/edits.h"
+#include "core/presentation/report/report.h"
 #include "ui/canvas/digraph_view.h"
+#include "ui/derivation/derivation_panel.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
