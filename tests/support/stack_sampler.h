@@ -17,7 +17,8 @@ class StackSampler {
   StackSampler(const StackSampler&) = delete;
   StackSampler& operator=(const StackSampler&) = delete;
 
-  /// Of another thread: asks for one more stack. The first kMostSamples since the last clear() are kept.
+  /// Of another thread: asks for one more stack. The first kMostSamples since the last clear() are kept. Does
+  /// nothing under the address sanitizer.
   void sample() const;
 
   // On the sampled thread:

@@ -41,7 +41,8 @@ FormulaBox characters(std::string_view text, FontFace face, double size) {
 SetAtom letter(const FormulaNode& node, SetStyle style) {
   std::string_view text = node.text;
   const char32_t character = takeCharacter(text);
-  const bool upright = character == U'Γ';
+  // The italic face has no script letters.
+  const bool upright = character == U'Γ' || !glyphMetrics(FontFace::italic, character);
   const FontFace face = upright ? FontFace::main : FontFace::italic;
   SetAtom atom{glyphBox(face, character, style.size())};
   atom.isCharacter = true;

@@ -120,6 +120,19 @@ class ReportPdfTest : public QObject {
     }
   }
 
+  // The starred equations, too: with a load in the last joint of each example.
+  void aLoadedExampleIsWorkedOut() {
+    int loaded = 0;
+    for (const std::string& name : test::exampleNames()) {
+      Mechanism mechanism = test::example(name);
+      mechanism.loads.push_back({{}, JointTorque{mechanism.turningJoints.back().id, Number(10)}, {}});
+      const QByteArray pdf = pdfOf(mechanism);
+      QVERIFY2(pdf.trimmed().endsWith("%%EOF"), name.c_str());
+      if (headingsOf(reportOf(mechanism)).contains(QStringLiteral("Statics"))) ++loaded;
+    }
+    QVERIFY2(loaded >= 12, qPrintable(QString::number(loaded)));
+  }
+
   // Whatever a user writes is text; what no face has is no reason to fail.
   void anyNameIsShown() {
     Mechanism mechanism = test::example("spur-pair");

@@ -158,6 +158,16 @@ class TypesetTest : public QObject {
     compare(glyphOf(box, U'8').y, glyphOf(boxOf("\\theta_8"), U'8').y);
   }
 
+  // Every letter and sign that the reader knows by name has a glyph in one of the faces.
+  void everyNamedCharacterIsSet() {
+    for (const char* name :
+         {"Gamma", "ell", "omega", "tau", "theta", "times", "circ", "cdot", "pm", "mid", "approx"}) {
+      const FormulaBox box = boxOf((std::string("\\") + name).c_str());
+      QCOMPARE(box.glyphs.size(), std::size_t{1});
+      QVERIFY2(box.width > 0, name);
+    }
+  }
+
   void columnsOfAMatrixAreAligned() {
     const FormulaBox box = boxOf("\\left[ \\begin{array}{r|r} -1 & 2 \\\\ 3 & -4 \\end{array} \\right]");
     compare(endOf(glyphOf(box, U'1')), endOf(glyphOf(box, U'3')));
