@@ -13,16 +13,16 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass
 };
 
-/// Of the homogeneous body that a closed mesh bounds. Where shells of one solid overlap, the overlap counts
-/// twice. Identity: integrals over the tetrahedra between the triangles and a point near them. Cost:
-/// O(triangles).
+/// The properties of the homogeneous body that a closed mesh bounds. Where shells of one solid overlap, the
+/// overlap counts twice. Identity: integrals over the tetrahedra between the triangles and a point near them.
+/// Cost: O(triangles).
 [[nodiscard]] MassProperties massProperties(const Solid& solid, double density);
 
-/// Of both bodies as one rigid body (parallel axis theorem).
+/// Two bodies as one rigid body, by the parallel axis theorem.
 [[nodiscard]] MassProperties joined(const MassProperties& a, const MassProperties& b);
-/// Of the body at another place.
+/// The body at another place.
 [[nodiscard]] MassProperties moved(const MassProperties& body, const Eigen::Isometry3d& placed);
-/// Of the same body in a unit of length of which `factor` make one of the old unit; the mass stays.
+/// The body in another unit of length, `factor` of which make one of the old unit; the mass stays.
 [[nodiscard]] MassProperties rescaled(const MassProperties& body, double factor);
 
 }  // namespace geargraph::inline solids

@@ -39,8 +39,8 @@ struct SimulatedLink {
   std::string name;  ///< its id
   int joint = -1;    ///< ordinal; -1 for the ground
   std::string jointName;
-  /// Of the joint's rotation: its direction where the joint's arrow leads away from the ground, else the
-  /// opposite, so that the angle is the document's.
+  /// The axis of the joint's rotation: its direction where the joint's arrow leads away from the ground, else
+  /// the opposite, so that the angle is the document's.
   Eigen::Vector3d axis{0, 0, 1};
   Eigen::Vector3d origin{0, 0, 0};  ///< of its frame, on the axis at the bearing, in the base frame
   MassProperties body;              ///< base frame

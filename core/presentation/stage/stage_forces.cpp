@@ -9,8 +9,8 @@
 namespace geargraph::inline stage {
 namespace {
 
-constexpr double kLongest = 0.34;  // of the scene's radius
-constexpr double kLeast = 1e-3;    // of the greatest force
+constexpr double kLongest = 0.34;  // share of the scene's radius
+constexpr double kLeast = 1e-3;    // share of the greatest force
 constexpr float kWidth = 2.8F;
 constexpr float kCasing = 5.6F;
 

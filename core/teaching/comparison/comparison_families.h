@@ -16,7 +16,8 @@ enum class TrainFamily {
 };
 [[nodiscard]] const char* familyName(TrainFamily family);
 
-/// With so many gears, sets or arms: at least 2, 1 and 1. Its inputs are chosen by the program.
+/// A train with this number of gears, sets or arms, at least 2, 1 and 1. Its inputs are chosen by the
+/// program.
 [[nodiscard]] Mechanism familyTrain(TrainFamily family, int size);
 
 /// Both methods, counted on trains of a family.
@@ -29,7 +30,7 @@ struct FamilyCount {
   Operations matroid;
   Operations ttGraph;
 };
-/// Of all families, each by size, up to some thirty links. Computed once in a program. Cost: some tens of
+/// All families, each by size, up to some thirty links. Computed once in a program. Cost: some tens of
 /// milliseconds.
 [[nodiscard]] const std::vector<FamilyCount>& familyCounts();
 

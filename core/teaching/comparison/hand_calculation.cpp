@@ -100,7 +100,7 @@ template <class Numbers>
 void reduce(Counted<Numbers>& counted, std::vector<std::vector<typename Numbers::Value>>& rows,
             std::size_t size) {
   using Value = typename Numbers::Value;
-  // Of the unknowns' part; a pivot of 1 or -1 needs no quotient.
+  // The unknowns' part decides; a pivot of 1 or -1 needs no quotient.
   const auto effort = [size](const std::vector<Value>& row, std::size_t column) {
     const auto entries = std::count_if(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size),
                                        [](const Value& value) { return !isZeroValue(value); });
@@ -314,7 +314,7 @@ class Chain {
   std::vector<std::optional<Sum>> m_known;  ///< by joint
 };
 
-/// Of the coupled equations those that are independent in the unknowns that they have to give, the first
+/// The coupled equations that are independent in the unknowns that they have to give, the first
 /// ones.
 std::vector<int> independentOf(const TtGraph& graph, const SubstitutionPlan& plan) {
   std::vector<char> isGiven(static_cast<std::size_t>(graph.graph().t()), 0);

@@ -8,8 +8,8 @@
 namespace geargraph::inline dynamics {
 namespace {
 
-/// In the gear's frame. Teeth that nobody could see are a cylinder: it has their volume but for some parts in
-/// a thousand.
+/// The gear in its own frame. Teeth too fine to be seen are a cylinder: it has their volume but for some
+/// parts in a thousand.
 MassProperties gearMass(const TrainGear& gear, bool withTeeth, GearCache& cache, double density) {
   const bool isToothless = !withTeeth || gear.spec.teeth > kMostShownTeeth;
   if (isToothless) return massProperties(toothlessGear(gear.spec, kScreenTolerance), density);
@@ -17,7 +17,7 @@ MassProperties gearMass(const TrainGear& gear, bool withTeeth, GearCache& cache,
   return solid ? massProperties(**solid, density) : MassProperties{};
 }
 
-/// Of the part in its own frame, then moved: the coordinates of a solid are floats.
+/// The part in its own frame, then moved: the coordinates of a solid are floats.
 MassProperties partMass(const BodyPart& part, double density) {
   BodyPart alone = part;
   alone.placed = Eigen::Isometry3d::Identity();
