@@ -96,7 +96,7 @@ bool PlayControls::eventFilter(QObject* watched, QEvent* event) {
 
 void PlayControls::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_speed != nullptr) renewButton();
+  if (event->type() == QEvent::PaletteChange && m_speed != nullptr && m_playback != nullptr) renewButton();
 }
 
 }  // namespace geargraph::inline mainwindow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
 #include "ui/view3d/playback.h"
@@ -28,7 +29,7 @@ class PlayControls : public QWidget {
   void renewButton();
   void showSpeed();
 
-  Playback* m_playback;
+  QPointer<Playback> m_playback;  ///< gone before the tool bar when a window is taken apart
   QToolButton* m_play;
   QSlider* m_slider;
   QLabel* m_speed;

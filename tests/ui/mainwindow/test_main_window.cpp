@@ -14,6 +14,7 @@
 #include "tests/ui/mainwindow/hand.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/play_controls.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/panels/matrices_panel.h"
@@ -57,6 +58,17 @@ class MainWindowTest : public QObject {
     QVERIFY(window != nullptr);
   }
   void cleanup() { window.reset(); }
+
+  // A window that is taken apart restyles its tool bar when its 3D view is gone.
+  void playControlsMayOutliveThePlayback() {
+    auto playback = std::make_unique<Playback>();
+    PlayControls controls(playback.get());
+    playback.reset();
+    QPalette other = controls.palette();
+    other.setColor(QPalette::Window, Qt::red);
+    controls.setPalette(other);
+    QVERIFY(!controls.findChild<QToolButton*>()->toolTip().isEmpty());
+  }
 
   void aBrokenFileIsAListOfProblems() {
     const MechanismPtr before = now();
