@@ -6,6 +6,7 @@
 #include "core/mechanism/fitting/fitted_edits.h"
 #include "core/mechanism/fitting/module_fit.h"
 #include "core/mechanism/fitting/pin_refusal.h"
+#include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/placement/tolerance.h"
 
@@ -37,6 +38,7 @@ bool canBeFitted(const Placement& placement) {
 }
 
 Expected<PlacedMechanism> unlessBroken(const PlacedMechanism& before, Expected<Mechanism> edited) {
+  if (edited) edited = checkedLimits(std::move(edited).value());
   if (!edited) return edited.error();
   PlacedMechanism after = std::move(edited).value();
   Diagnostics broken;

@@ -8,6 +8,7 @@
 #include "core/foundations/base/position_index.h"
 #include "core/mechanism/model/arrow_flips.h"
 #include "core/mechanism/model/fresh_ids.h"
+#include "core/mechanism/model/limits.h"
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/validate.h"
 
@@ -311,7 +312,7 @@ Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis, std::option
   }
   found->point = std::move(point);
   found->direction = std::move(direction);
-  return mechanism;
+  return checkedLimits(std::move(mechanism));
 }
 
 Expected<Mechanism> withJointAxis(Mechanism mechanism, JointId joint, AxisId axis) {

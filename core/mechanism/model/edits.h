@@ -58,7 +58,7 @@ namespace geargraph::inline model {
 [[nodiscard]] Expected<Mechanism> withPitchPoint(Mechanism mechanism, MeshId mesh,
                                                  std::optional<NumberTriple> pitchPoint);
 
-/// Where an axis lies. Refuses schema: a direction of length 0.
+/// Where an axis lies. Refuses schema: a direction of length 0, what limitDiagnostics() finds.
 [[nodiscard]] Expected<Mechanism> withAxisPlaced(Mechanism mechanism, AxisId axis,
                                                  std::optional<NumberTriple> point,
                                                  std::optional<NumberTriple> direction);

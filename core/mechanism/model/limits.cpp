@@ -188,4 +188,11 @@ Diagnostics limitDiagnostics(const Mechanism& mechanism) {
   return findings;
 }
 
+Expected<Mechanism> checkedLimits(Mechanism mechanism) {
+  Diagnostics beyond = limitDiagnostics(mechanism);
+  if (beyond.empty()) return mechanism;
+  for (Diagnostic& finding : beyond) finding.pointer.clear();
+  return beyond;
+}
+
 }  // namespace geargraph::inline model

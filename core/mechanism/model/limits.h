@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/foundations/base/diagnostic.h"
+#include "core/foundations/base/expected.h"
 #include "core/mechanism/model/mechanism.h"
 
 namespace geargraph::inline model {
@@ -20,5 +21,8 @@ constexpr std::int64_t kLargestLength = 1'000'000'000'000'000;
 /// directions shorter than its inverse. A document without any can be saved and opened again, and edits
 /// reject what has any. Cost: O(n + t + c).
 [[nodiscard]] Diagnostics limitDiagnostics(const Mechanism& mechanism);
+
+/// The mechanism, or what limitDiagnostics() finds, without pointers: the file it would be in does not exist.
+[[nodiscard]] Expected<Mechanism> checkedLimits(Mechanism mechanism);
 
 }  // namespace geargraph::inline model

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/foundations/base/contract.h"
-#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/checked_edit.h"
 #include "core/mechanism/model/load_checks.h"
 
 namespace geargraph::inline model {
@@ -18,19 +18,6 @@ LoadId freshLoadId(const Mechanism& mechanism) {
   }
 }
 
-/// The edited mechanism, or what is wrong with the members under these pointers.
-Expected<Mechanism> checked(Mechanism mechanism, std::string_view pointer) {
-  for (const Diagnostics& findings : {loadDiagnostics(mechanism), limitDiagnostics(mechanism)}) {
-    for (const Diagnostic& finding : findings) {
-      if (!finding.pointer.starts_with(pointer)) continue;
-      Diagnostic refusal = finding;
-      refusal.pointer.clear();  // the file does not exist yet
-      return refusal;
-    }
-  }
-  return mechanism;
-}
-
 Load& loadAt(Mechanism& mechanism, int load) {
   GEARGRAPH_REQUIRE(load >= 0 && load < static_cast<int>(mechanism.loads.size()));
   return mechanism.loads[static_cast<std::size_t>(load)];
@@ -41,12 +28,12 @@ Load& loadAt(Mechanism& mechanism, int load) {
 Expected<Mechanism> withLoad(Mechanism mechanism, Load load) {
   if (load.id.empty()) load.id = freshLoadId(mechanism);
   mechanism.loads.push_back(std::move(load));
-  return checked(std::move(mechanism), "/loads");
+  return checkedEdit(std::move(mechanism), "/loads", &loadDiagnostics);
 }
 
 Expected<Mechanism> withLoadAction(Mechanism mechanism, int load, decltype(Load::action) action) {
   loadAt(mechanism, load).action = std::move(action);
-  return checked(std::move(mechanism), "/loads");
+  return checkedEdit(std::move(mechanism), "/loads", &loadDiagnostics);
 }
 
 Expected<Mechanism> withoutLoad(Mechanism mechanism, int load) {
@@ -57,7 +44,7 @@ Expected<Mechanism> withoutLoad(Mechanism mechanism, int load) {
 
 Expected<Mechanism> withBalances(Mechanism mechanism, std::optional<std::vector<Balance>> balances) {
   mechanism.balances = std::move(balances);
-  return checked(std::move(mechanism), "/balances");
+  return checkedEdit(std::move(mechanism), "/balances", &loadDiagnostics);
 }
 
 Expected<Mechanism> withMeshLosses(Mechanism mechanism, MeshId mesh, std::optional<Number> efficiency,

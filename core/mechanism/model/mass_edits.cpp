@@ -2,25 +2,9 @@
 
 #include <algorithm>
 
-#include "core/mechanism/model/limits.h"
+#include "core/mechanism/model/checked_edit.h"
 
 namespace geargraph::inline model {
-namespace {
-
-/// The edited mechanism, or what is wrong with the member at this pointer.
-Expected<Mechanism> massChecked(Mechanism mechanism, std::string_view pointer) {
-  for (const Diagnostics& findings : {massDiagnostics(mechanism), limitDiagnostics(mechanism)}) {
-    for (const Diagnostic& finding : findings) {
-      if (!finding.pointer.starts_with(pointer)) continue;
-      Diagnostic refusal = finding;
-      refusal.pointer.clear();  // the file does not exist yet
-      return refusal;
-    }
-  }
-  return mechanism;
-}
-
-}  // namespace
 
 Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional<LinkMass> mass) {
   const auto found = std::find_if(mechanism.links.begin(), mechanism.links.end(),
@@ -30,17 +14,17 @@ Expected<Mechanism> withLinkMass(Mechanism mechanism, LinkId link, std::optional
   }
   found->mass = mass ? SharedOptional<LinkMass>(std::move(*mass)) : SharedOptional<LinkMass>();
   const auto position = found - mechanism.links.begin();
-  return massChecked(std::move(mechanism), "/links/" + std::to_string(position) + "/");
+  return checkedEdit(std::move(mechanism), "/links/" + std::to_string(position) + "/", &massDiagnostics);
 }
 
 Expected<Mechanism> withDensity(Mechanism mechanism, std::optional<Number> density) {
   mechanism.density = std::move(density);
-  return massChecked(std::move(mechanism), "/density");
+  return checkedEdit(std::move(mechanism), "/density", &massDiagnostics);
 }
 
 Expected<Mechanism> withGravity(Mechanism mechanism, std::optional<NumberTriple> gravity) {
   mechanism.gravity = std::move(gravity);
-  return massChecked(std::move(mechanism), "/gravity");
+  return checkedEdit(std::move(mechanism), "/gravity", &massDiagnostics);
 }
 
 Diagnostics massDiagnostics(const Mechanism& mechanism) {

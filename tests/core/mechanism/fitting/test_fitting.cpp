@@ -10,6 +10,7 @@
 #include "core/mechanism/model/pins.h"
 #include "core/mechanism/model/validate.h"
 #include "tests/core/mechanism/fitting/fitted_trains.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/train_sketch.h"
 
 using namespace geargraph;
@@ -67,6 +68,18 @@ class TestFitting : public QObject {
     const Mechanism after = *withAxisMoved(before, before.axes[3].id, *before.axes[1].point);
     QVERIFY(after.axes[3].point == before.axes[1].point);
     QVERIFY(mesh(after, 4).pitchPoint == mesh(before, 0).pitchPoint);
+  }
+
+  void anAxisIsNotMovedBeyondTheLimits() {
+    const PlacedMechanism before = test::example("reverted-train");
+    int moved = 0;
+    for (const Axis& axis : before.mechanism().axes) {
+      const auto refused = withAxisMoved(before, axis.id, at(1e200, 0, 0));
+      QVERIFY(!refused);
+      QCOMPARE(refused.error().front().code, Code::schema);
+      ++moved;
+    }
+    QVERIFY(moved > 1);
   }
 
   void theSunFollowsTheRing() {

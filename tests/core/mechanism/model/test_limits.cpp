@@ -50,6 +50,16 @@ class LimitsTest : public QObject {
 
   void idsHaveALongest() { checkRefused(*withName(robot, robot.axes[0].id, longest + "x"), "/axes/0/id"); }
 
+  void anAxisIsNotPlacedBeyondThem() {
+    const NumberTriple far{Number::fromDouble(1e200), Number(0), Number(0)};
+    for (const auto& refused : {withAxisPlaced(robot, robot.axes[0].id, far, {}),
+                                withAxisPlaced(robot, robot.axes[0].id, {}, far)}) {
+      QVERIFY(!refused);
+      QCOMPARE(refused.error().front().code, Code::schema);
+      QVERIFY(refused.error().front().pointer.empty());
+    }
+  }
+
   void listsHaveALongest() {
     Mechanism many = emptyMechanism();
     for (std::size_t i = 1; i <= kLongestList; ++i) many.links.push_back({LinkId(std::to_string(i)), {}, {}});

@@ -1,0 +1,23 @@
+#include "core/mechanism/model/checked_edit.h"
+
+#include <algorithm>
+
+#include "core/mechanism/model/limits.h"
+
+namespace geargraph::inline model {
+
+Expected<Mechanism> checkedEdit(Mechanism mechanism, std::string_view pointer,
+                                Diagnostics (*checks)(const Mechanism&)) {
+  for (const Diagnostics& findings : {checks(mechanism), limitDiagnostics(mechanism)}) {
+    const auto found = std::find_if(findings.begin(), findings.end(), [pointer](const Diagnostic& finding) {
+      return finding.pointer.starts_with(pointer);
+    });
+    if (found == findings.end()) continue;
+    Diagnostic refusal = *found;
+    refusal.pointer.clear();
+    return refusal;
+  }
+  return mechanism;
+}
+
+}  // namespace geargraph::inline model
