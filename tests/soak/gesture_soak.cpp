@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/foundations/files/file.h"
 #include "core/mechanism/document_format/mechanism_file.h"
@@ -20,12 +21,14 @@
 namespace geargraph::soak {
 namespace {
 
-constexpr int kRoundsOfEach = 3;          // of every document at least, so that the first may fill caches
-constexpr long kGesturesOfRound = 200;    // where no number is given
-constexpr int kMostFindings = 20;         // after that the rest would only repeat them
-constexpr int kSettling = 60;             // events with no window open until memory is counted
-constexpr long kSpareObjects = 20;        // that come and go with timers and threads
-constexpr double kSpareMemory = 24;       // MB: allocators do not give back all
+constexpr int kRoundsOfEach = 3;        // of every document at least, so that the first may fill caches
+constexpr long kGesturesOfRound = 200;  // where no number is given
+constexpr int kMostFindings = 20;       // after that the rest would only repeat them
+constexpr int kSettling = 60;           // events with no window open until memory is counted
+constexpr long kSpareObjects = 20;      // that come and go with timers and threads
+constexpr double kSpareMemory = 24;     // MB: allocators do not give back all
+constexpr std::chrono::seconds kHang{100};
+constexpr qint64 kStuck = 100'000;        // ms without a new gesture, or until all windows are closed
 constexpr double kStallLimit = 50;        // ms
 constexpr double kLargeStallLimit = 100;  // ms, beyond kLargeTrain links
 constexpr int kLargeTrain = 1000;
@@ -68,7 +71,12 @@ GestureSoak::GestureSoak(const SoakOptions& options) : m_options(options), m_ran
   QApplication::setQuitOnLastWindowClosed(false);
   applyTheme(*qApp, Theme::light);
   m_windows = std::make_unique<WindowSet>(m_folder.filePath(QStringLiteral("recovery")));
-  m_watchdog = std::make_unique<test::StallWatchdog>(kOpening);
+  m_watchdog = std::make_unique<test::StallWatchdog>(
+      kOpening, options.stacks ? test::StallWatchdog::Stacks::sampled : test::StallWatchdog::Stacks::none);
+  m_watchdog->onHang(kHang, [](const QString& activity) {
+    std::fprintf(stderr, "the event loop has not come back from: %s\n", qPrintable(activity));
+    std::abort();  // what a debugger or a core shows is the place
+  });
 }
 
 GestureSoak::~GestureSoak() {
@@ -120,6 +128,7 @@ void GestureSoak::beginRound() {
   m_watchdog->renameActivity(kOpening);
   m_watchdog->reset();
   m_ending = false;
+  m_sinceGesture.start();
   m_gesturesBefore = m_gestures;
   m_windows->openNew().files().openForPerson(path);
 }
@@ -151,6 +160,7 @@ void GestureSoak::step() {
   for (; !warnings.isEmpty(); warnings.removeFirst()) finding(warnings.front());
   const bool isOver =
       m_gestures - m_gesturesBefore >= gesturesOfRound() || isTimeOver() || m_findings >= kMostFindings;
+  if (m_sinceGesture.elapsed() > kStuck) return giveUp();
   if (isOver || m_ending) return endRound();
   next();
   const std::size_t windows = m_windows->windows().size();
@@ -168,10 +178,25 @@ void GestureSoak::act() {
   now();
 }
 
+/// The program answers, but something on the screen does not go away.
+void GestureSoak::giveUp() {
+  QStringList shown;
+  for (const QWidget* each : QApplication::topLevelWidgets()) {
+    if (!each->isVisible()) continue;
+    shown << QStringLiteral("%1 \"%2\" %3")
+                 .arg(QLatin1String(each->metaObject()->className()), each->windowTitle(),
+                      each->objectName());
+  }
+  finding(QStringLiteral("nothing ends it; on the screen: ") + shown.join(QStringLiteral(", ")));
+  std::fflush(stdout);
+  std::_Exit(1);  // event loops of dialogs may be stacked below
+}
+
 /// Closes windows and what they ask, event by event, then waits and counts.
 void GestureSoak::endRound() {
   if (!m_ending) {
     m_ending = true;
+    m_sinceGesture.start();
     m_steps.clear();
     m_waited = 0;
     m_watchdog->setActivity(kClosing);

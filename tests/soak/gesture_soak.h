@@ -45,6 +45,7 @@ class GestureSoak : public QObject {
   void act();
   void beginRound();
   void endRound();
+  [[noreturn]] void giveUp();
   void closeAll();
   void begin(const QString& gesture, std::vector<std::function<void()>> steps);
 
@@ -88,6 +89,7 @@ class GestureSoak : public QObject {
   std::unique_ptr<WindowSet> m_windows;
   std::unique_ptr<test::StallWatchdog> m_watchdog;
   QElapsedTimer m_time;
+  QElapsedTimer m_sinceGesture;
   std::vector<std::function<void()>> m_steps;  ///< of the gesture that goes on, the next one last
   std::vector<AtRest> m_rests;                 ///< by round
   std::map<QString, test::StallWatchdog::Stall> m_longest;  ///< by document and gesture

@@ -85,6 +85,7 @@ Qt::KeyboardModifiers GestureSoak::modifiers() {
 /// The steps of a gesture in their order.
 void GestureSoak::begin(const QString& gesture, std::vector<std::function<void()>> steps) {
   m_watchdog->setActivity(gesture);
+  m_sinceGesture.start();
   ++m_gestures;
   std::reverse(steps.begin(), steps.end());
   m_steps = std::move(steps);

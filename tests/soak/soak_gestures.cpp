@@ -2,7 +2,7 @@
 // program. DOCUMENT is the name of an example or "random:LINKS"; by default two examples and trains of 1,000
 // and 10,000 links. N gestures are three rounds of every document, all of them with as many; with minutes
 // alone, rounds of 200 gestures follow each other until the time is over. Prints what it did and the longest
-// stall of each gesture, and ends with 1 on a finding.
+// stall of each gesture, with --stacks also what it was at, and ends with 1 on a finding.
 
 #include <QApplication>
 

@@ -14,6 +14,10 @@ std::optional<SoakOptions> readOptions(int argc, char** argv, const std::string&
       options.documents.push_back(name);
       continue;
     }
+    if (name == "--stacks") {
+      options.stacks = true;
+      continue;
+    }
     char* end = nullptr;
     const double value = ++i < argc ? std::strtod(argv[i], &end) : 0;
     isValid = isValid && end != nullptr && *end == '\0' && value >= 0;
@@ -30,8 +34,8 @@ std::optional<SoakOptions> readOptions(int argc, char** argv, const std::string&
     }
   }
   if (isValid && (options.count || options.minutes)) return options;
-  std::fprintf(stderr, "usage: %s [--seed N] %s N | --minutes M [--slack F] [DOCUMENT ...]\n", argv[0],
-               counted.c_str());
+  std::fprintf(stderr, "usage: %s [--seed N] %s N | --minutes M [--slack F] [--stacks] [DOCUMENT ...]\n",
+               argv[0], counted.c_str());
   return std::nullopt;
 }
 

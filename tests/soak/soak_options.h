@@ -13,6 +13,7 @@ struct SoakOptions {
   std::optional<long> count;      ///< `--edits N`, `--gestures N`
   std::optional<double> minutes;  ///< `--minutes M`
   double slack = 1;               ///< `--slack F`: factor by which stalls may be longer, on a loaded machine
+  bool stacks = false;            ///< `--stacks`: a long stall is printed with what it was at
   std::vector<std::string> documents;
 
   [[nodiscard]] bool isEnough(long done, double seconds) const {

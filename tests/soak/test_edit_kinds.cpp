@@ -17,6 +17,7 @@ const std::set<QString> kNoEdits = {
     "fragmentOf",                                  // what withFragment takes
     "readMechanism",  "readDocument", "readView",  // how documents come in
     "unlessBroken",   "fitAxes",      "unplaced",  // parts of the fitted edits
+    "checkedEdit",                                 // the part that edits end with
 };
 
 /// The names of all functions of headers that return a mechanism or its view.

@@ -18,7 +18,9 @@ class StackSampler {
   StackSampler& operator=(const StackSampler&) = delete;
 
   /// Of another thread: asks for one more stack. The first kMostSamples since the last clear() are kept. Does
-  /// nothing under the address sanitizer.
+  /// nothing under the address sanitizer. Where code made at run time is registered with the unwinder, as
+  /// that of a software OpenGL is, the unwinder allocates: a signal that comes while the allocator is locked
+  /// then hangs the thread. So it serves a person who looks for a stall, and no test of drawing.
   void sample() const;
 
   // On the sampled thread:

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace geargraph::test {
 namespace {
@@ -44,8 +45,9 @@ double keptOf(pid_t thread) {
 
 }  // namespace
 
-StallWatchdog::StallWatchdog(const QString& activity, QObject* parent)
+StallWatchdog::StallWatchdog(const QString& activity, Stacks stacks, QObject* parent)
     : QObject(parent), m_thread(gettid()), m_activity(activity), m_postedActivity(activity) {
+  if (stacks == Stacks::sampled) m_sampler.emplace();
   pthread_getcpuclockid(pthread_self(), &m_cpuClock);
   pingType();
   m_watcher = std::jthread([this](const std::stop_token& quit) { watch(quit); });
@@ -92,13 +94,18 @@ void StallWatchdog::watch(const std::stop_token& quit) {
     m_wake.wait_for(lock, quit, kPause, [] { return false; });
     if (quit.stop_requested()) continue;
     if (m_isPosted) {
-      const bool isLate = milliseconds(CLOCK_MONOTONIC) - m_posted.wall > kLate;
+      const double late = milliseconds(CLOCK_MONOTONIC) - m_posted.wall;
+      const bool isLate = late > kLate;
       const bool isFirst = m_others.empty();
+      std::function<void(const QString&)> told;
+      if (late > static_cast<double>(m_hang.count())) told = std::exchange(m_onHang, {});
+      const QString during = m_postedActivity;
       // The watched thread never waits while files are read here.
       lock.unlock();
       KeptByThread others;
       if (isLate && isFirst) others = keptOfOthers();
-      if (isLate) m_sampler.sample();
+      if (isLate && m_sampler) m_sampler->sample();
+      if (told) told(during);
       lock.lock();
       if (m_isPosted && isLate && isFirst) m_others = std::move(others);
       continue;
@@ -127,10 +134,11 @@ bool StallWatchdog::event(QEvent* event) {
   if (stall.waiting > kLate) stall.waiting = std::max(0.0, stall.waiting - excusedSince(m_posted));
   Stall& longest = m_longest[m_postedActivity];
   if (stall.length() > longest.length()) {
-    if (stall.length() > kWorthAPath && m_sampler.count() > 0) stall.path = m_sampler.commonPath();
+    if (stall.length() > kWorthAPath && m_sampler && m_sampler->count() > 0)
+      stall.path = m_sampler->commonPath();
     longest = std::move(stall);
   }
-  m_sampler.clear();
+  if (m_sampler) m_sampler->clear();
   m_isPosted = false;
   return true;
 }
@@ -144,6 +152,13 @@ void StallWatchdog::renameActivity(const QString& activity) {
   const std::lock_guard lock(m_mutex);
   m_activity = activity;
   m_postedActivity = activity;
+}
+
+void StallWatchdog::onHang(std::chrono::milliseconds after,
+                           std::function<void(const QString& activity)> then) {
+  const std::lock_guard lock(m_mutex);
+  m_hang = after;
+  m_onHang = std::move(then);
 }
 
 QString StallWatchdog::activity() const {

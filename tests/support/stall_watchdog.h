@@ -4,9 +4,12 @@
 
 #include <QObject>
 #include <QString>
+#include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -36,8 +39,12 @@ class StallWatchdog : public QObject {
     [[nodiscard]] double length() const { return cpu + waiting; }
   };
 
-  /// `activity` is what is going on to begin with.
-  explicit StallWatchdog(const QString& activity = {}, QObject* parent = nullptr);
+  enum class Stacks { none, sampled };
+
+  /// `activity` is what is going on to begin with. Stalls have a `path` only where stacks are sampled: see
+  /// StackSampler for what that may cost.
+  explicit StallWatchdog(const QString& activity = {}, Stacks stacks = Stacks::none,
+                         QObject* parent = nullptr);
   ~StallWatchdog() override;
 
   /// What is going on from now on: stalls are kept by it.
@@ -45,6 +52,10 @@ class StallWatchdog : public QObject {
   /// Another name for what is going on now: it has turned out to be something else.
   void renameActivity(const QString& activity);
   [[nodiscard]] QString activity() const;
+
+  /// Once, on a thread of its own, when an event has not been delivered for so long: `then(activity)`. Before
+  /// the event loop runs.
+  void onHang(std::chrono::milliseconds after, std::function<void(const QString& activity)> then);
 
   /// The longest stall of each activity, by length().
   [[nodiscard]] std::map<QString, Stall> longestByActivity() const;
@@ -70,7 +81,7 @@ class StallWatchdog : public QObject {
   [[nodiscard]] double excusedSince(const Clocks& clocks) const;
   void watch(const std::stop_token& quit);
 
-  StackSampler m_sampler;
+  std::optional<StackSampler> m_sampler;
   pid_t m_thread = 0;
   clockid_t m_cpuClock{};
   mutable std::mutex m_mutex;
@@ -81,7 +92,9 @@ class StallWatchdog : public QObject {
   QString m_activity;
   QString m_postedActivity;  ///< that went on when the event was posted
   std::map<QString, Stall> m_longest;
-  std::jthread m_watcher;  ///< last: it starts when all else is there
+  std::chrono::milliseconds m_hang{};
+  std::function<void(const QString&)> m_onHang;  ///< empty: nobody asks, or was told
+  std::jthread m_watcher;                        ///< last: it starts when all else is there
 };
 
 }  // namespace geargraph::test

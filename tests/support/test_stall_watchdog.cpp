@@ -70,7 +70,7 @@ class StallWatchdogTest : public QObject {
   }
 
   void whatTheThreadWasAtIsNamed() {
-    StallWatchdog watchdog;
+    StallWatchdog watchdog({}, StallWatchdog::Stacks::sampled);
     QTRY_VERIFY(!watchdog.longestByActivity().empty());
     watchdog.reset();
     QTimer::singleShot(0, this, [] { computeFor(80); });
@@ -81,6 +81,25 @@ class StallWatchdogTest : public QObject {
     QVERIFY2(path.contains(QStringLiteral("QTestEventLoop")) || path.contains(QStringLiteral("QEventLoop")) ||
                  path.contains(QStringLiteral("computeFor")),
              qPrintable(path));
+  }
+
+  void aHangIsToldOnceWhileItGoesOn() {
+    StallWatchdog watchdog(QStringLiteral("waiting"));
+    std::counting_semaphore<2> told{0};
+    QString during;
+    watchdog.onHang(std::chrono::milliseconds(30), [&](const QString& activity) {
+      during = activity;
+      told.release();
+    });
+    QTRY_VERIFY(!watchdog.longestByActivity().empty());
+    bool came = false;
+    QTimer::singleShot(0, this, [&] { came = told.try_acquire_for(std::chrono::seconds(20)); });
+    QTRY_VERIFY(came);
+    QCOMPARE(during, QStringLiteral("waiting"));
+    watchdog.reset();
+    QTimer::singleShot(0, this, [] { computeFor(80); });
+    QTRY_VERIFY(watchdog.longest() > 60);
+    QVERIFY(!told.try_acquire());
   }
 
   void shortEventsAreNoStall() {
