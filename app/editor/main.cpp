@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("GearGraph"));
   QApplication::setApplicationName(QStringLiteral("GearGraph"));
+  QApplication::setDesktopFileName(QStringLiteral("org.geargraph.geargraph"));  // its icon, for Wayland
   QApplication::setApplicationVersion(QStringLiteral(GEARGRAPH_VERSION));
 
   const CommandLine line = readCommandLine(QApplication::arguments());

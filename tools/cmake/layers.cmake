@@ -1,5 +1,6 @@
 # Layers: one folder below core/ or ui/ = one static library = one layer.
 
+include(GNUInstallDirs)
 set_property(GLOBAL PROPERTY GEARGRAPH_LAYERS "")
 
 # geargraph_layer(name SOURCES files... [ALONE files...] [USES layers...] [QT modules...] [EXTERNAL targets...])
@@ -16,8 +17,8 @@ function(geargraph_layer name)
   endif()
   set(library geargraph_${name})
   add_library(${library} STATIC ${LAYER_SOURCES})
-  target_include_directories(${library} PUBLIC ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${library} PRIVATE geargraph_warnings)
+  target_include_directories(${library} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_link_libraries(${library} PRIVATE $<BUILD_INTERFACE:geargraph_warnings>)
   foreach(used IN LISTS LAYER_USES)
     target_link_libraries(${library} PUBLIC geargraph_${used})
   endforeach()
@@ -37,6 +38,21 @@ function(geargraph_layer name)
   string(REPLACE ";" "," uses "${LAYER_USES}")
   string(REPLACE ";" "," qt "${LAYER_QT}")
   set_property(GLOBAL APPEND PROPERTY GEARGRAPH_LAYERS "${name}|${folder}|${uses}|${qt}")
+  set_property(GLOBAL PROPERTY GEARGRAPH_EXTERNALS_OF_${name} "${LAYER_EXTERNAL}")
+  if(folder MATCHES "^core/")
+    geargraph_install_layer(${name})
+  endif()
+endfunction()
+
+# geargraph_install_layer(name): a layer of core is the target GearGraph::<name> of find_package(GearGraph), see install.cmake.
+function(geargraph_install_layer name)
+  set(library geargraph_${name})
+  add_library(GearGraph::${name} ALIAS ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${library} INTERFACE cxx_std_20)
+  install(TARGETS ${library} EXPORT GearGraphTargets ARCHIVE COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/geargraph)
+  set_property(GLOBAL APPEND PROPERTY GEARGRAPH_INSTALLED_LAYERS ${name})
 endfunction()
 
 # geargraph_test(name LABELS labels... USES layers... SOURCES files... [QT modules...] [PLAIN] [ARGUMENTS args...])

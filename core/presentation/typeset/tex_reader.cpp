@@ -188,8 +188,8 @@ class TexReader {
       result.parts.push_back(group());
       return result;
     }
-    if (name == "dot" || name == "hat") {
-      FormulaNode result{FormulaKind::accent, name == "dot" ? "˙" : "^"};
+    if (name == "dot" || name == "ddot" || name == "hat") {
+      FormulaNode result{FormulaKind::accent, name == "dot" ? "˙" : name == "ddot" ? "¨" : "^"};
       result.parts.push_back(group());
       return result;
     }

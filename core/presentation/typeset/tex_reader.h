@@ -15,9 +15,9 @@ struct ReadFormula {
 };
 
 /// Reads the TeX that core writes. Understood are letters, numbers, signs, sub- and superscripts, primes;
-/// \frac \dot \hat, Greek letters and signs by name; \quad and \,; \left[ \right] and ( ); array (with bars
-/// and \hline), pmatrix, aligned, nested up to 100 deep. Anything else is a fault. What is read can be set,
-/// with a fault or without. Cost: linear in its length.
+/// \frac \dot \ddot \hat, Greek letters and signs by name; \quad and \,; \left[ \right] and ( ); array (with
+/// bars and \hline), pmatrix, aligned, nested up to 100 deep. Anything else is a fault. What is read can be
+/// set, with a fault or without. Cost: linear in its length.
 [[nodiscard]] ReadFormula readTex(std::string_view tex);
 
 /// @pre the formula can be read: it is the program's own

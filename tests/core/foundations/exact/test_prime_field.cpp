@@ -1,3 +1,5 @@
+#include <flint/ulong_extras.h>
+
 #include <QtTest>
 #include <random>
 

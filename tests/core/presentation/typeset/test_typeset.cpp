@@ -155,6 +155,9 @@ class TypesetTest : public QObject {
     const Ink dot = inkOf(glyphOf(box, U'˙')), letter = inkOf(glyphOf(box, U'θ'));
     QVERIFY(dot.bottom < letter.top);
     QVERIFY(dot.left > letter.left && dot.right < letter.right);
+    const FormulaBox twice = boxOf("\\ddot{\\theta}_8");
+    const Ink dots = inkOf(glyphOf(twice, U'¨')), under = inkOf(glyphOf(twice, U'θ'));
+    QVERIFY(dots.bottom < under.top && dots.left < dot.left && dots.right > dot.right);
     compare(glyphOf(box, U'8').y, glyphOf(boxOf("\\theta_8"), U'8').y);
   }
 

@@ -1,0 +1,1 @@
+// Compiled for the headers of CMakeLists.txt, of which this source needs none.

@@ -1,0 +1,20 @@
+# geargraph_embed(OUT HEADER NAMESPACE FUNCTION files...): a source that answers FUNCTION() with the bytes of the files, as
+# a std::span of spans, so that they are part of the program and always exist.
+function(geargraph_embed out header namespace function)
+  set(names "")
+  set(text "#include \"${header}\"\n\nnamespace geargraph::inline ${namespace} {\nnamespace {\n")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} bytes HEX)
+    string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
+    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+    get_filename_component(stem ${file} NAME_WE)
+    string(MAKE_C_IDENTIFIER "k${stem}" name)
+    string(APPEND text "constexpr unsigned char ${name}[] = {${bytes}};\n")
+    list(APPEND names ${name})
+  endforeach()
+  list(JOIN names ", " list)
+  string(APPEND text "constexpr std::span<const unsigned char> kFiles[] = {${list}};\n}  // namespace\n\n"
+    "std::span<const std::span<const unsigned char>> ${function}() {\n  return kFiles;\n}\n\n}  // namespace geargraph::inline ${namespace}\n")
+  file(CONFIGURE OUTPUT ${out} CONTENT "${text}" @ONLY)
+endfunction()
