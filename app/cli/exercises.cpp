@@ -57,8 +57,13 @@ constexpr std::array kOptions = {
 }  // namespace
 
 const Command kExercises = {
-    "exercises", "kinds FILE | make FILE [--seed N] ... -o FOLDER | grade SHEET ANSWERS... [-o CSV]",
-    "Makes exercise sheets from a mechanism and grades the answers.", kOptions, run};
+    "exercises",
+    "kinds FILE | make FILE [--seed N] ... -o FOLDER | grade SHEET ANSWERS... [-o CSV]",
+    "Makes exercise sheets from a mechanism and grades the answers.",
+    kOptions,
+    run,
+    false,
+    false};
 
 int listExerciseKinds(const Arguments& arguments) {
   if (arguments.files.size() != 1) return wrongUsage(kExercises, "One file is needed.");

@@ -10,6 +10,7 @@
 #include "app/cli/exercise_forms.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/files/folder.h"
 #include "core/mechanism/document_format/mechanism_file.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
@@ -124,10 +125,6 @@ class SheetFolder {
         m_folder(*arguments.value("-o")) {}
 
   int write() {
-    std::error_code error;
-    fs::create_directories(m_folder, error);
-    if (!fs::is_directory(m_folder))
-      return fileFailure("The folder \"" + m_folder.string() + "\" could not be made.");
     if (const auto taken = fileInTheWay()) {
       return fileFailure("\"" + (m_folder / *taken).string() +
                          "\" is there already; nothing was written (--force overwrites).");
@@ -146,13 +143,12 @@ class SheetFolder {
       const auto fault = makeFiles(makeVariant(m_source, m_options.plan, variant), mark);
       if (fault) return fileFailure(fault->message);
     }
-    for (const auto& [name, bytes] : m_files) {
-      if (const auto failure = writeFile(m_folder / name, bytes)) return fileFailure(failure->message);
-    }
-    return kFine;
+    const auto failure = writeFolder(m_folder, m_files, {m_arguments.has("--force"), {}, {}});
+    return failure ? fileFailure(failure->message) : kFine;
   }
 
  private:
+  /// A file of the sheet that is there already: told before the long work of making them.
   [[nodiscard]] std::optional<std::string> fileInTheWay() const {
     if (m_arguments.has("--force")) return std::nullopt;
     std::vector<std::string> names{"sheet.json"};
@@ -206,7 +202,7 @@ class SheetFolder {
   fs::path m_folder;
   ReportLists m_lists;
   ReportDrawings m_drawings;
-  std::vector<std::pair<std::string, std::string>> m_files;  ///< by name; written when all are made
+  FolderFiles m_files;  ///< written when all are made
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ std::string asJson(const Sets& sets) {
   {
     JsonWriter json(sink);
     json.beginObject();
+    json.member("format", "geargraph-inputs");
+    json.member("version", 1);
     json.key("count");
     if (sets.count) {
       json.string(sets.count->toString());

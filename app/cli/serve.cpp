@@ -14,6 +14,7 @@
 #include "app/cli/serve_edits.h"
 #include "app/cli/served_command.h"
 #include "app/cli/time_limit.h"
+#include "core/foundations/files/base64.h"
 #include "core/foundations/files/file.h"
 #include "core/foundations/files/json.h"
 #include "core/foundations/files/json_writer.h"
@@ -60,22 +61,6 @@ bool isUtf8(const std::string& bytes) {
   std::string json;
   appendJsonString(json, bytes);
   return JsonDocument::parse(json).has_value() && JsonDocument::parse(json)->root().string() == bytes;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t at) -> unsigned {
-      return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
-    };
-    const unsigned three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (unsigned digit = 0; digit < 4; ++digit) {
-      const bool isThere = i + digit <= bytes.size();
-      text += isThere ? kDigits[three >> (18U - 6U * digit) & 63U] : '=';
-    }
-  }
-  return text;
 }
 
 /// Holds documents and answers requests about them.
@@ -135,7 +120,11 @@ class Server {
     if (!read) return refused(read.error());
     const std::string name = std::to_string(++m_opened);
     m_documents.emplace(name, std::make_shared<const Mechanism>(std::move(read).value()));
-    return objectOf([&](JsonWriter& json) { json.member("document", name); });
+    return objectOf([&](JsonWriter& json) {
+      json.member("format", "geargraph-serve");
+      json.member("version", 1);
+      json.member("document", name);
+    });
   }
 
   Answer edit(const std::string& name, const JsonValue& params) {

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "app/cli/arguments.h"
-#include "core/foundations/files/byte_sink.h"
 
 namespace geargraph::cli {
 
@@ -33,19 +32,5 @@ class TimeLimit {
 
 /// Tells that `what` ("the analysis") was not finished in time; the exit status.
 int outOfTime(const Arguments& arguments, const std::string& what);
-
-/// Passes bytes on until a stop is requested; then it has failed, so that writers end.
-class StoppableSink final : public ByteSink {
- public:
-  StoppableSink(ByteSink& sink, std::stop_token stop) : m_sink(sink), m_stop(std::move(stop)) {}
-  void write(std::string_view bytes) override {
-    if (!m_stop.stop_requested()) m_sink.write(bytes);
-  }
-  [[nodiscard]] bool failed() const override { return m_stop.stop_requested() || m_sink.failed(); }
-
- private:
-  ByteSink& m_sink;
-  std::stop_token m_stop;
-};
 
 }  // namespace geargraph::cli

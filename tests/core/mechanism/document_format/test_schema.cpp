@@ -1,11 +1,6 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
 
 #include "core/design/synthesis/planetary_set.h"
 #include "core/design/synthesis/shifting_sets.h"
@@ -15,6 +10,7 @@
 #include "tests/core/mechanism/document_format/broken_documents.h"
 #include "tests/core/mechanism/document_format/support.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/json_schema.h"
 #include "tests/core/support/mechanisms.h"
 #include "tests/fuzz/mutations.h"
 
@@ -23,37 +19,21 @@ using namespace geargraph::test;
 
 namespace {
 
-using Adapter = valijson::adapters::NlohmannJsonAdapter;
-
-/// resources/schema/geargraph.schema.json, held against texts by a validator that knows nothing of the
-/// reader. It keeps to keywords that draft 7 and draft 2020-12 share.
+/// resources/schema/geargraph.schema.json, held against texts.
 class DocumentSchema {
  public:
-  DocumentSchema()
-      : m_source(nlohmann::json::parse(contentsOf(sourcePath("resources/schema/geargraph.schema.json")))) {
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(m_source), m_schema);
-  }
-
   /// "" where the text fits; else the first thing that is wrong.
   [[nodiscard]] std::string complaint(const std::string& text) const {
-    nlohmann::json document;
     try {
-      document = nlohmann::json::parse(text);
+      return m_schema.complaint(nlohmann::json::parse(text));
     } catch (const nlohmann::json::out_of_range&) {
       return "a number beyond a double";
     }
-    valijson::ValidationResults results;
-    if (valijson::Validator().validate(m_schema, Adapter(document), &results)) return {};
-    valijson::ValidationResults::Error error;
-    if (!results.popError(error)) return "rejected";
-    std::string where;
-    for (const std::string& step : error.context) where += step;
-    return where + ": " + error.description;
   }
 
  private:
-  nlohmann::json m_source;
-  valijson::Schema m_schema;
+  JsonSchema m_schema{
+      nlohmann::json::parse(contentsOf(sourcePath("resources/schema/geargraph.schema.json")))};
 };
 
 const DocumentSchema& schema() {

@@ -1,10 +1,6 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
+#include <optional>
 
 #include "core/foundations/files/file.h"
 #include "core/teaching/exercises/exercise_sheet.h"
@@ -12,6 +8,7 @@
 #include "core/teaching/grading/mistake_names.h"
 #include "core/teaching/grading/question_json.h"
 #include "tests/core/support/example_files.h"
+#include "tests/core/support/json_schema.h"
 #include "tests/fuzz/mutations.h"
 
 namespace geargraph {
@@ -22,24 +19,15 @@ using Json = nlohmann::json;
 class ExerciseSchemaTest : public QObject {
   Q_OBJECT
 
-  Json m_source;
-  valijson::Schema m_schema;
+  std::optional<test::JsonSchema> m_schema;
 
   /// "" where the document fits.
-  [[nodiscard]] std::string complaint(const Json& document) const {
-    valijson::ValidationResults results;
-    const valijson::adapters::NlohmannJsonAdapter adapter(document);
-    if (valijson::Validator().validate(m_schema, adapter, &results)) return {};
-    valijson::ValidationResults::Error error;
-    return results.popError(error) ? error.description : std::string("rejected");
-  }
+  [[nodiscard]] std::string complaint(const Json& document) const { return m_schema->complaint(document); }
 
  private slots:
   void initTestCase() {
     const auto bytes = readFile(test::sourcePath("resources/schema/exercises.schema.json"), 1'000'000);
-    m_source = Json::parse(std::get<std::string>(bytes));
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(valijson::adapters::NlohmannJsonAdapter(m_source), m_schema);
+    m_schema.emplace(Json::parse(std::get<std::string>(bytes)));
   }
 
   void whatTheProgramWritesFits() {
