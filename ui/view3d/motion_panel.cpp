@@ -89,7 +89,9 @@ void MotionPanel::renew() {
   const StagePtr& stage = m_view->stage();
   ++m_wanted;
   if (stage == nullptr) return arrived({}, m_wanted);
-  const double span = stage->period > 0 ? stage->period : kSpanWithoutPeriod;
+  const InputTrajectory* const along = trajectoryOf(*stage, m_view->view());
+  const double round = along != nullptr ? along->seconds() : stage->period;
+  const double span = round > 0 ? round : kSpanWithoutPeriod;
   m_worker.request(
       {stage, m_view->view(), {m_selection->selected(), m_components->isChecked(), span}, m_wanted});
 }

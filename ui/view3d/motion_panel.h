@@ -15,9 +15,9 @@ namespace geargraph::inline view3d {
 class MotionPlot;
 class View3D;
 
-/// Speeds over one period of the motion: of the selected joints and links, and of the points whose paths the
-/// 3D view shows. They are computed on a thread of its own, the newest request wins; nothing is while the
-/// panel is not seen.
+/// Speeds over one period of the motion, or along the trajectory that the 3D view plays: of the selected
+/// joints and links, and of the points whose paths the 3D view shows. They are computed on a thread of its
+/// own, the newest request wins; nothing is while the panel is not seen.
 class MotionPanel : public QWidget {
   Q_OBJECT
 

@@ -132,12 +132,13 @@ QColor MotionPlot::inkOf(const MotionCurve& curve) const {
 }
 
 double MotionPlot::valueAt(const MotionCurve& curve, double time) const {
-  const double place = time / m_sheet.times.back() * static_cast<double>(m_sheet.times.size() - 1);
-  const auto before =
-      static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(m_sheet.times.size() - 1)));
-  const std::size_t after = std::min(before + 1, m_sheet.times.size() - 1);
-  const double part = place - static_cast<double>(before);
-  return (1 - part) * curve.values[before] + part * curve.values[after];
+  const std::vector<double>& times = m_sheet.times;
+  const auto next = std::upper_bound(times.begin(), times.end(), time);
+  if (next == times.begin()) return curve.values.front();
+  if (next == times.end()) return curve.values.back();
+  const auto after = static_cast<std::size_t>(next - times.begin());
+  const double part = (time - times[after - 1]) / (times[after] - times[after - 1]);
+  return (1 - part) * curve.values[after - 1] + part * curve.values[after];
 }
 
 void MotionPlot::paintEvent(QPaintEvent*) {

@@ -45,7 +45,7 @@ class MotionPlot : public QWidget {
   };
   [[nodiscard]] const Range& times() const { return m_times; }
   [[nodiscard]] const Range& values() const { return m_values; }
-  /// Of the picture that axes and curves are kept as: another one where they have been painted anew.
+  /// The key of the picture that axes and curves are kept as; it changes where they are painted anew.
   [[nodiscard]] qint64 pictureKey() const { return m_painted.picture.cacheKey(); }
   [[nodiscard]] double timeAt(double x) const;
   [[nodiscard]] QRectF area() const;  ///< of the curves

@@ -20,8 +20,10 @@ constexpr int kSteps = 2000;
 constexpr double kSpanWithoutPeriod = 60;  // s
 constexpr double kMostTenths = 99.9;       // s: longer times are told in seconds
 
-QString seconds(double value) {
-  return QString::number(value, 'f', value < kMostTenths + 0.05 ? 1 : 0);
+/// `span`: of the times that are shown; short ones are told in milliseconds.
+QString seconds(double value, double span) {
+  constexpr double kShort = 0.5;
+  return QString::number(value, 'f', span < kShort ? 3 : value < kMostTenths + 0.05 ? 1 : 0);
 }
 
 /// "1/4×", "2×"; backwards with a minus.
@@ -47,14 +49,18 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   m_scrub->setObjectName("view3dScrub");
   m_scrub->setRange(0, kSteps);
   m_scrub->setFocusPolicy(Qt::TabFocus);
-  m_scrub->setToolTip(tr("Drag through one period of the motion"));
   m_time->setObjectName("view3dTime");
   m_time->setProperty("look", "hint");
   m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_endTrajectory = addButton("view3dEndTrajectory", tr("Torques ×"),
+                              tr("The motion that the torques of Dynamics cause is shown. Click to let the "
+                                 "inputs run at their speeds again"));
+  connect(m_endTrajectory, &QToolButton::clicked, this, &PlaybackBar::trajectoryEnded);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 2, 6, 6);
   row->setSpacing(2);
   for (QWidget* button : {back, m_play, on}) row->addWidget(button);
+  row->addWidget(m_endTrajectory);
   row->addWidget(m_scrub, 1);
   row->addSpacing(6);
   row->addWidget(m_time);
@@ -70,7 +76,7 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent)
   connect(playback, &Playback::playingChanged, this, &PlaybackBar::refresh);
   connect(playback, &Playback::rangeChanged, this, &PlaybackBar::refresh);
   connect(playback, &Playback::speedChanged, this, &PlaybackBar::showSpeed);
-  refresh();
+  setAlongTrajectory(false);
   showSpeed();
 }
 
@@ -117,6 +123,13 @@ double PlaybackBar::start() const {
   return std::isfinite(m_playback->to()) ? m_playback->to() - span() : 0;
 }
 
+void PlaybackBar::setAlongTrajectory(bool along) {
+  m_endTrajectory->setVisible(along);
+  m_scrub->setToolTip(along ? tr("Drag through the motion that the torques cause")
+                            : tr("Drag through one period of the motion"));
+  refresh();
+}
+
 void PlaybackBar::setDark(bool dark) {
   m_dark = dark;
   refresh();
@@ -155,11 +168,11 @@ void PlaybackBar::showTime() {
 
 QString PlaybackBar::timeText(double time) const {
   if (m_playback->isLimited()) {
-    const QString low = seconds(start());
-    return tr("%1 s (%2 … %3)").arg(seconds(time), low, seconds(start() + span()));
+    const QString low = seconds(start(), span());
+    return tr("%1 s (%2 … %3)").arg(seconds(time, span()), low, seconds(start() + span(), span()));
   }
-  return m_playback->period() > 0 ? tr("%1 s / %2 s").arg(seconds(time), seconds(span()))
-                                  : tr("%1 s").arg(seconds(time));
+  const QString now = seconds(time, span());
+  return m_playback->period() > 0 ? tr("%1 s / %2 s").arg(now, seconds(span(), span())) : tr("%1 s").arg(now);
 }
 
 void PlaybackBar::changeEvent(QEvent* event) {

@@ -26,6 +26,11 @@ class PlaybackBar : public QWidget {
   [[nodiscard]] double start() const;  ///< the time at its left end
   void setDark(bool dark);
   void refresh();  ///< after another period
+  /// Does the time run along a trajectory? Then a button ends that.
+  void setAlongTrajectory(bool along);
+
+ signals:
+  void trajectoryEnded();  ///< by the button
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -43,6 +48,7 @@ class PlaybackBar : public QWidget {
   QToolButton* m_play;
   QSlider* m_scrub;
   QLabel* m_time;
+  QToolButton* m_endTrajectory;
   QString m_longest;  ///< text of this period that the label of the time has room for
   QToolButton* m_speed;
 };

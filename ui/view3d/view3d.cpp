@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 #include <utility>
 
@@ -77,8 +78,12 @@ StageRange View3D::Private::range() const {
   return stage->range(added);
 }
 
+/// Of the viewer's trajectory, which knows no limits of its own, or of the stage.
 void View3D::Private::renewRange() {
-  const StageRange now = range();
+  const StagePtr& stage = viewer.stage();
+  const InputTrajectory* const along = stage ? trajectoryOf(*stage, viewer.view()) : nullptr;
+  playback.setPeriod(along != nullptr ? along->seconds() : stage ? stage->period : 0);
+  const StageRange now = along != nullptr ? StageRange() : range();
   playback.setRange(now.from.time, now.to.time);
 }
 
@@ -267,6 +272,7 @@ View3D::View3D(Selection* selection, QWidget* parent)
   connect(&d->viewer, &Viewer::turnedByHandChanged, this, [this] { d->renewRange(); });
   connect(&d->viewer, &Viewer::limitReached, this,
           [this](const QString& joint) { emit noteMade(tr("Limit reached: %1.").arg(joint)); });
+  connect(d->bar, &PlaybackBar::trajectoryEnded, this, [this] { setTrajectory(nullptr); });
   connect(&d->viewer, &Viewer::cameraChanged, this, &View3D::cameraChanged);
   connect(&d->viewer, &Viewer::optionsChanged, this, [this] {
     d->onOptionsChanged();
@@ -290,7 +296,8 @@ void View3D::setForces(StageForces forces) {
 
 void View3D::setStage(const StagePtr& stage) {
   d->viewer.setStage(stage);
-  d->playback.setPeriod(stage ? stage->period : 0);
+  const bool isOfOthers = trajectory() && (!stage || trajectoryOf(*stage, view()) == nullptr);
+  if (isOfOthers) setTrajectory(nullptr);
   d->renewRange();
   d->viewer.setTime(d->playback.time());
   d->bar->refresh();
@@ -326,6 +333,22 @@ Playback& View3D::playback() {
   return d->playback;
 }
 
+void View3D::setTrajectory(const InputTrajectoryPtr& trajectory) {
+  if (trajectory == this->trajectory()) return;
+  if (trajectory) d->viewer.setTurnedByHand({});
+  d->viewer.setTrajectory(trajectory);
+  d->bar->setAlongTrajectory(trajectory != nullptr);
+  d->playback.setSpeed(std::abs(d->playback.speed()));
+  d->renewRange();
+  d->playback.setTime(0);
+  d->bar->refresh();
+  emit trajectoryChanged();
+}
+
+const InputTrajectoryPtr& View3D::trajectory() const {
+  return view().trajectory;
+}
+
 void View3D::setTurnedByHand(const std::vector<double>& angles) {
   d->viewer.setTurnedByHand(angles);
 }
@@ -335,6 +358,7 @@ const std::vector<double>& View3D::turnedByHand() const {
 
 void View3D::showMoment(double time) {
   d->playback.setPlaying(false);
+  setTrajectory(nullptr);
   d->viewer.setTurnedByHand(std::vector<double>(d->viewer.turnedByHand().size(), 0));
   d->playback.setTime(time);
 }

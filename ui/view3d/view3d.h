@@ -45,6 +45,10 @@ class View3D : public QWidget {
   void setNote(const QString& text);
 
   [[nodiscard]] Playback& playback();
+  /// Plays this motion of the inputs instead of their speeds, from its beginning, over and over; null: their
+  /// speeds again. A button over the picture ends it, and so does a stage with other inputs.
+  void setTrajectory(const InputTrajectoryPtr& trajectory);
+  [[nodiscard]] const InputTrajectoryPtr& trajectory() const;
   /// Angles that are added to what the time makes of the inputs (rad, one an input): dragging a part with
   /// Ctrl does the same.
   void setTurnedByHand(const std::vector<double>& angles);
@@ -76,7 +80,8 @@ class View3D : public QWidget {
   void rideAlong(const std::optional<ElementId>& link);
   [[nodiscard]] const std::set<ElementId>& hidden() const;
   void setHidden(std::set<ElementId> links);
-  /// Stops the motion at a time, with the inputs where their speeds take them: what hands have added goes.
+  /// Stops the motion at a time, with the inputs where their speeds take them: a trajectory and what
+  /// hands have added go.
   void showMoment(double time);
   /// Looks along the line that the link turns about.
   void lookAlong(const ElementId& link);
@@ -101,7 +106,8 @@ class View3D : public QWidget {
 
  signals:
   void cameraChanged();
-  void contentChanged();  ///< another stage, other traces: what moves, and what is said of it
+  void contentChanged();     ///< another stage, other traces: what moves, and what is said of it
+  void trajectoryChanged();  ///< it plays another motion, or that of the speeds again
   /// A context menu is about to open for an element, or for the ground: others may add what they know of it.
   void menuOpening(QMenu* menu, const std::optional<geargraph::ElementId>& element);
   void traceFileWanted();                 ///< the newest of traces() is to be saved

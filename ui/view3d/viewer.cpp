@@ -100,6 +100,9 @@ TracedPath Viewer::pathOf(const TracedPoint& point) const {
   if (!m_stage->place || m_stage->inputSpeeds.empty()) return {};
   std::vector<double> start = m_view.turned;
   start.resize(m_stage->inputSpeeds.size(), 0);
+  const InputTrajectory* const trajectory = trajectoryOf(*m_stage, m_view);
+  if (trajectory != nullptr && trajectory->seconds() > 0)
+    return tracedPath(*m_stage, point, start, trajectory->seconds(), trajectory);
   double duration = m_stage->period > 0 ? m_stage->period : kTraceWithoutPeriod;
   const StageRange range = m_stage->range ? m_stage->range(start) : StageRange();
   if (std::isfinite(range.from.time)) {
@@ -114,6 +117,15 @@ TracedPath Viewer::pathOf(const TracedPoint& point) const {
 void Viewer::setTime(double seconds) {
   m_view.time = seconds;
   place();
+}
+
+void Viewer::setTrajectory(InputTrajectoryPtr trajectory) {
+  if (trajectory == m_view.trajectory) return;
+  m_view.trajectory = std::move(trajectory);
+  if (m_stage == nullptr) return;
+  for (ShownTrace& trace : m_view.traces) trace.path = pathOf(trace.point);
+  place();
+  emit optionsChanged();
 }
 
 void Viewer::setTurnedByHand(std::vector<double> angles) {

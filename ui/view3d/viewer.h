@@ -63,6 +63,9 @@ class Viewer : public QObject {
   [[nodiscard]] const StagePtr& stage() const { return m_stage; }
   /// Poses for this time: all inputs run at their speeds from where hands have put them.
   void setTime(double seconds);
+  /// Moves the inputs so instead of at their speeds; null: at their speeds. The paths of traced points
+  /// follow.
+  void setTrajectory(InputTrajectoryPtr trajectory);
   /// The clock runs: a view that gets lower or higher does not fit the train anew.
   void setRunning(bool running) { m_isRunning = running; }
   /// Angles that hands have added to the inputs, rad.

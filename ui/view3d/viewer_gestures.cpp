@@ -54,6 +54,7 @@ void Viewer::hover(const QPointF& place) {
     const Gesture gesture = gestureOn(hit, false);
     emit pointed(gesture == Gesture::time ? tr("Drag the part to turn the train. Ctrl turns it alone by hand")
                  : gesture == Gesture::turn ? tr("Drag the part to turn it by hand")
+                 : hit && m_view.trajectory ? tr("Drag to orbit: the train moves as its torques make it")
                  : hit                      ? tr("Drag to orbit: this part does not turn")
                                             : tr("Drag to orbit, with Shift to pan; the wheel zooms"));
   });
@@ -79,7 +80,8 @@ void Viewer::grab(const QPointF& place, bool isByHand) {
 Viewer::Gesture Viewer::gestureOn(const std::optional<Hit>& hit, bool isByHand) const {
   const bool turns = hit && m_stage != nullptr && hit->instance < m_stage->handles.size() &&
                      !m_stage->handles[hit->instance].gains.empty();
-  if (!turns) return Gesture::orbit;
+  // Along a trajectory every angle follows from the time.
+  if (!turns || trajectoryOf(*m_stage, m_view) != nullptr) return Gesture::orbit;
   return isByHand || rateOf(hit->instance) == 0 ? Gesture::turn : Gesture::time;
 }
 

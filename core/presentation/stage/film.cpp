@@ -98,6 +98,12 @@ StageView filmView(const Stage& stage, const StageView& view, const Film& film, 
     now.camera = Camera::from(from.yaw() + 2 * std::numbers::pi * part, from.pitch())
                      .placedAt(from.target(), from.distance());
   } else {
+    const InputTrajectory* const trajectory = trajectoryOf(stage, view);
+    if (trajectory != nullptr && trajectory->seconds() > 0) {
+      const double span = film.seconds > 0 ? film.seconds : trajectory->seconds();
+      if (picture > 0) now.time = std::fmod(view.time + span * part, trajectory->seconds());
+      return now;
+    }
     now.time = turnedRound(rangeOf(stage, view), view.time + filmSpan(stage, film) * part);
   }
   return now;

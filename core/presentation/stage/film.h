@@ -27,7 +27,8 @@ struct Film {
 /// How much of the motion the film shows, s.
 [[nodiscard]] double filmSpan(const Stage& stage, const Film& film);
 
-/// The view of one picture of the film. Identity: picture 0 is the view itself. @pre 0 <= picture < frames
+/// The view of one picture of the film; a view with a trajectory runs along it, again from its beginning
+/// after its end. Identity: picture 0 is the view itself. @pre 0 <= picture < frames
 [[nodiscard]] StageView filmView(const Stage& stage, const StageView& view, const Film& film, int picture);
 
 /// Writes an animated PNG (the APNG extension of PNG, third edition) piece by piece: what programs show that

@@ -38,7 +38,7 @@ class Sampler {
       now.time = time;
       const std::vector<double> angles = inputAngles(m_stage, now);
       m_stage.place(angles, poses);
-      m_stage.twists(angles, m_stage.inputSpeeds, twists);
+      m_stage.twists(angles, inputSpeeds(m_stage, now), twists);
       for (std::size_t k = 0; k < links.size(); ++k) turning[k].push_back(twists[links[k]].angular);
       for (std::size_t k = 0; k < moving.size(); ++k)
         moving[k].push_back(velocityOf(m_view.traces[k].point, poses, twists));
@@ -89,14 +89,22 @@ class Sampler {
     const auto isChosen = [this](const StageJoint& joint) {
       return m_choice.elements.contains(joint.element);
     };
+    StageView at = m_view;
+    std::vector<std::vector<double>> speeds;
+    for (const double time : m_times) {
+      at.time = time;
+      speeds.push_back(inputSpeeds(m_stage, at));
+    }
     const bool all = orAll && std::none_of(m_stage.joints.begin(), m_stage.joints.end(), isChosen);
     for (const StageJoint& joint : m_stage.joints) {
       const bool chosen = all ? sheet.curves.size() < kMostJoints : isChosen(joint);
       if (!chosen) continue;
-      double rate = 0;
-      for (std::size_t k = 0; k < joint.gains.size(); ++k) rate += joint.gains[k] * m_stage.inputSpeeds[k];
-      sheet.curves.push_back(
-          {"joint " + joint.text, joint.colour, false, std::vector<double>(m_times.size(), rate)});
+      sheet.curves.push_back({"joint " + joint.text, joint.colour, false, {}});
+      for (const std::vector<double>& now : speeds) {
+        double rate = 0;
+        for (std::size_t k = 0; k < joint.gains.size(); ++k) rate += joint.gains[k] * now[k];
+        sheet.curves.back().values.push_back(rate);
+      }
     }
   }
 

@@ -33,7 +33,8 @@ struct CurveChoice {
   double span = 1;          ///< s, from time 0. @pre > 0
 };
 
-/// Angular speeds: of joints the rate of the head against the tail, a constant for constant inputs; of links
+/// Angular speeds, along the view's trajectory where it has one: of joints the rate of the head against the
+/// tail, a constant for constant inputs; of links
 /// against the ground, signed where the link turns about one direction all the time, else the magnitude. For
 /// every traced point its speed in the frame that its path is drawn in. Sheets without curves are left out.
 /// Velocities come from the twists of the exact angles, not from differences of positions.

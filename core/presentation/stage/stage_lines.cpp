@@ -20,7 +20,7 @@ class LineMaker {
       : m_stage(stage), m_moment(moment), m_bounds(boundsOf(stage.scene)), m_size(m_bounds.radius()) {
     if (!stage.twists) return;
     m_twists.resize(stage.scene.instances.size());
-    stage.twists(moment.angles, stage.inputSpeeds, m_twists);
+    stage.twists(moment.angles, moment.speeds, m_twists);
     if (!moment.watcher) return;
     const Twist3 watcher = m_twists[*moment.watcher];
     for (Twist3& twist : m_twists) {

@@ -25,6 +25,7 @@ struct MarkChoice {
 struct Moment {
   std::span<const Pose> poses;     ///< by instance, as they are seen
   std::span<const double> angles;  ///< of the inputs
+  std::span<const double> speeds;
   Pose ground = Pose::Identity();  ///< where the base frame is seen
   std::optional<std::size_t>
       watcher;                       ///< an instance of the link that motion is relative to; none: the ground

@@ -32,9 +32,24 @@ void addTrace(std::vector<MarkLine>& lines, const Stage& stage, const ShownTrace
 std::vector<double> inputAngles(const Stage& stage, const StageView& view) {
   std::vector<double> angles;
   if (!stage.place) return angles;
-  for (std::size_t k = 0; k < stage.inputSpeeds.size(); ++k)
-    angles.push_back(stage.inputSpeeds[k] * view.time + (k < view.turned.size() ? view.turned[k] : 0));
+  if (const InputTrajectory* const trajectory = trajectoryOf(stage, view)) {
+    angles = trajectory->at(view.time).angles;
+  } else {
+    for (const double speed : stage.inputSpeeds) angles.push_back(speed * view.time);
+  }
+  for (std::size_t k = 0; k < angles.size() && k < view.turned.size(); ++k) angles[k] += view.turned[k];
   return angles;
+}
+
+std::vector<double> inputSpeeds(const Stage& stage, const StageView& view) {
+  if (!stage.place) return {};
+  const InputTrajectory* const trajectory = trajectoryOf(stage, view);
+  return trajectory != nullptr ? trajectory->at(view.time).speeds : stage.inputSpeeds;
+}
+
+const InputTrajectory* trajectoryOf(const Stage& stage, const StageView& view) {
+  const bool fits = view.trajectory && view.trajectory->inputs() == stage.inputSpeeds.size();
+  return fits ? view.trajectory.get() : nullptr;
 }
 
 std::optional<std::size_t> instanceOf(const Stage& stage, const std::optional<ElementId>& link) {
@@ -92,7 +107,8 @@ std::vector<MarkLine> seenLines(const Stage& stage, const StageView& view, const
   const std::vector<double> angles = inputAngles(stage, view);
   const auto watcher = instanceOf(stage, view.ridden);
   const Rgb ink = motionInk(view.look);
-  const Moment moment{seen.poses, angles, seen.ground, watcher, view.look.letters, ink, cut};
+  const std::vector<double> speeds = inputSpeeds(stage, view);
+  const Moment moment{seen.poses, angles, speeds, seen.ground, watcher, view.look.letters, ink, cut};
   std::vector<MarkLine> lines = stageLines(stage, view.marks, moment);
   if (const auto arrows = seenForces(stage, view, seen); !arrows.empty())
     addForceLines(*view.forces, arrows, view.look, lines);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/presentation/painting/renderer.h"
+#include "core/presentation/stage/input_trajectory.h"
 #include "core/presentation/stage/stage.h"
 #include "core/presentation/stage/stage_forces.h"
 #include "core/presentation/stage/stage_lines.h"
@@ -33,7 +34,9 @@ struct ShownTrace {
 struct StageView {
   Camera camera = Camera::home();
   Look look = Look::light();
-  double time = 0;             ///< s: the inputs run at their speeds
+  double time = 0;  ///< s: the inputs run at their speeds
+  /// Moves the inputs instead of their speeds; null, or of another number of inputs: nothing does.
+  InputTrajectoryPtr trajectory;
   std::vector<double> turned;  ///< rad that hands have added to the inputs; empty: none
   std::optional<SectionChoice> section;
   double pulledApart = 0;  ///< 0..1: the exploded view
@@ -46,6 +49,10 @@ struct StageView {
 
 /// Angles of the inputs at the view's time; empty where the stage does not move.
 [[nodiscard]] std::vector<double> inputAngles(const Stage& stage, const StageView& view);
+/// Their speeds then, rad/s; empty where the stage does not move.
+[[nodiscard]] std::vector<double> inputSpeeds(const Stage& stage, const StageView& view);
+/// What moves the inputs of the stage in this view; null: their speeds.
+[[nodiscard]] const InputTrajectory* trajectoryOf(const Stage& stage, const StageView& view);
 
 /// The first instance of a link; none where it has no part.
 [[nodiscard]] std::optional<std::size_t> instanceOf(const Stage& stage, const std::optional<ElementId>& link);

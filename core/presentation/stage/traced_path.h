@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/presentation/stage/input_trajectory.h"
 #include "core/presentation/stage/stage.h"
 
 namespace geargraph::inline stage {
@@ -23,11 +24,12 @@ struct TracedPoint {
 };
 
 /// The path over so many seconds from time 0, while the inputs run at their speeds from `start` (rad, one an
-/// input). Sampled the more finely until the length changes by less than a ten-thousandth, or 2^17 poses have
-/// been made; the length is extrapolated from the last two.
-/// @pre the stage moves, seconds > 0
+/// input), or as `trajectory` moves them beside it. Sampled the more finely until the length changes by less
+/// than a ten-thousandth, or 2^17 poses have been made; the length is extrapolated from the last two.
+/// @pre the stage moves, seconds > 0, the trajectory is of its inputs
 [[nodiscard]] TracedPath tracedPath(const Stage& stage, const TracedPoint& point,
-                                    std::span<const double> start, double seconds);
+                                    std::span<const double> start, double seconds,
+                                    const InputTrajectory* trajectory = nullptr);
 
 /// As CSV: time in s, x, y, z in the unit; a heading line first.
 [[nodiscard]] std::string pathCsv(const TracedPath& path, const std::string& unit);

@@ -131,6 +131,42 @@ class TestView3D : public QObject {
     QVERIFY2(paints.count <= 2, qPrintable(QString::number(paints.count)));  // clock, picture
   }
 
+  void aTrajectoryIsPlayedUntilItsButtonEndsIt() {
+    Shown shown;
+    QSignalSpy changed(&shown.view, &View3D::trajectoryChanged);
+    auto* end = shown.view.findChild<QToolButton*>("view3dEndTrajectory");
+    QVERIFY(!end->isVisible());
+    shown.view.playback().setTime(3);
+    using Sample = InputTrajectory::Sample;
+    const auto trajectory =
+        std::make_shared<const InputTrajectory>(std::vector<Sample>{{0, {0}, {0}}, {0.25, {1}, {8}}});
+    shown.view.setTrajectory(trajectory);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(end->isVisible());
+    QCOMPARE(shown.view.playback().time(), 0.0);
+    QCOMPARE(shown.view.playback().period(), 0.25);
+    shown.view.playback().setTime(0.125);
+    QCOMPARE(shown.view.findChild<QLabel*>("view3dTime")->text(), QString("0.125 s / 0.250 s"));
+    QCOMPARE(shown.view.view().time, 0.125);
+    // Its angles follow from the time alone, so parts are not dragged.
+    const Camera before = shown.view.camera();
+    shown.drag(Qt::LeftButton, {}, shown.at(kOnBox), {40, 0});
+    QTRY_VERIFY(!(shown.view.camera() == before));
+    QCOMPARE(shown.view.playback().time(), 0.125);
+    // The same train again, as another edit gives it, keeps it; one with other inputs does not.
+    shown.view.setStage(test::toyStage());
+    QCOMPARE(shown.view.trajectory(), trajectory);
+    QTest::mouseClick(end, Qt::LeftButton);
+    QCOMPARE(shown.view.trajectory(), nullptr);
+    QVERIFY(!end->isVisible());
+    QCOMPARE(shown.view.playback().period(), 4.0);
+    shown.view.setTrajectory(trajectory);
+    auto two = std::make_shared<Stage>(*test::toyStage());
+    two->inputSpeeds = {1, 1};
+    shown.view.setStage(two);
+    QCOMPARE(shown.view.trajectory(), nullptr);
+  }
+
   /// Between a train and its first picture the view does not look as if there were none.
   void untilTheFirstPictureIsThereTheViewSaysSo() {
     Shown shown(nullptr);

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "core/presentation/stage/exploded.h"
+#include "core/presentation/stage/film.h"
 #include "core/presentation/stage/stage_lines.h"
 #include "core/presentation/stage/traced_path.h"
 #include "tests/ui/view3d/toy_stage.h"
@@ -102,6 +103,43 @@ class TestStageMotion : public QObject {
     const std::string csv = pathCsv(path, "mm");
     QVERIFY(csv.starts_with("time s,x mm,y mm,z mm\r\n0,15,-22,0\r\n"));
     QCOMPARE(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), path.points.size() + 1);
+  }
+
+  void aTrajectoryIsItsSamplesAndCubicBetweenThem() {
+    const auto cubic = [](double t) { return InputTrajectory::Sample{t, {t * t * t - t}, {3 * t * t - 1}}; };
+    const InputTrajectory trajectory({cubic(0), cubic(1), cubic(3)});
+    for (const double time : {0.0, 0.25, 1.0, 1.5, 2.9, 3.0}) {
+      const InputTrajectory::Sample at = trajectory.at(time);
+      QVERIFY(std::abs(at.angles[0] - cubic(time).angles[0]) < 1e-12);
+      QVERIFY(std::abs(at.speeds[0] - cubic(time).speeds[0]) < 1e-12);
+    }
+    QCOMPARE(trajectory.at(-1).angles[0], 0.0);
+    QCOMPARE(trajectory.at(7).angles[0], 24.0);
+  }
+
+  void aTrajectoryMovesTheInputsOfAViewInsteadOfTheirSpeeds() {
+    const auto stage = test::toyStage();
+    using Sample = InputTrajectory::Sample;
+    StageView view;
+    view.time = 1;
+    view.turned = {0.5};
+    // Half a turn in 2 s, from rest.
+    view.trajectory = std::make_shared<const InputTrajectory>(
+        std::vector<Sample>{{0, {0}, {0}}, {2, {kTurn / 2}, {kTurn / 2}}});
+    QVERIFY(std::abs(inputAngles(*stage, view)[0] - (kTurn / 8 + 0.5)) < 1e-12);
+    QVERIFY(std::abs(inputSpeeds(*stage, view)[0] - kTurn / 4) < 1e-12);
+    const std::vector<double> start{0};
+    const TracedPath path =
+        tracedPath(*stage, {0, {15, 0, 0}, std::nullopt}, start, 2, view.trajectory.get());
+    QVERIFY(std::abs(path.length - 15 * kTurn / 2) < 1e-3);
+    // The film runs along it and begins again.
+    const Film film{FilmKind::motion, 4, 24, 0};
+    for (int picture = 0; picture < 4; ++picture)
+      QCOMPARE(filmView(*stage, view, film, picture).time, std::vector<double>({1, 1.5, 0, 0.5})[picture]);
+    // One of two inputs is not this stage's.
+    view.trajectory = std::make_shared<const InputTrajectory>(std::vector<Sample>{{0, {0, 0}, {0, 0}}});
+    QCOMPARE(trajectoryOf(*stage, view), nullptr);
+    QCOMPARE(inputAngles(*stage, view)[0], stage->inputSpeeds[0] + 0.5);
   }
 };
 

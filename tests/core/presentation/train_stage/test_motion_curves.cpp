@@ -50,6 +50,23 @@ class TestMotionCurves : public QObject {
     }
   }
 
+  void alongATrajectorySpeedsAreItsOwn() {
+    const SnapshotPtr pair = example("spur-pair");
+    GearCache cache;
+    const StagePtr stage = trainStage(*pair, cache);
+    StageView view;
+    view.trajectory = std::make_shared<const InputTrajectory>(
+        std::vector<InputTrajectory::Sample>{{0, {0}, {0}}, {2, {4}, {4}}});
+    const auto sheets = motionCurves(*stage, view, {{}, false, 2});
+    const auto gain = [&](std::size_t joint) { return stage->joints[joint].gains[0]; };
+    QVERIFY(gain(1) != gain(0));
+    for (std::size_t joint = 0; joint < 2; ++joint) {
+      const MotionCurve& each = sheets[0].curves[joint];
+      for (std::size_t i = 0; i < each.values.size(); ++i)
+        QVERIFY(std::abs(each.values[i] - gain(joint) * 2 * sheets[0].times[i]) < 1e-9);
+    }
+  }
+
   void linksOfAPlaneTrainTurnSteadilyAndThoseOfTheRobotDoNot() {
     GearCache cache;
     const StagePtr planar = trainStage(*example("planetary-ring-held"), cache);

@@ -193,7 +193,7 @@ class TestTrainStage : public QObject {
     for (const bool velocities : {false, true}) {
       MarkChoice choice;
       (velocities ? choice.velocities : choice.pitchCircles) = true;
-      Moment moment{poses, angles, Pose::Identity(), std::nullopt, {}, {}, std::nullopt};
+      Moment moment{poses, angles, stage->inputSpeeds, Pose::Identity(), std::nullopt, {}, {}, std::nullopt};
       const auto all = stageLines(*stage, choice, moment);
       moment.cut = cut;
       const auto left = stageLines(*stage, choice, moment);
