@@ -118,8 +118,7 @@ void solve(DynamicsResult& result, const Arguments& arguments) {
   result.torques = Eigen::VectorXd::Zero(result.equation.bias.size());
   for (std::size_t i = 0; i < result.start.motors.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    const Motor& motor = result.start.motors[i];
-    result.torques[at] = motor.torque - motor.damping * result.start.speeds[at];
+    result.torques[at] = result.start.motors[i].torqueAt(result.start.speeds[at]);
   }
   result.accelerations = accelerationsFor(result.equation, result.torques);
   if (arguments.has("--seconds") || arguments.has("-o"))

@@ -1,10 +1,10 @@
 #include "app/cli/dynamics_output.h"
 
 #include <array>
-#include <utility>
 
 #include "app/cli/text_table.h"
 #include "core/presentation/results/diagnostics_json.h"
+#include "core/theory/dynamics/motion_table.h"
 
 namespace geargraph::cli {
 namespace {
@@ -15,35 +15,10 @@ std::string labelOfInput(const DynamicsResult& result, std::size_t input) {
   return std::to_string(result.snapshot->graph->edgeLabel(result.dynamics.inputs[input]));
 }
 
-/// The quantities of a sample with a value for each input, as they are named and found.
-constexpr std::array<std::pair<const char*, Eigen::VectorXd MotionSample::*>, 4> kPerInput = {
-    {{"angle", &MotionSample::angles},
-     {"speed", &MotionSample::speeds},
-     {"acceleration", &MotionSample::accelerations},
-     {"torque", &MotionSample::torques}}};
-constexpr std::array<std::pair<const char*, double MotionSample::*>, 3> kEnergies = {
-    {{"kinetic", &MotionSample::kinetic},
-     {"potential", &MotionSample::potential},
-     {"work", &MotionSample::work}}};
-
-/// "time", "angle 8", ..., "work".
-std::vector<std::string> columnsOf(const DynamicsResult& result) {
-  std::vector<std::string> columns{"time"};
-  for (const auto& [name, values] : kPerInput) {
-    for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i)
-      columns.push_back(std::string(name) + ' ' + labelOfInput(result, i));
-  }
-  for (const auto& [name, value] : kEnergies) columns.emplace_back(name);
-  return columns;
-}
-
-/// In the order of columnsOf().
-std::vector<double> valuesOf(const MotionSample& sample) {
-  std::vector<double> values{sample.time};
-  for (const auto& [name, vector] : kPerInput)
-    values.insert(values.end(), (sample.*vector).begin(), (sample.*vector).end());
-  for (const auto& [name, value] : kEnergies) values.push_back(sample.*value);
-  return values;
+std::vector<std::string> inputLabels(const DynamicsResult& result) {
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) labels.push_back(labelOfInput(result, i));
+  return labels;
 }
 
 template <class Vector>
@@ -89,37 +64,26 @@ void writeSimulation(JsonWriter& json, const DynamicsResult& result) {
     json.member("limitJoint", result.snapshot->graph->edgeLabel(simulation.limitJoint));
   json.key("columns");
   json.beginArray(Layout::row);
-  for (const std::string& column : columnsOf(result)) json.string(column);
+  for (const std::string& column : motionColumns(inputLabels(result))) json.string(column);
   json.endArray();
   json.key("rows");
   json.beginArray();
-  for (const MotionSample& sample : simulation.samples) writeNumbers(json, valuesOf(sample));
+  for (const MotionSample& sample : simulation.samples) writeNumbers(json, motionRow(sample));
   json.endArray();
   json.endObject();
 }
 
-std::string endSentence(const DynamicsResult& result) {
+std::string endOf(const DynamicsResult& result) {
   const Simulation& simulation = *result.simulation;
-  switch (simulation.end) {
-    case SimulationEnd::atLimit:
-      return "It ends where joint " +
-             std::to_string(result.snapshot->graph->edgeLabel(simulation.limitJoint)) +
-             " reaches the end of its range.\n";
-    case SimulationEnd::massless:
-      return "A motion of the inputs moves no mass: torques determine no acceleration.\n";
-    case SimulationEnd::unbounded:
-      return "It ends where speeds grow beyond what can be followed.\n";
-    case SimulationEnd::complete:
-    case SimulationEnd::stopped:
-      break;
-  }
-  return {};
+  const int joint = simulation.limitJoint;
+  return endSentence(simulation.end,
+                     joint < 0 ? std::string() : std::to_string(result.snapshot->graph->edgeLabel(joint)));
 }
 
 /// The last row of the motion: what it has come to.
 std::string motionText(const DynamicsResult& result) {
   const Simulation& simulation = *result.simulation;
-  if (simulation.samples.empty()) return "\nMotion\n  " + endSentence(result);
+  if (simulation.samples.empty()) return "\nMotion\n  " + endOf(result) + '\n';
   const MotionSample& last = simulation.samples.back();
   TextRows rows{{"input", "angle, rad", "speed, rad/s", "torque, N m"}};
   for (std::size_t i = 0; i < result.dynamics.inputs.size(); ++i) {
@@ -130,27 +94,11 @@ std::string motionText(const DynamicsResult& result) {
   std::string text = '\n' + aligned("Motion, after " + decimal(last.time) + " s", rows);
   text += "  kinetic energy " + decimal(last.kinetic) + " J, potential " + decimal(last.potential) +
           " J, work of motors and loads " + decimal(last.work) + " J\n";
-  const std::string end = endSentence(result);
-  return end.empty() ? text : text + "  " + end;
+  const std::string end = endOf(result);
+  return end.empty() ? text : text + "  " + end + '\n';
 }
 
 }  // namespace
-
-std::string_view endName(SimulationEnd end) {
-  switch (end) {
-    case SimulationEnd::complete:
-      return "complete";
-    case SimulationEnd::atLimit:
-      return "limit";
-    case SimulationEnd::massless:
-      return "massless";
-    case SimulationEnd::unbounded:
-      return "unbounded";
-    case SimulationEnd::stopped:
-      return "stopped";
-  }
-  return "";
-}
 
 std::string dynamicsText(const DynamicsResult& result) {
   TextRows links{{"link", "mass, kg", "from"}};
@@ -231,9 +179,9 @@ void writeDynamicsJson(JsonWriter& json, const DynamicsResult* result, const Dia
 }
 
 void writeMotionCsv(ByteSink& sink, const DynamicsResult& result, const CsvOptions& options) {
-  CsvWriter csv(sink, columnsOf(result), options);
+  CsvWriter csv(sink, motionColumns(inputLabels(result)), options);
   for (std::size_t i = 0; i < result.simulation->samples.size() && !csv.failed(); ++i) {
-    csv.row(std::to_string(i), valuesOf(result.simulation->samples[i]));
+    csv.row(std::to_string(i), motionRow(result.simulation->samples[i]));
   }
 }
 

@@ -30,7 +30,4 @@ void writeDynamicsJson(JsonWriter& json, const DynamicsResult* result, const Dia
 /// A row a sample: time, angles, speeds, accelerations and torques of the inputs, energies and work.
 void writeMotionCsv(ByteSink& sink, const DynamicsResult& result, const CsvOptions& options);
 
-/// "complete", "limit", "massless", "unbounded", "stopped".
-[[nodiscard]] std::string_view endName(SimulationEnd end);
-
 }  // namespace geargraph::cli

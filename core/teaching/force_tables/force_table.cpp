@@ -60,7 +60,7 @@ std::string_view forceTableCommandName(ForceTableKind kind) {
   return namesOf(kind).command;
 }
 
-void writeForceCsv(ByteSink& sink, const ForceTable& table, const CsvOptions& options) {
+void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& options) {
   std::string text = options.byteOrderMark ? "\xEF\xBB\xBF" : "";
   const auto endLine = [&] {
     text.back() = '\n';  // in place of the last separator

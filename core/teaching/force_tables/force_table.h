@@ -39,10 +39,13 @@ struct ForceRow {
 };
 
 /// A table as an immutable value.
-struct ForceTable {
-  ForceTableKind kind = ForceTableKind::joints;
+struct ValueTable {
   std::vector<ForceColumn> columns;
   std::vector<ForceRow> rows;
+};
+
+struct ForceTable : ValueTable {
+  ForceTableKind kind = ForceTableKind::joints;
 };
 
 /// Torques in N m, forces in N, rates in rad/s, powers in W, places in the document's unit. Without rows
@@ -68,7 +71,7 @@ enum class ShiftColumn { exactRatio, ratio, found, efficiency, backward, latent,
 
 /// The table as CSV [RFC 4180]: a head row with units, then its rows; numbers as the shortest decimals that
 /// read back as the same doubles.
-void writeForceCsv(ByteSink& sink, const ForceTable& table, const CsvOptions& options = {});
+void writeForceCsv(ByteSink& sink, const ValueTable& table, const CsvOptions& options = {});
 
 /// About six digits, as screens show them: "12.5", "-0.333333".
 [[nodiscard]] std::string shownNumber(double number);

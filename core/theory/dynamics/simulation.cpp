@@ -32,7 +32,7 @@ class Run {
     Eigen::Map<Eigen::VectorXd>(state.data(), m_inputs) = m_options.angles;
     Eigen::Map<Eigen::VectorXd>(state.data() + m_inputs, m_inputs) = m_options.speeds;
     if (!addSample(0, state)) return ended(SimulationEnd::massless);
-    if (const int joint = leaving(state); joint >= 0) return ended(SimulationEnd::atLimit, joint);
+    if (const int joint = beyondLimit(state); joint >= 0) return ended(SimulationEnd::atLimit, joint);
     auto stepper = odeint::make_dense_output(m_options.tolerance, m_options.tolerance,
                                              odeint::runge_kutta_dopri5<State>());
     stepper.initialize(state, 0, std::min(m_options.interval, m_options.seconds));
@@ -62,10 +62,8 @@ class Run {
   }
   [[nodiscard]] Eigen::VectorXd torquesAt(const Eigen::VectorXd& speeds) const {
     Eigen::VectorXd torques(m_inputs);
-    for (Eigen::Index i = 0; i < m_inputs; ++i) {
-      const Motor& motor = m_options.motors[static_cast<std::size_t>(i)];
-      torques[i] = motor.torque - motor.damping * speeds[i];
-    }
+    for (Eigen::Index i = 0; i < m_inputs; ++i)
+      torques[i] = m_options.motors[static_cast<std::size_t>(i)].torqueAt(speeds[i]);
     return torques;
   }
   static bool isFinite(const State& state) {
@@ -167,8 +165,6 @@ class Run {
     }
     return -1;
   }
-  /// A joint that is beyond its range at the start.
-  [[nodiscard]] int leaving(const State& state) const { return beyondLimit(state); }
 
   Simulation ended(SimulationEnd end, int limitJoint = -1) {
     m_result.end = end;

@@ -16,6 +16,8 @@ namespace geargraph::inline dynamics {
 struct Motor {
   double torque = 0;   ///< N m, by the tail of its joint on the head
   double damping = 0;  ///< N m s, at least 0
+
+  [[nodiscard]] double torqueAt(double speed) const { return torque - damping * speed; }
 };
 
 struct SimulationOptions {

@@ -4,6 +4,7 @@
 
 #include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/validate.h"
+#include "core/theory/dynamics/motion_table.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/trains.h"
 #include "tests/core/theory/dynamics/dynamics_case.h"
@@ -161,6 +162,31 @@ class TestSimulation : public QObject {
     });
     QCOMPARE(simulation.end, SimulationEnd::stopped);
     QVERIFY(reached > 1 && reached < 10);
+  }
+
+  void aTableHasAColumnForEachQuantityAndItsEnergiesBalance() {
+    const DynamicsCase worked(pendulum());
+    TrainDynamics dynamics(worked.dynamics.train);
+    SimulationOptions options = worked.options();
+    options.angles[0] = 1;
+    options.motors[0] = {2, 0.5};
+    const Simulation simulation = simulate(dynamics, options);
+    const std::vector<std::string> labels{"2"};
+    const std::vector<std::string> expected{"time",     "angle 2", "speed 2",   "acceleration 2",
+                                            "torque 2", "kinetic", "potential", "work"};
+    QCOMPARE(motionColumns(labels), expected);
+    const MotionSample& sample = simulation.samples.back();
+    const std::vector<double> row = motionRow(sample);
+    QCOMPARE(row.size(), expected.size());
+    QCOMPARE(row[0], 1.0);
+    QCOMPARE(row[4], 2 - 0.5 * row[2]);
+    QCOMPARE(row[7], sample.work);
+    QVERIFY(std::abs(energyDefect(simulation)) < 1e-7 * largestEnergy(simulation));
+    Simulation wrong = simulation;
+    wrong.samples[50].kinetic -= 1;
+    QVERIFY(std::abs(energyDefect(wrong) + 1) < 1e-6);
+    QVERIFY(endSentence(simulation.end, {}).empty());
+    QVERIFY(endSentence(SimulationEnd::atLimit, "7").find("joint 7") != std::string::npos);
   }
 
   // The start is given, not the reference pose; samples are at whole intervals and at the end.

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/teaching/force_tables/force_table.h"
+#include "core/theory/dynamics/dynamics_report.h"
+
+namespace geargraph::inline dynamics_tables {
+
+/// The dynamics of a mechanism at one pose and speed of its inputs.
+struct DynamicState {
+  EquationOfMotion equation;
+  Eigen::MatrixXd reflected;  ///< TrainDynamics::reflectedInertias()
+};
+
+/// What each moving link weighs: a row a link, in the order of the document. Lengths in its unit.
+enum class MassColumn { link, mass, centerX, centerY, centerZ, inertiaX, inertiaY, inertiaZ, source, count };
+/// `metres`: in one of the document's unit. @pre an inertia for each link
+[[nodiscard]] ValueTable massTable(const Mechanism& mechanism, std::span<const LinkInertia> links,
+                                   double metres);
+
+/// The inertia that each link has at each motor: a row a link, a column an input; the sums last.
+[[nodiscard]] ValueTable reflectedTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
+                                        const DynamicState& state);
+
+/// M theta'' + h = tau + load: a row an input; its row of M, then h, the load, and the torque that holds it
+/// at constant speeds, h - load.
+[[nodiscard]] ValueTable equationTable(const Mechanism& mechanism, const MechanismDynamics& dynamics,
+                                       const DynamicState& state);
+/// The same in TeX, with its numbers as matrices; empty for more than kMostTypesetInputs.
+[[nodiscard]] std::string equationTex(const Mechanism& mechanism, const MechanismDynamics& dynamics,
+                                      const DynamicState& state);
+constexpr int kMostTypesetInputs = 6;
+
+/// "from its solids", "stated", ...: where a link's mass comes from, for people.
+[[nodiscard]] std::string massSourceText(MassSource source);
+
+/// A number of TeX with so many digits: "0.0123", "1.5\cdot 10^{-7}".
+[[nodiscard]] std::string texNumber(double value, int digits = 4);
+
+}  // namespace geargraph::inline dynamics_tables

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/theory/dynamics/simulation.h"
+
+namespace geargraph::inline dynamics {
+
+/// The columns of a simulated motion as a table: "time", then for each input its angle, speed, acceleration
+/// and torque, "angle 8", then "kinetic", "potential" and "work". s, rad, N m, J. `inputs`: their labels.
+[[nodiscard]] std::vector<std::string> motionColumns(std::span<const std::string> inputs);
+/// A sample as a row under motionColumns().
+[[nodiscard]] std::vector<double> motionRow(const MotionSample& sample);
+
+/// "complete", "limit", "massless", "unbounded", "stopped".
+[[nodiscard]] std::string_view endName(SimulationEnd end);
+/// Why a motion ends before its time, as a sentence; empty where it does not, or was stopped. `limitJoint`:
+/// the label of the simulation's.
+[[nodiscard]] std::string endSentence(SimulationEnd end, std::string_view limitJoint);
+
+/// By how much kinetic and potential energy grow more than the work done, J, at most of all samples: 0 but
+/// for the tolerance of the integration.
+[[nodiscard]] double energyDefect(const Simulation& simulation);
+
+}  // namespace geargraph::inline dynamics
