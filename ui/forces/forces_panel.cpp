@@ -7,16 +7,15 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
-#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QToolButton>
 #include <algorithm>
 
 #include "ui/forces/force_table_model.h"
+#include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
 #include "ui/forces/sideways_scroll.h"
 #include "ui/models/term_tips.h"
@@ -66,11 +65,10 @@ QString numberText(const Real& value) {
 ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService* service, QWidget* parent)
     : QWidget(parent),
       m_document(document),
-      m_selection(selection),
       m_service(service),
       m_model(new ForceTableModel(this)),
       m_loads(new LoadsList(document, selection, this)),
-      m_table(new QTableView(this)),
+      m_table(new LinkedTable(m_model, selection, this)),
       m_pages(new QStackedWidget(this)),
       m_empty(emptyLabel(this)),
       m_remark(new QLabel(this)) {
@@ -93,10 +91,6 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
     m_empty->setText(tr("The torques could not be worked out: %1").arg(why));
     m_pages->setCurrentWidget(m_empty);
   });
-  connect(m_selection, &Selection::selectionChanged, this, &ForcesPanel::selectRow);
-  connect(m_table, &QTableView::clicked, this,
-          [this](const QModelIndex& at) { m_selection->select(m_model->elementsAt(at.row())); });
-  connect(m_table, &QTableView::entered, this, [this](const QModelIndex& at) { hoverRow(at.row()); });
   showForces();
 }
 
@@ -137,22 +131,8 @@ QWidget* ForcesPanel::makeBar() {
 }
 
 QWidget* ForcesPanel::makeMiddle() {
-  m_table->setModel(m_model);
   m_table->setObjectName(QStringLiteral("forceTable"));
   m_table->setAccessibleName(tr("Forces"));
-  m_table->setTabKeyNavigation(false);
-  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  m_table->setShowGrid(false);
-  m_table->setMouseTracking(true);
-  m_table->setFrameShape(QFrame::NoFrame);
-  m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  m_table->setWordWrap(false);
-  m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(scaledPixels(22));
-  m_table->horizontalHeader()->setHighlightSections(false);
-  m_table->viewport()->installEventFilter(this);
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);
 
@@ -298,7 +278,7 @@ void ForcesPanel::showForces() {
   if (why.isEmpty()) m_table->resizeColumnsToContents();
   showTotals();
   showRemark();
-  selectRow();
+  m_table->selectRowOfSelection();
 }
 
 QString ForcesPanel::whyEmpty() const {
@@ -400,24 +380,6 @@ QString ForcesPanel::emptyText() const {
   return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
 }
 
-/// The first row that is about what is selected.
-void ForcesPanel::selectRow() {
-  const std::set<ElementId>& selected = m_selection->selected();
-  const ForceTable* const table = m_model->table();
-  if (table == nullptr) return;
-  const auto current = m_table->selectionModel()->selectedRows();
-  if (!current.isEmpty() && m_model->elementsAt(current.front().row()) == selected) return;
-  const auto row = std::find_if(table->rows.begin(), table->rows.end(), [&](const ForceRow& each) {
-    return !each.elements.empty() && selected.contains(each.elements.front());
-  });
-  if (row == table->rows.end()) return m_table->clearSelection();
-  m_table->selectRow(static_cast<int>(row - table->rows.begin()));
-}
-
-void ForcesPanel::hoverRow(int row) {
-  m_selection->hover(m_model->elementsAt(row));
-}
-
 /// The list of loads is as wide as its rows need.
 void ForcesPanel::fitLoads() {
   const int width = m_loads->minimumSizeHint().width() + m_loadsView->verticalScrollBar()->sizeHint().width();
@@ -426,7 +388,6 @@ void ForcesPanel::fitLoads() {
 
 bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_loads && event->type() == QEvent::LayoutRequest) fitLoads();
-  if (watched == m_table->viewport() && event->type() == QEvent::Leave) m_selection->unhover();
   return QWidget::eventFilter(watched, event);
 }
 

@@ -13,7 +13,6 @@ class QHBoxLayout;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
-class QTableView;
 class QToolButton;
 
 namespace geargraph::inline panels {
@@ -23,6 +22,7 @@ class NumberField;
 namespace geargraph::inline forces {
 
 class ForceTableModel;
+class LinkedTable;
 class LoadsList;
 
 /// Torques, forces and powers of the newest snapshot: the loads, a table of what holds them, and what becomes
@@ -46,7 +46,7 @@ class ForcesPanel : public QWidget {
   [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
   [[nodiscard]] const ForcesPtr& forces() const { return m_service->answer(); }
   [[nodiscard]] ForceTableModel& model() { return *m_model; }
-  [[nodiscard]] QTableView& table() { return *m_table; }
+  [[nodiscard]] LinkedTable& table() { return *m_table; }
   /// The finding under the table; empty where all is well.
   [[nodiscard]] QString remark() const;
   /// What the table is replaced by; empty while it is shown.
@@ -73,20 +73,17 @@ class ForcesPanel : public QWidget {
   void showTotals();
   void showRemark();
   void setTotal(const char* name, const QString& text);
-  void selectRow();
-  void hoverRow(int row);
   void fitLoads();
   void wantExport();
   void copy();
   [[nodiscard]] QString whyEmpty() const;
 
   Document* m_document;
-  Selection* m_selection;
   ForcesService* m_service;
   ForceTableModel* m_model;
   LoadsList* m_loads;
   QScrollArea* m_loadsView = nullptr;
-  QTableView* m_table;
+  LinkedTable* m_table;
   QStackedWidget* m_pages;
   QLabel* m_empty;
   QLabel* m_remark;

@@ -23,6 +23,8 @@ constexpr Words kWords[] = {
     {"dock.derivation", "proof steps explanation equations report"},
     {"dock.forces",
      "torque force load moment power flow efficiency losses statics bearing reaction self-locking"},
+    {"dock.dynamics",
+     "mass inertia weight density gravity acceleration simulation energy equation of motion motor torque"},
     {"mechanism.drive", "motor input speed actuator"},
     {"mechanism.ground", "fix frame housing base"},
     {"mechanism.flip", "reverse arrow direction orientation"},

@@ -73,7 +73,11 @@ QToolButton[look="flat"]::menu-indicator, QToolButton[look="control"]::menu-indi
 QLineEdit, QAbstractSpinBox[look="number"] { background: @sheet@; border: 1px solid @control@; border-radius: 4px;
             padding: 3px 6px; selection-background-color: @accent@; selection-color: @sheet@; }
 QLineEdit:focus, QAbstractSpinBox[look="number"]:focus { border-color: @accent@; }
+QLineEdit[look="cell"] { padding: 3px 0px; }
+QLineEdit[mark="wrong"] { border: 2px solid @error@; }
+QLineEdit[mark="right"] { border-color: @fine@; }
 QLineEdit:disabled, QAbstractSpinBox[look="number"]:disabled { background: @panel@; color: @secondary@; }
+QLineEdit[look="cell"]:disabled { color: @ink@; }
 QAbstractSpinBox[look="number"] { padding-right: 16px; }
 QAbstractSpinBox[look="number"] QLineEdit { border: none; padding: 0px; }
 QAbstractSpinBox[wrong="true"] { border-color: @error@; color: @error@; }
@@ -99,6 +103,7 @@ QComboBox QAbstractItemView { background: @sheet@; border: 1px solid @hairline@;
 QScrollArea, QScrollArea > QWidget > QWidget#page { background: @sheet@; border: none; }
 QTableView, QListView { background: @sheet@; border: none; outline: none; }
 QWidget#startPage { background: @panel@; }
+QWidget#lessonPanel, QWidget#lessonPanel QScrollArea, QWidget#lessonPanel QWidget#page { background: @sheet@; }
 QListView[look="cards"] { background: transparent; }
 QToolBar#noticeBar { background: @chosen@; }
 QHeaderView { background: @sheet@; border: none; }
@@ -134,6 +139,7 @@ constexpr NamedColor kNames[] = {
     {"@control@", ColorRole::control},     {"@panel@", ColorRole::panel},
     {"@accent@", ColorRole::accent},       {"@halo@", ColorRole::halo},
     {"@error@", ColorRole::error},         {"@warning@", ColorRole::warning},
+    {"@fine@", ColorRole::fine},
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "tests/core/support/trains.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/forces_panel.h"
+#include "ui/forces/linked_table.h"
 #include "ui/panels/number_field.h"
 
 namespace geargraph {

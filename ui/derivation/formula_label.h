@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/derivation/formula_painter.h"
+
+namespace geargraph::inline ui_derivation {
+
+/// One formula on a line of its own. As wide as it is: put it into a scroll area where it may be long.
+class FormulaLabel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FormulaLabel(QWidget* parent = nullptr);
+
+  /// In the TeX that core writes. @pre it can be read (typeset/tex_reader.h), or is empty
+  void setTex(const std::string& tex);
+  [[nodiscard]] const std::string& tex() const { return m_tex; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] double em() const;
+
+  std::string m_tex;
+  FormulaBox m_box;
+  FormulaPainter m_painter;
+};
+
+}  // namespace geargraph::inline ui_derivation

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/document/document.h"
+#include "ui/dynamics/dynamics_service.h"
+#include "ui/selection/selection.h"
+
+class QButtonGroup;
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace geargraph::inline view3d {
+class View3D;
+}  // namespace geargraph::inline view3d
+
+namespace geargraph::inline ui_dynamics {
+
+class EquationPage;
+class InertiaBars;
+class MassPage;
+class MotionPage;
+
+enum class DynamicsView { masses, inertia, equation, motion };
+
+/// Dynamics of the window's document: what its links weigh, the inertia that motors feel, the equation of
+/// motion at the moment that the 3D view shows, and the motion that torques cause. Nothing is computed while
+/// it is out of sight.
+class DynamicsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  DynamicsPanel(Document* document, Selection* selection, View3D* view, QWidget* parent = nullptr);
+
+  void setSnapshot(const SnapshotPtr& snapshot);
+  /// Is it in sight?
+  void setAwake(bool awake);
+  void showView(DynamicsView view);
+
+  [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
+  [[nodiscard]] const DynamicsPtr& dynamics() const { return m_service->answer(); }
+  [[nodiscard]] MassPage& masses() { return *m_masses; }
+  [[nodiscard]] InertiaBars& inertia() { return *m_bars; }
+  [[nodiscard]] EquationPage& equation() { return *m_equation; }
+  [[nodiscard]] MotionPage& motion() { return *m_motion; }
+  /// What the panel shows instead of its views; empty while it shows them.
+  [[nodiscard]] QString emptyText() const;
+  /// The line below the view.
+  [[nodiscard]] QString remark() const;
+
+ signals:
+  /// The view as CSV, under a name for its file.
+  void exportWanted(const QString& name, const QString& csv);
+
+ private:
+  QWidget* makeBar();
+  void ask();
+  void showDynamics();
+  void showRemark();
+  [[nodiscard]] DynamicsView view() const;
+  /// The view as a table, and a name for its file; none where there is nothing to show.
+  [[nodiscard]] std::optional<std::pair<QString, std::string>> csv(char separator) const;
+
+  View3D* m_view3d;
+  DynamicsService* m_service;
+  SnapshotPtr m_snapshot;
+  bool m_isAwake = false;
+  QButtonGroup* m_chips = nullptr;
+  QToolButton* m_copy = nullptr;
+  QToolButton* m_export = nullptr;
+  QStackedWidget* m_pages;
+  QLabel* m_empty;
+  QLabel* m_remark;
+  MassPage* m_masses;
+  InertiaBars* m_bars;
+  EquationPage* m_equation;
+  MotionPage* m_motion;
+};
+
+}  // namespace geargraph::inline ui_dynamics

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/dynamics/dynamics_service.h"
+#include "ui/forces/linked_table.h"
+
+class QLabel;
+
+namespace geargraph::inline ui_derivation {
+class FormulaLabel;
+}  // namespace geargraph::inline ui_derivation
+
+namespace geargraph::inline ui_dynamics {
+
+/// The equation of motion in the inputs: in symbols, with its numbers as matrices where they are few, and as
+/// a table.
+class EquationPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EquationPage(Selection* selection, QWidget* parent = nullptr);
+
+  /// Null: nothing.
+  void show(const DynamicsPtr& dynamics);
+  [[nodiscard]] ValueTableModel& model() { return *m_model; }
+  [[nodiscard]] const std::string& tex() const;
+
+ private:
+  ValueTableModel* m_model;
+  LinkedTable* m_table;
+  FormulaLabel* m_numbers;
+};
+
+}  // namespace geargraph::inline ui_dynamics

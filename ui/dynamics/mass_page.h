@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/document/document.h"
+#include "ui/dynamics/dynamics_service.h"
+#include "ui/forces/linked_table.h"
+
+namespace geargraph::inline panels {
+class NumberField;
+}  // namespace geargraph::inline panels
+
+namespace geargraph::inline ui_dynamics {
+
+/// The masses of the links as a table whose masses can be typed, the density of all solids, and gravity.
+/// Every change is an edit that can be undone; what is spun until a field is left is one step.
+class MassPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  MassPage(Document* document, Selection* selection, QWidget* parent = nullptr);
+
+  /// Null: no table.
+  void show(const DynamicsPtr& dynamics);
+  [[nodiscard]] LinkedTable& table() { return *m_table; }
+  [[nodiscard]] ValueTableModel& model() { return *m_model; }
+  /// The link's stated mass; none leaves it to its solids. False where it is refused.
+  bool setMass(int row, const std::optional<Number>& mass, quint64 gesture);
+  /// What the document states of the mass of a row's link.
+  [[nodiscard]] std::optional<Number> statedMass(int row) const;
+
+ private:
+  QWidget* makeFields();
+  NumberField* makeField(const char* name, const QString& tip, QWidget* parent);
+  void setDensity(const std::optional<Number>& density);
+  void setGravity(std::size_t component, const Number& value);
+  void showFields();
+  [[nodiscard]] const Link* linkAt(int row) const;
+
+  Document* m_document;
+  ValueTableModel* m_model;
+  LinkedTable* m_table;
+  NumberField* m_density = nullptr;
+  std::array<NumberField*, 3> m_gravity{};
+  quint64 m_gesture = 0;
+};
+
+}  // namespace geargraph::inline ui_dynamics

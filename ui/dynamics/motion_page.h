@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/dynamics/motion_sheets.h"
+#include "ui/selection/selection.h"
+
+class QButtonGroup;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolButton;
+
+namespace geargraph::inline view3d {
+class MotionPlot;
+class View3D;
+}  // namespace geargraph::inline view3d
+
+namespace geargraph::inline ui_dynamics {
+
+class MotorsForm;
+
+/// Forward dynamics: the torques of the motors, the motion that they cause as plots over time, with its
+/// energy balance, and played by the 3D view. The motion is followed on a thread of its own and can be
+/// stopped; it goes when the mechanism changes.
+class MotionPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  MotionPage(Selection* selection, View3D* view, QWidget* parent = nullptr);
+
+  /// Of the mechanism now; null: none.
+  void show(const DynamicsPtr& dynamics);
+  /// The mechanism is another one: motions of the last one go.
+  void forget();
+
+  [[nodiscard]] const SimulatedMotionPtr& motion() const { return m_simulations->answer(); }
+  [[nodiscard]] bool hasMotion() const;  ///< with a start at least
+  [[nodiscard]] bool isRunning() const { return m_simulations->isRunning(); }
+  /// What is known of the motion, as a sentence: its energy balance, or why there is none.
+  [[nodiscard]] QString verdict() const;
+  /// Null where there is no motion. `separator`: of the fields.
+  [[nodiscard]] std::optional<std::string> csv(char separator) const;
+  [[nodiscard]] MotionPlot& plot() { return *m_plot; }
+
+ signals:
+  void motionChanged();  ///< it has come, or gone
+
+ private:
+  QWidget* makeLeft();
+  QWidget* makeBar();
+  void startOrHalt();
+  void onMotion();
+  void renewState();
+  void renewPlot();
+  void play(bool isWanted);
+  [[nodiscard]] bool isPlayed() const;
+
+  Selection* m_selection;
+  View3D* m_view;
+  SimulationService* m_simulations;
+  DynamicsPtr m_dynamics;
+  SnapshotPtr m_snapshot;           ///< of the motion
+  InputTrajectoryPtr m_trajectory;  ///< of the motion
+  QTimer m_clock;                   ///< shows the progress
+  MotorsForm* m_motors = nullptr;
+  QToolButton* m_run = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QButtonGroup* m_quantities = nullptr;
+  QToolButton* m_play = nullptr;
+  MotionPlot* m_plot;
+  QLabel* m_hint;
+  QStackedWidget* m_pages;
+};
+
+}  // namespace geargraph::inline ui_dynamics
