@@ -7,6 +7,7 @@ import geargraph as gg
 import pytest
 
 SOURCE = Path(os.environ["GEARGRAPH_SOURCE"])
+CLI = os.environ["GEARGRAPH_CLI"]
 EXAMPLES = SOURCE / "resources" / "examples"
 
 

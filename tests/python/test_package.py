@@ -40,7 +40,7 @@ def test_it_works_without_the_optional_libraries():
 
 
 def public_objects():
-    for module in (gg, gg.sets):
+    for module in (gg, gg.exercises, gg.sets):
         for name in module.__all__:
             value = getattr(module, name)
             yield f"{module.__name__}.{name}", value

@@ -16,8 +16,11 @@ void addEdits(py::module_& module);
 void addAnalysis(py::module_& module);
 void addSteps(py::module_& module);
 void addStatics(py::module_& module);
+void addDynamics(py::module_& module);
+void addSimulators(py::module_& module);
 void addPictures(py::module_& module);
 void addExports(py::module_& module);
+void addExercises(py::module_& module);
 void addSets(py::module_& module);
 
 }  // namespace geargraph::python

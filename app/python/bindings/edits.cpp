@@ -7,6 +7,7 @@
 #include "core/mechanism/model/edits.h"
 #include "core/mechanism/model/fragment.h"
 #include "core/mechanism/model/load_edits.h"
+#include "core/mechanism/model/mass_edits.h"
 #include "core/mechanism/model/shapes.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/theory/states/state_edits.h"
@@ -261,6 +262,32 @@ void addLoadEdits(py::class_<Document>& document) {
            });
 }
 
+void addMassEdits(py::class_<Document>& document) {
+  document
+      .def("with_density",
+           [](const Document& self, const std::optional<NumberText>& density) {
+             return edited(withDensity(self.mechanism(), numberFrom(density)));
+           })
+      .def("with_gravity",
+           [](const Document& self, const std::optional<TripleText>& gravity) {
+             return edited(withGravity(self.mechanism(), tripleFrom(gravity)));
+           })
+      .def("with_mass", [](const Document& self, const std::string& link,
+                           const std::optional<NumberText>& mass, const std::optional<TripleText>& center,
+                           const std::optional<std::array<std::string, 6>>& inertia) {
+        std::optional<LinkMass> stated;
+        if (mass) {
+          stated = LinkMass{numberFrom(*mass), tripleFrom(center), {}};
+          if (inertia) {
+            stated->inertia.emplace();
+            for (std::size_t i = 0; i < inertia->size(); ++i)
+              stated->inertia->at(i) = numberFrom(inertia->at(i));
+          }
+        }
+        return edited(withLinkMass(self.mechanism(), LinkId(link), std::move(stated)));
+      });
+}
+
 }  // namespace
 
 void addEdits(py::module_& module) {
@@ -269,6 +296,7 @@ void addEdits(py::module_& module) {
   addGeometryEdits(document);
   addMotionEdits(document);
   addLoadEdits(document);
+  addMassEdits(document);
 }
 
 }  // namespace geargraph::python

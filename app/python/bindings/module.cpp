@@ -9,6 +9,9 @@ PYBIND11_MODULE(_geargraph, module) {
   addAnalysis(module);
   addSteps(module);
   addStatics(module);
+  addDynamics(module);
   addPictures(module);
   addExports(module);
+  addSimulators(module);
+  addExercises(module);
 }

@@ -15,9 +15,10 @@ NumPy, pandas and SymPy are imported by the methods that give their types, and n
 
 from __future__ import annotations
 
-from . import _geargraph, sets
+from . import _geargraph, exercises, sets
 from ._analysis import Analysis, Pose
 from ._derivation import Block, Derivation, Equation
+from ._dynamics import Dynamics, EquationOfMotion, LinkMass, Motion
 from ._elements import Axis, Coupling, GearMesh, Link, Load, ShiftState, TurningJoint
 from ._errors import Diagnostic, Element, Error
 from ._gears import Gear, Mesh3D, Solid
@@ -34,11 +35,11 @@ __version__: str = _geargraph.version
 
 __all__ = [
     "Analysis", "Axis", "Balance", "Bearing", "Block", "Coupling", "Derivation", "Diagnostic",
-    "Drawing", "Efficiency", "Element", "Equation", "Error", "Formula", "Gear", "GearMesh",
-    "Heading", "InputSets", "Link", "Load", "MatroidMethod", "MatroidStep", "Matrix", "Mechanism",
-    "Mesh3D", "MeshForce", "MotionCheck", "Picture", "Pose", "Quantity", "ShiftState", "Solid",
-    "State", "Statics", "Term", "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint",
-    "loads", "open", "sets",
+    "Drawing", "Dynamics", "Efficiency", "Element", "Equation", "EquationOfMotion", "Error",
+    "Formula", "Gear", "GearMesh", "Heading", "InputSets", "Link", "LinkMass", "Load", "Matrix",
+    "MatroidMethod", "MatroidStep", "Mechanism", "Mesh3D", "MeshForce", "Motion", "MotionCheck",
+    "Picture", "Pose", "Quantity", "ShiftState", "Solid", "State", "Statics", "Term",
+    "TransferVertex", "TtGraphMethod", "TtStep", "TurningJoint", "exercises", "loads", "open", "sets",
 ]
 
 

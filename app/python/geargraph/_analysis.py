@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple
 
 from . import _geargraph
 from ._derivation import Derivation
-
+from ._dynamics import Dynamics
 from ._errors import Diagnostic, diagnostics_of
 from ._exports import Exports
 from ._matrix import Entry, Matrix, Quantity, headings_of
@@ -408,6 +408,21 @@ class Analysis(Exports):
         return Statics(
             json.loads(self._snapshot.statics_json(state, losses, share, stiffness, symbolic))
         )
+
+    @property
+    def dynamics(self) -> Dynamics:
+        """The masses of the links, the equation of motion in the inputs, and motions.
+
+        Raises
+        ------
+        Error
+            The errors of the mechanism; "unknown-unit" if its unit of length has no known size;
+            "limit" if it is too large.
+        """
+        if "dynamics" not in self._kept:
+            self._kept["dynamics"] = Dynamics(self)
+        dynamics: Dynamics = self._kept["dynamics"]
+        return dynamics
 
     @property
     def derivation(self) -> Derivation:

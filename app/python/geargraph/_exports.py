@@ -428,6 +428,60 @@ class Exports:
         """
         self._snapshot.write_assembly(os.fspath(folder), frames, tolerance, overwrite)
 
+    def export_model(
+        self,
+        folder: PathLike,
+        form: str = "mjcf",
+        *,
+        name: str = "mechanism",
+        motor: str = "speed",
+        timestep: float = 0.001,
+        armature: Optional[float] = None,
+        tolerance: float = 0.01,
+        overwrite: bool = False,
+    ) -> Tuple[str, ...]:
+        """Write a model of rigid bodies for simulators, with its meshes.
+
+        Parameters
+        ----------
+        folder : path-like
+            It takes ``name.xml`` or ``name.urdf`` and ``meshes/link-<label>.stl``.
+        form : {"mjcf", "urdf"}, optional
+            For MuJoCo; or URDF, in which a joint follows at most one other.
+        name : str, optional
+            Of the file.
+        motor : {"speed", "torque", "none"}, optional
+            MJCF: servos at the document's speeds, plain motors, or none.
+        timestep : float, optional
+            MJCF: s, 1e-6 to 1.
+        armature : float, optional
+            MJCF: inertia of the rotors, kg m²; else 100 times what the input feels.
+        tolerance : float, optional
+            Farthest chord of the meshes from the exact form, in modules.
+        overwrite : bool, optional
+            Replace files that are there.
+
+        Returns
+        -------
+        tuple of str
+            What a reader of the model has to know, sentences.
+
+        Raises
+        ------
+        Error
+            "undefined" if the form cannot hold the mechanism, with the reason; "file", "limit";
+            the errors of the mechanism.
+        ValueError
+            For another form or motor, or a number out of its range.
+        """
+        if os.path.basename(name) != name or not name:
+            raise ValueError(f"{name!r} is not the name of a file")
+        return tuple(
+            self._snapshot.write_model(
+                os.fspath(folder), name, form, motor, timestep, armature, tolerance, overwrite
+            )
+        )
+
 
 def _between(name: str, value: Any, least: float, most: float) -> float:
     number = float(value)

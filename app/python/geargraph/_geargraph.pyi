@@ -1,5 +1,5 @@
 # The compiled part: texts, tuples and packed numbers. The package makes of them what is documented.
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 version: str
 
@@ -89,6 +89,16 @@ class Document:
         scale: Optional[str],
         /,
     ) -> Document: ...
+    def with_density(self, density: Optional[str], /) -> Document: ...
+    def with_gravity(self, gravity: Optional[_Triple], /) -> Document: ...
+    def with_mass(
+        self,
+        link: str,
+        mass: Optional[str],
+        center: Optional[_Triple],
+        inertia: Optional[Tuple[str, str, str, str, str, str]],
+        /,
+    ) -> Document: ...
     def with_planets(self, planet: str, total: int, /) -> Document: ...
     def with_set(self, set: Document, /) -> Document: ...
 
@@ -174,6 +184,18 @@ class Snapshot:
     def write_assembly(
         self, folder: str, frames: int, tolerance: float, overwrite: bool, /
     ) -> None: ...
+    def write_model(
+        self,
+        folder: str,
+        name: str,
+        form: str,
+        motor: str,
+        timestep: float,
+        armature: Optional[float],
+        tolerance: float,
+        overwrite: bool,
+        /,
+    ) -> List[str]: ...
     def gears(self) -> List[Tuple[str, int, Tuple[int, ...], Dict[str, Any], bytes]]: ...
     def gear_arrays(self, name: str, tolerance: float, /) -> Tuple[bytes, bytes, bytes]: ...
     def parts(
@@ -185,6 +207,61 @@ class Snapshot:
         self, name: Optional[str], separator: str, decimal: str, labels: bool, /
     ) -> Dict[str, str]: ...
 
+class Dynamics:
+    def __init__(self, snapshot: Snapshot, /) -> None: ...
+    def inputs(self) -> List[int]: ...
+    def gravity(self) -> bytes: ...
+    def links(
+        self,
+    ) -> List[
+        Tuple[
+            float,
+            Tuple[float, float, float],
+            Tuple[float, float, float, float, float, float],
+            str,
+        ]
+    ]: ...
+    def equation(
+        self, angles: Sequence[float], speeds: Sequence[float], /
+    ) -> Tuple[bytes, bytes, bytes, bytes, float, float]: ...
+    def accelerations(
+        self, angles: Sequence[float], speeds: Sequence[float], torques: Sequence[float], /
+    ) -> Optional[bytes]: ...
+    def simulate(
+        self,
+        torques: Sequence[float],
+        damping: Sequence[float],
+        angles: Sequence[float],
+        speeds: Sequence[float],
+        seconds: float,
+        interval: float,
+        /,
+    ) -> Tuple[str, int, bytes]: ...
+
+class ExerciseSheet:
+    def __init__(
+        self,
+        document: Document,
+        kinds: Optional[List[str]],
+        seed: int,
+        variants: int,
+        title: str,
+        /,
+    ) -> None: ...
+    @staticmethod
+    def read(text: str, /) -> ExerciseSheet: ...
+    def text(self) -> str: ...
+    def mark(self) -> str: ...
+    def title(self) -> str: ...
+    def seed(self) -> int: ...
+    def variants(self) -> int: ...
+    def questions(self, variant: int, solved: bool, /) -> str: ...
+    def graded(
+        self, variant: int, answers: Dict[int, Dict[str, str]], /
+    ) -> List[Tuple[str, int, int, bool, Optional[str], List[str], str]]: ...
+
+def exercise_kinds(document: Document, /) -> List[Tuple[str, str, Optional[str]]]: ...
+def exercise_answers(text: str, /) -> Tuple[str, int, str, Dict[int, Dict[str, str]]]: ...
 def write_file(path: str, bytes: bytes, /) -> None: ...
 def planetary_choices(
     ratio: str, drive: str, driven: str, planets: int, fewest: int, most: int, count: int, /

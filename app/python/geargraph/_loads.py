@@ -205,3 +205,63 @@ class LoadEdits:
             self._id(Link, link), file, optional_triple(position), optional_triple(orientation),
             optional_text(scale),
         )
+
+    # --- masses ----------------------------------------------------------------------------------
+
+    def set_density(self, density: Optional[Number]) -> None:
+        """Set the density of all solids.
+
+        Parameters
+        ----------
+        density : number or None
+            kg/m³, above 0; None: 7850, that of steel.
+        """
+        self._document = self._document.with_density(optional_text(density))
+
+    def set_gravity(self, gravity: Optional[Sequence[Number]]) -> None:
+        """Set the acceleration of free fall.
+
+        Parameters
+        ----------
+        gravity : sequence of three numbers or None
+            m/s², base frame, ``(0, 0, -9.81)``; None for no weight.
+        """
+        self._document = self._document.with_gravity(optional_triple(gravity))
+
+    def set_mass(
+        self,
+        link: LinkLike,
+        mass: Optional[Number],
+        center: Optional[Sequence[Number]] = None,
+        inertia: Optional[Sequence[Number]] = None,
+    ) -> None:
+        """State the mass of a moving link, or leave it to its solids.
+
+        Parameters
+        ----------
+        link : Link, str or int
+            The link.
+        mass : number or None
+            kg, at least 0; None: that of its solids.
+        center : sequence of three numbers, optional
+            Centre of mass in the reference pose, base frame, in the document's unit; else that of
+            the solids.
+        inertia : sequence of six numbers, optional
+            About the centre along the axes of the base frame, kg m²: xx, yy, zz, xy, xz, yz.
+
+        Raises
+        ------
+        Error
+            "schema" if no body has such an inertia.
+        ValueError
+            If the inertia has not six numbers.
+        """
+        texts: Optional[Tuple[str, str, str, str, str, str]] = None
+        if inertia is not None:
+            if isinstance(inertia, str) or len(inertia) != 6:
+                raise ValueError("an inertia has six components: xx, yy, zz, xy, xz, yz")
+            xx, yy, zz, xy, xz, yz = (text_of(number) for number in inertia)
+            texts = (xx, yy, zz, xy, xz, yz)
+        self._document = self._document.with_mass(
+            self._id(Link, link), optional_text(mass), optional_triple(center), texts
+        )
