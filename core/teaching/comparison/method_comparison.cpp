@@ -30,12 +30,14 @@ HandRows<Value> handRows(const CoefficientMatrix& matrix, const KinematicModel& 
 
 class Comparison {
  public:
-  explicit Comparison(const AnalysisSnapshot& snapshot)
+  /// @pre the plan of the solution's inputs, which outlives this
+  Comparison(const AnalysisSnapshot& snapshot, const SubstitutionPlan& plan)
       : m_mechanism(*snapshot.mechanism),
         m_model(*snapshot.kinematics->model),
         m_placement(snapshot.kinematics->placement()),
         m_matroid(*snapshot.matroid()),
         m_graph(*snapshot.kinematics->ttGraph),
+        m_plan(plan),
         m_matrix(m_mechanism, m_model, m_placement) {}
 
   std::optional<MethodComparison> run(ComparisonDepth depth, const std::stop_token& stop) {
@@ -125,8 +127,7 @@ class Comparison {
         m_matrix, m_model, equations, [this](int mesh) { return m_matrix.ratio(mesh); },
         [](int value) { return Rational(value); });
     const auto byInverse = solvedByInverse(rows, solution.inputs, solution.outputs);
-    const SubstitutionPlan plan = substitutionPlan(m_graph, solution.inputs);
-    auto byChain = solvedBySubstitution(m_graph, plan);
+    auto byChain = solvedBySubstitution(m_graph, m_plan);
     m_together = std::move(byChain.together);
     m_result.matroid.numbers = byInverse.operations;
     m_result.ttGraph.numbers = byChain.operations;
@@ -142,8 +143,7 @@ class Comparison {
         [&](int value) { return RationalFunction::fromInteger(ring, value); });
     if (const auto byInverse = solvedByInverse(rows, solution.inputs, solution.outputs, ring))
       m_result.matroid.symbols = byInverse->operations;
-    const SubstitutionPlan plan = substitutionPlan(m_graph, solution.inputs);
-    if (const auto byChain = solvedBySubstitution(m_graph, plan, m_together, ring))
+    if (const auto byChain = solvedBySubstitution(m_graph, m_plan, m_together, ring))
       m_result.ttGraph.symbols = byChain->operations;
   }
 
@@ -152,6 +152,7 @@ class Comparison {
   const Placement& m_placement;
   const MatroidAnalysis& m_matroid;
   const TtGraph& m_graph;
+  const SubstitutionPlan& m_plan;
   CoefficientMatrix m_matrix;
   std::vector<int> m_together;  ///< equations of the T-T graph that are eliminated together
   MethodComparison m_result;
@@ -211,9 +212,10 @@ std::optional<MethodComparison> compareMethods(const AnalysisSnapshot& snapshot,
   const bool isDefined = matroid != nullptr && matroid->solution &&
                          snapshot.kinematics->ttGraph->isComplete() &&
                          snapshot.mechanism->n() <= kMostComparedLinks && snapshot.mechanism->c() > 0;
-  if (!isDefined || substitutionPlan(*snapshot.kinematics->ttGraph, matroid->solution->inputs).byLevels)
-    return std::nullopt;
-  return Comparison(snapshot).run(depth, stop);
+  if (!isDefined) return std::nullopt;
+  const SubstitutionPlan plan = substitutionPlan(*snapshot.kinematics->ttGraph, matroid->solution->inputs);
+  if (plan.byLevels) return std::nullopt;
+  return Comparison(snapshot, plan).run(depth, stop);
 }
 
 std::vector<ComparedClaim> claimsOf(const MethodComparison& comparison) {

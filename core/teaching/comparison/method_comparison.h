@@ -73,7 +73,8 @@ struct MethodComparison {
 /// Hand calculations of more links are not carried out.
 constexpr int kMostComparedLinks = 60;
 
-/// Nothing where the mechanism is larger, a method has no solution for it, or `stop` was requested.
+/// Compares the methods on a mechanism. std::nullopt where it has more links, where a method has no solution
+/// for it, and where `stop` was requested.
 /// Cost: O(n^3) operations on fractions and on functions of the ratios.
 /// @pre the snapshot is complete
 enum class ComparisonDepth { numbers, symbols };

@@ -5,8 +5,8 @@
 
 namespace geargraph::inline exercises {
 
-/// The generator of exercises: splitmix64 (Steele, Lea and Flood, 2014) on 64-bit whole numbers, and nothing
-/// of the standard library, so that a seed makes the same sheet on every platform.
+/// The generator of exercises: splitmix64 (Steele, Lea and Flood, 2014) on 64-bit whole numbers. It uses
+/// no distribution of the standard library, so that a seed makes the same sheet on every platform.
 ///
 ///     state += 0x9E3779B97F4A7C15
 ///     z = (state ^ state >> 30) * 0xBF58476D1CE4E5B9

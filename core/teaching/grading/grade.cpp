@@ -13,7 +13,7 @@ std::string quoted(const std::string& text) {
   return "\u201c" + text + "\u201d";
 }
 
-/// Of a field that cannot be read.
+/// The mistake of a field that cannot be read.
 FoundMistake unreadable(const AnswerField& field, int position, const std::string& text, AnswerFault fault) {
   FoundMistake found{{}, {position}, field.elements, {}};
   switch (fault) {

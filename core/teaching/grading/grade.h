@@ -20,9 +20,10 @@ struct FoundMistake {
 struct Verdict {
   bool isRight = false;
   int points = 0;  ///< of those of the question
-  /// The mistake to be told first. None of a right answer, and of a wrong one that no known mistake explains.
+  /// The mistake to be told first. A right answer has none, nor has a wrong one that no known mistake
+  /// explains.
   std::optional<FoundMistake> mistake;
-  /// Of an answer whose mistakes are in some of its fields: the others, each in fields of its own.
+  /// The other mistakes of an answer that is wrong in some of its fields, each in fields of its own.
   std::vector<FoundMistake> others;
   std::vector<int> wrongFields;  ///< all that are marked, ascending; empty: the answer as a whole
   std::string reason;            ///< of the mistake; else the rule of the question

@@ -1,11 +1,12 @@
 // Reads questions and answers from JSON.
 
+#include "core/teaching/grading/question_reader.h"
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include "core/foundations/base/rational.h"
-#include "core/teaching/grading/member_reader.h"
 #include "core/teaching/grading/question_json.h"
 
 namespace geargraph::inline grading {
@@ -21,26 +22,6 @@ Value named(MemberReader& reader, const std::string& name, int count, NameOf nam
   }
   reader.fail(pointer, "\"" + name + "\" is not known here.");
   return {};
-}
-
-std::vector<Condition> readConditions(MemberReader& reader, const JsonValue& object, std::string_view name,
-                                      const std::string& pointer) {
-  std::vector<Condition> conditions;
-  reader.each(object, name, pointer, true, [&](const JsonValue& element, const std::string& place) {
-    Condition condition;
-    condition.test = named<Test>(reader, reader.text(element, "test", place),
-                                 static_cast<int>(Test::outside) + 1, testName, place + "/test");
-    condition.fields = reader.numbers(element, "fields", place);
-    reader.each(element, "values", place, true, [&](const JsonValue& row, const std::string& rowPlace) {
-      std::vector<std::string> values;
-      reader.eachElement(row, rowPlace, [&](const JsonValue& value, const std::string& valuePlace) {
-        values.push_back(reader.elementText(value, valuePlace));
-      });
-      condition.values.push_back(std::move(values));
-    });
-    conditions.push_back(std::move(condition));
-  });
-  return conditions;
 }
 
 Question readQuestion(MemberReader& reader, const JsonValue& object, const std::string& pointer) {
@@ -137,7 +118,28 @@ bool isSound(const Condition& condition, const Question& question) {
   return false;
 }
 
-/// Nothing where the question can be graded, else the place of what is wrong.
+}  // namespace
+
+std::vector<Condition> readConditions(MemberReader& reader, const JsonValue& object, std::string_view name,
+                                      const std::string& pointer) {
+  std::vector<Condition> conditions;
+  reader.each(object, name, pointer, true, [&](const JsonValue& element, const std::string& place) {
+    Condition condition;
+    condition.test = named<Test>(reader, reader.text(element, "test", place),
+                                 static_cast<int>(Test::outside) + 1, testName, place + "/test");
+    condition.fields = reader.numbers(element, "fields", place);
+    reader.each(element, "values", place, true, [&](const JsonValue& row, const std::string& rowPlace) {
+      std::vector<std::string> values;
+      reader.eachElement(row, rowPlace, [&](const JsonValue& value, const std::string& valuePlace) {
+        values.push_back(reader.elementText(value, valuePlace));
+      });
+      condition.values.push_back(std::move(values));
+    });
+    conditions.push_back(std::move(condition));
+  });
+  return conditions;
+}
+
 std::optional<std::string> unsoundPart(const Question& question) {
   if (question.fields.empty() || question.fields.size() > kMostFields) return "fields";
   const std::size_t cells = question.table.rows.size() * question.table.columns.size();
@@ -158,8 +160,6 @@ std::optional<std::string> unsoundPart(const Question& question) {
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 Expected<std::vector<Question>> readQuestions(std::string_view text) {
   const auto document = JsonDocument::parse(text);

@@ -1,0 +1,121 @@
+// `check FILE PAPER`: the user's matrices and equations against the derived ones.
+
+#include <array>
+#include <iostream>
+#include <set>
+
+#include "app/cli/command.h"
+#include "app/cli/diagnostics_output.h"
+#include "app/cli/exercise_forms.h"
+#include "app/cli/load.h"
+#include "app/cli/time_limit.h"
+#include "core/foundations/base/wording.h"
+#include "core/foundations/files/file.h"
+#include "core/teaching/paper_check/paper_check.h"
+
+namespace geargraph::cli {
+namespace {
+
+/// " (row 3, columns 1 and 2)" of entries in one row or column.
+std::string placesText(const PaperDifference& difference) {
+  std::set<int> rows;
+  std::set<int> columns;
+  for (const EntryPlace& place : difference.entries) {
+    rows.insert(place.row + 1);
+    columns.insert(place.column + 1);
+  }
+  if (rows.empty()) return {};
+  const auto numbered = [](const char* what, const std::set<int>& numbers) {
+    std::vector<std::string> names;
+    for (const int number : numbers) names.push_back(std::to_string(number));
+    return what + std::string(names.size() > 1 ? "s " : " ") + listed(names, 8);
+  };
+  return " (" + numbered("row", rows) + ", " + numbered("column", columns) + ')';
+}
+
+std::string differenceText(const PaperDifference& difference) {
+  return "  " + std::string(paperMistakeTitle(difference.name)) + placesText(difference) + ": " +
+         difference.reason + " [" + difference.name + "]\n";
+}
+
+std::string asText(const MatrixVerdict& verdict) {
+  std::string text(paperMatrixTitle(verdict.kind));
+  text += ' ' + std::string(paperMatrixSymbol(verdict.kind));
+  if (!paperMatrixEquation(verdict.kind).empty())
+    text += ' ' + std::string(paperMatrixEquation(verdict.kind));
+  text += ": " + std::string(outcomeName(verdict.outcome)) + '\n';
+  for (const std::string& note : verdict.notes) text += "  " + note + '\n';
+  for (const PaperDifference& difference : verdict.differences) text += differenceText(difference);
+  return text;
+}
+
+std::string asText(const std::vector<EquationVerdict>& verdicts) {
+  std::string text;
+  for (const EquationVerdict& verdict : verdicts) {
+    text +=
+        std::to_string(verdict.line) + ": " + verdict.text + ": " + (verdict.isRight ? "right\n" : "wrong\n");
+    if (verdict.difference) text += differenceText(*verdict.difference);
+  }
+  return text;
+}
+
+bool isRight(const PaperVerdict& verdict) {
+  if (const auto* matrix = std::get_if<MatrixVerdict>(&verdict))
+    return matrix->outcome == PaperOutcome::right;
+  const auto& equations = std::get<std::vector<EquationVerdict>>(verdict);
+  return std::all_of(equations.begin(), equations.end(), [](const EquationVerdict& e) { return e.isRight; });
+}
+
+std::variant<std::optional<PaperMatrix>, UsageError> matrixFrom(const Arguments& arguments) {
+  const auto name = arguments.value("--matrix");
+  if (!name) return std::optional<PaperMatrix>();
+  if (const auto kind = paperMatrixFromName(*name)) return kind;
+  std::vector<std::string> names;
+  for (const PaperMatrix kind : allPaperMatrices()) names.emplace_back(paperMatrixName(kind));
+  return UsageError{"There is no matrix \"" + *name + "\": " + listed(names, kAllNames, "or") + '.'};
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.files.size() != 2)
+    return wrongUsage(kCheck, "A mechanism and a file with a matrix or equations are needed.");
+  const auto kind = matrixFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&kind)) return wrongUsage(kCheck, error->message);
+  const auto loaded = loadOrSay(arguments.files.front());
+  if (const int* status = std::get_if<int>(&loaded)) return *status;
+  const std::string& path = arguments.files[1];
+  const auto text = readFile(path, kLargestPaper);
+  if (const auto* error = std::get_if<FileError>(&text)) return fileFailure(error->message);
+  const auto& mechanism = std::get<Mechanism>(loaded);
+  if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
+  const ExerciseSource source(mechanism);
+  const auto verdict = checkPaper(source, std::get<std::string>(text), std::get<0>(kind), arguments.stop);
+  if (arguments.stop.stop_requested()) return outOfTime(arguments, "the check");
+  if (!verdict) {
+    const bool isOfPaper = verdict.error().front().line > 0;
+    std::cerr << diagnosticLines(isOfPaper ? path : arguments.files.front(), verdict.error());
+    return isOfPaper ? kUsageOrFile : kMechanismErrors;
+  }
+  const int status = isRight(*verdict) ? kFine : kMechanismErrors;
+  if (arguments.has("--json")) return print(verdictJson(*verdict), status);
+  return print(std::visit([](const auto& which) { return asText(which); }, *verdict), status);
+}
+
+constexpr std::array kOptions = {
+    Option{"--matrix", "NAME",
+           "which matrix it is: incidence, reduced-incidence, path, spanning-tree, cycle-basis, cutset, p "
+           "or solution (recognised)"},
+    Option{"--json", "", "as JSON"},
+};
+
+}  // namespace
+
+const Command kCheck = {
+    "check",
+    "FILE PAPER [--matrix NAME] [--json]",
+    "Compares a matrix or equations of yours with the derived ones; status 1 where they differ.",
+    kOptions,
+    run,
+    false,
+    false};
+
+}  // namespace geargraph::cli

@@ -1,0 +1,173 @@
+#include "core/teaching/paper_check/derived_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/theory/matroid/coefficient_matrix.h"
+
+namespace geargraph::inline paper_check {
+namespace {
+
+struct MatrixFacts {
+  std::string_view name;
+  std::string_view symbol;
+  std::string_view title;
+  std::string_view equation;
+  RowFreedom freedom;
+};
+
+constexpr std::array<MatrixFacts, 8> kFacts = {{
+    {"incidence", "\u0393\u2070", "Incidence matrix", "(1)", RowFreedom::none},
+    {"reduced-incidence", "\u0393", "Reduced incidence matrix", "(2)", RowFreedom::none},
+    {"path", "Z", "Path matrix", "(3)", RowFreedom::none},
+    {"spanning-tree", "T", "Spanning-tree matrix", "(4)", RowFreedom::sign},
+    {"cycle-basis", "C", "Cycle-basis matrix", "(5)", RowFreedom::sign},
+    {"cutset", "Q", "Fundamental cutset matrix", "", RowFreedom::sign},
+    {"p", "P", "Coefficient matrix", "(24)", RowFreedom::multiple},
+    {"solution", "S", "Solution", "(25)", RowFreedom::none},
+}};
+
+const MatrixFacts& factsOf(PaperMatrix kind) {
+  return kFacts[static_cast<std::size_t>(kind)];
+}
+
+Heading headingOfJoint(const Digraph& graph, int joint) {
+  const int label = graph.edgeLabel(joint);
+  return {label, std::to_string(label), graph.edgeId(joint)};
+}
+
+DerivedTable wholeNumbers(const Vocabulary& vocabulary, PaperMatrix kind, const IntegerMatrix& matrix) {
+  DerivedTable table{kind, {}, {}, {}};
+  for (int row = 0; row < matrix.rows(); ++row) table.rows.push_back(matrix.rowHeading(row));
+  for (int column = 0; column < matrix.columns(); ++column)
+    table.columns.push_back(matrix.columnHeading(column));
+  for (int row = 0; row < matrix.rows(); ++row) {
+    auto& entries = table.entries.emplace_back();
+    for (int column = 0; column < matrix.columns(); ++column) {
+      const int value = matrix.entry(row, column);
+      entries.push_back({RationalFunction::fromInteger(vocabulary.ring(), value), value});
+    }
+  }
+  return table;
+}
+
+DerivedTable coefficients(const Vocabulary& vocabulary) {
+  const ExerciseSource& source = vocabulary.source();
+  const Digraph& graph = source.graph();
+  const LiveKinematics& live = *source.snapshot()->kinematics;
+  const CoefficientMatrix matrix(source.mechanism(), *live.model, live.placement());
+  DerivedTable table{PaperMatrix::coefficients, {}, {}, {}};
+  for (int joint = 0; joint < graph.t(); ++joint) table.columns.push_back(headingOfJoint(graph, joint));
+  for (int mesh = 0; mesh < graph.c(); ++mesh) {
+    const int label = graph.edgeLabel(graph.t() + mesh);
+    table.rows.push_back({label, "C" + std::to_string(label), source.meshId(mesh)});
+    std::vector<DerivedEntry> row(static_cast<std::size_t>(graph.t()),
+                                  {RationalFunction::fromInteger(vocabulary.ring(), 0), 0});
+    for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
+      DerivedEntry& cell = row[static_cast<std::size_t>(entry.joint)];
+      cell.function = RationalFunction::power(vocabulary.ring(), entry.sign, mesh, entry.tail ? 1 : 0);
+      cell.value = vocabulary.atTeeth(cell.function);
+    }
+    table.entries.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::optional<DerivedTable> solution(const Vocabulary& vocabulary) {
+  const ExerciseSource& source = vocabulary.source();
+  const auto solved = solvedKinematics(source.mechanism(), *source.snapshot()->kinematics);
+  if (!solved || !solved->exact || solved->exact->matrix.empty()) return std::nullopt;
+  const ExactSolution& exact = *solved->exact;
+  DerivedTable table{PaperMatrix::solution, {}, {}, {}};
+  for (const int joint : exact.outputs) table.rows.push_back(headingOfJoint(source.graph(), joint));
+  for (const int joint : exact.inputs) table.columns.push_back(headingOfJoint(source.graph(), joint));
+  for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
+    auto& entries = table.entries.emplace_back();
+    for (std::size_t column = 0; column < exact.inputs.size(); ++column) {
+      const std::size_t at = row * exact.inputs.size() + column;
+      DerivedEntry entry{{}, exact.matrix[at], false};
+      const bool hasSymbol = solved->symbolic && solved->symbolic->matrix[at];
+      if (hasSymbol) {
+        // The same function in the ring of the vocabulary, whose variables are the same meshes.
+        entry.function = *solved->symbolic->matrix[at];
+        entry.hasFunction = true;
+      }
+      entries.push_back(std::move(entry));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+const std::vector<PaperMatrix>& allPaperMatrices() {
+  static const std::vector<PaperMatrix> kAll = {PaperMatrix::incidence,    PaperMatrix::reducedIncidence,
+                                                PaperMatrix::path,         PaperMatrix::spanningTree,
+                                                PaperMatrix::cycleBasis,   PaperMatrix::cutset,
+                                                PaperMatrix::coefficients, PaperMatrix::solution};
+  return kAll;
+}
+
+std::string_view paperMatrixName(PaperMatrix kind) {
+  return factsOf(kind).name;
+}
+
+std::string_view paperMatrixSymbol(PaperMatrix kind) {
+  return factsOf(kind).symbol;
+}
+
+std::string_view paperMatrixTitle(PaperMatrix kind) {
+  return factsOf(kind).title;
+}
+
+std::string_view paperMatrixEquation(PaperMatrix kind) {
+  return factsOf(kind).equation;
+}
+
+RowFreedom rowFreedom(PaperMatrix kind) {
+  return factsOf(kind).freedom;
+}
+
+std::optional<PaperMatrix> paperMatrixFromName(std::string_view name) {
+  for (const PaperMatrix kind : allPaperMatrices()) {
+    if (paperMatrixName(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+DerivedTable DerivedTable::transposed() const {
+  DerivedTable table{kind, columns, rows, {}};
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    auto& row = table.entries.emplace_back();
+    for (const auto& entriesOfRow : entries) row.push_back(entriesOfRow[column]);
+  }
+  return table;
+}
+
+std::optional<DerivedTable> derivedTable(const Vocabulary& vocabulary, PaperMatrix kind) {
+  const ExerciseSource& source = vocabulary.source();
+  if (kind == PaperMatrix::coefficients || kind == PaperMatrix::solution) {
+    if (source.matroid() == nullptr || source.graph().c() == 0) return std::nullopt;
+    if (kind == PaperMatrix::coefficients) return coefficients(vocabulary);
+    return solution(vocabulary);
+  }
+  const IntegerMatrixPtr& matrix = source.matrix(static_cast<MatrixKind>(kind));
+  if (matrix == nullptr || matrix->rows() == 0 || matrix->columns() == 0) return std::nullopt;
+  return wholeNumbers(vocabulary, kind, *matrix);
+}
+
+std::string entryText(const DerivedEntry& entry) {
+  return entry.hasFunction ? entry.function.toText() : entry.value.toString();
+}
+
+Agreement agreementOf(const Vocabulary& vocabulary, const WrittenAmount& written,
+                      const DerivedEntry& derived) {
+  if (derived.hasFunction && written.value == derived.function) return Agreement::full;
+  const Rational difference = (vocabulary.atTeeth(written.value) - derived.value).abs();
+  if (!difference.isZero() && !(difference < written.slack)) return Agreement::none;
+  const bool isNumber =
+      !written.hasRatios || written.hasNumbers || !derived.hasFunction || !vocabulary.ratiosAreFree();
+  return isNumber ? Agreement::full : Agreement::forTheseTeeth;
+}
+
+}  // namespace geargraph::inline paper_check

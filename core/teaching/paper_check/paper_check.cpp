@@ -1,0 +1,59 @@
+#include "core/teaching/paper_check/paper_check.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/foundations/base/contract.h"
+#include "core/teaching/paper_check/equation_check.h"
+#include "core/teaching/paper_check/table_check.h"
+
+namespace geargraph::inline paper_check {
+
+std::string_view outcomeName(PaperOutcome outcome) {
+  constexpr std::array<std::string_view, 3> kNames = {"right", "wrong", "ambiguous"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
+std::span<const MistakeName> paperMistakeNames() {
+  static constexpr MistakeName kNames[] = {
+      {"another-matrix", "another matrix than the one asked for"},
+      {"another-size", "size that the matrix does not have"},
+      {"minus-left-out", "minus of the solution left out"},
+      {"another-output", "row of another output"},
+      {"another-ratio-symbol", "ratio of another mesh with the same value"},
+      {"input-without-effect", "input that the output does not feel"},
+      {"wrong-entry", "entry that differs"},
+      {"term-left-out", "velocity left out of the equation"},
+      {"another-velocity", "velocity of another joint or link"},
+      {"equation-does-not-hold", "equation that does not follow from the mechanism"},
+  };
+  return kNames;
+}
+
+std::string_view paperMistakeTitle(std::string_view name) {
+  for (const MistakeName& mistake : paperMistakeNames()) {
+    if (mistake.name == name) return mistake.title;
+  }
+  return mistakeTitle(name);
+}
+
+Expected<PaperVerdict> checkPaper(const ExerciseSource& source, std::string_view text,
+                                  std::optional<PaperMatrix> kind, const std::stop_token& stop) {
+  auto paper = readPaper(text);
+  if (!paper) return paper.error();
+  if (hasErrors(source.snapshot()->diagnostics) && source.tree() == nullptr &&
+      (!kind || *kind > PaperMatrix::reducedIncidence))
+    return source.snapshot()->diagnostics;
+  if (const auto* table = std::get_if<WrittenTable>(&*paper)) {
+    auto verdict = checkTable(source, *table, kind, stop);
+    if (!verdict) return verdict.error();
+    return PaperVerdict(std::move(verdict).value());
+  }
+  const Vocabulary vocabulary(source);
+  auto verdicts = checkEquations(vocabulary, std::get<std::vector<WrittenEquation>>(*paper), stop);
+  if (!verdicts) return verdicts.error();
+  return PaperVerdict(std::move(verdicts).value());
+}
+
+}  // namespace geargraph::inline paper_check

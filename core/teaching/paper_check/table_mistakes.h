@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/teaching/paper_check/paper_check.h"
+#include "core/teaching/paper_check/table_alignment.h"
+
+namespace geargraph::inline paper_check {
+
+/// A matrix as it looks with a known mistake all over.
+struct MistakenTable {
+  std::string name;
+  std::string reason;
+  DerivedTable table;
+};
+
+/// All of them for a derived matrix, the most telling first. None equals the right one up to the freedom of
+/// its rows.
+[[nodiscard]] std::vector<MistakenTable> mistakenTables(const Vocabulary& vocabulary,
+                                                        const DerivedTable& right);
+
+/// What differs in a row or an entry, by name. Each entry that differs is in one of them.
+/// @pre the alignment has a derived row and column for each written one
+[[nodiscard]] std::vector<PaperDifference> tableDifferences(const Vocabulary& vocabulary,
+                                                            const DerivedTable& right,
+                                                            const WrittenAmounts& written,
+                                                            const Alignment& alignment);
+
+/// The elements of an entry.
+[[nodiscard]] std::vector<ElementId> elementsOf(const DerivedTable& table, int row, int column);
+
+}  // namespace geargraph::inline paper_check

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/teaching/paper_check/table_check.h"
+#include "core/teaching/paper_check/table_mistakes.h"
+
+namespace geargraph::inline paper_check {
+
+/// A written matrix tried as one kind: first isRight(), then, where it is not, explain().
+class TableTrial {
+ public:
+  /// The vocabulary, table and amounts outlive it.
+  TableTrial(const Vocabulary& vocabulary, const WrittenTable& table, const WrittenAmounts& amounts,
+             PaperMatrix kind, const std::stop_token& stop);
+
+  [[nodiscard]] bool isDefined() const { return m_right.has_value(); }
+  [[nodiscard]] const DerivedTable& right() const { return *m_right; }
+  [[nodiscard]] bool hasSize() const { return fits(*m_right); }
+
+  /// The label that this matrix does not have, if its size is right.
+  [[nodiscard]] const WrittenCell* unknownLabel() const;
+
+  /// Right in the order of the labels, with another tree, or in another order where there are no labels.
+  bool isRight();
+
+  /// The mistakes of a matrix that is not right.
+  void explain();
+
+  /// How much of it differs: entries, or all of them.
+  [[nodiscard]] std::size_t badness() const;
+  static constexpr std::size_t kNotComparable = 1'000'000;
+
+  [[nodiscard]] MatrixVerdict& verdict() { return m_verdict; }
+
+ private:
+  [[nodiscard]] bool fits(const DerivedTable& table) const;
+  [[nodiscard]] std::optional<LabelPlaces> labelsOf(const DerivedTable& table) const;
+  [[nodiscard]] std::optional<Alignment> aligned(const DerivedTable& table, FreeOrder order) const;
+  bool accept(const DerivedTable& table, FreeOrder order);
+  void addNotes(const DerivedTable& table, const Alignment& alignment);
+  void acceptTree(const std::vector<int>& tree);
+
+  /// A mistake all over, if it is one.
+  bool findMistake(FreeOrder order);
+  [[nodiscard]] Alignment naturalAlignment() const;
+  [[nodiscard]] std::vector<PaperDifference> naturalDifferences() const;
+  [[nodiscard]] std::size_t disagreements(std::size_t written, int derived,
+                                          const std::vector<int>& columns) const;
+
+  /// The natural order; where no labels say it, the order of rows in which the fewest entries differ.
+  [[nodiscard]] Alignment bestAlignment() const;
+  void fillEntries(const DerivedTable& table, const Alignment& alignment);
+
+  const Vocabulary& m_vocabulary;
+  const WrittenTable& m_table;
+  const WrittenAmounts& m_amounts;
+  std::stop_token m_stop;
+  std::optional<DerivedTable> m_right;
+  std::vector<MistakenTable> m_mistaken;
+  std::optional<PaperDifference> m_mistake;
+  MatrixVerdict m_verdict;
+};
+
+}  // namespace geargraph::inline paper_check
