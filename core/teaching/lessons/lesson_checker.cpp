@@ -1,0 +1,115 @@
+#include "core/teaching/lessons/lesson_checker.h"
+
+#include <algorithm>
+
+#include "core/teaching/derivation/glossary.h"
+
+namespace geargraph::inline lessons {
+namespace {
+
+class LessonChecker {
+ public:
+  LessonChecker(const Lesson& lesson, const ExampleSource& examples, const std::stop_token& stop)
+      : m_lesson(lesson), m_examples(examples), m_stop(stop) {}
+
+  Diagnostics check() {
+    checkTerms();
+    for (std::size_t i = 0; i < m_lesson.steps.size() && !m_stop.stop_requested(); ++i) checkStep(i);
+    return m_stop.stop_requested() ? Diagnostics() : std::move(m_findings);
+  }
+
+ private:
+  void find(const std::string& pointer, const std::string& message) {
+    m_findings.push_back({Code::schema, message, {}, pointer});
+  }
+
+  void checkTerms() {
+    for (std::size_t i = 0; i < m_lesson.terms.size(); ++i) {
+      const auto& glossaryTerms = glossary();
+      const bool isKnown = std::any_of(glossaryTerms.begin(), glossaryTerms.end(),
+                                       [&](const Definition& d) { return d.name == m_lesson.terms[i]; });
+      if (!isKnown)
+        find("/terms/" + std::to_string(i), "The glossary has no term \"" + m_lesson.terms[i] + "\".");
+    }
+  }
+
+  void checkStep(std::size_t position) {
+    const LessonStep& step = m_lesson.steps[position];
+    const std::string pointer = "/steps/" + std::to_string(position) + "/task";
+    const auto prepared = prepareStep(m_lesson, position, m_examples, m_stop);
+    if (!prepared) return append(m_findings, prepared.error());
+    if (const auto* draw = std::get_if<DrawTask>(&step.task)) return checkDrawTask(*draw, *prepared, pointer);
+    const Question& question = *prepared->question;
+    if (!grade(question, question.solution).isRight) find(pointer, "The solution is not accepted.");
+    if (const auto* answer = std::get_if<AnswerTask>(&step.task)) checkMistakes(*answer, question, pointer);
+  }
+
+  void checkMistakes(const AnswerTask& task, const Question& question, const std::string& pointer) {
+    for (std::size_t i = 0; i < task.mistakes.size(); ++i) {
+      const std::string place = pointer + "/mistakes/" + std::to_string(i);
+      const std::vector<std::string> example = exampleOf(task.mistakes[i], question);
+      if (example.size() != question.fields.size()) {
+        find(place + "/example", "An answer has a text for each field.");
+        continue;
+      }
+      const Verdict verdict = grade(question, example);
+      if (verdict.isRight) {
+        find(place, "This answer is accepted as right.");
+      } else if (verdict.reason != task.mistakes[i].mistake.reason) {
+        find(place, "This answer gets another reason: \"" + verdict.reason + "\"");
+      }
+    }
+  }
+
+  void checkDrawTask(const DrawTask& task, const PreparedStep& prepared, const std::string& pointer) {
+    if (checkDrawing(task, prepared.mechanism, m_stop).verdict.isRight)
+      find(pointer + "/conditions",
+           "The document of the step fulfils them already: nothing is left to draw.");
+    const auto solution = mechanismOf(task.solution, m_examples, pointer + "/solution");
+    if (!solution) {
+      append(m_findings, solution.error());
+    } else {
+      const DrawingVerdict result = checkDrawing(task, *solution, m_stop);
+      if (!result.verdict.isRight)
+        find(pointer + "/solution", "The solution is not accepted: " + result.verdict.reason);
+    }
+    for (std::size_t i = 0; i < task.mistakes.size(); ++i) {
+      const std::string place = pointer + "/mistakes/" + std::to_string(i);
+      const auto drawing = mechanismOf(task.mistakes[i].drawing, m_examples, place + "/drawing");
+      if (!drawing) {
+        append(m_findings, drawing.error());
+        continue;
+      }
+      const int failing = checkDrawing(task, *drawing, m_stop).failing;
+      if (failing != task.mistakes[i].failing)
+        find(place + "/failing", failing < 0
+                                     ? "This drawing is accepted as right."
+                                     : "The first condition that fails is " + std::to_string(failing) + ".");
+    }
+  }
+
+  const Lesson& m_lesson;
+  const ExampleSource& m_examples;
+  const std::stop_token& m_stop;
+  Diagnostics m_findings;
+};
+
+}  // namespace
+
+std::vector<std::string> exampleOf(const TaskMistake& mistake, const Question& question) {
+  if (!mistake.example.empty()) return mistake.example;
+  std::vector<std::string> answer = question.solution;
+  const Condition& condition = mistake.mistake.when.front();
+  if (condition.values.empty()) return answer;
+  const std::vector<std::string>& values = condition.values.front();
+  if (condition.fields.empty()) return values;
+  for (std::size_t i = 0; i < condition.fields.size() && i < values.size(); ++i)
+    answer[static_cast<std::size_t>(condition.fields[i])] = values[i];
+  return answer;
+}
+
+Diagnostics checkLesson(const Lesson& lesson, const ExampleSource& examples, const std::stop_token& stop) {
+  return LessonChecker(lesson, examples, stop).check();
+}
+
+}  // namespace geargraph::inline lessons

@@ -1,0 +1,272 @@
+#include "core/teaching/lessons/quantities.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/foundations/base/contract.h"
+#include "core/mechanism/graph/spanning_tree.h"
+#include "core/theory/statics/statics_report.h"
+
+namespace geargraph::inline lessons {
+namespace {
+
+constexpr int kNoCoupling = -2;  ///< the position of no coupling, and not that of a balance
+
+struct QuantityEntry {
+  Quantity quantity;
+  std::string_view name;
+  bool needsName = false;
+  bool isSet = false;
+};
+
+constexpr std::array kQuantities = {
+    QuantityEntry{Quantity::links, "links"},
+    QuantityEntry{Quantity::turningJoints, "turning-joints"},
+    QuantityEntry{Quantity::gearMeshes, "gear-meshes"},
+    QuantityEntry{Quantity::externalMeshes, "external-meshes"},
+    QuantityEntry{Quantity::internalMeshes, "internal-meshes"},
+    QuantityEntry{Quantity::bevelMeshes, "bevel-meshes"},
+    QuantityEntry{Quantity::couplings, "couplings"},
+    QuantityEntry{Quantity::rank, "rank"},
+    QuantityEntry{Quantity::dof, "dof"},
+    QuantityEntry{Quantity::kutzbachDof, "kutzbach-dof"},
+    QuantityEntry{Quantity::errors, "errors"},
+    QuantityEntry{Quantity::finding, "finding", true},
+    QuantityEntry{Quantity::blamed, "blamed", true, true},
+    QuantityEntry{Quantity::rate, "rate", true},
+    QuantityEntry{Quantity::outputRates, "output-rates"},
+    QuantityEntry{Quantity::ratio, "ratio", true},
+    QuantityEntry{Quantity::torque, "torque", true},
+    QuantityEntry{Quantity::cycle, "cycle", true, true},
+    QuantityEntry{Quantity::transferVertex, "transfer-vertex", true, true},
+};
+
+const QuantityEntry& entryOf(Quantity quantity) {
+  const QuantityEntry& entry = kQuantities[static_cast<std::size_t>(quantity)];
+  GEARGRAPH_REQUIRE(entry.quantity == quantity);
+  return entry;
+}
+
+Diagnostic notDefined(const std::string& why) {
+  return {Code::schema, why, {}, {}};
+}
+
+Diagnostic unknown(const std::string& what, const std::string& name) {
+  return {Code::unknownId, "The document has no " + what + " \"" + name + "\".", {}, {}};
+}
+
+QuantityValues number(Rational value) {
+  return {{std::move(value)}, {}};
+}
+
+template <class List>
+std::optional<int> positionOf(const List& list, const std::string& id) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& element) { return element.id.text() == id; });
+  if (found == list.end()) return std::nullopt;
+  return static_cast<int>(found - list.begin());
+}
+
+bool isCalled(const Diagnostic& finding, const std::string& name) {
+  return codeName(finding.code) == name ||
+         (finding.detail != Detail::none && detailName(finding.detail) == name);
+}
+
+bool isLabelled(const ElementId& element) {
+  return element.kind == ElementKind::link || element.kind == ElementKind::turningJoint ||
+         element.kind == ElementKind::gearMesh;
+}
+
+}  // namespace
+
+std::string_view quantityName(Quantity quantity) {
+  return entryOf(quantity).name;
+}
+
+std::optional<Quantity> quantityFromName(std::string_view name) {
+  const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
+                                  [&](const QuantityEntry& entry) { return entry.name == name; });
+  if (found == kQuantities.end()) return std::nullopt;
+  return found->quantity;
+}
+
+bool needsName(Quantity quantity) {
+  return entryOf(quantity).needsName;
+}
+
+bool isSetOfElements(Quantity quantity) {
+  return entryOf(quantity).isSet;
+}
+
+LessonAnalysis::LessonAnalysis(MechanismPtr mechanism, std::stop_token stop)
+    : m_mechanism(std::move(mechanism)), m_stop(std::move(stop)) {}
+
+const AnalysisSnapshot& LessonAnalysis::live() {
+  // Parts of a mechanism are asked for after this one: a stop is looked at where they are, and this one is
+  // fast.
+  if (!m_live) m_live = analyzeLive(m_mechanism);
+  return *m_live;
+}
+
+const Diagnostics& LessonAnalysis::findings() {
+  static const Diagnostics kNone;
+  live();
+  if (!m_complete) m_complete = analyzeFully(m_live, {false}, m_stop);
+  return m_complete ? m_complete->diagnostics : kNone;
+}
+
+Expected<QuantityValues> LessonAnalysis::valuesOf(const AskedQuantity& asked) {
+  const auto meshes = [&](MeshKind kind) {
+    const auto& all = m_mechanism->gearMeshes;
+    const LiveKinematicsPtr& kinematics = live().kinematics;
+    std::int64_t count = 0;
+    for (std::size_t mesh = 0; mesh < all.size(); ++mesh) {
+      const auto& placed = kinematics ? kinematics->placement().meshes[mesh] : std::nullopt;
+      count += (placed ? placed->kind : all[mesh].kind) == kind ? 1 : 0;
+    }
+    return number(count);
+  };
+  switch (asked.quantity) {
+    case Quantity::links:
+      return number(m_mechanism->n());
+    case Quantity::turningJoints:
+      return number(m_mechanism->t());
+    case Quantity::gearMeshes:
+      return number(m_mechanism->c());
+    case Quantity::externalMeshes:
+      return meshes(MeshKind::external);
+    case Quantity::internalMeshes:
+      return meshes(MeshKind::internal);
+    case Quantity::bevelMeshes:
+      return meshes(MeshKind::bevel);
+    case Quantity::couplings:
+      return number(static_cast<std::int64_t>(m_mechanism->couplings.size()));
+    case Quantity::rank:
+    case Quantity::dof:
+    case Quantity::kutzbachDof: {
+      const MatroidAnalysis* const matroid = live().matroid();
+      if (matroid == nullptr)
+        return notDefined("The degrees of freedom are not defined yet: the document has errors.");
+      return number(asked.quantity == Quantity::rank  ? matroid->rank
+                    : asked.quantity == Quantity::dof ? matroid->dof
+                                                      : matroid->kutzbachDof);
+    }
+    case Quantity::errors:
+    case Quantity::finding:
+    case Quantity::blamed:
+      return findingsOf(asked);
+    case Quantity::rate:
+    case Quantity::outputRates:
+      return ratesOf(asked);
+    case Quantity::ratio:
+      return ratioOf(asked.of);
+    case Quantity::torque:
+      return torqueOf(asked.of);
+    case Quantity::cycle:
+    case Quantity::transferVertex:
+      return walkOf(asked);
+  }
+  return notDefined("This quantity is not known.");
+}
+
+QuantityValues LessonAnalysis::findingsOf(const AskedQuantity& asked) {
+  std::int64_t count = 0;
+  QuantityValues values;
+  for (const Diagnostic& finding : findings()) {
+    const bool counts = asked.quantity == Quantity::errors ? finding.severity() == Severity::error
+                                                           : isCalled(finding, asked.of);
+    if (!counts) continue;
+    ++count;
+    if (asked.quantity != Quantity::blamed) continue;
+    for (const ElementId& element : finding.elements) {
+      const bool isNew =
+          std::find(values.elements.begin(), values.elements.end(), element) == values.elements.end();
+      if (isNew && isLabelled(element)) values.elements.push_back(element);
+    }
+  }
+  if (asked.quantity != Quantity::blamed) values.numbers = {count};
+  return values;
+}
+
+Expected<QuantityValues> LessonAnalysis::ratesOf(const AskedQuantity& asked) {
+  const MatroidAnalysis* const matroid = live().matroid();
+  const std::optional<int> joint = positionOf(m_mechanism->turningJoints, asked.of);
+  if (asked.quantity == Quantity::rate && !joint) return unknown("turning joint", asked.of);
+  if (matroid == nullptr || !matroid->solution)
+    return notDefined("The speeds are not determined yet: see Problems.");
+  const auto exact = solveExact(*live().kinematics->model, matroid->choice.joints, matroid->speeds, m_stop);
+  if (!exact) return notDefined("The solution was cancelled.");
+  if (joint) return number(exact->rates[static_cast<std::size_t>(*joint)]);
+  QuantityValues values;
+  for (const int output : exact->outputs) {
+    const DigraphEdge& edge = live().graph->turningEdge(output);
+    if (edge.tail == 0 || edge.head == 0)
+      values.numbers.push_back(exact->rates[static_cast<std::size_t>(output)]);
+  }
+  return values;
+}
+
+Expected<QuantityValues> LessonAnalysis::ratioOf(const std::string& state) {
+  const auto& states = m_mechanism->states;
+  const auto found =
+      std::find_if(states.begin(), states.end(), [&](const ShiftState& s) { return s.name == state; });
+  if (found == states.end()) return unknown("state", state);
+  const LiveKinematicsPtr& kinematics = live().kinematics;
+  if (!kinematics || !kinematics->model) return notDefined("The document has errors: no state has a ratio.");
+  const auto solved = solveState(*m_mechanism, *kinematics->model, kinematics->placement(),
+                                 static_cast<int>(found - states.begin()), false, m_stop);
+  if (!solved || !solved->ratio) return notDefined("State \"" + state + "\" has no ratio.");
+  return number(*solved->ratio);
+}
+
+Expected<QuantityValues> LessonAnalysis::torqueOf(const std::string& holder) {
+  const LiveKinematicsPtr& kinematics = live().kinematics;
+  const MatroidAnalysis* const matroid = live().matroid();
+  if (matroid == nullptr || !kinematics->ttGraph->isComplete())
+    return notDefined("The document has errors: torques are not determined.");
+  StaticsOptions options;
+  options.symbolic = false;
+  const auto report = analyzeStatics(*m_mechanism, *kinematics->model, kinematics->placement(),
+                                     *kinematics->ttGraph, *matroid, options, m_stop);
+  if (!report || !report->isSolved || !report->solution().isBalanced())
+    return notDefined("The loads are not held: torques are not determined.");
+  const int meshes = m_mechanism->c();
+  const std::optional<int> joint = positionOf(m_mechanism->turningJoints, holder);
+  const int coupling = positionOf(m_mechanism->couplings, holder).value_or(kNoCoupling);
+  for (std::size_t i = 0; i < report->held.size(); ++i) {
+    const HeldPart& part = report->held[i];
+    const bool isJoint = part.balance >= 0 && joint &&
+                         report->problem.balances[static_cast<std::size_t>(part.balance)].joint == *joint;
+    const bool isCoupling = part.coupling >= 0 && part.isMain && part.coupling == coupling;
+    if (!isJoint && !isCoupling) continue;
+    const int unknownNumber = meshes + static_cast<int>(i);
+    const Real& torque = report->solution().values[static_cast<std::size_t>(unknownNumber)];
+    if (!report->solution().isDetermined(unknownNumber) || !torque.isExact())
+      return notDefined("The torque of \"" + holder + "\" is not determined as a fraction.");
+    return number(*torque.fraction());
+  }
+  return unknown("balance or engaged coupling", holder);
+}
+
+Expected<QuantityValues> LessonAnalysis::walkOf(const AskedQuantity& asked) {
+  const std::optional<int> mesh = positionOf(m_mechanism->gearMeshes, asked.of);
+  if (!mesh) return unknown("gear mesh", asked.of);
+  const AnalysisSnapshot& snapshot = live();
+  if (!snapshot.tree) return notDefined("The turning joints are no spanning tree: meshes close no cycles.");
+  const DigraphEdge& gears = snapshot.graph->meshEdge(*mesh);
+  QuantityValues values;
+  if (asked.quantity == Quantity::transferVertex) {
+    const auto& vertices = snapshot.kinematics->ttGraph->transferVertices().ofMesh;
+    const auto& vertex = vertices[static_cast<std::size_t>(*mesh)];
+    if (!vertex) return notDefined("Mesh \"" + asked.of + "\" has no transfer vertex.");
+    values.elements = {snapshot.graph->nodeId(vertex->carrier)};
+    return values;
+  }
+  std::vector<int> joints;
+  for (const PathStep& step : treePath(*snapshot.tree, gears.head, gears.tail)) joints.push_back(step.joint);
+  std::sort(joints.begin(), joints.end());
+  for (const int joint : joints) values.elements.push_back(snapshot.graph->edgeId(joint));
+  return values;
+}
+
+}  // namespace geargraph::inline lessons

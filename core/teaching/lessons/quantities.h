@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "core/foundations/base/expected.h"
+#include "core/foundations/base/rational.h"
+#include "core/teaching/lessons/lesson.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline lessons {
+
+/// "links", "output-rates": as lessons write it.
+[[nodiscard]] std::string_view quantityName(Quantity quantity);
+[[nodiscard]] std::optional<Quantity> quantityFromName(std::string_view name);
+/// Has it to name what it is `of`?
+[[nodiscard]] bool needsName(Quantity quantity);
+/// Is it a set of elements? All others are numbers.
+[[nodiscard]] bool isSetOfElements(Quantity quantity);
+
+/// Numbers or elements, in the order of the document.
+struct QuantityValues {
+  std::vector<Rational> numbers;  ///< several only of outputRates
+  std::vector<ElementId> elements;
+};
+
+/// What the analysis tells about one mechanism. Each part is computed when it is first asked for.
+class LessonAnalysis {
+ public:
+  explicit LessonAnalysis(MechanismPtr mechanism, std::stop_token stop = {});
+
+  [[nodiscard]] const Mechanism& mechanism() const { return *m_mechanism; }
+  /// `unknown-id` where the mechanism has nothing of this name, `schema` where the quantity is not defined of
+  /// it: each with a sentence. Of no use when `stop` was requested meanwhile.
+  /// Cost: a live analysis; findings a complete one, ratios those of all states, torques an exact solution.
+  [[nodiscard]] Expected<QuantityValues> valuesOf(const AskedQuantity& asked);
+  /// The findings of the complete analysis. None if `stop` was requested meanwhile.
+  [[nodiscard]] const Diagnostics& findings();
+
+ private:
+  const AnalysisSnapshot& live();
+  [[nodiscard]] Expected<QuantityValues> ratesOf(const AskedQuantity& asked);
+  [[nodiscard]] Expected<QuantityValues> ratioOf(const std::string& state);
+  [[nodiscard]] Expected<QuantityValues> torqueOf(const std::string& holder);
+  [[nodiscard]] Expected<QuantityValues> walkOf(const AskedQuantity& asked);
+  [[nodiscard]] QuantityValues findingsOf(const AskedQuantity& asked);
+
+  MechanismPtr m_mechanism;
+  std::stop_token m_stop;
+  SnapshotPtr m_live;
+  SnapshotPtr m_complete;
+};
+
+}  // namespace geargraph::inline lessons
