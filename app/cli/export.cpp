@@ -26,7 +26,7 @@ constexpr unsigned kGraph = 1U << 9U;
 constexpr unsigned kEverything = (1U << 10U) - 1;
 
 constexpr std::string_view kOfMatrices = "Matrices (--to csv)";
-constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md or pdf)";
+constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md, pdf, handout or scorm)";
 constexpr std::string_view kOfViews = "Drawings and 3D pictures (--to svg, pdf or png --view NAME)";
 constexpr std::string_view kOf3D = "3D pictures (--to png --view 3d)";
 constexpr std::string_view kOfAnimations = "Animations (--to png --view 3d)";
@@ -34,16 +34,17 @@ constexpr std::string_view kOfSolids = "Solids (--to stl, obj, ply, glb or 3mf)"
 constexpr std::string_view kOfSimulators = "Simulators (--to mjcf or urdf)";
 
 /// What --help, and the rejection of an option, call what is written.
-constexpr std::array<std::string_view, 10> kNames = {"--to csv",
-                                                     "derivations (--to html, latex, md, pdf)",
-                                                     "drawings (--view digraph, ttgraph, schematic)",
-                                                     "3D pictures (--to png --view 3d)",
-                                                     "animations (--turntable, --motion)",
-                                                     "--to glb --view 3d",
-                                                     "--to stl, obj, ply, glb, 3mf",
-                                                     "--to assembly",
-                                                     "--to mjcf, urdf",
-                                                     "graphs (--to dot, graphml, node-link)"};
+constexpr std::array<std::string_view, 10> kNames = {
+    "--to csv",
+    "derivations (--to html, latex, md, pdf, handout, scorm)",
+    "drawings (--view digraph, ttgraph, schematic)",
+    "3D pictures (--to png --view 3d)",
+    "animations (--turntable, --motion)",
+    "--to glb --view 3d",
+    "--to stl, obj, ply, glb, 3mf",
+    "--to assembly",
+    "--to mjcf, urdf",
+    "graphs (--to dot, graphml, node-link)"};
 
 struct ExportOption {
   Option option;
@@ -58,7 +59,9 @@ constexpr Option grouped(Option option, std::string_view group) {
 constexpr std::array kExportOptions = {
     ExportOption{
         {"--to", "FORM",
-         "csv: matrices; html, latex, md, pdf: the worked derivation; svg, png, pdf with --view: a picture; "
+         "csv: matrices; html, latex, md, pdf: the worked derivation; handout: a page for browsers, with "
+         "inputs to move; scorm: that page as a package for learning platforms (SCORM 1.2); svg, png, pdf "
+         "with --view: a picture; "
          "stl, obj, ply, glb, 3mf: gears; assembly: gears for a check; mjcf, urdf: a model for simulators; "
          "dot, graphml, node-link: a graph"},
         kEverything},
@@ -189,6 +192,10 @@ std::optional<Exporter> exporterOf(const Arguments& arguments, const std::string
   }
   if (const auto report = reportFormFromName(form))
     return Exporter{kDerivation, to, [&arguments, report] { return exportReport(arguments, *report); }};
+  if (form == "handout" || form == "scorm") {
+    const HandoutUse use = form == "handout" ? HandoutUse::alone : HandoutUse::learningPlatform;
+    return Exporter{kDerivation, to, [&arguments, use] { return exportHandout(arguments, use); }};
+  }
   if (const auto graph = graphFormFromName(form))
     return Exporter{kGraph, to, [&arguments, graph] { return exportGraph(arguments, *graph); }};
   if (form == "assembly") return Exporter{kAssembly, to, [&arguments] { return exportAssembly(arguments); }};
@@ -225,7 +232,8 @@ int run(const Arguments& arguments) {
   if (!exporter) {
     return wrongUsage(
         kExport,
-        "--to is one of csv, html, latex, md, svg, pdf, png, stl, obj, ply, glb, 3mf, assembly, mjcf, urdf, "
+        "--to is one of csv, html, latex, md, pdf, handout, scorm, svg, png, stl, obj, ply, glb, 3mf, "
+        "assembly, mjcf, urdf, "
         "dot, graphml, node-link.");
   }
   if (const auto error = uselessOption(arguments, *exporter)) return wrongUsage(kExport, error->message);

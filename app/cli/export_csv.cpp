@@ -14,6 +14,7 @@
 #include "app/cli/export_forms.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/file.h"
+#include "core/foundations/files/stoppable_sink.h"
 #include "core/presentation/results/csv_tables.h"
 
 namespace geargraph::cli {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/arguments.h"
+#include "core/presentation/handout/handout.h"
 #include "core/presentation/meshfile/mesh_format.h"
 #include "core/presentation/picture/picture.h"
 #include "core/presentation/report/report.h"
@@ -36,6 +37,9 @@ int exportDrawing(const Arguments& arguments, PictureForm form);
 int exportReport(const Arguments& arguments, ReportForm form);
 /// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the same on pages.
 int exportReportPages(const Arguments& arguments);
+/// `export FILE --to handout|scorm [--inputs ...] -o OUT`: the same as a page for browsers, with inputs to
+/// move; or as a package with that page, for a learning platform.
+int exportHandout(const Arguments& arguments, HandoutUse use);
 
 /// `export FILE --to dot/graphml/node-link [--view digraph/ttgraph] -o OUT`.
 int exportGraph(const Arguments& arguments, GraphForm form);

@@ -1,5 +1,6 @@
-// `export FILE --to html/latex/md/pdf -o OUT`: the worked derivation, both methods.
+// `export FILE --to html/latex/md/pdf/handout -o OUT`: the worked derivation, both methods.
 
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -11,14 +12,23 @@
 #include "app/cli/input_options.h"
 #include "app/cli/time_limit.h"
 #include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/handout/handout.h"
 #include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/results/handout_train.h"
 #include "core/presentation/results/named_drawings.h"
+#include "core/presentation/results/scorm_package.h"
 
 namespace geargraph::cli {
 namespace {
 
 DisplayList drawn(const char* name, const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
   return drawingNamed(name)->draw(snapshot, nullptr, stop);
+}
+
+ReportDrawings drawingsOf(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const SheetLook look;
+  return {svgOf(drawn("schematic", snapshot, stop), look), svgOf(drawn("digraph", snapshot, stop), look),
+          svgOf(drawn("ttgraph", snapshot, stop), look)};
 }
 
 /// Writes what `bytesOf` makes of the analysed file; the exit status.
@@ -53,12 +63,8 @@ int exportDerivation(const Arguments& arguments,
 
 int exportReport(const Arguments& arguments, ReportForm form) {
   return exportDerivation(arguments, [&, form](const SnapshotPtr& snapshot) -> Expected<std::string> {
-    return reportText(derivationReport(snapshot), form, [&] {
-      const SheetLook look;
-      return ReportDrawings{svgOf(drawn("schematic", *snapshot, arguments.stop), look),
-                            svgOf(drawn("digraph", *snapshot, arguments.stop), look),
-                            svgOf(drawn("ttgraph", *snapshot, arguments.stop), look)};
-    });
+    return reportText(derivationReport(snapshot), form,
+                      [&] { return drawingsOf(*snapshot, arguments.stop); });
   });
 }
 
@@ -67,6 +73,19 @@ int exportReportPages(const Arguments& arguments) {
     return reportPdf(derivationReport(snapshot), {drawn("schematic", *snapshot, arguments.stop),
                                                   drawn("digraph", *snapshot, arguments.stop),
                                                   drawn("ttgraph", *snapshot, arguments.stop)});
+  });
+}
+
+int exportHandout(const Arguments& arguments, HandoutUse use) {
+  return exportDerivation(arguments, [&](const SnapshotPtr& snapshot) -> Expected<std::string> {
+    const std::string& file = arguments.files.front();
+    const MadeHandoutTrain made = handoutTrain(
+        *snapshot, file == "-" ? "." : std::filesystem::absolute(file).parent_path(), arguments.stop);
+    for (const std::string& note : made.notes) std::cerr << file << ": " << note << '\n';
+    Expected<std::string> page =
+        handoutHtml(snapshot, drawingsOf(*snapshot, arguments.stop), made.train, use, arguments.stop);
+    if (!page || use == HandoutUse::alone) return page;
+    return scormPackage(reportTitle(*snapshot->mechanism), *page);
   });
 }
 

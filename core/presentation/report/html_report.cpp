@@ -46,7 +46,8 @@ std::string_view withoutProlog(std::string_view svg) {
 
 class HtmlWriter {
  public:
-  explicit HtmlWriter(const ReportDrawings& drawings) : m_drawings(drawings) {}
+  HtmlWriter(const ReportDrawings& drawings, bool tellsElements)
+      : m_drawings(drawings), m_tellsElements(tellsElements) {}
 
   std::string operator()(const ReportHeading& heading) const {
     const std::string tag = "h" + std::to_string(heading.level + 1);
@@ -56,7 +57,8 @@ class HtmlWriter {
     return "<p>" + words(paragraph.words) + "</p>\n";
   }
   std::string operator()(const ReportEquation& equation) const {
-    std::string text = "<div class=\"equation\"><div>" + formula(equation.tex, true) + "</div>";
+    std::string text =
+        "<div class=\"equation\"" + elementsOf(equation) + "><div>" + formula(equation.tex, true) + "</div>";
     if (equation.number) {
       const std::string place = std::to_string(*equation.number) + (equation.isDual ? "-dual" : "");
       text += "<span class=\"number\" id=\"eq" + place + "\">(" + equation.label() + ")</span>";
@@ -65,7 +67,8 @@ class HtmlWriter {
   }
   std::string operator()(const ReportTable& table) const {
     std::string text = "<table>\n<tr>";
-    for (const std::string& cell : table.head) text += "<th>" + escapedXml(cell) + "</th>";
+    for (const std::string& cell : table.head)
+      text += cell.empty() ? "<td></td>" : "<th>" + escapedXml(cell) + "</th>";
     text += "</tr>\n";
     for (const auto& row : table.rows) {
       text += "<tr>";
@@ -87,12 +90,19 @@ class HtmlWriter {
   }
 
  private:
+  [[nodiscard]] std::string elementsOf(const ReportEquation& equation) const {
+    if (!m_tellsElements || equation.elements.size() != 1) return {};
+    const ElementId& element = equation.elements.front();
+    return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
+  }
+
   [[nodiscard]] const std::string& of(ReportDrawing drawing) const {
     if (drawing == ReportDrawing::schematic) return m_drawings.schematic;
     return drawing == ReportDrawing::digraph ? m_drawings.digraph : m_drawings.ttGraph;
   }
 
   const ReportDrawings& m_drawings;
+  bool m_tellsElements = false;
 };
 
 }  // namespace
@@ -102,9 +112,17 @@ std::string reportHtml(const Report& report, const ReportDrawings& drawings) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                      title + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" +
                      title + "</h1>\n";
-  const HtmlWriter writer(drawings);
+  const HtmlWriter writer(drawings, false);
   for (const ReportBlock& block : report.blocks) text += std::visit(writer, block);
   return text + "</body>\n</html>\n";
+}
+
+std::string reportHtmlBlocks(const std::vector<ReportBlock>& blocks) {
+  const ReportDrawings none;
+  const HtmlWriter writer(none, true);
+  std::string text;
+  for (const ReportBlock& block : blocks) text += std::visit(writer, block);
+  return text;
 }
 
 }  // namespace geargraph::inline report

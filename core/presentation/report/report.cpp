@@ -18,11 +18,15 @@ void addFindings(Report& report, const AnalysisSnapshot& snapshot) {
 
 }  // namespace
 
+std::string reportTitle(const Mechanism& mechanism) {
+  return mechanism.name.empty() ? "Untitled mechanism" : mechanism.name;
+}
+
 Report derivationReport(const SnapshotPtr& snapshot, const std::stop_token& stop) {
   GEARGRAPH_REQUIRE(snapshot->isComplete);
   GEARGRAPH_REQUIRE(snapshot->mechanism->n() <= kMostReportLinks);
   Report report;
-  report.title = snapshot->mechanism->name.empty() ? "Untitled mechanism" : snapshot->mechanism->name;
+  report.title = reportTitle(*snapshot->mechanism);
   addFindings(report, *snapshot);
   addDigraphPart(report, *snapshot);
   addMatroidPart(report, snapshot, stop);

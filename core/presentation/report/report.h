@@ -72,6 +72,9 @@ constexpr int kMostReportLinks = 200;
 /// The heading of the part that compares the methods; a mechanism without a solution has none.
 inline constexpr const char* kComparisonHeading = "Both methods compared";
 
+/// What the report of a mechanism is headed with.
+[[nodiscard]] std::string reportTitle(const Mechanism& mechanism);
+
 /// The derivation as far as the mechanism allows it: without a spanning tree the incidence matrix, with an
 /// error of the geometry the digraph's matrices, and so on; what is missing is said with the findings.
 /// Of no use when `stop` was requested meanwhile. Cost: that of the matrices' entries.
@@ -96,6 +99,9 @@ enum class ReportForm { markdown, latex, html };
 /// One page that any browser shows, prints and lets select: formulas in MathML, drawings in SVG, no scripts
 /// and nothing fetched.
 [[nodiscard]] std::string reportHtml(const Report& report, const ReportDrawings& drawings);
+/// Blocks of it within another page: without drawings; what speaks of one element tells it as data-el,
+/// "gearMeshes/16".
+[[nodiscard]] std::string reportHtmlBlocks(const std::vector<ReportBlock>& blocks);
 /// A document for any of the LaTeX programs, with amsmath and nothing else that is not part of LaTeX; without
 /// drawings.
 [[nodiscard]] std::string reportLatex(const Report& report);

@@ -1,0 +1,137 @@
+#include "core/presentation/handout/handout.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/foundations/base/wording.h"
+#include "core/foundations/files/base64.h"
+#include "core/machine/solids/gear_solid.h"
+#include "core/presentation/handout/handout_data.h"
+#include "core/presentation/handout/handout_sections.h"
+#include "core/presentation/handout/page_policy.h"
+#include "core/presentation/handout/page_scene.h"
+
+namespace geargraph::inline handout {
+namespace {
+
+std::string counted(int number, const char* one, const char* several) {
+  return std::to_string(number) + " " + (number == 1 ? one : several);
+}
+
+std::string counts(const AnalysisSnapshot& snapshot) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  std::string text = counted(mechanism.n(), "moving link", "moving links") + ", " +
+                     counted(mechanism.t(), "turning joint", "turning joints") + ", " +
+                     counted(mechanism.c(), "mesh", "meshes");
+  if (const MatroidAnalysis* matroid = snapshot.matroid())
+    text += ", " + counted(matroid->dof, "degree", "degrees") + " of freedom";
+  return text;
+}
+
+std::string section(const char* id, const std::string& content) {
+  return std::string("<section id=\"") + id + "\">\n" + content + "</section>\n";
+}
+
+/// The parts of a page that grow with the mechanism.
+struct Parts {
+  std::string drawings, matrices, solution, derivation, data, still, geometry;
+
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [name, part] : named()) sum += part->size();
+    return sum;
+  }
+  [[nodiscard]] std::string largest() const {
+    const auto all = named();
+    return std::max_element(all.begin(), all.end(),
+                            [](const auto& a, const auto& b) { return a.second->size() < b.second->size(); })
+        ->first;
+  }
+
+ private:
+  [[nodiscard]] std::array<std::pair<const char*, const std::string*>, 7> named() const {
+    return {std::pair("the drawings", &drawings),
+            {"the matrices", &matrices},
+            {"the solution", &solution},
+            {"the derivation", &derivation},
+            {"the mechanism's data", &data},
+            {"the still picture", &still},
+            {"the solids", &geometry}};
+  }
+};
+
+std::string script(std::string_view text) {
+  return "<script>" + std::string(text) + "</script>\n";
+}
+
+std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title, const Parts& parts,
+                      const std::string& note, HandoutUse use) {
+  const bool hasScene = !parts.geometry.empty();
+  const bool reports = use == HandoutUse::learningPlatform;
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      pagePolicy(reports) + "\">\n<title>" + title +
+      "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<style>" +
+      std::string(pageStyle()) +
+      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#drawings\">To the drawings</a>\n<header>\n<h1>" +
+      title + "</h1>\n<p>" + counts(snapshot) +
+      "</p>\n</header>\n<nav aria-label=\"Parts\"><a href=\"#drawings\">Drawings</a><a "
+      "href=\"#matrices\">Matrices</a>"
+      "<a href=\"#solution\">Solution</a><a href=\"#derivation\">Derivation</a></nav>\n"
+      "<div class=\"columns\">\n<main>\n";
+  page += section("drawings", parts.drawings) + section("matrices", parts.matrices) +
+          section("derivation", parts.derivation);
+  page += "</main>\n<aside aria-label=\"The train and its solution\">\n";
+  if (hasScene) page += section("train", trainSection(parts.still));
+  const char* const promise =
+      reports ? "Tells the learning platform which parts were seen; loads nothing and sends nothing else."
+              : "Works offline: this file loads nothing and sends nothing.";
+  page += section("solution", parts.solution) + "</aside>\n</div>\n<footer>" + promise + note +
+          " Made by GearGraph.</footer>\n<script type=\"application/json\" id=\"mechanism\">" + parts.data +
+          "</script>\n";
+  if (hasScene) {
+    page += "<script type=\"application/octet-stream\" id=\"geometry\">" + parts.geometry + "</script>\n" +
+            script(pageLibrary());
+  }
+  page += script(pageScript());
+  if (reports) page += script(pageReporter());
+  return page + "</body>\n</html>\n";
+}
+
+}  // namespace
+
+Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
+                                  const HandoutTrain& train, HandoutUse use, const std::stop_token& stop) {
+  const Report report = derivationReport(snapshot, stop);
+  const bool hasScene = train.stage && !train.stage->scene.instances.empty();
+  Parts parts;
+  parts.drawings = drawingsSection(drawings);
+  parts.matrices = matricesSection(*snapshot);
+  parts.solution = solutionSection(*snapshot, stop);
+  parts.derivation = derivationSection(report);
+  parts.still = base64(train.still);
+  std::string note;
+  std::size_t bytes = 0;
+  for (const double tolerance : {kFarTolerance, kFarthestTolerance}) {
+    if (stop.stop_requested()) return std::string();
+    if (hasScene) parts.geometry = pageGeometry(train.stage->scene, tolerance);
+    parts.data = handoutData(*snapshot, hasScene ? train.stage.get() : nullptr, tolerance, stop);
+    bytes = parts.bytes() + pageStyle().size() + pageScript().size() + (hasScene ? pageLibrary().size() : 0);
+    if (bytes <= kMostHandoutBytes || !hasScene) break;
+    note = " The wheels are coarse: finer ones would make the file too large.";
+  }
+  if (bytes > kMostHandoutBytes) {
+    return Diagnostic{Code::graphics,
+                      "The handout would have " + std::to_string(bytes / 1'000'000) +
+                          " MB; a page has at most 3 MB. The largest part: " + parts.largest() + ".",
+                      {},
+                      {},
+                      0,
+                      0};
+  }
+  return wholePage(*snapshot, escapedXml(report.title), parts, note, use);
+}
+
+}  // namespace geargraph::inline handout

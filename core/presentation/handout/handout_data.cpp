@@ -1,0 +1,292 @@
+#include "core/presentation/handout/handout_data.h"
+
+#include <cmath>
+
+#include "core/foundations/base/rational.h"
+#include "core/foundations/base/wording.h"
+#include "core/foundations/files/json_writer.h"
+#include "core/mechanism/model/shift_edits.h"
+#include "core/presentation/handout/page_scene.h"
+#include "core/theory/matroid/coefficient_matrix.h"
+#include "core/theory/pose/joint_limits.h"
+#include "core/theory/pose/turning_lines.h"
+#include "core/theory/states/state_edits.h"
+
+namespace geargraph::inline handout {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+class DataWriter {
+ public:
+  DataWriter(ByteSink& sink, const AnalysisSnapshot& snapshot)
+      : m_json(sink), m_snapshot(snapshot), m_mechanism(*snapshot.mechanism), m_graph(*snapshot.graph) {}
+
+  void write(const Stage* stage, double tolerance, const std::stop_token& stop) {
+    m_json.beginObject();
+    m_json.member("format", "geargraph-handout");
+    m_json.member("version", 1);
+    writeElements();
+    writeJoints();
+    writeRows();
+    writeInputs();
+    writeStates(stop);
+    if (stage != nullptr && m_snapshot.tree && m_snapshot.kinematics) {
+      writeMovers();
+      m_json.key("scene");
+      writePageScene(m_json, *stage, m_graph, tolerance);
+    }
+    m_json.endObject();
+  }
+
+ private:
+  void writeElements() {
+    m_json.key("elements");
+    m_json.beginArray();
+    for (int link = 0; link <= m_mechanism.n(); ++link) {
+      element(m_graph.nodeId(link), linkName(link), linkLines(link), {});
+    }
+    for (int joint = 0; joint < m_mechanism.t(); ++joint) {
+      const DigraphEdge& edge = m_graph.turningEdge(joint);
+      element(m_graph.edgeId(joint), jointName(joint),
+              {"From " + linkName(edge.tail) + " to " + linkName(edge.head) + "."}, {});
+    }
+    for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
+      element(m_graph.edgeId(m_mechanism.t() + mesh), "Mesh " + std::to_string(m_mechanism.meshLabel(mesh)),
+              meshLines(mesh), cycleOf(mesh));
+    }
+    m_json.endArray();
+  }
+
+  void element(ElementId id, const std::string& name, const std::vector<std::string>& lines,
+               const std::vector<std::pair<int, int>>& cycle) {
+    m_json.beginObject(Layout::row);
+    m_json.member("list", listName(id.kind));
+    m_json.member("id", id.id.text());
+    m_json.member("name", name);
+    m_json.key("lines");
+    m_json.beginArray(Layout::row);
+    for (const std::string& line : lines) m_json.string(line);
+    m_json.endArray();
+    if (!cycle.empty()) {
+      m_json.key("cycle");
+      m_json.beginArray(Layout::row);
+      for (const auto& [joint, sign] : cycle) {
+        const ElementId of = m_graph.edgeId(joint);
+        m_json.string(std::string(listName(of.kind)) + "/" + of.id.text());
+      }
+      m_json.endArray();
+    }
+    m_json.endObject();
+  }
+
+  [[nodiscard]] std::string linkName(int link) const {
+    if (link == 0) return "the ground";
+    const std::string& name = m_mechanism.links[static_cast<std::size_t>(link)].name;
+    return "link " + std::to_string(m_mechanism.linkLabel(link)) + (name.empty() ? "" : " (" + name + ")");
+  }
+  [[nodiscard]] std::string jointName(int joint) const {
+    return "Joint " + std::to_string(m_mechanism.jointLabel(joint));
+  }
+
+  [[nodiscard]] std::vector<std::string> linkLines(int link) const {
+    std::vector<std::string> joints;
+    for (const int joint : m_graph.turningEdgesAt(link))
+      joints.push_back(std::to_string(m_mechanism.jointLabel(joint)));
+    std::vector<std::string> meshes;
+    for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
+      const DigraphEdge& edge = m_graph.meshEdge(mesh);
+      if (edge.tail == link || edge.head == link)
+        meshes.push_back(std::to_string(m_mechanism.meshLabel(mesh)));
+    }
+    std::vector<std::string> lines;
+    if (!joints.empty()) lines.push_back("Turning joints: " + listed(joints, kAllNames) + ".");
+    if (!meshes.empty()) lines.push_back("Gear meshes: " + listed(meshes, kAllNames) + ".");
+    return lines;
+  }
+
+  /// Joints of the mesh's cycle with their signs, ascending; none without a tree.
+  [[nodiscard]] std::vector<std::pair<int, int>> cycleOf(int mesh) const {
+    std::vector<std::pair<int, int>> cycle;
+    const IntegerMatrixPtr& matrix = m_snapshot.matrix(MatrixKind::spanningTree);
+    if (!matrix) return cycle;
+    std::vector<MatrixEntry> entries;
+    matrix->rowEntries(mesh, entries);
+    for (const MatrixEntry& entry : entries) cycle.emplace_back(entry.column, entry.value);
+    return cycle;
+  }
+
+  [[nodiscard]] std::vector<std::string> meshLines(int mesh) const {
+    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+    const DigraphEdge& edge = m_graph.meshEdge(mesh);
+    std::string sentence = "Gears of " + linkName(edge.tail) + " and " + linkName(edge.head);
+    if (m_snapshot.kinematics) {
+      const auto& vertices = m_snapshot.kinematics->ttGraph->transferVertices().ofMesh;
+      if (const auto& vertex = vertices[static_cast<std::size_t>(mesh)])
+        sentence += " on " + linkName(vertex->carrier);
+    }
+    if (gears.kind) sentence += ", " + std::string(meshKindName(*gears.kind));
+    sentence += ", " + std::to_string(gears.tailTeeth) + " : " + std::to_string(gears.headTeeth) + " teeth.";
+    std::vector<std::string> lines{sentence};
+    std::vector<std::string> along;
+    std::vector<std::string> against;
+    for (const auto& [joint, sign] : cycleOf(mesh))
+      (sign > 0 ? along : against).push_back(std::to_string(m_mechanism.jointLabel(joint)));
+    std::string walk = "Its cycle runs";
+    if (!along.empty()) walk += " along " + listed(along, kAllNames);
+    if (!against.empty())
+      walk += std::string(along.empty() ? "" : " and") + " against " + listed(against, kAllNames);
+    if (!along.empty() || !against.empty()) lines.push_back(walk + ".");
+    return lines;
+  }
+
+  void writeJoints() {
+    const std::vector<AngleLimits> limits = angleLimits(m_mechanism);
+    m_json.key("joints");
+    m_json.beginArray();
+    for (int joint = 0; joint < m_mechanism.t(); ++joint) {
+      const ElementId id = m_graph.edgeId(joint);
+      m_json.beginObject(Layout::row);
+      m_json.member("id", id.id.text());
+      m_json.member("label", m_mechanism.jointLabel(joint));
+      m_json.member("name", jointName(joint));
+      const AngleLimits& limit = limits[static_cast<std::size_t>(joint)];
+      if (std::isfinite(limit.low)) m_json.member("low", limit.low);
+      if (std::isfinite(limit.high)) m_json.member("high", limit.high);
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  void writeRows() {
+    m_json.key("rows");
+    m_json.beginArray();
+    if (isSolved()) {
+      const KinematicModel& model = *m_snapshot.kinematics->model;
+      const CoefficientMatrix matrix(m_mechanism, model, m_snapshot.kinematics->placement());
+      for (int mesh = 0; mesh < matrix.rows(); ++mesh) {
+        const Rational ratio = matrix.ratio(mesh);
+        m_json.beginArray(Layout::row);
+        for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
+          const Rational size = entry.tail ? ratio : Rational(1);
+          coefficient(entry.joint, entry.sign > 0 ? size : -size);
+        }
+        m_json.endArray();
+      }
+      writeHeld(model.held());
+    }
+    m_json.endArray();
+    m_json.member("meshRows", isSolved() ? m_mechanism.c() : 0);
+  }
+
+  void writeHeld(const std::vector<KinematicModel::HeldRow>& rows) {
+    for (const KinematicModel::HeldRow& held : rows) {
+      m_json.beginArray(Layout::row);
+      for (const KinematicModel::HeldRow::Term& term : held.joints)
+        coefficient(term.of, Rational(term.factor));
+      m_json.endArray();
+    }
+  }
+
+  /// Each as it is when it is put in. Those that lock the train, or leave it too free, have no inputs.
+  void writeStates(const std::stop_token& stop) {
+    m_json.key("states");
+    m_json.beginArray();
+    for (int state = 0; isSolved() && state < static_cast<int>(m_mechanism.states.size()); ++state) {
+      const Expected<Mechanism> engaged = withStateEngaged(m_mechanism, state);
+      const SnapshotPtr snapshot =
+          engaged ? analyzeLive(std::make_shared<const Mechanism>(*engaged), 0, stop) : nullptr;
+      if (stop.stop_requested()) break;
+      const MatroidAnalysis* matroid = snapshot ? snapshot->matroid() : nullptr;
+      m_json.beginObject();
+      m_json.member("name", m_mechanism.states[static_cast<std::size_t>(state)].name);
+      m_json.key("rows");
+      m_json.beginArray();
+      if (matroid != nullptr) writeHeld(snapshot->kinematics->model->held());
+      m_json.endArray();
+      const bool runs = matroid != nullptr && matroid->solution.has_value();
+      writeChoice(runs ? matroid : nullptr);
+      m_json.endObject();
+    }
+    m_json.endArray();
+    m_json.member("state", engagedState(m_mechanism));
+  }
+
+  /// By link: none for the ground, else what carries it, its joint, +1 where the joint's arrow leads to it,
+  /// and the line of the joint in the reference pose.
+  void writeMovers() {
+    const std::vector<TurningLine> lines = turningLines(m_snapshot.kinematics->placement());
+    const SpanningTree& tree = *m_snapshot.tree;
+    m_json.key("movers");
+    m_json.beginArray();
+    m_json.null();
+    for (int link = 1; link <= m_graph.n(); ++link) {
+      const int joint = tree.jointToParent(link);
+      const TurningLine& line = lines[static_cast<std::size_t>(joint)];
+      m_json.beginObject(Layout::row);
+      m_json.member("parent", tree.parent(link));
+      m_json.member("joint", joint);
+      m_json.member("sense", -tree.directionToGround(joint));
+      m_json.key("point");
+      m_json.beginArray(Layout::row);
+      for (const double each : line.point) m_json.number(each);
+      m_json.endArray();
+      m_json.key("direction");
+      m_json.beginArray(Layout::row);
+      for (const double each : line.direction) m_json.number(each);
+      m_json.endArray();
+      m_json.endObject();
+    }
+    m_json.endArray();
+  }
+
+  void coefficient(int joint, const Rational& value) {
+    m_json.beginArray(Layout::row);
+    m_json.number(static_cast<std::int64_t>(joint));
+    m_json.string(value.toString());
+    m_json.endArray();
+  }
+
+  void writeInputs() { writeChoice(isSolved() ? m_snapshot.matroid() : nullptr); }
+
+  void writeChoice(const MatroidAnalysis* matroid) {
+    m_json.key("inputs");
+    m_json.beginArray(Layout::row);
+    if (matroid != nullptr)
+      for (const int joint : matroid->choice.joints) m_json.number(static_cast<std::int64_t>(joint));
+    m_json.endArray();
+    m_json.key("speeds");
+    m_json.beginArray(Layout::row);
+    if (matroid != nullptr)
+      for (const Rational& speed : matroid->speeds) m_json.string(speed.toString());
+    m_json.endArray();
+  }
+
+  [[nodiscard]] bool isSolved() const {
+    return m_snapshot.matroid() != nullptr && m_snapshot.matroid()->solution.has_value();
+  }
+
+  JsonWriter m_json;
+  const AnalysisSnapshot& m_snapshot;
+  const Mechanism& m_mechanism;
+  const Digraph& m_graph;
+};
+
+}  // namespace
+
+std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
+                        const std::stop_token& stop) {
+  TextSink sink;
+  DataWriter(sink, snapshot).write(stage, tolerance, stop);
+  std::string text;
+  for (const char letter : sink.text()) {
+    if (letter == '<') {
+      text += "\\u003c";
+    } else {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+}  // namespace geargraph::inline handout

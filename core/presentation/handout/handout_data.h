@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "core/presentation/stage/stage.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline handout {
+
+/// What the page's script needs, as JSON: "elements" with names, sentences and cycles; "joints"; "rows", the
+/// rows of P over the joints, each divided by the radius of its head's gear, and those of engaged couplings,
+/// in fractions; "inputs", positions of joints, and their "speeds". Rows and inputs are empty where the
+/// mechanism has no solution. "states": the name of each with its rows of couplings, inputs and speeds, as
+/// far as it can run; "meshRows", how many of the rows are those of meshes. With a stage "movers", the links
+/// with the lines that they turn about, limits of joints, and "scene", what is shown of the train.
+/// Every "<" is escaped, so that it may stand in a script element. Cost: that of an analysis for each state.
+[[nodiscard]] std::string handoutData(const AnalysisSnapshot& snapshot, const Stage* stage, double tolerance,
+                                      const std::stop_token& stop);
+
+}  // namespace geargraph::inline handout

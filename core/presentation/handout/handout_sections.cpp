@@ -1,0 +1,204 @@
+#include "core/presentation/handout/handout_sections.h"
+
+#include <array>
+#include <cstdio>
+
+#include "core/foundations/base/wording.h"
+#include "core/theory/matroid/coefficient_matrix.h"
+#include "core/theory/states/state_solution.h"
+
+namespace geargraph::inline handout {
+namespace {
+
+std::string elementAttribute(const ElementId& element) {
+  if (element.id.empty()) return {};
+  return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
+}
+
+/// With the minus of print.
+std::string printed(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "\u2212");
+  return number;
+}
+
+std::string head(const std::string& text, const ElementId& element, const char* scope,
+                 bool beginsPart = false) {
+  return "<th scope=\"" + std::string(scope) + "\"" + (beginsPart ? " class=\"part\"" : "") +
+         elementAttribute(element) + ">" + escapedXml(text) + "</th>";
+}
+
+std::string cell(const std::string& text, int sign, bool beginsPart) {
+  std::string classes = sign > 0 ? "plus" : sign < 0 ? "minus" : "zero";
+  if (beginsPart) classes += " part";
+  return "<td class=\"" + classes + "\">" + (sign == 0 ? "0" : printed(text)) + "</td>";
+}
+
+std::string scrolled(const std::string& name, const std::string& table) {
+  return "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escapedXml(name) + "\">" +
+         table + "</div>\n";
+}
+
+std::string matrixTable(const IntegerMatrix& matrix) {
+  const std::string name(matrixTitle(matrix.kind()));
+  std::string text = "<h3>" + escapedXml(name) + " " + escapedXml(matrixSymbol(matrix.kind()));
+  if (const int number = matrixEquation(matrix.kind()); number > 0)
+    text += " (" + std::to_string(number) + ")";
+  text += "</h3>\n";
+  const auto begins = [&](int column) { return column > 0 && matrix.partition() == column; };
+  std::string table = "<table class=\"matrix\"><thead><tr><td></td>";
+  for (int column = 0; column < matrix.columns(); ++column) {
+    const Heading heading = matrix.columnHeading(column);
+    table += head(heading.text, heading.element, "col", begins(column));
+  }
+  table += "</tr></thead>\n<tbody>\n";
+  for (int row = 0; row < matrix.rows(); ++row) {
+    const Heading heading = matrix.rowHeading(row);
+    table += "<tr" + elementAttribute(heading.element) + ">" + head(heading.text, heading.element, "row");
+    for (int column = 0; column < matrix.columns(); ++column) {
+      const int entry = matrix.entry(row, column);
+      table += cell(std::to_string(entry), entry, begins(column));
+    }
+    table += "</tr>\n";
+  }
+  return text + scrolled(name, table + "</tbody></table>");
+}
+
+/// An entry of P: exact where the radius is a fraction, else four digits behind the point.
+std::string lengthText(const CoefficientMatrix& matrix, int mesh, const CoefficientMatrix::Entry& entry) {
+  if (const auto radius = matrix.exactRadius(mesh, entry.tail))
+    return (entry.length < 0 ? "-" : "") + radius->toString();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", entry.length);
+  return text.data();
+}
+
+std::string coefficientTable(const AnalysisSnapshot& snapshot) {
+  const Digraph& graph = *snapshot.graph;
+  const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
+                                 snapshot.kinematics->placement());
+  std::string table = "<table class=\"matrix\"><thead><tr><td></td>";
+  for (int joint = 0; joint < matrix.columns(); ++joint)
+    table += head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "col");
+  table += "</tr></thead>\n<tbody>\n";
+  for (int mesh = 0; mesh < matrix.rows(); ++mesh) {
+    const ElementId element = graph.edgeId(graph.t() + mesh);
+    table += "<tr" + elementAttribute(element) + ">" +
+             head(std::to_string(graph.edgeLabel(graph.t() + mesh)), element, "row");
+    const auto entries = matrix.row(mesh);
+    auto next = entries.begin();
+    for (int joint = 0; joint < matrix.columns(); ++joint) {
+      const bool isHere = next != entries.end() && next->joint == joint;
+      table += isHere ? cell(lengthText(matrix, mesh, *next), next->length < 0 ? -1 : 1, false)
+                      : cell({}, 0, false);
+      if (isHere) ++next;
+    }
+    table += "</tr>\n";
+  }
+  return "<h3>Coefficient matrix P (18), (19), in " + escapedXml(snapshot.mechanism->unit) + "</h3>\n" +
+         scrolled("Coefficient matrix", table + "</tbody></table>");
+}
+
+std::string figure(const std::string& svg, const char* caption) {
+  const std::size_t start = svg.find("<svg");
+  if (svg.empty() || start == std::string::npos) return {};
+  return "<figure>\n" + svg.substr(start) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
+}
+
+}  // namespace
+
+std::string drawingsSection(const ReportDrawings& drawings) {
+  return "<h2>Drawings</h2>\n" +
+         figure(drawings.digraph, "Digraph. Solid arrows: turning joints; dashed: gear meshes.") +
+         figure(drawings.schematic, "Schematic.") + figure(drawings.ttGraph, "T-T graph.");
+}
+
+std::string trainSection(const std::string& still) {
+  std::string text = "<h2 class=\"skip\">The train</h2>\n<div id=\"scene\" class=\"scene\">";
+  if (!still.empty())
+    text +=
+        "<img alt=\"The train in three dimensions\" width=\"720\" height=\"480\" "
+        "src=\"data:image/png;base64," +
+        still + "\">";
+  return text +
+         "</div>\n<noscript><p>The train turns where scripts may run: open the file in a "
+         "browser.</p></noscript>\n";
+}
+
+std::string matricesSection(const AnalysisSnapshot& snapshot) {
+  std::string text = "<h2>Matrices</h2>\n";
+  for (const MatrixKind kind : allMatrixKinds()) {
+    if (const IntegerMatrixPtr& matrix = snapshot.matrix(kind)) text += matrixTable(*matrix);
+  }
+  if (snapshot.kinematics && snapshot.kinematics->model) text += coefficientTable(snapshot);
+  return text;
+}
+
+namespace {
+
+/// The states of a gearbox with what they engage and their ratios; nothing where there are none.
+std::string statesTable(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  const Mechanism& mechanism = *snapshot.mechanism;
+  if (mechanism.states.empty() || !snapshot.kinematics || !snapshot.kinematics->model) return {};
+  const auto solved =
+      solveStates(mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(), false, stop);
+  if (!solved) return {};
+  std::string table =
+      "<table class=\"plain\"><thead><tr><th scope=\"col\">state</th><th scope=\"col\">engaged</th>"
+      "<th scope=\"col\">ratio</th></tr></thead>\n<tbody>\n";
+  for (const StateSolution& solution : *solved) {
+    const ShiftState& state = mechanism.states[static_cast<std::size_t>(solution.state)];
+    std::vector<std::string> engaged;
+    for (const CouplingId coupling : state.engaged) engaged.push_back(coupling.text());
+    table += "<tr data-state=\"" + std::to_string(solution.state) + "\"><th scope=\"row\">" +
+             escapedXml(state.name) + "</th><td>" + escapedXml(listed(engaged, kAllNames)) + "</td><td>" +
+             (solution.ratio ? printed(solution.ratio->toString()) : std::string("none")) + "</td></tr>\n";
+  }
+  return "<h3>States</h3>\n" + scrolled("States", table + "</tbody></table>");
+}
+
+}  // namespace
+
+std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_token& stop) {
+  std::string text = "<h2>Solution</h2>\n";
+  if (!snapshot.solved || !snapshot.solved->exact)
+    return text +
+           "<div id=\"inputs\"><p>The mechanism has no solution: its derivation says why.</p></div>\n" +
+           statesTable(snapshot, stop);
+  const ExactSolution& exact = *snapshot.solved->exact;
+  const Digraph& graph = *snapshot.graph;
+  text += "<div id=\"inputs\"><p>Inputs: ";
+  for (std::size_t i = 0; i < exact.inputs.size(); ++i) {
+    text += (i == 0 ? "joint " : ", joint ") + std::to_string(graph.edgeLabel(exact.inputs[i])) + " at " +
+            printed(snapshot.matroid()->speeds[i].toString()) + " rad/s";
+  }
+  text += ".</p></div>\n";
+  std::string table = "<table class=\"plain\"><thead><tr><th scope=\"col\">joint</th>";
+  const bool hasMatrix = !exact.matrix.empty();
+  if (hasMatrix) {
+    for (const int input : exact.inputs)
+      table += head("of " + std::to_string(graph.edgeLabel(input)), graph.edgeId(input), "col");
+  }
+  table += "<th scope=\"col\">now, rad/s</th></tr></thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < exact.outputs.size(); ++row) {
+    const int joint = exact.outputs[row];
+    table += "<tr" + elementAttribute(graph.edgeId(joint)) + ">" +
+             head(std::to_string(graph.edgeLabel(joint)), graph.edgeId(joint), "row");
+    if (hasMatrix) {
+      for (std::size_t column = 0; column < exact.inputs.size(); ++column)
+        table += "<td>" + printed(exact.matrix[row * exact.inputs.size() + column].toString()) + "</td>";
+    }
+    table += "<td class=\"now\" data-now=\"" + std::to_string(joint) + "\">" +
+             printed(exact.rates[static_cast<std::size_t>(joint)].toString()) + "</td></tr>\n";
+  }
+  text += scrolled("Speeds of the joints", table + "</tbody></table>");
+  if (snapshot.solved->agreement && snapshot.solved->agreement->equal)
+    text += "<p class=\"agreement\">Matroid method = T\u2013T graph method, exactly, for all " +
+            std::to_string(exact.outputs.size()) + " joints.</p>\n";
+  return text + statesTable(snapshot, stop);
+}
+
+std::string derivationSection(const Report& report) {
+  return "<h2>Derivation</h2>\n" + reportHtmlBlocks(report.blocks);
+}
+
+}  // namespace geargraph::inline handout

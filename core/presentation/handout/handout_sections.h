@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "core/presentation/report/report.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline handout {
+
+// The parts of a page, each the content of a section with its heading.
+
+/// A figure for each drawing that is not empty.
+[[nodiscard]] std::string drawingsSection(const ReportDrawings& drawings);
+/// Tables of the matrices (1)-(5) and of P, with headings that bear their elements.
+[[nodiscard]] std::string matricesSection(const AnalysisSnapshot& snapshot);
+/// The picture that stands where the train cannot be shown in three dimensions: a PNG in base64, or none.
+[[nodiscard]] std::string trainSection(const std::string& still);
+/// The outputs as fractions of the inputs, the speeds of all joints now, and the states of a gearbox. Of no
+/// use when `stop` was requested.
+[[nodiscard]] std::string solutionSection(const AnalysisSnapshot& snapshot, const std::stop_token& stop);
+/// Both methods, step by step, without the drawings.
+[[nodiscard]] std::string derivationSection(const Report& report);
+
+}  // namespace geargraph::inline handout

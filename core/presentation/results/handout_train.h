@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/presentation/handout/handout.h"
+
+namespace geargraph::inline results {
+
+struct MadeHandoutTrain {
+  HandoutTrain train;
+  std::vector<std::string> notes;  ///< what is left out or simplified, and why, in sentences
+};
+
+/// The train of a handout with its still picture, 720 x 480, which is left out, and noted, where nothing can
+/// paint. `folder`: that of the document, where the 3D files are that links wear. Of no use when `stop` was
+/// requested. Use it on one thread. Cost: that of trainStage() and a picture.
+[[nodiscard]] MadeHandoutTrain handoutTrain(const AnalysisSnapshot& snapshot,
+                                            const std::filesystem::path& folder,
+                                            const std::stop_token& stop = {});
+
+}  // namespace geargraph::inline results

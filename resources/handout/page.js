@@ -1,0 +1,254 @@
+// The page comes complete; this adds what moves: selection, inputs, theme, print.
+
+const data = JSON.parse(document.getElementById('mechanism').textContent);
+const byId = id => document.getElementById(id);
+const make = (tag, attributes = {}, ...children) => {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+};
+
+// ---- Selection: one element at a time, lit wherever it stands ----
+
+const keyOf = (list, id) => list + '/' + id;
+const elements = new Map(data.elements.map(element => [keyOf(element.list, element.id), element]));
+const places = new Map();  // key -> nodes
+const addPlace = (key, node) => {
+  if (!places.has(key)) places.set(key, []);
+  places.get(key).push(node);
+};
+for (const node of document.querySelectorAll('svg [data-id]'))
+  addPlace(keyOf(node.dataset.list, node.dataset.id), node);
+for (const node of document.querySelectorAll('[data-el]'))
+  for (const key of node.dataset.el.split(' ')) addPlace(key, node);
+
+let selected = null;
+const watchers = [];  // called with the key that is selected, or null
+const mark = (key, name, isOn) => {
+  for (const node of places.get(key) || []) node.classList.toggle(name, isOn);
+};
+const select = key => {
+  if (selected) {
+    mark(selected, 'lit', false);
+    for (const joint of elements.get(selected).cycle || []) mark(joint, 'cycle', false);
+  }
+  selected = elements.has(key) ? key : null;
+  if (selected) {
+    mark(selected, 'lit', true);
+    for (const joint of elements.get(selected).cycle || []) mark(joint, 'cycle', true);
+  }
+  for (const watcher of watchers) watcher(selected);
+};
+
+const card = make('div', {class: 'card', role: 'status', hidden: ''});
+document.body.append(card);
+watchers.push(key => {
+  card.hidden = !key;
+  if (!key) return;
+  const element = elements.get(key);
+  const close = make('button', {type: 'button', 'aria-label': 'Clear the selection'}, '\u00d7');
+  close.addEventListener('click', () => select(null));
+  card.replaceChildren(make('h3', {}, element.name), ...element.lines.map(line => make('p', {}, line)), close);
+});
+
+const keyAt = target => {
+  const node = target.closest && target.closest('[data-el], svg [data-id]');
+  if (!node) return null;
+  return node.dataset.el ? node.dataset.el.split(' ')[0] : keyOf(node.dataset.list, node.dataset.id);
+};
+document.addEventListener('click', event => {
+  if (event.target.closest('a, button, input, .card, canvas')) return;
+  select(keyAt(event.target));
+});
+document.addEventListener('keydown', event => {
+  if (event.key === 'Escape') select(null);
+});
+
+// Drawings: one stop of Tab each, arrow keys walk the elements, Enter selects.
+for (const svg of document.querySelectorAll('figure svg')) {
+  const groups = [...svg.querySelectorAll('[data-id]')].filter(
+      node => elements.has(keyOf(node.dataset.list, node.dataset.id)));
+  const seen = new Set();
+  const walk = groups.filter(node => {
+    const key = keyOf(node.dataset.list, node.dataset.id);
+    return !seen.has(key) && seen.add(key);
+  });
+  if (!walk.length) continue;
+  svg.setAttribute('tabindex', '0');
+  const caption = svg.parentNode.querySelector('figcaption');
+  svg.setAttribute('aria-label', (caption ? caption.textContent + ' ' : '') + 'Arrow keys walk its elements.');
+  const status = make('p', {role: 'status', class: 'skip'});
+  svg.after(status);
+  let at = -1;
+  const go = step => {
+    if (at >= 0) walk[at].classList.remove('walked');
+    at = (at + step + walk.length) % walk.length;
+    walk[at].classList.add('walked');
+    status.textContent = elements.get(keyOf(walk[at].dataset.list, walk[at].dataset.id)).name;
+  };
+  svg.addEventListener('keydown', event => {
+    if (event.key === 'ArrowRight' || event.key === 'ArrowDown') go(1);
+    else if (event.key === 'ArrowLeft' || event.key === 'ArrowUp') go(at < 0 ? 0 : -1);
+    else if (event.key === 'Enter' && at >= 0) select(keyOf(walk[at].dataset.list, walk[at].dataset.id));
+    else return;
+    event.preventDefault();
+  });
+  svg.addEventListener('blur', () => { if (at >= 0) walk[at].classList.remove('walked'); });
+}
+
+// ---- Inputs and results ----
+
+const readRows = rows => rows.map(row => row.map(([joint, value]) => [joint, Rational.from(value)]));
+const allRows = readRows(data.rows);
+let inputs = [];  // positions of joints
+let gains = null;
+let motion = null;
+const motionWatchers = [];  // called when rates or angles change
+
+const showRates = () => {
+  for (const cell of document.querySelectorAll('[data-now]')) {
+    const rate = motion.rates[Number(cell.dataset.now)];
+    cell.textContent = rate.toString();
+    cell.title = rate.toNumber().toPrecision(6) + ' rad/s';
+  }
+  const speeds = inputs.map((joint, i) => `joint ${data.joints[joint].label} at ${motion.speeds[i]} rad/s`);
+  document.querySelector('#inputs .onpaper').textContent = 'Inputs: ' + speeds.join(', ') + '.';
+  for (const watcher of motionWatchers) watcher();
+};
+
+const inputRow = (joint, i) => {
+  const name = data.joints[joint].name;
+  const range = make('input', {type: 'range', min: '-36', max: '36', step: '1', 'aria-label': 'Speed of ' + name});
+  const field = make('input', {type: 'text', inputmode: 'text', 'aria-label': 'Speed of ' + name + ', exact, rad/s'});
+  const reason = make('p', {class: 'reason', role: 'status', hidden: ''});
+  // A slider reaches three rad/s, or what was given where that is more.
+  const reach = speed => {
+    const most = Math.max(36, Math.ceil(Math.abs(speed.toNumber()) * 12));
+    if (most > Number(range.max)) [range.min, range.max] = [String(-most), String(most)];
+  };
+  const show = () => {
+    reach(motion.speeds[i]);
+    range.value = String(Math.round(motion.speeds[i].toNumber() * 12));
+    range.setAttribute('aria-valuetext', motion.speeds[i] + ' rad/s');
+  };
+  const take = (speed, isTyped) => {
+    motion.take(motion.speeds.map((old, j) => (j === i ? speed : old)));
+    if (!isTyped) field.value = speed.toString();
+    field.setAttribute('aria-invalid', 'false');
+    reason.hidden = true;
+    show();
+    showRates();
+  };
+  range.addEventListener('input', () => take(new Rational(BigInt(range.value), 12n), false));
+  field.addEventListener('input', () => {
+    const speed = Rational.from(field.value);
+    if (speed) return take(speed, true);
+    field.setAttribute('aria-invalid', 'true');
+    reason.textContent = 'A number such as 2, -3/4 or 0.75.';
+    reason.hidden = false;
+  });
+  field.addEventListener('change', () => { field.value = motion.speeds[i].toString(); reason.hidden = true;
+    field.setAttribute('aria-invalid', 'false'); });
+  field.value = motion.speeds[i].toString();
+  show();
+  return make('div', {class: 'input', 'data-input': data.joints[joint].label}, make('span', {}, name), range, field,
+              make('span', {}, 'rad/s'), reason);
+};
+
+// A head or a row of the table that selects its joint.
+const placed = (node, joint) => {
+  const key = keyOf('turningJoints', data.joints[joint].id);
+  node.dataset.el = key;
+  addPlace(key, node);
+  return node;
+};
+const resultTable = () => {
+  const heads = inputs.map(joint => placed(make('th', {scope: 'col'}, 'of ' + data.joints[joint].label), joint));
+  const body = make('tbody');
+  data.joints.forEach((joint, at) => {
+    if (inputs.includes(at)) return;
+    const cells = gains[at].map(gain => make('td', {}, gain.toString()));
+    body.append(placed(make('tr', {}, make('th', {scope: 'row'}, String(joint.label)), ...cells,
+                            make('td', {class: 'now', 'data-now': String(at)})), at));
+  });
+  return [make('thead', {}, make('tr', {}, make('th', {scope: 'col'}, 'joint'), ...heads,
+                                 make('th', {scope: 'col'}, 'now, rad/s'))), body];
+};
+
+// The rows hold, and these joints are driven. False where they are no valid inputs: nothing changes then.
+const drive = (rows, joints, speeds) => {
+  const found = joints.length ? gainsOf(rows, data.joints.length, joints) : null;
+  if (!found) return false;
+  inputs = joints;
+  gains = found;
+  motion = new Motion(gains, speeds, data.joints);
+  const table = document.querySelector('#solution table.plain');
+  if (table && table.querySelectorAll('td').length) table.replaceChildren(...resultTable());
+  byId('inputs').replaceChildren(...inputs.map(inputRow), make('p', {class: 'onpaper'}));
+  showRates();
+  if (selected) select(selected);
+  return true;
+};
+drive(allRows, data.inputs, data.speeds.map(text => Rational.from(text)));
+
+// ---- Header and tabs ----
+
+const theme = make('button', {type: 'button', 'aria-label': 'Light or dark'}, '\u25d0');
+theme.addEventListener('click', () => {
+  const dark = getComputedStyle(document.documentElement).colorScheme === 'dark';
+  document.documentElement.dataset.theme = dark ? 'light' : 'dark';
+});
+const print = make('button', {type: 'button'}, 'Print');
+print.addEventListener('click', () => window.print());
+document.querySelector('header').append(theme, print);
+
+// On a wide page the tabs lead to its parts and follow the scroll; on a narrow one each shows its part alone.
+const tabs = [...document.querySelectorAll('nav a')];
+const narrow = window.matchMedia('(max-width: 900px)');
+const setCurrent = current => {
+  for (const tab of tabs) {
+    if (tab === current) tab.setAttribute('aria-current', 'location');
+    else tab.removeAttribute('aria-current');
+  }
+};
+// What scrolls sideways can be scrolled by keys.
+const reachWide = () => {
+  for (const node of document.querySelectorAll('.equation > div')) {
+    if (node.scrollWidth > node.clientWidth) node.setAttribute('tabindex', '0');
+    else node.removeAttribute('tabindex');
+  }
+};
+window.addEventListener('resize', reachWide);
+const showPart = tab => {
+  setCurrent(tab);
+  document.body.dataset.part = tab.hash.slice(1);
+  reachWide();
+};
+const follow = () => {
+  if (narrow.matches) return;
+  let current = tabs[0];
+  for (const tab of tabs) {
+    const section = byId(tab.hash.slice(1));
+    const stays = section.closest('aside') && getComputedStyle(section.closest('aside')).position === 'sticky';
+    if (!stays && section.getBoundingClientRect().top < window.innerHeight / 3) current = tab;
+  }
+  setCurrent(current);
+};
+for (const tab of tabs) {
+  tab.addEventListener('click', event => {
+    if (!narrow.matches) return;
+    event.preventDefault();
+    showPart(tab);
+    window.scrollTo(0, 0);
+  });
+}
+const partAsked = () => tabs.find(tab => tab.hash === location.hash) || tabs.find(tab => tab.hash === '#solution');
+const arrange = () => {
+  if (narrow.matches) showPart(partAsked());
+  else follow();
+  reachWide();
+};
+narrow.addEventListener('change', arrange);
+document.addEventListener('scroll', follow, {passive: true});
+arrange();

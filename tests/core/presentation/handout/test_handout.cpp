@@ -1,0 +1,250 @@
+#include <zlib.h>
+
+#include <QCryptographicHash>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTest>
+#include <set>
+
+#include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/handout/handout.h"
+#include "core/presentation/handout/page_scene.h"
+#include "core/presentation/results/named_drawings.h"
+#include "core/presentation/train_stage/train_stage.h"
+#include "tests/core/support/example_files.h"
+
+namespace geargraph {
+namespace {
+
+/// What stands between the first `begin` and the next `end`.
+QString between(const QString& text, const QString& begin, const QString& end) {
+  const qsizetype from = text.indexOf(begin);
+  const qsizetype to = text.indexOf(end, from);
+  if (from < 0 || to < 0) return {};
+  return text.mid(from + begin.size(), to - from - begin.size());
+}
+
+QString pageOf(Mechanism mechanism) {
+  const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
+  const auto svg = [&](const char* name) {
+    return svgOf(drawingNamed(name)->draw(*snapshot, nullptr, {}), SheetLook());
+  };
+  GearCache cache;
+  const HandoutTrain train{trainStage(*snapshot, cache), "a picture"};
+  return QString::fromStdString(
+      *handoutHtml(snapshot, {svg("schematic"), svg("digraph"), svg("ttgraph")}, train));
+}
+
+/// The bytes of the page's solids.
+QByteArray solidsOf(const QString& page) {
+  const QByteArray packed = QByteArray::fromBase64(
+      between(page, "<script type=\"application/octet-stream\" id=\"geometry\">", "</script>").toLatin1());
+  QByteArray bytes(16'000'000, '\0');
+  z_stream stream{};
+  inflateInit2(&stream, MAX_WBITS + 16);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const int status = inflate(&stream, Z_FINISH);
+  bytes.resize(static_cast<qsizetype>(stream.total_out));
+  inflateEnd(&stream);
+  return status == Z_STREAM_END ? bytes : QByteArray();
+}
+
+QString hashed(const QString& text) {
+  return "'sha256-" + QCryptographicHash::hash(text.toUtf8(), QCryptographicHash::Sha256).toBase64() + "'";
+}
+
+QJsonObject dataOf(const QString& page) {
+  return QJsonDocument::fromJson(
+             between(page, "<script type=\"application/json\" id=\"mechanism\">", "</script>").toUtf8())
+      .object();
+}
+
+}  // namespace
+
+class TestHandout : public QObject {
+  Q_OBJECT
+
+ private slots:
+  /// One changed byte, and no browser would run the page's script or wear its style.
+  void thePolicyNamesWhatThePageHolds() {
+    const QString page = pageOf(test::example("robot"));
+    const QString policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    QVERIFY(policy.startsWith("default-src 'none';"));
+    QStringList scripts = page.split("<script>").mid(1);
+    QCOMPARE(scripts.size(), 2);
+    for (QString& script : scripts) script = hashed(script.left(script.indexOf("</script>")));
+    QVERIFY(policy.contains("script-src " + scripts[1] + " " + scripts[0] + ";"));
+    QVERIFY(policy.contains("style-src " + hashed(between(page, "<style>", "</style>")) + ";"));
+    QVERIFY(!policy.contains("unsafe"));
+  }
+
+  void nothingIsFetchedAndNoStyleStandsInAnElement() {
+    static const QRegularExpression outside("\\b(?:src|href|action)=\"(?!#|data:)[^\"]*\"");
+    static const QRegularExpression style("<[^>]*\\sstyle=");
+    static const QRegularExpression handler("<[^>]*\\son[a-z]+=");
+    int pages = 0;
+    for (const std::string& name : test::exampleNames()) {
+      QString page = pageOf(test::example(name));
+      page.truncate(page.indexOf("<script>"));
+      for (const QRegularExpression& wrong : {outside, style, handler}) {
+        const auto match = wrong.match(page);
+        QVERIFY2(!match.hasMatch(), qPrintable(QString::fromStdString(name) + ": " + match.captured()));
+      }
+      ++pages;
+    }
+    QVERIFY(pages > 10);
+  }
+
+  /// What can be clicked has a name and sentences for the card.
+  void everyElementThatIsShownIsTold() {
+    static const QRegularExpression shown(
+        "(?:data-list=\"(\\w+)\" data-id=\"([^\"]*)\"|data-el=\"(\\w+)/([^\"]*)\")");
+    for (const std::string& name : test::exampleNames()) {
+      const QString page = pageOf(test::example(name));
+      std::set<QString> told;
+      for (const QJsonValue& each : dataOf(page)["elements"].toArray())
+        told.insert(each["list"].toString() + "/" + each["id"].toString());
+      int found = 0;
+      for (auto it = shown.globalMatch(page); it.hasNext(); ++found) {
+        const auto match = it.next();
+        const QString list = match.captured(1) + match.captured(3);
+        if (list == "axes" || list == "states" || list == "loads" || list == "wheels" || list == "couplings")
+          continue;
+        if (match.captured(2).isEmpty() && match.captured(4).isEmpty()) continue;  // a note on the sheet
+        const QString key = list + "/" + match.captured(2) + match.captured(4);
+        QVERIFY2(told.count(key) == 1, qPrintable(QString::fromStdString(name) + ": " + key));
+      }
+      QVERIFY(found > 10);
+    }
+  }
+
+  void theRobot() {
+    const QString page = pageOf(test::example("robot"));
+    QVERIFY(page.contains("<h1>Geared robotic mechanism</h1>"));
+    QVERIFY(page.contains("7 moving links, 7 turning joints, 4 meshes, 3 degrees of freedom"));
+    QCOMPARE(page.count("<table class=\"matrix\">"), 7);
+    QCOMPARE(page.count("<figure>"), 3);
+    // (25)
+    QVERIFY(page.contains(u"<td>\u22128/27</td><td>\u221216/27</td><td>\u22128/9</td>"));
+    const QJsonObject data = dataOf(page);
+    QCOMPARE(data["inputs"].toArray(), (QJsonArray{0, 1, 3}));
+    QCOMPARE(data["speeds"].toArray(), (QJsonArray{"1", "1/2", "0"}));
+    // (18) over the radius of gear 2: 2/3 of joint 9 less that of 10, and joint 12
+    QCOMPARE(data["rows"][1].toArray(),
+             (QJsonArray{QJsonArray{1, "2/3"}, QJsonArray{2, "-2/3"}, QJsonArray{4, "1"}}));
+    const QJsonObject mesh = data["elements"].toArray()[8 + 7 + 1].toObject();
+    QCOMPARE(mesh["name"].toString(), "Mesh 16");
+    QCOMPARE(mesh["cycle"].toArray(),
+             (QJsonArray{"turningJoints/9", "turningJoints/10", "turningJoints/12"}));
+    QCOMPARE(mesh["lines"].toArray().last().toString(), "Its cycle runs along 9 and against 10 and 12.");
+  }
+
+  void theSolidsAreAsTheDataSay() {
+    for (const char* name : {"robot", "eight-speed-gearbox"}) {
+      const QString page = pageOf(test::example(name));
+      const QJsonObject data = dataOf(page);
+      const QJsonObject scene = data["scene"].toObject();
+      const auto whole = [](qsizetype bytes) { return (bytes + 3) / 4 * 4; };
+      qsizetype bytes = 0, largest = 0;
+      for (const QJsonValue& solid : scene["solids"].toArray()) {
+        const qsizetype vertices = solid["vertices"].toInt(), triangles = solid["triangles"].toInt();
+        QVERIFY(vertices > 3 && triangles > 3);
+        bytes += whole(6 * vertices) + whole(2 * vertices) + whole((vertices > 65'536 ? 12 : 6) * triangles);
+        largest = std::max(largest, vertices);
+      }
+      QVERIFY(largest > 100);
+      QCOMPARE(solidsOf(page).size(), bytes);
+      QCOMPARE(data["movers"].toArray().size(), test::example(name).n() + 1);
+      std::set<int> links;
+      for (const QJsonValue& part : scene["parts"].toArray()) {
+        QCOMPARE(part["pose"].toArray().size(), 12);
+        links.insert(part["link"].toInt());
+      }
+      QVERIFY(static_cast<int>(links.size()) >= test::example(name).n());
+    }
+  }
+
+  /// Unpacked as the page's script does it, a wheel is where the exporter of meshes has it.
+  void positionsAndNormalsSurviveTheirSteps() {
+    Solid solid;
+    solid.positions = {{-3, 0, 2}, {5, 1, 2}, {0.123F, 0.5F, 2}};
+    solid.normals = {{0, 0, 1}, {0.6F, 0, -0.8F}, {-0.48F, 0.6F, -0.64F}};
+    solid.triangles = {{0, 1, 2}};
+    Scene scene;
+    scene.solids.push_back(std::make_shared<const Solid>(solid));
+    const QString page = "<script type=\"application/octet-stream\" id=\"geometry\">" +
+                         QString::fromStdString(pageGeometry(scene, kFarTolerance)) + "</script>";
+    const QByteArray bytes = solidsOf(page);
+    QCOMPARE(bytes.size(), 20 + 8 + 8);
+    const auto* steps = reinterpret_cast<const quint16*>(bytes.constData());
+    QCOMPARE(int(steps[0]), 0);
+    QCOMPARE(int(steps[3]), 65535);
+    QCOMPARE(int(steps[2]), 0);  // all in one plane
+    QVERIFY(std::abs(-3 + 8.0 * steps[6] / 65535 - 0.123) < 8.0 / 131'070 + 1e-6);
+    const auto* folded = reinterpret_cast<const qint8*>(bytes.constData() + 20);
+    for (int i = 0; i < 3; ++i) {
+      double x = folded[2 * i] / 127.0, y = folded[2 * i + 1] / 127.0;
+      const double z = 1 - std::abs(x) - std::abs(y);
+      if (z < 0) {
+        const double old = x;
+        x = std::copysign(1 - std::abs(y), x);
+        y = std::copysign(1 - std::abs(old), y);
+      }
+      const double length = std::sqrt(x * x + y * y + z * z);
+      const Float3& normal = solid.normals[static_cast<std::size_t>(i)];
+      QVERIFY((x * normal[0] + y * normal[1] + z * normal[2]) / length > 0.9998);
+    }
+  }
+
+  void statesHaveTheirRowsAndInputs() {
+    const QString page = pageOf(test::example("eight-speed-gearbox"));
+    const QJsonArray states = dataOf(page)["states"].toArray();
+    QCOMPARE(states.size(), test::example("eight-speed-gearbox").states.size());
+    QCOMPARE(page.count("<tr data-state="), states.size());
+    for (const QJsonValue& state : states) {
+      QCOMPARE(state["inputs"].toArray().size(), 1);
+      QVERIFY(!state["rows"].toArray().isEmpty());
+    }
+  }
+
+  void whatIsTooLargeNamesItsLargestPart() {
+    const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(test::example("robot")));
+    GearCache cache;
+    const auto page =
+        handoutHtml(snapshot, {}, {trainStage(*snapshot, cache), std::string(kMostHandoutBytes, 'x')});
+    QVERIFY(!page);
+    QVERIFY(page.error().front().message.find("the still picture") != std::string::npos);
+  }
+
+  void namesCannotLeaveTheirPlace() {
+    Mechanism mechanism = test::example("robot");
+    mechanism.name = "</title><script>alert(1)</script>";
+    mechanism.links[3].name = "</script><b>\"'&";
+    const QString page = pageOf(mechanism);
+    QVERIFY(!page.contains("<script>alert"));
+    QVERIFY(!page.contains("</script><b>"));
+    QCOMPARE(page.count("</script>"), 4);
+    QVERIFY(dataOf(page)["elements"].toArray()[3].toObject()["name"].toString().contains("</script><b>\"'&"));
+  }
+
+  /// Matrices and drawings of what cannot be solved are shown all the same.
+  void withoutASolution() {
+    Mechanism open = test::example("robot");
+    open.turningJoints.pop_back();
+    for (const Mechanism& each : {open, test::example("locked-train")}) {
+      const QString page = pageOf(each);
+      QVERIFY(page.contains("</html>"));
+      QVERIFY(page.contains("Incidence matrix"));
+    }
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_APPLESS_MAIN(geargraph::TestHandout)
+#include "test_handout.moc"

@@ -1,0 +1,18 @@
+#!/bin/sh
+# run.sh install SOURCE FOLDER: what SOURCE/package-lock.json pins, into FOLDER. run.sh check SOURCE FOLDER FILE: the
+# tests of SOURCE/FILE, there. 77, which ctest shows as skipped, where there is no node or the packages cannot be fetched.
+set -eu
+for program in node npm; do
+  command -v "$program" >/dev/null || { echo "skipped: there is no $program"; exit 77; }
+done
+mkdir -p "$3"
+if [ "$1" = install ]; then
+  cp "$2"/package.json "$2"/package-lock.json "$3"
+  cd "$3"
+  npm ci --ignore-scripts --no-audit --no-fund || { echo "skipped: the packages could not be fetched"; exit 77; }
+else
+  cp "$2"/*.mjs "$3"
+  cd "$3"
+  [ -d node_modules ] || { echo "skipped: the packages are not there"; exit 77; }
+  node --test --test-reporter=spec "$4"
+fi
