@@ -41,6 +41,8 @@ extern const Command kPose;
 extern const Command kSummary;
 extern const Command kServe;
 extern const Command kExercises;
+extern const Command kLesson;
+extern const Command kCheck;
 
 /// Runs a command with its words, within `seconds`; the exit status. May throw std::bad_alloc.
 int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds);
