@@ -67,12 +67,16 @@ std::optional<Expected<Mechanism>> readPatiently(const std::function<Expected<Me
   QTimer::singleShot(silence, &loop, &QEventLoop::quit);
   loop.exec(QEventLoop::ExcludeUserInputEvents);
   if (!watcher.isFinished() && open) {
-    QProgressDialog dialog(QCoreApplication::translate("DocumentFiles", "Reading %1 …").arg(name),
-                           QCoreApplication::translate("DocumentFiles", "Cancel"), 0, 0, window);
-    dialog.setWindowModality(Qt::WindowModal);
-    QObject::connect(&dialog, &QProgressDialog::canceled, &loop, &QEventLoop::quit);
-    dialog.show();
+    // The window owns it and may be deleted while the loop runs, with it.
+    const QPointer<QProgressDialog> dialog =
+        new QProgressDialog(QCoreApplication::translate("DocumentFiles", "Reading %1 …").arg(name),
+                            QCoreApplication::translate("DocumentFiles", "Cancel"), 0, 0, window);
+    dialog->setWindowModality(Qt::WindowModal);
+    QObject::connect(dialog, &QProgressDialog::canceled, &loop, &QEventLoop::quit);
+    QObject::connect(window, &QObject::destroyed, &loop, &QEventLoop::quit);
+    dialog->show();
     loop.exec();
+    delete dialog;
   }
   if (!watcher.isFinished() || !open) return std::nullopt;
   return std::move(*watcher.result());

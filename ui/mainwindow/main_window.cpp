@@ -14,6 +14,7 @@
 #include "ui/canvas/drawing_accessible.h"
 #include "ui/canvas/tt_graph_view.h"
 #include "ui/derivation/derivation_panel.h"
+#include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/edit_commands.h"
@@ -233,6 +234,7 @@ void MainWindow::wireViews() {
   }
   connect(m_gearbox, &GearboxPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
   connect(m_forces, &ForcesPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
+  connect(m_dynamics, &DynamicsPanel::exportWanted, m_exports, &WindowExports::chooseAndExportTable);
   connect(m_matrices, &MatricesPanel::quantityExportWanted, m_exports,
           &WindowExports::chooseAndExportQuantity);
   connect(&m_matrices->model(), &MatrixModel::matrixChanged, this, &MainWindow::renewExport);
@@ -329,6 +331,7 @@ void MainWindow::onSnapshot(const SnapshotPtr& snapshot) {
   m_results->setSnapshot(snapshot);
   m_gearbox->setSnapshot(snapshot);
   m_forces->setSnapshot(snapshot);
+  m_dynamics->setSnapshot(snapshot);
   m_inputs->setSnapshot(snapshot);
   m_problems->setSnapshot(snapshot);
   m_status->setSnapshot(snapshot);
@@ -363,8 +366,8 @@ void MainWindow::renewExport() {
                                   ? tr("This matrix needs a mechanism without errors.")
                                   : tr("This matrix needs the turning joints to be a spanning tree."));
   const QString why = m_exports->whyNoDerivation();
-  WindowActions::setAvailable(m_actions->exportDerivation, why.isEmpty(), why);
-  for (QAction* action : {m_actions->showDerivation, m_actions->compareMethods})
+  for (QAction* action : {m_actions->exportDerivation, m_actions->exportHandout, m_actions->showDerivation,
+                          m_actions->compareMethods})
     WindowActions::setAvailable(action, why.isEmpty(), why);
 }
 
@@ -427,9 +430,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files->mayDiscard()) return event->ignore();
   m_files->discard();
   m_presentation->setOn(false);
-  QSettings settings;
-  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/state"), saveState());
+  if (m_lesson == nullptr) {  // whose panels are others
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState());
+  }
   event->accept();
   emit closed();
 }

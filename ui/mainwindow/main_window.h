@@ -15,6 +15,9 @@ class TtGraphView;
 namespace geargraph::inline forces {
 class ForcesPanel;
 }  // namespace geargraph::inline forces
+namespace geargraph::inline lessons {
+struct Lesson;
+}  // namespace geargraph::inline lessons
 namespace geargraph::inline panels {
 class GearboxPanel;
 class InputsPanel;
@@ -27,9 +30,16 @@ class ResultsPanel;
 namespace geargraph::inline search {
 class SearchField;
 }  // namespace geargraph::inline search
+namespace geargraph::inline ui_dynamics {
+class DynamicsPanel;
+}  // namespace geargraph::inline ui_dynamics
 namespace geargraph::inline ui_derivation {
 class DerivationPanel;
 }  // namespace geargraph::inline ui_derivation
+namespace geargraph::inline ui_lessons {
+class CourseDialog;
+class LessonPanel;
+}  // namespace geargraph::inline ui_lessons
 namespace geargraph::inline ui_schematic {
 class SchematicView;
 }  // namespace geargraph::inline ui_schematic
@@ -44,6 +54,7 @@ class DockTitles;
 class EditCommands;
 class NoticeBar;
 class ExportJobs;
+class FileWatch;
 class PowerView;
 class Presentation;
 class RecentFiles;
@@ -76,6 +87,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ResultsPanel& results() { return *m_results; }
   [[nodiscard]] GearboxPanel& gearbox() { return *m_gearbox; }
   [[nodiscard]] ForcesPanel& forces() { return *m_forces; }
+  [[nodiscard]] DynamicsPanel& dynamics() { return *m_dynamics; }
   [[nodiscard]] ProblemsPanel& problems() { return *m_problems; }
   [[nodiscard]] StatusLine& statusLine() { return *m_status; }
   [[nodiscard]] WindowActions& actions() { return *m_actions; }
@@ -100,6 +112,15 @@ class MainWindow : public QMainWindow {
   /// Over an empty document, until there is another one. `withRecent`: with the files of late.
   void showStartPage(bool withRecent = true);
   void setTheme(Theme theme);
+  /// Plays a lesson in this window from where the learner left it; its document belongs to the lesson from
+  /// now on and is never saved. `place`: "Lesson 4 of 15". `file`: of a preview, which is reloaded when it is
+  /// written.
+  void playLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
+  /// Previews the lesson of a file; what is wrong with it is reported in the status bar.
+  void openLessonFile(const QString& path);
+  /// Null in windows that play no lesson.
+  [[nodiscard]] LessonPanel* lesson() { return m_lesson; }
+  void showCourse();
   [[nodiscard]] Presentation& presentation() { return *m_presentation; }
   /// Is everything shown as the document is now?
   [[nodiscard]] bool isSettled() const;
@@ -109,6 +130,8 @@ class MainWindow : public QMainWindow {
   void settled();
   /// The window has been closed, and its document given up or saved.
   void closed();
+  /// A lesson is to be played in a window of its own.
+  void lessonWanted(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
 
  protected:
   bool event(QEvent* event) override;
@@ -167,6 +190,11 @@ class MainWindow : public QMainWindow {
   void showDerivation();
   void askForPicture();
   void showAbout();
+  void chooseLessonFile();
+  void wantLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
+  void makeLesson();
+  void playNextLesson();
+  void setAnswersOpen(bool isOpen);
 
   Workbench* m_workbench;
   Document* m_document;    ///< the workbench's
@@ -187,6 +215,7 @@ class MainWindow : public QMainWindow {
   MotionPanel* m_motion = nullptr;
   DerivationPanel* m_derivation = nullptr;
   ForcesPanel* m_forces = nullptr;
+  DynamicsPanel* m_dynamics = nullptr;
   InsertSetDialog* m_insertSet = nullptr;  ///< made when it is first wanted
   View3D* m_view3d = nullptr;
   StatusLine* m_status = nullptr;
@@ -207,6 +236,10 @@ class MainWindow : public QMainWindow {
   PowerView* m_power = nullptr;
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
+  LessonPanel* m_lesson = nullptr;     ///< made with the first lesson
+  CourseDialog* m_course = nullptr;    ///< made when it is first wanted
+  FileWatch* m_lessonWatch = nullptr;  ///< of a preview
+  QString m_lessonFile;
 };
 
 }  // namespace geargraph::inline mainwindow

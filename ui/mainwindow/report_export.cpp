@@ -1,4 +1,5 @@
-// File > Export derivation: both methods worked out, as a web page, PDF, LaTeX or Markdown.
+// File > Export derivation: both methods worked out, as a web page, PDF, LaTeX or Markdown. File > Export
+// handout: the same as one page with the train in three dimensions and inputs that move.
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,6 +8,7 @@
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/report/report.h"
+#include "core/presentation/results/handout_train.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
@@ -21,6 +23,11 @@ ReportForm formOf(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   if (suffix == QLatin1String("tex")) return ReportForm::latex;
   return suffix == QLatin1String("md") ? ReportForm::markdown : ReportForm::html;
+}
+
+ReportDrawings drawingsOf(const ReportLists& lists) {
+  const SheetLook look;
+  return {svgOf(lists.schematic, look), svgOf(lists.digraph, look), svgOf(lists.ttGraph, look)};
 }
 
 /// Why the file could not be written; empty where it was.
@@ -49,20 +56,30 @@ void WindowExports::chooseAndExportDerivation() {
   exportDerivation(path);
 }
 
-void WindowExports::exportDerivation(const QString& path) {
-  const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
+/// The drawings as the window shows them; what keeps them from being exported is told by refused().
+std::optional<ReportLists> WindowExports::shownLists() {
   if (!m_workbench.analysis().isComplete()) {
     emit refused(tr("The solution is still being worked out. Try again in a moment."));
-    return;
+    return std::nullopt;
   }
-  ReportLists lists;  // as the window shows them
+  ReportLists lists;
   for (DrawingView* each : m_views.drawings) {
     if (each->objectName() == QLatin1String("schematic")) lists.schematic = each->picture();
     if (each->objectName() == QLatin1String("digraph")) lists.digraph = each->picture();
     if (each->objectName() == QLatin1String("ttgraph")) lists.ttGraph = each->picture();
     const QString why = each->whyNoPicture();
-    if (!why.isEmpty()) return emit refused(why);
+    if (why.isEmpty()) continue;
+    emit refused(why);
+    return std::nullopt;
   }
+  return lists;
+}
+
+void WindowExports::exportDerivation(const QString& path) {
+  const std::optional<ReportLists> shown = shownLists();
+  if (!shown) return;
+  const ReportLists& lists = *shown;
+  const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
   const auto run = [=](const ExportJobs::Progress&, const std::stop_token& stop) {
     Report report = derivationReport(snapshot, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
@@ -71,12 +88,32 @@ void WindowExports::exportDerivation(const QString& path) {
           reportPdf(std::move(report), {lists.schematic, lists.digraph, lists.ttGraph});
       return pages ? writingError(path, *pages) : QString::fromStdString(pages.error().front().message);
     }
-    const std::string text = reportText(report, formOf(path), [&] {
-      const SheetLook look;
-      return ReportDrawings{svgOf(lists.schematic, look), svgOf(lists.digraph, look),
-                            svgOf(lists.ttGraph, look)};
-    });
-    return writingError(path, text);
+    return writingError(path, reportText(report, formOf(path), [&] { return drawingsOf(lists); }));
+  };
+  m_jobs->add({path, false, run});
+}
+
+void WindowExports::chooseAndExportHandout() {
+  const QString name = QFileInfo(m_files.title()).completeBaseName();
+  QString path = QFileDialog::getSaveFileName(
+      m_window, tr("Export handout"), name + QStringLiteral("-handout.html"), tr("Web page (*.html)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
+  exportHandout(path);
+}
+
+void WindowExports::exportHandout(const QString& path) {
+  const std::optional<ReportLists> lists = shownLists();
+  if (!lists) return;
+  const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
+  const std::filesystem::path folder =
+      QFile::encodeName(QFileInfo(m_files.source()).absolutePath()).toStdString();
+  const auto run = [=, lists = *lists](const ExportJobs::Progress&, const std::stop_token& stop) {
+    const MadeHandoutTrain made = handoutTrain(*snapshot, folder, stop);
+    const Expected<std::string> page =
+        handoutHtml(snapshot, drawingsOf(lists), made.train, HandoutUse::alone, stop);
+    if (stop.stop_requested()) return tr("The export was stopped.");
+    return page ? writingError(path, *page) : QString::fromStdString(page.error().front().message);
   };
   m_jobs->add({path, false, run});
 }

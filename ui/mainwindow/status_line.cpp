@@ -45,6 +45,10 @@ StatusLine::StatusLine(Selection* selection, QWidget* parent)
   renewMessage();
 }
 
+void StatusLine::showCounts(bool isShown) {
+  for (QToolButton* chip : {m_links, m_joints, m_meshes, m_rank, m_freedom}) chip->setVisible(isShown);
+}
+
 QToolButton* StatusLine::addChip(const char* name, const QString& tip, const char* look) {
   auto* chip = new QToolButton(this);
   chip->setObjectName(QLatin1String(name));

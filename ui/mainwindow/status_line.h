@@ -27,6 +27,8 @@ class StatusLine : public QStatusBar {
   void clearRefusal();
   void showNote(const QString& note);
   void setSnapshot(const SnapshotPtr& snapshot);
+  /// The chips; a lesson may ask for what they count.
+  void showCounts(bool isShown);
 
   [[nodiscard]] QString text() const;
 

@@ -90,6 +90,11 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
       "file.exportDerivation", words("Export &derivation…"),
       words("Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown"),
       {});
+  exportHandout =
+      make("file.exportHandout", words("Export &handout…"),
+           words("One page for any browser, also on a phone and without a network: drawings, matrices, "
+                 "solution, derivation and the train in 3D, with inputs that move"),
+           {});
   print = make("file.print", words("&Print…"),
                words("Print the drawings and the derivation, or look at the pages first"),
                {QKeySequence(QStringLiteral("Ctrl+P"))});
@@ -98,6 +103,13 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
            words("Both methods worked out step by step for this mechanism"), {QKeySequence(Qt::Key_F6)});
   compareMethods = make("learn.compare", words("&Compare the methods"),
                         words("Both methods side by side, counted for this mechanism"), {});
+  lessons =
+      make("learn.lessons", words("&Lessons…"),
+           words("A course from one gear pair to the robot, with tasks that are checked; in a window of "
+                 "its own"),
+           {});
+  lessonFile = make("learn.lessonFile", words("Open a lesson &file…"),
+                    words("Preview a lesson of your own: it is reloaded whenever the file is saved"), {});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});
   quit =
       make("file.quit", words("&Quit"), words("Close all windows"), {QKeySequence(QStringLiteral("Ctrl+Q"))});

@@ -31,9 +31,12 @@ struct WindowActions {
   QAction* restoreSession;
   QAction* exportPicture;
   QAction* exportDerivation;
+  QAction* exportHandout;
   QAction* print;
   QAction* showDerivation;
   QAction* compareMethods;
+  QAction* lessons;
+  QAction* lessonFile;
   QAction* close;
   QAction* quit;
 

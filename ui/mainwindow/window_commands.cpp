@@ -55,7 +55,8 @@ void MainWindow::makeMenus() {
                         [this, path] { m_files->openForPerson(path); });
   }
   file->addSeparator();
-  file->addActions({a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture, a.exportDerivation});
+  file->addActions(
+      {a.save, a.saveAs, a.revert, a.exportMatrix, a.exportPicture, a.exportDerivation, a.exportHandout});
   file->addSeparator();
   file->addAction(a.print);
   file->addSeparator();
@@ -101,7 +102,7 @@ void MainWindow::makeMenus() {
   motion->addSeparator();
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-  menu(tr("&Learn"))->addActions({a.showDerivation, a.compareMethods, a.lookUp});
+  menu(tr("&Learn"))->addActions({a.lessons, a.lessonFile, a.showDerivation, a.compareMethods, a.lookUp});
   menu(tr("&Help"))->addActions({a.search, a.shortcuts, a.about});
 }
 
@@ -111,6 +112,7 @@ void MainWindow::wireActions() {
   connect(a.exportMatrix, &QAction::triggered, this, [this] { m_matrices->wantExport(); });
   connect(a.exportPicture, &QAction::triggered, this, &MainWindow::askForPicture);
   connect(a.exportDerivation, &QAction::triggered, m_exports, &WindowExports::chooseAndExportDerivation);
+  connect(a.exportHandout, &QAction::triggered, m_exports, &WindowExports::chooseAndExportHandout);
   connect(a.print, &QAction::triggered, this, &MainWindow::showPrintDialog);
   connect(a.history, &QAction::triggered, this, &MainWindow::showHistory);
   connect(a.copyPicture, &QAction::triggered, this, [this] {
@@ -121,6 +123,8 @@ void MainWindow::wireActions() {
     showDerivation();
     m_derivation->showSection(QString::fromLatin1(kComparisonHeading));
   });
+  connect(a.lessons, &QAction::triggered, this, &MainWindow::showCourse);
+  connect(a.lessonFile, &QAction::triggered, this, &MainWindow::chooseLessonFile);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

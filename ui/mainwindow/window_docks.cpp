@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/derivation/derivation_panel.h"
+#include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
 #include "ui/mainwindow/main_window.h"
@@ -48,7 +49,9 @@ QAction* MainWindow::makePanelAction(QDockWidget* dock) {
   action->setObjectName(dock->objectName());
   action->setCheckable(true);
   action->setProperty(kRevealsPanel, true);
-  action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size())));
+  constexpr std::size_t kMostKeys = 10;  // the tenth has 0
+  if (m_docks.size() <= kMostKeys)
+    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(m_docks.size() % kMostKeys)));
   connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
   connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
     dock->setVisible(isWanted);
@@ -99,6 +102,9 @@ void MainWindow::makeDocks() {
   m_forces = new ForcesPanel(m_document, m_selection, &m_workbench->forces(), this);
   QDockWidget* forces = addDock("dock.forces", tr("Forces"), m_forces);
   connect(forces, &QDockWidget::visibilityChanged, m_forces, &ForcesPanel::setAwake);
+  m_dynamics = new DynamicsPanel(m_document, m_selection, m_view3d, this);
+  QDockWidget* dynamics = addDock("dock.dynamics", tr("Dynamics"), m_dynamics);
+  connect(dynamics, &QDockWidget::visibilityChanged, m_dynamics, &DynamicsPanel::setAwake);
   connect(m_problems, &ProblemsPanel::countChanged, problems,
           [problems](int count) { problems->setWindowTitle(tr("Problems %1").arg(count)); });
   placeDocks();
@@ -116,6 +122,7 @@ void MainWindow::placeDocks() {
   tabifyDockWidget(dock("dock.problems"), dock("dock.speeds"));
   tabifyDockWidget(dock("dock.speeds"), dock("dock.derivation"));
   tabifyDockWidget(dock("dock.derivation"), dock("dock.forces"));
+  tabifyDockWidget(dock("dock.forces"), dock("dock.dynamics"));
   addDockWidget(Qt::RightDockWidgetArea, dock("dock.view3d"));
   splitDockWidget(dock("dock.view3d"), dock("dock.inputs"), Qt::Vertical);
   tabifyDockWidget(dock("dock.inputs"), dock("dock.gearbox"));

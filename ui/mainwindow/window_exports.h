@@ -4,6 +4,7 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/foundations/base/expected.h"
@@ -17,6 +18,9 @@ class QWidget;
 namespace geargraph::inline canvas {
 class DrawingView;
 }  // namespace geargraph::inline canvas
+namespace geargraph::inline pages {
+struct ReportLists;
+}  // namespace geargraph::inline pages
 namespace geargraph::inline printing {
 class PrintedPages;
 using PrintedPagesPtr = std::shared_ptr<const PrintedPages>;
@@ -69,6 +73,8 @@ class WindowExports : public QObject {
   void copyPicture(const QString& view);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
   void exportDerivation(const QString& path);
+  /// The mechanism as one page for any browser; written() follows.
+  void exportHandout(const QString& path);
   /// Prints pages on a thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
@@ -83,6 +89,7 @@ class WindowExports : public QObject {
   void chooseAndExportTable(const QString& name, const QString& csv);
   void chooseAndExportPicture(const PictureWish& wish);
   void chooseAndExportDerivation();
+  void chooseAndExportHandout();
   void chooseAndSaveTrace();
   void chooseAndSaveSpeeds();
 
@@ -99,6 +106,7 @@ class WindowExports : public QObject {
   void chooseCsv(const QString& name, const std::function<void(const QString&, const CsvOptions&)>& write);
   void exportView3D(const PictureWish& wish, const QString& path);
   void copyView3D();
+  [[nodiscard]] std::optional<ReportLists> shownLists();
   void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);
 

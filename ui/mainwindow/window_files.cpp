@@ -105,19 +105,27 @@ QString WindowFiles::source() const {
   return m_document->filePath().isEmpty() ? m_example : m_document->filePath();
 }
 
+void WindowFiles::keepNothing(const QString& title) {
+  m_lessonTitle = title;
+  if (m_autosave) m_autosave->discard();
+  m_autosave.reset();
+  emit joined();
+}
+
 QString WindowFiles::title() const {
+  if (keepsNothing()) return m_lessonTitle;
   const QString name = QFileInfo(source()).fileName();
   return name.isEmpty() ? tr("Untitled") : name;
 }
 
 bool WindowFiles::isUnused() const {
-  return m_document->filePath().isEmpty() && !m_document->isModified();
+  return m_document->filePath().isEmpty() && !m_document->isModified() && !keepsNothing();
 }
 
 void WindowFiles::newForPerson() {
   const bool isEmpty =
       m_document->filePath().isEmpty() && isSameButForView(*m_document->mechanism(), emptyMechanism());
-  if (isEmpty) return startAnew();  // all that was drawn has been deleted: nothing to save
+  if (isEmpty && !keepsNothing()) return startAnew();  // all that was drawn has been deleted: nothing to save
   if (isUnused() || m_windows == nullptr) {
     if (mayDiscard()) startAnew();
   } else {
@@ -162,6 +170,9 @@ void WindowFiles::renewActions(const WindowActions& actions) const {
   WindowActions::setAvailable(actions.newWindow, m_windows != nullptr, alone);
   WindowActions::setAvailable(actions.restoreSession, m_windows != nullptr, alone);
   actions.restoreSession->setChecked(m_windows != nullptr && m_windows->restoresSession());
+  for (QAction* save : {actions.save, actions.saveAs})
+    WindowActions::setAvailable(
+        save, !keepsNothing(), tr("A lesson's drawing is not kept: copy what you need into another window."));
   const bool hasFile = !m_document->filePath().isEmpty();
   WindowActions::setAvailable(
       actions.revert, hasFile && m_document->isModified(),

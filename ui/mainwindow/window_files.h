@@ -99,6 +99,9 @@ class WindowFiles : public QObject {
 
   /// From now on the window is one of several, and unsaved changes are kept in side files.
   void join(Windows* windows, const QString& recoveryFolder);
+  /// The document is a lesson's: it has this title, no file and no side file, is given up without a question,
+  /// and nothing is opened in its place.
+  void keepNothing(const QString& title);
   /// The window to the front, and active as far as the desktop lets a program do that.
   void bringForward();
   /// Offers a document that an earlier run has left in a side file.
@@ -111,6 +114,7 @@ class WindowFiles : public QObject {
   [[nodiscard]] QString title() const;
   /// Is the file open in another window or program, so that this window does not write to it?
   [[nodiscard]] bool isReadOnly() const { return m_isReadOnly; }
+  [[nodiscard]] bool keepsNothing() const { return !m_lessonTitle.isEmpty(); }
   [[nodiscard]] const Autosave* autosave() const { return m_autosave.get(); }
 
  signals:
@@ -160,6 +164,7 @@ class WindowFiles : public QObject {
   QString m_example;      ///< the example that is open, which is no file yet
   MechanismPtr m_onDisk;  ///< what the file held when it was read or written here
   FileWatch m_watch;
+  QString m_lessonTitle;  ///< of a document that is not kept; else empty
   bool m_isReadOnly = false;
   std::unique_ptr<Autosave> m_autosave;
 };

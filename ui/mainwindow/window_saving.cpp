@@ -87,7 +87,7 @@ bool WindowFiles::mayReplace(const QString& path) {
 }
 
 bool WindowFiles::mayDiscard() {
-  if (!m_document->isModified()) return true;
+  if (!m_document->isModified() || keepsNothing()) return true;
   // Several windows may be closing; the question is about this one.
   if (!m_window->isActiveWindow()) {
     m_window->raise();

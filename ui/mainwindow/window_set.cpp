@@ -80,6 +80,7 @@ MainWindow& WindowSet::add() {
   window.files().join(this, m_folder);
   connect(&window, &MainWindow::closed, this, [this, &window] { onClosed(&window); });
   connect(&window.files(), &WindowFiles::sourceChanged, this, &WindowSet::remember);
+  connect(&window, &MainWindow::lessonWanted, this, &WindowSet::openLesson);
   m_lookSoon->start();
   return window;
 }
@@ -89,6 +90,16 @@ MainWindow& WindowSet::openNew() {
   window.show();
   remember();
   return window;
+}
+
+/// All lessons share one window, so that they never take the place of the learner's own document.
+void WindowSet::openLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place,
+                           const QString& file) {
+  const auto open = std::find_if(m_windows.begin(), m_windows.end(),
+                                 [](const auto& window) { return window->lesson() != nullptr; });
+  MainWindow& window = open != m_windows.end() ? **open : openNew();
+  window.playLesson(lesson, place, file);
+  window.files().bringForward();
 }
 
 WindowFiles& WindowSet::addWindow() {

@@ -11,6 +11,10 @@
 
 class QTimer;
 
+namespace geargraph::inline lessons {
+struct Lesson;
+}  // namespace geargraph::inline lessons
+
 namespace geargraph::inline mainwindow {
 
 class MainWindow;
@@ -51,6 +55,7 @@ class WindowSet : public QObject, public WindowFiles::Windows {
   bool reopenSession();
   void offerLeftBehind();
   void onClosed(MainWindow* window);
+  void openLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
   void look();
   void remember();
 

@@ -362,19 +362,22 @@ int ResultsPanel::widthOfColumn(int column) const {
   return std::min(width, kMostWidth);
 }
 
-/// Hundreds of inputs make as many columns: those that are far to the right are measured when they are
-/// scrolled to.
+/// Hundreds of inputs make as many columns: those that are far to the left or right are measured when they
+/// are scrolled to.
 void ResultsPanel::fitColumns() {
   const int columns = m_model->columnCount();
   if (columns == 0) return;
   m_measured.resize(static_cast<std::size_t>(columns), 0);
-  const int seen = m_table->horizontalScrollBar()->value() + 2 * m_table->viewport()->width();
+  const int width = m_table->viewport()->width();
+  const int left = m_table->horizontalScrollBar()->value() - width;
+  const int right = m_table->horizontalScrollBar()->value() + 2 * width;
   int all = 0;
   std::vector<int> widths;
   for (int column = 0; column < columns; ++column) {
     int& measured = m_measured[static_cast<std::size_t>(column)];
     const bool isLast = column == columns - 1;
-    if (measured == 0 && (all <= seen || isLast)) measured = widthOfColumn(column);
+    const bool isNear = all <= right && all + std::max(measured, kLeastWidth) >= left;
+    if (measured == 0 && (isNear || isLast)) measured = widthOfColumn(column);
     all += widths.emplace_back(std::max(measured, kLeastWidth));
   }
   widths.push_back(m_table->viewport()->width());
@@ -388,6 +391,11 @@ void ResultsPanel::fitColumns() {
   const int wanted = all > m_table->viewport()->width() ? std::min(1, now) : now;
   if (header->visualIndex(now) != wanted) header->moveSection(header->visualIndex(now), wanted);
   m_table->horizontalHeader()->setStretchLastSection(true);
+}
+
+int ResultsPanel::columnsFitted() const {
+  return static_cast<int>(
+      std::count_if(m_measured.begin(), m_measured.end(), [](int width) { return width > 0; }));
 }
 
 QString ResultsPanel::verdict() const {

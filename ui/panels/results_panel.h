@@ -31,6 +31,8 @@ class ResultsPanel : public QWidget {
   void setSnapshot(const SnapshotPtr& snapshot);
   [[nodiscard]] ResultsModel& model() { return *m_model; }
   [[nodiscard]] QString verdict() const;
+  /// How many columns of rates have the width of what they hold: those that are or were near to be seen.
+  [[nodiscard]] int columnsFitted() const;
   /// The absolute velocities of the links instead of the relative ones of the joints.
   void setAbsolute(bool absolute);
   void setUnit(const SpeedUnit& unit);

@@ -37,10 +37,12 @@ class DrawingsTest : public QObject {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  QByteArray derivation(const QString& name) {
+  QByteArray derivation(const QString& name) { return written(name, &WindowExports::exportDerivation); }
+  QByteArray handout(const QString& name) { return written(name, &WindowExports::exportHandout); }
+  QByteArray written(const QString& name, void (WindowExports::*write)(const QString&)) {
     const QString path = folder.filePath(name);
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    window->exports().exportDerivation(path);
+    (window->exports().*write)(path);
     if (done.empty()) done.wait(60'000);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -92,6 +94,15 @@ class DrawingsTest : public QObject {
     QVERIFY(derivation("derivation.pdf").startsWith("%PDF-"));
   }
 
+  // The page has what the file on disk would give, with the train and its still picture.
+  void theHandoutIsAFile() {
+    QVERIFY(window->actions().exportHandout->isEnabled());
+    const QByteArray page = handout("handout.html");
+    QCOMPARE(page.count("<figure>"), qsizetype{3});
+    QVERIFY(page.contains("id=\"geometry\"") && page.contains("src=\"data:image/png;base64,"));
+    QVERIFY(page.contains("id=\"eq25\"") && page.endsWith("</html>\n"));
+  }
+
   // One key, and both methods are there, as the document is now.
   void theDerivationIsShownInTheWindow() {
     DerivationPanel& panel = window->derivation();
@@ -108,6 +119,7 @@ class DrawingsTest : public QObject {
     MainWindow empty;
     QTRY_VERIFY(empty.isSettled());
     QVERIFY(!empty.actions().exportDerivation->isEnabled());
+    QVERIFY(!empty.actions().exportHandout->isEnabled());
     QVERIFY(empty.actions().exportDerivation->toolTip().contains("nothing drawn"));
   }
 

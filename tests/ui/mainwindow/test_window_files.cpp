@@ -137,6 +137,22 @@ class WindowFilesTest : public QObject, protected test::FileWindows {
     gate->release();
   }
 
+  void aWindowMayGoWhileItReads() {
+    QWidget* const window = new QWidget;
+    const auto gate = std::make_shared<QSemaphore>();
+    const auto never = [gate]() -> Expected<Mechanism> {
+      gate->acquire();
+      return emptyMechanism();
+    };
+    QTimer ticks;
+    connect(&ticks, &QTimer::timeout, window, [window] {
+      if (window->findChild<QProgressDialog*>() != nullptr) delete window;
+    });
+    ticks.start(0);
+    QVERIFY(!readPatiently(never, QStringLiteral("slow.geargraph"), window, 1).has_value());
+    gate->release();
+  }
+
   void filesAreDropped() {
     const QString one = written(QStringLiteral("one.geargraph"), 1);
     const QString two = written(QStringLiteral("two.geargraph"), 2);

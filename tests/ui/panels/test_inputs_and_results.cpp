@@ -2,6 +2,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTableView>
@@ -252,6 +253,24 @@ class InputsAndResultsTest : public QObject {
     document->undoStack().undo();
     QCOMPARE(rows(), 0);
     QVERIFY(!more->isVisibleTo(inputs.get()));
+  }
+
+  void aJumpToTheEndMeasuresNoColumnOnTheWay() {
+    results->setSnapshot(analyzeLive(std::make_shared<const Mechanism>(test::randomTrain(7, 1000, 400)), 1));
+    results->resize(500, 300);
+    results->show();
+    const int columns = results->model().columnCount();
+    QVERIFY(columns > 100);
+    const QList<QTableView*> tables = results->findChildren<QTableView*>();
+    const auto rates = std::find_if(tables.begin(), tables.end(),
+                                    [&](auto* table) { return table->model() == &results->model(); });
+    QVERIFY(rates != tables.end());
+    QScrollBar* bar = (*rates)->horizontalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 0);
+    const int first = results->columnsFitted();
+    bar->setValue(bar->maximum());
+    QVERIFY(results->columnsFitted() > first);
+    QVERIFY2(results->columnsFitted() < columns / 4, qPrintable(QString::number(results->columnsFitted())));
   }
 
   void nothingSolvedIsNotCalledEqual() {

@@ -1,0 +1,273 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
+
+#include "core/foundations/files/file.h"
+#include "core/presentation/typeset/tex_reader.h"
+#include "core/teaching/lessons/course.h"
+#include "core/teaching/lessons/lesson_checker.h"
+#include "tests/ui/mainwindow/file_windows.h"
+#include "ui/canvas/tt_graph_view.h"
+#include "ui/lessons/answer_form.h"
+#include "ui/lessons/course_dialog.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_actions.h"
+
+namespace geargraph {
+
+using State = LessonPanel::State;
+
+/// A learner works on lessons in the real window; an author previews one.
+class WindowLessonsTest : public QObject, private test::FileWindows {
+  Q_OBJECT
+
+  [[nodiscard]] LessonPanel& panel() const { return *last().lesson(); }
+  template <class Widget>
+  Widget* part(const char* name) const {
+    return panel().findChild<Widget*>(QLatin1String(name));
+  }
+  static std::size_t positionOf(const std::string& id) {
+    for (std::size_t i = 0; i < course().size(); ++i) {
+      if (course()[i].id == id) return i;
+    }
+    qFatal("no such lesson");
+  }
+  /// A window with a document of the learner's, and the lesson beside it at this step.
+  void play(const std::string& id, int step = 0) {
+    if (set->windows().empty()) set->openNew();
+    emit first().lessonWanted(std::make_shared<const Lesson>(course()[positionOf(id)]), "Lesson", QString());
+    QCOMPARE(set->windows().size(), std::size_t{2});
+    panel().goTo(step);
+    QTRY_COMPARE(panel().state(), State::open);
+  }
+  void press(const char* button) const { QTest::mouseClick(part<QPushButton>(button), Qt::LeftButton); }
+  void answerWith(const std::vector<std::string>& answer) const {
+    panel().form().setAnswer(answer);
+    press("lessonCheck");
+  }
+  [[nodiscard]] const LessonStep& step() const {
+    return panel().lesson()->steps[static_cast<std::size_t>(panel().step())];
+  }
+  void draw(const LessonDocument& drawing) const {
+    const auto mechanism = mechanismOf(drawing, bundledExample, {});
+    QVERIFY(mechanism.has_value());
+    last().document().apply({QStringLiteral("Draw"),
+                             [mechanism](const Mechanism&) -> Expected<Mechanism> { return **mechanism; },
+                             0});
+    press("lessonCheck");
+  }
+  static std::string saved(const QString& path, std::string text, const std::string& from,
+                           const std::string& to) {
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    if (writeFile(QFile::encodeName(path).toStdString(), text)) qFatal("not written");
+    return text;
+  }
+
+ private slots:
+  void initTestCase() { setUpWindows(); }
+  void init() { makeFolder(); }
+  void cleanup() { set.reset(); }
+
+  void theCourseIsChosenFromAndKeepsProgress() {
+    set->openNew();
+    addLink(first());
+    const MechanismPtr own = first().document().mechanism();
+    first().actions().lessons->trigger();
+    auto* dialog = first().findChild<CourseDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    QCOMPARE(dialog->list().model()->rowCount(), static_cast<int>(course().size()));
+    QTest::keyClick(&dialog->list(), Qt::Key_Return);
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+    QTRY_COMPARE(panel().state(), State::open);
+    QVERIFY(!dialog->isVisible());
+    QCOMPARE(part<QLabel>("lessonTitle")->text(), QString("One gear pair"));
+    answerWith({"2/3"});
+    QCOMPARE(panel().state(), State::right);
+    QCOMPARE(first().document().mechanism(), own);
+    QVERIFY(first().document().isModified());
+    last().document().apply({QStringLiteral("Add"),
+                             [](const Mechanism& m) {
+                               return withLink(m, SheetPoint{10, 10});
+                             },
+                             0});
+    last().close();  // asks nothing, and leaves no side file
+    QTRY_COMPARE(set->windows().size(), std::size_t{1});
+    QCOMPARE(progressOf(course().front()).score(), 2);
+    dialog->renew();
+    QVERIFY(dialog->list().model()->index(0, 0).data(Qt::DisplayRole).toString().contains("gear pair"));
+    QCOMPARE(dialog->findChild<QPushButton*>("courseStart")->text(), QString("Continue"));
+  }
+
+  void wrongAnswersAreExplainedAndCorrected() {
+    play("gear-pair");
+    auto* field = part<QLineEdit>("answer.turns of gear 2");
+    QCOMPARE(QApplication::focusWidget(), field);
+    QTest::keyClicks(field, "3/2");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(panel().state(), State::wrong);
+    QVERIFY2(panel().resultText().contains("upside down"), qPrintable(panel().resultText()));
+    QCOMPARE(part<QPushButton>("lessonCheck")->text(), QString("Try again"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(panel().state(), State::open);
+    QTest::keyClicks(field, "0.667");  // selected, so it is replaced; a decimal of three digits will do
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(panel().state(), State::right);
+    QCOMPARE(panel().progress().score(), 1);
+    QTest::keyClick(part<QPushButton>("lessonCheck"), Qt::Key_Return);
+    QTRY_COMPARE(panel().step(), 1);
+  }
+
+  void hintsAndShowingCostPoints() {
+    play("gear-pair");
+    press("lessonHint");
+    QVERIFY(part<QLabel>("lessonHints")->text().startsWith("1. "));
+    press("lessonHint");
+    QVERIFY(!part<QPushButton>("lessonHint")->isEnabled());
+    answerWith({"2/3"});
+    QCOMPARE(panel().progress().score(), 1);
+    panel().next();
+    QTRY_COMPARE(panel().state(), State::open);
+    press("lessonShow");
+    QCOMPARE(panel().state(), State::shown);
+    QCOMPARE(panel().form().answer(), std::vector<std::string>{"-2/3"});
+    QCOMPARE(panel().progress().points[1], 0);
+  }
+
+  void viewsThatHoldTheAnswerAreClosedUntilItIsRight() {
+    play("cycle-basis", 2);
+    auto* matrices = last().findChild<QDockWidget*>("dock.matrices");
+    auto* action = last().findChild<QAction*>("dock.matrices");
+    QVERIFY(matrices->isHidden() && !action->isEnabled());
+    QVERIFY(action->toolTip().contains("holds the answer"));
+    QVERIFY(last().findChild<QToolButton*>("chip.rank")->isHidden());
+    QVERIFY(last().selection().isSelected(MeshId("17")));
+    std::vector<std::string> answer = panel().form().answer();
+    for (const int along : {3, 4, 9}) answer[static_cast<std::size_t>(along)] = "1";
+    answer[5] = "-1";
+    answerWith(answer);
+    QCOMPARE(panel().state(), State::wrong);
+    QVERIFY(last().selection().isSelected(JointId("12")));
+    QVERIFY2(panel().resultText().contains("against the arrow of joint 12"),
+             qPrintable(panel().resultText()));
+    answer[4] = "-1";
+    press("lessonCheck");
+    answerWith(answer);
+    QCOMPARE(panel().state(), State::right);
+    QVERIFY(action->isEnabled());
+    QVERIFY(!last().findChild<QToolButton*>("chip.rank")->isHidden());
+    action->trigger();
+    QVERIFY(!matrices->isHidden());
+    panel().next();
+    QVERIFY(matrices->isHidden());
+  }
+
+  /// Steps that share a mechanism: the drawing stays, and what was edited is put right.
+  void theNextStepBeginsWithItsMechanism() {
+    play("tt-graph", 3);
+    QTRY_VERIFY(last().isSettled());
+    last().document().apply({QStringLiteral("Add"),
+                             [](const Mechanism& m) {
+                               return withLink(m, SheetPoint{10, 10});
+                             },
+                             0});
+    panel().next();
+    QTRY_COMPARE(panel().state(), State::open);
+    QCOMPARE(last().document().mechanism()->n(), 7);
+    QTRY_VERIFY(last().isSettled());
+    QCOMPARE(last().drawing().objectName(), QString("schematic"));
+    last().showDrawing(QStringLiteral("ttgraph"));
+    QVERIFY(last().ttGraph().displayList().marks.size() > 20);
+    panel().back();
+    QTRY_COMPARE(panel().state(), State::open);
+    QTRY_VERIFY(last().isSettled());
+    QVERIFY(last().ttGraph().displayList().marks.size() > 20);
+  }
+
+  void elementsArePickedInTheDrawing() {
+    play("paths-trees-cycles", 1);
+    last().selection().select({JointId("14"), JointId("10"), LinkId("3")});
+    QCOMPARE(panel().form().answer(), std::vector<std::string>{"10, 14"});
+    press("lessonCheck");
+    QCOMPARE(panel().state(), State::wrong);
+    last().selection().toggle(JointId("12"));
+    press("lessonCheck");
+    QCOMPARE(panel().state(), State::right);
+  }
+
+  /// Every task of every lesson with its mistakes and a right answer.
+  void everyLessonIsFinished_data() {
+    QTest::addColumn<int>("lesson");
+    for (std::size_t i = 0; i < course().size(); ++i)
+      QTest::newRow(course()[i].id.c_str()) << static_cast<int>(i);
+  }
+  void everyLessonIsFinished() {
+    QFETCH(int, lesson);
+    const Lesson& played = course()[static_cast<std::size_t>(lesson)];
+    play(played.id);
+    for (std::size_t i = 0; i < played.steps.size(); ++i) {
+      QTRY_COMPARE(panel().state(), State::open);
+      QCOMPARE(panel().step(), static_cast<int>(i));
+      if (const auto* drawing = std::get_if<DrawTask>(&step().task)) {
+        draw(drawing->mistakes.front().drawing);
+        QTRY_COMPARE_WITH_TIMEOUT(panel().state(), State::wrong, 20'000);
+        draw(drawing->solution);
+        QTRY_COMPARE_WITH_TIMEOUT(panel().state(), State::right, 20'000);
+      } else {
+        const auto prepared = prepareStep(played, i, bundledExample);
+        const Question& question = *prepared->question;
+        if (const auto* task = std::get_if<AnswerTask>(&step().task)) {
+          answerWith(exampleOf(task->mistakes.front(), question));
+          QCOMPARE(panel().state(), State::wrong);
+          QVERIFY(panel().resultText().size() > 10);
+          press("lessonCheck");
+        }
+        answerWith(question.solution);
+        QVERIFY2(panel().state() == State::right, qPrintable(panel().resultText()));
+      }
+      if (i + 1 < played.steps.size()) press("lessonCheck");
+    }
+    QVERIFY(panel().progress().isComplete());
+  }
+
+  void everyFormulaCanBeSet() {
+    const auto check = [](const std::string& tex) { QVERIFY2(readTex(tex).fault.empty(), tex.c_str()); };
+    for (const Lesson& lesson : course()) {
+      for (const LessonStep& each : lesson.steps) {
+        if (!each.formula.empty()) check(each.formula);
+      }
+    }
+  }
+
+  void aPreviewFollowsItsFile() {
+    set->openNew();
+    const QString path = pathOf("mine.json");
+    QFile bundled(QStringLiteral(GEARGRAPH_LESSONS "/01-gear-pair.json"));
+    QVERIFY(bundled.open(QIODevice::ReadOnly));
+    std::string text = saved(path, bundled.readAll().toStdString(), {}, {});
+    first().openLessonFile(path);
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+    QTRY_COMPARE(panel().state(), State::open);
+    panel().goTo(1);
+    QTRY_COMPARE(panel().state(), State::open);
+    text = saved(path, text, "One gear pair", "My own pair");
+    QTRY_COMPARE(part<QLabel>("lessonTitle")->text(), QString("My own pair"));
+    QTRY_COMPARE(panel().state(), State::open);
+    QCOMPARE(panel().step(), 1);
+    saved(path, text, "\"goal\"", "\"gaol\"");
+    QTRY_VERIFY2(panel().resultText().contains("mine.json, line 7:"), qPrintable(panel().resultText()));
+    QVERIFY(panel().resultText().contains("\"gaol\" is not known here"));
+    first().openLessonFile(path);
+    QVERIFY(first().statusLine().text().contains("mine.json, line 7:"));
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowLessonsTest)
+#include "test_window_lessons.moc"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QDialog>
+
+#include "core/teaching/lessons/lesson.h"
+
+class QLabel;
+class QListView;
+class QPushButton;
+class QStandardItemModel;
+
+namespace geargraph::inline ui_lessons {
+
+/// The lessons of the program with what they teach, the time they take and how far the learner has come. A
+/// double click, or Return, starts one or takes it up.
+class CourseDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit CourseDialog(QWidget* parent = nullptr);
+
+  /// Reads the progress anew.
+  void renew();
+  [[nodiscard]] QListView& list() { return *m_list; }
+
+ signals:
+  void lessonChosen(int lesson);  ///< by its position in the course
+  void fileWanted();
+
+ private:
+  void choose(int lesson);
+  void renewButton();
+
+  QStandardItemModel* m_model;
+  QListView* m_list;
+  QLabel* m_summary;
+  QPushButton* m_start;
+};
+
+}  // namespace geargraph::inline ui_lessons

@@ -1,0 +1,49 @@
+#include "ui/lessons/lesson_progress.h"
+
+#include <QSettings>
+#include <QVariant>
+#include <algorithm>
+
+namespace geargraph::inline ui_lessons {
+namespace {
+
+QString keyOf(const Lesson& lesson, const char* member) {
+  return QStringLiteral("lessons/%1/%2").arg(QString::fromStdString(lesson.id), QLatin1String(member));
+}
+
+}  // namespace
+
+int LessonProgress::score() const {
+  int score = 0;
+  for (const int each : points) score += std::max(each, 0);
+  return score;
+}
+
+int LessonProgress::doneSteps() const {
+  return static_cast<int>(
+      std::count_if(points.begin(), points.end(), [](int each) { return each != kNotDone; }));
+}
+
+LessonProgress progressOf(const Lesson& lesson) {
+  const QSettings settings;
+  LessonProgress progress;
+  const int last = static_cast<int>(lesson.steps.size()) - 1;
+  progress.step = std::clamp(settings.value(keyOf(lesson, "step"), 0).toInt(), 0, last);
+  const QStringList kept = settings.value(keyOf(lesson, "points")).toStringList();
+  for (qsizetype i = 0; i <= last; ++i) {
+    bool isNumber = false;
+    const int points = i < kept.size() ? kept[i].toInt(&isNumber) : kNotDone;
+    progress.points.push_back(isNumber ? std::clamp(points, kNotDone, kStepPoints) : kNotDone);
+  }
+  return progress;
+}
+
+void saveProgress(const Lesson& lesson, const LessonProgress& progress) {
+  QSettings settings;
+  QStringList points;
+  for (const int each : progress.points) points << QString::number(each);
+  settings.setValue(keyOf(lesson, "step"), progress.step);
+  settings.setValue(keyOf(lesson, "points"), points);
+}
+
+}  // namespace geargraph::inline ui_lessons

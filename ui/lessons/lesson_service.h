@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/teaching/lessons/prepared_step.h"
+#include "ui/service/service.h"
+
+namespace geargraph::inline ui_lessons {
+
+using LessonPtr = std::shared_ptr<const Lesson>;
+
+/// A step that is to be prepared or, with a drawing, one whose drawing is to be judged.
+struct LessonRequest {
+  LessonPtr lesson;
+  std::size_t step = 0;
+  MechanismPtr drawing = {};
+};
+
+struct LessonAnswer {
+  std::optional<PreparedStep> prepared;
+  std::optional<Verdict> drawing;
+  Diagnostics faults;  ///< why a step could not be prepared
+};
+using LessonAnswerPtr = std::shared_ptr<const LessonAnswer>;
+
+/// Prepares steps and judges drawings off the GUI thread.
+class LessonService final : public Service<LessonRequest, LessonAnswerPtr> {
+ public:
+  explicit LessonService(QObject* parent = nullptr);
+};
+
+}  // namespace geargraph::inline ui_lessons

@@ -1,0 +1,59 @@
+#include "ui/lessons/lesson_words.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/presentation/report/report_words.h"
+#include "core/presentation/typeset/tex_reader.h"
+
+namespace geargraph::inline ui_lessons {
+namespace {
+
+bool canBeSet(const std::string& tex) {
+  return readTex(tex).fault.empty();
+}
+
+/// Authors may forget a dollar sign or misspell a command: then all of it is words.
+ReportWords wordsOf(const std::string& sentence) {
+  if (std::count(sentence.begin(), sentence.end(), '$') % 2 != 0) return plainWords(sentence);
+  ReportWords words = reportWords(sentence);
+  for (ReportSpan& span : words) {
+    if (span.isFormula && !canBeSet(span.text)) span.isFormula = false;
+  }
+  return words;
+}
+
+void addFormula(Report& report, const std::string& tex, const std::string& equation) {
+  if (tex.empty()) return;
+  if (!canBeSet(tex)) {
+    report.blocks.emplace_back(ReportParagraph{plainWords(tex)});
+    return;
+  }
+  ReportEquation set{tex, std::nullopt, {}};
+  int number = 0;
+  const auto [end, error] = std::from_chars(equation.data(), equation.data() + equation.size(), number);
+  if (error == std::errc() && end == equation.data() + equation.size()) set.number = number;
+  report.blocks.emplace_back(std::move(set));
+}
+
+}  // namespace
+
+SetReportPtr stepText(const std::string& title, const std::string& text, const std::string& formula,
+                      const std::string& equation, const std::string& task, const std::string& prompt,
+                      const std::string& taskFormula) {
+  Report report;
+  report.title = title;
+  report.blocks.emplace_back(ReportHeading{2, title});
+  report.blocks.emplace_back(ReportParagraph{wordsOf(text)});
+  addFormula(report, formula, equation);
+  report.blocks.emplace_back(ReportHeading{2, task});
+  report.blocks.emplace_back(ReportParagraph{wordsOf(prompt)});
+  addFormula(report, taskFormula, {});
+  return std::make_shared<const SetReport>(std::move(report));
+}
+
+QString plainSentence(const std::string& sentence) {
+  return QString::fromStdString(sentence).remove(QLatin1Char('$'));
+}
+
+}  // namespace geargraph::inline ui_lessons

@@ -1,0 +1,156 @@
+// Lessons in a window of their own: the course, the lesson beside the drawing, and the preview for authors.
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <array>
+
+#include "core/foundations/files/file.h"
+#include "core/teaching/lessons/course.h"
+#include "core/teaching/lessons/lesson_reader.h"
+#include "ui/canvas/drawing_view.h"
+#include "ui/lessons/course_dialog.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/mainwindow/file_watch.h"
+#include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_files.h"
+
+namespace geargraph::inline mainwindow {
+namespace {
+
+constexpr std::size_t kLargestLesson = std::size_t{4} * 1024 * 1024;
+constexpr int kLessonWidth = 352;  ///< px
+constexpr int kPictureWidth = 400;
+constexpr int kProblemsPart = 6;  ///< of the height of the window, while something is drawn
+
+/// What shows the numbers that a step asks for.
+constexpr std::array kAnswerDocks = {"dock.problems", "dock.matrices",   "dock.inputs", "dock.gearbox",
+                                     "dock.speeds",   "dock.derivation", "dock.forces", "dock.dynamics"};
+
+/// What the learner needs to draw.
+constexpr std::array kDrawingDocks = {"dock.problems", "dock.inputs", "dock.properties"};
+
+/// The lesson of a file, or why there is none, with its place.
+std::variant<std::shared_ptr<const Lesson>, QString> lessonOf(const QString& path) {
+  const auto bytes = readFile(QFile::encodeName(path).toStdString(), kLargestLesson);
+  if (const auto* error = std::get_if<FileError>(&bytes)) return QString::fromStdString(error->message);
+  auto lesson = readLesson(std::get<std::string>(bytes));
+  if (lesson) return std::make_shared<const Lesson>(std::move(lesson).value());
+  const Diagnostic& fault = lesson.error().front();
+  return MainWindow::tr("%1, line %2: %3")
+      .arg(QFileInfo(path).fileName())
+      .arg(fault.line)
+      .arg(QString::fromStdString(fault.message));
+}
+
+QString placeInCourse(std::size_t lesson) {
+  return MainWindow::tr("Lesson %1 of %2").arg(lesson + 1).arg(course().size());
+}
+
+std::shared_ptr<const Lesson> lessonOfCourse(std::size_t lesson) {
+  return std::make_shared<const Lesson>(course()[lesson]);
+}
+
+}  // namespace
+
+void MainWindow::showCourse() {
+  if (m_course == nullptr) {
+    m_course = new CourseDialog(this);
+    connect(m_course, &CourseDialog::lessonChosen, this, [this](int lesson) {
+      const auto position = static_cast<std::size_t>(lesson);
+      wantLesson(lessonOfCourse(position), placeInCourse(position), QString());
+    });
+    connect(m_course, &CourseDialog::fileWanted, this, &MainWindow::chooseLessonFile);
+  }
+  m_course->renew();
+  m_course->show();
+  m_course->raise();
+  m_course->activateWindow();
+}
+
+void MainWindow::chooseLessonFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open a lesson file"), {}, tr("Lessons (*.json)"));
+  if (!path.isEmpty()) openLessonFile(path);
+}
+
+void MainWindow::openLessonFile(const QString& path) {
+  const auto lesson = lessonOf(path);
+  if (const QString* fault = std::get_if<QString>(&lesson)) return m_status->showRefusal(*fault);
+  wantLesson(std::get<0>(lesson), tr("Preview"), path);
+}
+
+/// A window that plays a lesson goes on with the next one; any other keeps its document.
+void MainWindow::wantLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place,
+                            const QString& file) {
+  if (m_lesson != nullptr) return playLesson(lesson, place, file);
+  emit lessonWanted(lesson, place, file);
+}
+
+void MainWindow::playLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place,
+                            const QString& file) {
+  if (m_lesson == nullptr) makeLesson();
+  m_files->keepNothing(QString::fromStdString(lesson->title));
+  m_lessonWatch->watch(file);
+  m_lessonFile = file;
+  m_lesson->play(lesson, place);
+  renewTitle();
+}
+
+void MainWindow::makeLesson() {
+  m_lesson = new LessonPanel(m_document, m_selection, this);
+  m_lesson->setMinimumWidth(kLessonWidth - 32);
+  QDockWidget* lesson = addDock("dock.lesson", tr("Lesson"), m_lesson);
+  lesson->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  addDockWidget(Qt::LeftDockWidgetArea, lesson);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  for (QDockWidget* each : m_docks) each->setVisible(each == lesson || each == dock("dock.view3d"));
+  resizeDocks({lesson, dock("dock.view3d")}, {kLessonWidth, kPictureWidth}, Qt::Horizontal);
+  m_lessonWatch = new FileWatch(this);
+  connect(m_lessonWatch, &FileWatch::changed, this, [this] {
+    m_lessonWatch->accept();
+    const auto now = lessonOf(m_lessonFile);
+    if (const QString* fault = std::get_if<QString>(&now)) return m_lesson->showFault(*fault);
+    m_lesson->reload(std::get<0>(now));
+  });
+  connect(m_lesson, &LessonPanel::courseWanted, this, &MainWindow::showCourse);
+  connect(m_lesson, &LessonPanel::nextLessonWanted, this, &MainWindow::playNextLesson);
+  connect(m_lesson, &LessonPanel::answerOpened, this, &MainWindow::setAnswersOpen);
+  connect(m_lesson, &LessonPanel::stepBegan, this, [this](LessonView view) {
+    constexpr std::array<const char*, 3> kNames = {"digraph", "ttgraph", "schematic"};
+    showDrawing(QLatin1String(kNames[static_cast<std::size_t>(view)]));
+    const auto& steps = m_lesson->lesson()->steps;
+    const bool draws =
+        std::holds_alternative<DrawTask>(steps[static_cast<std::size_t>(m_lesson->step())].task);
+    for (const char* name : kDrawingDocks) dock(name)->setVisible(draws);
+    if (!draws) return;
+    dock("dock.properties")->raise();
+    resizeDocks({dock("dock.problems")}, {height() / kProblemsPart}, Qt::Vertical);
+  });
+}
+
+void MainWindow::playNextLesson() {
+  const auto& lessons = course();
+  for (std::size_t next = 1; next < lessons.size(); ++next) {
+    if (lessons[next - 1].id == m_lesson->lesson()->id && m_lessonFile.isEmpty())
+      return playLesson(lessonOfCourse(next), placeInCourse(next), QString());
+  }
+  showCourse();
+}
+
+/// Views that hold the answer of a step are closed until it is right or shown, and say so.
+void MainWindow::setAnswersOpen(bool isOpen) {
+  for (const char* name : kAnswerDocks) {
+    QAction* action = findChild<QAction*>(QLatin1String(name));
+    WindowActions::setAvailable(action, isOpen,
+                                tr("This panel holds the answer: it opens when the step is right or shown."));
+    if (!isOpen) dock(name)->hide();
+  }
+  m_status->showCounts(isOpen);
+  WindowActions::setAvailable(
+      m_actions->showDerivation, isOpen,
+      tr("The derivation holds the answer: it opens when the step is right or shown."));
+}
+
+}  // namespace geargraph::inline mainwindow
