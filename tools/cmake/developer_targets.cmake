@@ -1,6 +1,6 @@
 # Targets instead of scripts: cmake --build --preset release --target format | format-check | tidy | api
 
-find_program(GEARGRAPH_CLANG_FORMAT clang-format)
+find_program(GEARGRAPH_CLANG_FORMAT NAMES clang-format-14 clang-format)
 find_program(GEARGRAPH_RUN_CLANG_TIDY NAMES run-clang-tidy run-clang-tidy-14)
 file(GLOB_RECURSE geargraph_sources CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/app/*.cpp ${PROJECT_SOURCE_DIR}/app/*.h

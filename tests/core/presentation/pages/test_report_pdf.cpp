@@ -5,6 +5,7 @@
 #include "core/presentation/drawing/layout.h"
 #include "core/presentation/pages/report_pdf.h"
 #include "tests/core/support/example_files.h"
+#include "tests/support/pdf_streams.h"
 
 namespace geargraph {
 namespace {
@@ -22,13 +23,8 @@ QByteArray pdfOf(const Mechanism& mechanism) {
 /// What each page paints, unpacked.
 QList<QByteArray> contentsOf(const QByteArray& pdf) {
   QList<QByteArray> pages;
-  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
-    at += 7;
-    const qsizetype end = pdf.indexOf("endstream", at);
-    // qUncompress wants to be told a size first; it grows as needed.
-    const QByteArray content = qUncompress(QByteArray("\0\1\0\0", 4) + pdf.mid(at, end - at));
+  for (const QByteArray& content : test::pdfStreams(pdf)) {
     if (content.contains(" Tf")) pages += content;
-    at = end + 9;
   }
   return pages;
 }
@@ -93,11 +89,11 @@ class ReportPdfTest : public QObject {
 
   void headingsAreOnThePagesAndInTheOutline() {
     const Mechanism robot = test::example("robot");
-    const QByteArray pdf = pdfOf(robot);
+    const QByteArray pdf = pdfOf(robot), text = test::pdfText(pdf);
     const QString letters = lettersOf(contentsOf(pdf));
     for (const QString& heading : headingsOf(reportOf(robot))) {
       QVERIFY2(letters.contains(withoutBlanks(heading)), qPrintable(heading));
-      QVERIFY2(pdf.contains("/Title (" + heading.toLatin1() + ")"), qPrintable(heading));
+      QVERIFY2(text.contains("/Title (" + heading.toLatin1() + ")"), qPrintable(heading));
     }
   }
 

@@ -5,6 +5,7 @@
 #include "core/presentation/drawing/digraph_drawing.h"
 #include "core/presentation/picture/picture.h"
 #include "tests/core/support/example_files.h"
+#include "tests/support/pdf_streams.h"
 
 using namespace geargraph;
 
@@ -21,20 +22,6 @@ QByteArray bytesOf(const DrawingPicture& picture, const DisplayList& list = robo
 
 QImage png(SheetLook look, double scale = 2) {
   return QImage::fromData(bytesOf({.form = PictureForm::png, .look = look, .scale = scale}));
-}
-
-/// The streams of a PDF, unpacked, one behind the other.
-QByteArray contents(const QByteArray& pdf) {
-  QByteArray all;
-  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
-    at += 7;
-    const qsizetype end = pdf.indexOf("endstream", at);
-    const QByteArray packed = pdf.mid(at, end - at);
-    // qUncompress wants to be told a size first; it grows as needed.
-    all += qUncompress(QByteArray("\0\1\0\0", 4) + packed) + '\n';
-    at = end + 9;
-  }
-  return all;
 }
 
 /// The letters that the page shows, of the strings that its font names by their codes.
@@ -58,8 +45,8 @@ class TestDrawingPicture : public QObject {
     const QByteArray pdf = bytesOf({.form = PictureForm::pdf, .scale = 1, .title = "A robot of (two) arms"});
     QVERIFY(pdf.startsWith("%PDF-1."));
     QVERIFY(pdf.trimmed().endsWith("%%EOF"));
-    QVERIFY(pdf.contains("/ToUnicode"));
-    const QString text = shownText(contents(pdf));
+    QVERIFY(test::pdfText(pdf).contains("/ToUnicode"));
+    const QString text = shownText(test::pdfStreams(pdf).join('\n'));
     QVERIFY2(text.contains("motor"), qPrintable(text));
     for (int label = 0; label <= 18; ++label)
       QVERIFY2(text.contains(QString::number(label)), qPrintable(text));
@@ -69,7 +56,7 @@ class TestDrawingPicture : public QObject {
     const Extent sheet = sheetOf(robot(), {});
     const QByteArray pdf = bytesOf({.form = PictureForm::pdf});
     static const QRegularExpression box(QStringLiteral("/MediaBox \\[ 0 0 ([0-9.]+) ([0-9.]+) \\]"));
-    const QRegularExpressionMatch found = box.match(QString::fromLatin1(pdf));
+    const QRegularExpressionMatch found = box.match(QString::fromLatin1(test::pdfText(pdf)));
     QVERIFY(found.hasMatch());
     QVERIFY(std::abs(found.captured(1).toDouble() - 2 * sheet.halfWidth * 0.75) < 0.01);
     QVERIFY(std::abs(found.captured(2).toDouble() - 2 * sheet.halfHeight * 0.75) < 0.01);
