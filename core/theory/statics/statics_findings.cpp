@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <numeric>
 #include <set>
+#include <unordered_map>
 
 #include "core/foundations/base/wording.h"
 #include "core/mechanism/model/load_edits.h"
@@ -208,11 +211,39 @@ Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& mesh
                  std::move(elements));
 }
 
-Diagnostic recirculation(const Mechanism& mechanism, int mesh, double times) {
-  return finding(Code::recirculation,
-                 "Mesh " + std::to_string(mechanism.meshLabel(mesh)) + " passes " + decimal(times) +
-                     " times the power fed, seen from its carrier.",
-                 {meshId(mechanism, mesh)});
+Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>& times) {
+  const LinkId ground = mechanism.links.front().id;
+  std::vector<std::size_t> leaders(times.size());
+  std::iota(leaders.begin(), leaders.end(), std::size_t{0});
+  const auto leaderOf = [&](std::size_t mesh) {
+    while (leaders[mesh] != mesh) mesh = leaders[mesh] = leaders[leaders[mesh]];
+    return mesh;
+  };
+  std::unordered_map<LinkId, std::size_t> meshOf;  // by gear, the first one there
+  for (std::size_t mesh = 0; mesh < times.size(); ++mesh) {
+    if (times[mesh] <= 0) continue;
+    for (const LinkId gear : {mechanism.gearMeshes[mesh].tail, mechanism.gearMeshes[mesh].head})
+      if (gear != ground) leaders[leaderOf(mesh)] = leaderOf(meshOf.try_emplace(gear, mesh).first->second);
+  }
+  std::map<std::size_t, std::vector<int>> groups;
+  for (std::size_t mesh = 0; mesh < times.size(); ++mesh)
+    if (times[mesh] > 0) groups[leaderOf(mesh)].push_back(static_cast<int>(mesh));
+  Diagnostics findings;
+  for (const auto& [leader, meshes] : groups) {
+    double most = 0;
+    std::vector<ElementId> elements;
+    for (const int mesh : meshes) {
+      most = std::max(most, times[static_cast<std::size_t>(mesh)]);
+      elements.push_back(meshId(mechanism, mesh));
+    }
+    const bool isOne = meshes.size() == 1;
+    std::string message = counted("mesh", "meshes", meshLabels(mechanism, meshes));
+    message[0] = 'M';
+    message += (isOne ? " passes " : " pass up to ") + decimal(most) + " times the power fed, seen from " +
+               (isOne ? "its carrier." : "their carriers.");
+    findings.push_back(finding(Code::recirculation, std::move(message), std::move(elements)));
+  }
+  return findings;
 }
 
 Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation, double part) {

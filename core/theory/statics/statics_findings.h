@@ -25,7 +25,9 @@ namespace geargraph::inline statics {
                                      const std::optional<double>& part);
 [[nodiscard]] Diagnostic patternLimit(const Mechanism& mechanism, const std::vector<int>& meshes);
 /// A mesh that passes more than the power fed, seen from its carrier.
-[[nodiscard]] Diagnostic recirculation(const Mechanism& mechanism, int mesh, double times);
+/// Meshes that pass more than the power fed: one finding for those that hang together by their gears.
+/// `times` by mesh: what it passes over the power fed; 0 where nothing is to be said.
+[[nodiscard]] Diagnostics recirculations(const Mechanism& mechanism, const std::vector<double>& times);
 /// Power in a loop, as a part of the power fed.
 [[nodiscard]] Diagnostic circulatingPower(const Mechanism& mechanism, const Circulation& circulation,
                                           double part);

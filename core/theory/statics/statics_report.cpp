@@ -242,15 +242,18 @@ class Analysis {
     m_report.sums = powerSums(m_model, shown, loads, *m_report.motion);
     const double fed = m_report.sums->fed.number();
     constexpr double kNoticeably = 1 + 1e-9;
+    std::vector<double> times(static_cast<std::size_t>(m_model.c()), 0);
     for (int mesh = 0; mesh < m_model.c() && fed > 0; ++mesh) {
       if (!shown.statics.isDetermined(mesh)) continue;
       const double passed = std::abs(shown.powers.mesh[static_cast<std::size_t>(mesh)].number());
-      if (passed > kNoticeably * fed) add(recirculation(m_mechanism, mesh, passed / fed));
+      if (passed > kNoticeably * fed) times[static_cast<std::size_t>(mesh)] = passed / fed;
     }
-    takeFlow();
+    takeFlow(times);
+    for (Diagnostic& each : recirculations(m_mechanism, times)) add(std::move(each));
   }
 
-  void takeFlow() {
+  /// Sets the entries of meshes to 0 that are named with their loop.
+  void takeFlow(std::vector<double>& times) {
     const double fed = m_report.sums->fed.number();
     m_report.latentRatio = latentRatio(m_report.solution(), m_report.powers, m_report.sums->fed);
     m_report.flow = powerFlowSeenFrom(m_mechanism, m_model, m_placement, m_report, 0);
@@ -258,9 +261,11 @@ class Analysis {
                                            m_report.lossless, *m_report.flow);
     if (!m_report.circulations || fed <= 0) return;
     constexpr double kNoticeable = 1e-3;
-    for (const Circulation& each : *m_report.circulations)
-      if (each.power.number() > kNoticeable * fed)
-        add(circulatingPower(m_mechanism, each, each.power.number() / fed));
+    for (const Circulation& each : *m_report.circulations) {
+      if (each.power.number() <= kNoticeable * fed) continue;
+      add(circulatingPower(m_mechanism, each, each.power.number() / fed));
+      for (const int mesh : each.meshes) times[static_cast<std::size_t>(mesh)] = 0;
+    }
   }
 
   void takeForces() {

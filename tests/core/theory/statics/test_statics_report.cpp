@@ -180,6 +180,9 @@ class TestStaticsReport : public QObject {
     // i0 / (i0 - 1) of the power fed crosses each mesh, i0 = 101/99.
     QVERIFY(messageOf(report, Code::recirculation).find("49.5 times") != std::string::npos ||
             messageOf(report, Code::recirculation).find("50.5 times") != std::string::npos);
+    // Both meshes are on one planet: they are named together.
+    const std::vector<Code> codes = codesOf(report);
+    QCOMPARE(std::count(codes.begin(), codes.end(), Code::recirculation), std::ptrdiff_t{1});
   }
 
   /// A document's findings are about its loads: without any there are none, whatever was solved beside it.
