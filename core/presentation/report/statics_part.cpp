@@ -282,11 +282,17 @@ class StaticsPart : private ReportPart {
 
   void addAgreement() {
     if (!m_statics.agreement) return;
+    const std::optional<bool> inSymbols = m_statics.agreesInSymbols();
     paragraph(m_statics.agreement->equal
                   ? "Torque by torque, both methods give the same fractions: " +
                         std::to_string(m_statics.agreement->compared) + " compared, none differs."
                   : "The two methods differ by up to " +
                         shortDecimal(m_statics.agreement->largestDifference.number()) + " N m.");
+    if (!inSymbols) return;
+    paragraph(*inSymbols
+                  ? "In symbols, too: eliminated in the gear ratios, the cutsets of the T-T graph give "
+                    "the torque matrix of (25) transposed, entry by entry."
+                  : "In symbols the two torque matrices differ.");
   }
 
   const AnalysisSnapshot& m_snapshot;

@@ -429,23 +429,25 @@ class StaticsJson {
     m_json.endArray();
   }
 
+  void writeSymbols(const TorqueMatrix& matrix, const std::optional<SymbolicStatics>& symbolic) {
+    if (!symbolic) return null("symbolic");
+    rows("symbolic", matrix, [&](std::size_t at) {
+      const auto& entry = symbolic->matrix[at];
+      entry ? m_json.string(entry->toText()) : m_json.null();
+    });
+  }
+
   void matrix() {
     m_json.beginObject();
     writeMatrix(*m_report.matrix);
-    if (m_report.symbolic) {
-      rows("symbolic", *m_report.matrix, [&](std::size_t at) {
-        const auto& entry = m_report.symbolic->matrix[at];
-        entry ? m_json.string(entry->toText()) : m_json.null();
-      });
-    } else {
-      null("symbolic");
-    }
+    writeSymbols(*m_report.matrix, m_report.symbolic);
     m_json.endObject();
   }
 
   void ttMatrix() {
     m_json.beginObject();
     writeMatrix(*m_report.ttMatrix);
+    writeSymbols(*m_report.ttMatrix, m_report.ttSymbolic);
     m_json.endObject();
   }
 

@@ -23,4 +23,21 @@ CutsetEquations::CutsetEquations(const CoefficientMatrix& matrix)
   }
 }
 
+CutsetEquations::CutsetEquations(const TtGraph& graph)
+    : m_starts(static_cast<std::size_t>(graph.graph().t()) + 1, 0) {
+  // M_ik = i f, M_jk = -s f; the cutset of a branch has the coefficients of the circuits through it.
+  std::vector<std::vector<Term>> byJoint(static_cast<std::size_t>(graph.graph().t()));
+  for (int mesh = 0; mesh < graph.graph().c(); ++mesh) {
+    const int sign = graph.terminal(mesh)->sign;
+    for (const CircuitTerm& term : graph.tailCircuit(mesh))
+      byJoint[static_cast<std::size_t>(term.joint)].push_back({mesh, true, term.coefficient, 0});
+    for (const CircuitTerm& term : graph.headCircuit(mesh))
+      byJoint[static_cast<std::size_t>(term.joint)].push_back({mesh, false, -sign * term.coefficient, 0});
+  }
+  for (std::size_t joint = 0; joint < byJoint.size(); ++joint) {
+    m_terms.insert(m_terms.end(), byJoint[joint].begin(), byJoint[joint].end());
+    m_starts[joint + 1] = m_terms.size();
+  }
+}
+
 }  // namespace geargraph::inline statics

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/theory/matroid/coefficient_matrix.h"
+#include "core/theory/ttgraph/tt_graph.h"
 
 namespace geargraph::inline statics {
 
@@ -31,6 +32,12 @@ class CutsetEquations {
 
   /// Cost: the sum of the cycles' lengths.
   explicit CutsetEquations(const CoefficientMatrix& matrix);
+
+  /// The same by the T-T graph's own route, without P: the f-cutsets of its branches, with the coefficients
+  /// of the circuits (31)-(38) and the terminal equations' duals (26*). f_c is the torque of mesh c on the
+  /// head's gear, up to a sign of the mesh; lengths are 0. Cost: the circuit terms.
+  /// @pre graph.isComplete()
+  explicit CutsetEquations(const TtGraph& graph);
 
   /// By mesh, ascending.
   [[nodiscard]] std::span<const Term> terms(int joint) const {

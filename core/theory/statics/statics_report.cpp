@@ -291,6 +291,10 @@ class Analysis {
       return true;
     m_report.symbolic = solveStaticsSymbolic(m_mechanism, cutsets(), m_analysis.independentMeshes,
                                              joints->first, joints->second, m_stop);
+    if (m_report.symbolic && m_report.ttMatrix)
+      m_report.ttSymbolic =
+          solveStaticsSymbolic(m_mechanism, CutsetEquations(m_ttGraph), m_analysis.independentMeshes,
+                               joints->first, joints->second, m_stop);
     return !m_stop.stop_requested();
   }
 
@@ -385,6 +389,14 @@ std::optional<StaticsReport> analyzeStatics(const Mechanism& mechanism, const Ki
                                             const MatroidAnalysis& analysis, const StaticsOptions& options,
                                             const std::stop_token& stop) {
   return Analysis(mechanism, model, placement, ttGraph, analysis, options, stop).run();
+}
+
+std::optional<bool> StaticsReport::agreesInSymbols() const {
+  if (!symbolic || !ttSymbolic || symbolic->skipped > 0 || ttSymbolic->skipped > 0) return std::nullopt;
+  // Each has a ring of its own; its canonical text tells an entry.
+  return std::equal(symbolic->matrix.begin(), symbolic->matrix.end(), ttSymbolic->matrix.begin(),
+                    ttSymbolic->matrix.end(),
+                    [](const auto& one, const auto& other) { return one->toText() == other->toText(); });
 }
 
 PowerFlow powerFlowSeenFrom(const Mechanism& mechanism, const KinematicModel& model,

@@ -64,10 +64,14 @@ struct StaticsReport {
   std::optional<TorqueMatrix>
       ttMatrix;  ///< the same by the T-T graph; of at most kMostTtColumns loaded joints
   std::optional<SymbolicStatics> symbolic;
+  std::optional<SymbolicStatics> ttSymbolic;   ///< the same by the T-T graph's cutsets, where it has ttMatrix
   std::optional<RationalFunction> efficiency;  ///< as symbolicEfficiency(); with options.symbolic
   std::optional<RationalFunction> backwardEfficiency;
   Diagnostics diagnostics;
 
+  /// Do both methods give the same torques in symbols? None where one of them gives none, or an entry went
+  /// over its budget.
+  [[nodiscard]] std::optional<bool> agreesInSymbols() const;
   /// The solution that is shown: with losses where these are solved.
   [[nodiscard]] const StaticsSolution& solution() const {
     return lossy && lossy->outcome == LossySolution::Outcome::solved ? lossy->statics : lossless;

@@ -109,6 +109,20 @@ class TestStatics : public QObject {
     QCOMPARE(solution->lines.size(), std::size_t{7});
   }
 
+  /// (43*): the same matrix by the T-T graph's cutsets, which know nothing of P.
+  void theRobotsTorques_inTheGearRatiosByTheTtGraph() {
+    const StaticsCase train(robot());
+    const std::vector<int> balanced{0, 1, 3};
+    const std::vector<int> loaded{2, 4, 5, 6};
+    const auto solution = solveStaticsSymbolic(train.mechanism, CutsetEquations(train.tt),
+                                               train.analysis.independentMeshes, balanced, loaded);
+    QVERIFY(solution);
+    const std::vector<std::string> expected{"i15", "i16*i15", "i17*i16*i15", "i18*i17*i16*i15",
+                                            "0",   "i16",     "i17*i16",     "i18*i17*i16",
+                                            "0",   "0",       "i17",         "i18*i17"};
+    for (std::size_t i = 0; i < expected.size(); ++i) QCOMPARE(solution->matrix[i]->toText(), expected[i]);
+  }
+
   /// (19*): the columns of P with the signs of the page.
   void theRobotsCutsets_haveTheSignsOfThePage() {
     const StaticsCase train(robot());

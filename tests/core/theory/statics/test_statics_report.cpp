@@ -164,6 +164,31 @@ class TestStaticsReport : public QObject {
     QCOMPARE(*odd.balance(report.lossless, 0).fraction(), Rational(8, 27));  // the torque alone
   }
 
+  /// Both routes give the same torque matrix in symbols, on every example that has one.
+  void bothMethodsAgreeInSymbols() {
+    int compared = 0;
+    for (const std::string& name : exampleNames()) {
+      if (name == "robot-to-mend") continue;
+      const StaticsCase train(example(name));
+      if (!train.analysis.solution || train.analysis.choice.joints.empty()) continue;
+      std::vector<Load> loads;
+      for (int joint = 0; joint < train.model.t(); ++joint) {
+        const auto& inputs = train.analysis.choice.joints;
+        if (std::find(inputs.begin(), inputs.end(), joint) == inputs.end())
+          loads.push_back(
+              {{},
+               JointTorque{train.mechanism.turningJoints[static_cast<std::size_t>(joint)].id, Number(1)}});
+      }
+      const StaticsReport report = reportOf(train, loaded(loads));
+      const auto agrees = report.agreesInSymbols();
+      if (!agrees) continue;
+      QVERIFY2(*agrees, name.c_str());
+      QVERIFY(!report.symbolic->matrix.empty());
+      ++compared;
+    }
+    QVERIFY2(compared >= 5, std::to_string(compared).c_str());
+  }
+
   void recirculationIsReported() {
     // A carrier drives a sun beside a fixed one, nearly equal: the teeth pass far more than is fed.
     Mechanism mechanism = TrainSketch(3)
