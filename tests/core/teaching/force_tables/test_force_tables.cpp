@@ -1,6 +1,8 @@
 #include <QtTest>
 
-#include "core/teaching/force_tables/force_table.h"
+#include "core/teaching/force_tables/cutset_words.h"
+#include "core/teaching/force_tables/efficiency_table.h"
+#include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/statics_case.h"
 #include "tests/core/support/train_sketch.h"
@@ -117,6 +119,87 @@ class TestForceTables : public QObject {
     for (const ForceRow& row : table.rows) sums[row.cells[1].text] += row.cells[3].number.value();
     QVERIFY(sums.size() > 3);
     for (const auto& [link, sum] : sums) QVERIFY2(std::abs(sum) < 1e-9, link.c_str());
+  }
+
+  /// The torques that cross the cutset of every joint add up to 0 with and without losses, brakes, forces.
+  void everyCutsetIsInBalance() {
+    const Mechanism robot = example("robot");
+    StaticsOptions onRobot;
+    onRobot.loads = {{{}, JointTorque{robot.turningJoints[6].id, Number(10)}},
+                     {{}, JointTorque{robot.turningJoints[4].id, Number(-3)}}};
+    StaticsOptions state;
+    state.state = 0;
+    state.losses = true;
+    state.efficiency = Rational(49, 50);
+    StaticsOptions loaded = state;
+    loaded.loads = {{{}, LinkTorque{LinkId("1"), {}, Number(2)}},
+                    {{}, LinkForce{LinkId("3"), {Number(0), Number(1), Number(0)}, {}}}};
+    const Picture picture;
+    const std::pair<Mechanism, StaticsOptions> cases[] = {{picture.mechanism, picture.options},
+                                                          {robot, onRobot},
+                                                          {eightSpeed(), state},
+                                                          {eightSpeed(), loaded}};
+    int meshes = 0;
+    int couplings = 0;
+    for (const auto& [mechanism, options] : cases) {
+      const StaticsCase train(mechanism);
+      const StaticsReport report = reportOf(train, options);
+      QVERIFY(report.lossless.isBalanced());
+      for (int joint = 0; joint < train.model.t(); ++joint) {
+        const auto words = cutsetWords(train.mechanism, train.model, train.placement, report, joint);
+        QVERIFY(words.has_value());
+        QVERIFY(!words->beyond.empty());
+        Real sum;
+        for (const CutsetTerm& term : words->terms) {
+          sum += term.torque;
+          meshes += term.element.kind == ElementKind::gearMesh && !term.torque.isZero() ? 1 : 0;
+          couplings += term.element.kind == ElementKind::coupling && !term.torque.isZero() ? 1 : 0;
+        }
+        QVERIFY2(std::abs(sum.number()) < 1e-9, (words->sentence + words->equation).c_str());
+      }
+    }
+    QVERIFY(meshes > 20);
+    QVERIFY(couplings > 3);
+  }
+
+  void aCutsetAndADriverInWords() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    StaticsOptions lossless = picture.options;
+    lossless.losses = false;
+    const StaticsReport report = reportOf(train, lossless);
+    const auto words = cutsetWords(train.mechanism, train.model, train.placement, report, 2);
+    QCOMPARE(words->sentence, std::string("Joint 7 cuts off links 3 and 4: meshes 9 and 10 cross."));
+    QCOMPARE(words->equation, std::string("T7 + M9 + M10 = 0: -35 + 10 + 25 = 0 N m"));
+    QCOMPARE(words->elements().size(), std::size_t{5});
+    QCOMPARE(*driverSentence(train.mechanism, train.placement, report, 0),
+             std::string("Gear 1 drives gear 4 in mesh 9: seen from carrier 3, it turns against the teeth's "
+                         "torque on it and passes 714.286 W."));
+    StaticsOptions unloaded = lossless;
+    unloaded.loads.clear();
+    QVERIFY(driverSentence(train.mechanism, train.placement, reportOf(train, unloaded), 0)
+                ->find("bears no load") != std::string::npos);
+    StaticsOptions loose = lossless;
+    loose.balances = {{train.mechanism.turningJoints[1].id}};
+    QVERIFY(!cutsetWords(train.mechanism, train.model, train.placement, reportOf(train, loose), 2));
+  }
+
+  void aCurveAsATable() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    StaticsOptions options = picture.options;
+    options.efficiency = Rational(49, 50);
+    const StaticsReport report = reportOf(train, options);
+    const auto curve = efficiencyCurve(train.mechanism, train.model, train.placement, train.analysis, report,
+                                       options, CurveAxis::speedRatio, {Rational(0), Rational(1), 2});
+    const ValueTable table = efficiencyTable(train.mechanism, report, *curve);
+    QCOMPARE(table.columns.size(), std::size_t{5});
+    QCOMPARE(table.columns[0].head, std::string("speed of joint 6 / joint 5"));
+    QCOMPARE(table.columns[3].head, std::string("torque at joint 6"));
+    QCOMPARE(table.rows.size(), std::size_t{2});
+    QCOMPARE(*table.rows[0].cells[1].number, Rational(3401, 3500).toDouble());
+    QCOMPARE(*table.rows[0].cells[3].number, 24.01);
+    QCOMPARE(*table.rows[1].cells[1].number, 1.0);
   }
 
   void sharedLoadsHaveNoNumber() {

@@ -1,0 +1,194 @@
+#include "core/teaching/force_tables/cutset_words.h"
+
+#include <algorithm>
+
+#include "core/foundations/base/wording.h"
+
+namespace geargraph::inline force_tables {
+namespace {
+
+constexpr std::size_t kMostNames = 12;
+
+std::string counted(const char* one, const char* many, const std::vector<std::string>& names) {
+  return std::string(names.size() == 1 ? one : many) + ' ' + listed(names, kMostNames);
+}
+
+class Cutset {
+ public:
+  Cutset(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement,
+         const StaticsReport& report, int joint)
+      : m_mechanism(mechanism),
+        m_model(model),
+        m_placement(placement),
+        m_report(report),
+        m_joint(joint),
+        m_isBeyond(static_cast<std::size_t>(model.n()) + 1, 0) {
+    const SpanningTree& tree = model.tree();
+    const int child = tree.child(joint);
+    for (const int link : tree.preorder())
+      if (link == child || (link != 0 && isBeyond(tree.parent(link)))) m_isBeyond[at(link)] = 1;
+    // The joint's torque is that of its tail on its head.
+    m_sense = model.graph().turningEdge(joint).head == child ? 1 : -1;
+  }
+
+  CutsetWords words() {
+    m_words.joint = m_mechanism.turningJoints[at(m_joint)].id;
+    for (int link = 1; link <= m_model.n(); ++link)
+      if (isBeyond(link)) m_words.beyond.emplace_back(m_mechanism.links[at(link)].id);
+    addOwn();
+    for (int mesh = 0; mesh < m_model.c(); ++mesh) addMesh(mesh);
+    addHeldParts();
+    addLoads();
+    describe();
+    return std::move(m_words);
+  }
+
+ private:
+  static std::size_t at(int position) { return static_cast<std::size_t>(position); }
+  [[nodiscard]] bool isBeyond(int link) const { return m_isBeyond[at(link)] != 0; }
+
+  void add(ElementId element, std::string symbol, Real torque, bool isDetermined = true) {
+    m_words.terms.push_back({std::move(element), std::move(symbol), std::move(torque), isDetermined});
+  }
+
+  /// What acts in the joint: loads and the balance that is found there.
+  void addOwn() {
+    Real torque;
+    bool isDetermined = true;
+    for (const AppliedTorque& load : m_report.problem.torques)
+      if (load.place.joint == m_joint) torque += Real(load.torque);
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const int balance = m_report.held[part].balance;
+      if (balance < 0 || m_report.problem.balances[at(balance)].joint != m_joint) continue;
+      torque += m_report.solution().values[at(m_model.c()) + part];
+      isDetermined = m_report.solution().isDetermined(m_model.c() + static_cast<int>(part));
+    }
+    add(m_words.joint, "T" + std::to_string(m_mechanism.jointLabel(m_joint)), torque, isDetermined);
+  }
+
+  /// A mesh is a port on each gear and the reactions of both on the carrier: it crosses where the joint lies
+  /// between a gear and the carrier, on the gear's own axis.
+  void addMesh(int mesh) {
+    const MeshGeometry& geometry = *m_placement.meshes[at(mesh)];
+    const PortTorques ports = portTorques(m_model, m_report.solution(), m_report.losses(), mesh);
+    Real torque;
+    bool crosses = false;
+    const auto addPort = [&](int gear, const Real& port) {
+      if (isBeyond(gear) == isBeyond(geometry.carrier)) return;
+      const int side = isBeyond(gear) ? m_sense : -m_sense;
+      torque += Real(side * m_placement.classes->sense[at(m_joint)]) * port;
+      crosses = true;
+    };
+    addPort(geometry.tail, ports.tail);
+    addPort(geometry.head, ports.head);
+    if (crosses)
+      add(m_mechanism.gearMeshes[at(mesh)].id, "M" + std::to_string(m_mechanism.meshLabel(mesh)), torque,
+          m_report.solution().isDetermined(mesh));
+  }
+
+  /// Couplings, and balances on links: along the path that they close.
+  void addHeldParts() {
+    for (std::size_t part = 0; part < m_report.held.size(); ++part) {
+      const HeldPart& held = m_report.held[part];
+      const auto own = std::find_if(held.byJoint.begin(), held.byJoint.end(),
+                                    [&](const auto& each) { return each.first == m_joint; });
+      if (own == held.byJoint.end()) continue;
+      if (held.balance >= 0 && m_report.problem.balances[at(held.balance)].inJoint()) continue;
+      const Real torque = Real(own->second) * m_report.solution().values[at(m_model.c()) + part];
+      const bool isDetermined = m_report.solution().isDetermined(m_model.c() + static_cast<int>(part));
+      if (held.coupling >= 0) {
+        const CouplingId id = m_mechanism.couplings[at(held.coupling)].id;
+        add(id, "T(" + id.text() + ")", torque, isDetermined);
+      } else {
+        const int link = m_report.problem.balances[at(held.balance)].link;
+        add(m_mechanism.links[at(link)].id, "T(link " + std::to_string(m_mechanism.linkLabel(link)) + ")",
+            torque, isDetermined);
+      }
+    }
+  }
+
+  void addLoads() {
+    StaticsProblem onLinks;
+    for (const AppliedTorque& load : m_report.problem.torques)
+      if (!load.place.inJoint()) onLinks.torques.push_back(load);
+    onLinks.forces = m_report.problem.forces;
+    const Real torque = LoadPower::of(m_mechanism, m_model, m_placement, onLinks).byJoint.at(m_joint);
+    if (!torque.isZero()) add({}, "loads", torque);
+  }
+
+  void describe() {
+    std::vector<std::string> links;
+    for (int link = 1; link <= m_model.n(); ++link)
+      if (isBeyond(link)) links.push_back(std::to_string(m_mechanism.linkLabel(link)));
+    std::vector<std::string> meshes;
+    std::string symbols;
+    std::string numbers;
+    bool isDetermined = true;
+    for (const CutsetTerm& term : m_words.terms) {
+      if (term.element.kind == ElementKind::gearMesh) meshes.push_back(term.symbol.substr(1));
+      symbols += (symbols.empty() ? "" : " + ") + term.symbol;
+      const std::string number = shownReal(term.torque.sign() < 0 ? -term.torque : term.torque);
+      const bool isNegative = term.torque.sign() < 0;
+      if (numbers.empty()) {
+        numbers = (isNegative ? "-" : "") + number;
+      } else {
+        numbers += (isNegative ? " - " : " + ") + number;
+      }
+      isDetermined = isDetermined && term.isDetermined;
+    }
+    m_words.sentence =
+        "Joint " + std::to_string(m_mechanism.jointLabel(m_joint)) + " cuts off " +
+        counted("link", "links", links) + ": " +
+        (meshes.empty() ? "no mesh crosses."
+                        : counted("mesh", "meshes", meshes) + (meshes.size() == 1 ? " crosses." : " cross."));
+    m_words.equation = symbols + " = 0";
+    m_words.equation += isDetermined ? ": " + numbers + " = 0 N m" : ", shared in unknown parts";
+  }
+
+  const Mechanism& m_mechanism;
+  const KinematicModel& m_model;
+  const Placement& m_placement;
+  const StaticsReport& m_report;
+  int m_joint;
+  int m_sense = 1;  ///< +1 where the head is beyond
+  std::vector<char> m_isBeyond;
+  CutsetWords m_words;
+};
+
+}  // namespace
+
+std::vector<ElementId> CutsetWords::elements() const {
+  std::vector<ElementId> all = beyond;
+  for (const CutsetTerm& term : terms)
+    if (!term.element.id.empty()) all.push_back(term.element);
+  return all;
+}
+
+std::optional<CutsetWords> cutsetWords(const Mechanism& mechanism, const KinematicModel& model,
+                                       const Placement& placement, const StaticsReport& report, int joint) {
+  if (!report.isSolved || !report.lossless.isBalanced()) return std::nullopt;
+  return Cutset(mechanism, model, placement, report, joint).words();
+}
+
+std::optional<std::string> driverSentence(const Mechanism& mechanism, const Placement& placement,
+                                          const StaticsReport& report, int mesh) {
+  if (!report.isSolved || !report.lossless.isBalanced() || !report.motion) return std::nullopt;
+  const auto at = static_cast<std::size_t>(mesh);
+  const MeshGeometry& geometry = *placement.meshes[at];
+  const auto label = [&](int link) { return std::to_string(mechanism.linkLabel(link)); };
+  const std::string carrier = geometry.carrier == 0 ? "the ground" : "carrier " + label(geometry.carrier);
+  const std::string name = "mesh " + std::to_string(mechanism.meshLabel(mesh));
+  if (!report.solution().isDetermined(mesh))
+    return "Which gear drives in " + name + " depends on how the load is shared.";
+  const Real& power = report.powers.mesh[at];
+  if (power.isZero())
+    return "No gear drives in " + name + ": seen from " + carrier +
+           (report.powers.rolls[at] != 0 ? ", it bears no load." : ", it does not roll.");
+  const bool tailDrives = power.sign() > 0;
+  return "Gear " + label(tailDrives ? geometry.tail : geometry.head) + " drives gear " +
+         label(tailDrives ? geometry.head : geometry.tail) + " in " + name + ": seen from " + carrier +
+         ", it turns against the teeth's torque on it and passes " +
+         shownNumber(power.sign() > 0 ? power.number() : -power.number()) + " W.";
+}
+
+}  // namespace geargraph::inline force_tables
