@@ -350,40 +350,6 @@ void DrawingView::openRenameEditor(LinkId link) {
   editor->setFocus();
 }
 
-QString DrawingView::whyNoLoad() const {
-  const std::set<ElementId>& selected = m_selection->selected();
-  if (selected.size() != 1) return tr("Select one turning joint or link to load it.");
-  const ElementId& only = *selected.begin();
-  if (only == ElementId(mechanism().links.front().id))
-    return tr("The ground takes any load: select a moving link.");
-  const bool can = only.kind == ElementKind::turningJoint || only.kind == ElementKind::link;
-  return can ? QString() : tr("Loads act in turning joints and on links.");
-}
-
-void DrawingView::editLoad() {
-  if (!whyNoLoad().isEmpty()) return;
-  const ElementId element = *m_selection->selected().begin();
-  const std::vector<Outline>& outlines = m_scene->outlines();
-  const auto drawn = std::find_if(outlines.begin(), outlines.end(),
-                                  [&](const Outline& outline) { return outline.element == element; });
-  if (drawn == outlines.end()) return;
-  auto* editor = new RenameEditor(m_commands.torqueOf(element), viewport());
-  editor->setObjectName(QStringLiteral("torqueEditor"));
-  editor->setPlaceholderText(tr("10 Nm"));
-  editor->setAccessibleName(tr("Torque that acts here"));
-  constexpr QSize kSize(110, 26);
-  const SheetPoint middle = extentOf(drawn->shape).center;
-  editor->setGeometry(
-      QRect(mapFromScene(QPointF(middle.x, middle.y)) - QPoint(kSize.width() / 2, -12), kSize));
-  connect(editor, &RenameEditor::taken, this, [this, element](const QString& text) {
-    const QString why = m_commands.setTorque(element, text);
-    if (!why.isEmpty()) setHint(why);
-  });
-  connect(editor, &QObject::destroyed, this, [this] { setFocus(); });
-  editor->show();
-  editor->setFocus();
-}
-
 void DrawingView::openElement(const ElementId& element) {
   if (element.kind == ElementKind::link) {
     openRenameEditor(LinkId(element.id));

@@ -10,7 +10,7 @@
 #include "ui/canvas/element_commands.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
-#include "ui/tools/tool.h"
+#include "ui/tools/load_tool.h"
 
 class QMenu;
 
@@ -26,7 +26,7 @@ namespace geargraph::inline canvas {
 /// the commands on elements. A drawing of its own derives from it, fills the scene in rebuild() and says what
 /// its tools do with the mouse.
 ///
-/// Keys while it has the focus: V L T G I H pick a tool, Esc cancels, then deselects, then goes back to
+/// Keys while it has the focus: V L T G I W H pick a tool, Esc cancels, then deselects, then goes back to
 /// Select; Delete and Backspace delete; arrows nudge by 10 (Shift: by 1); F2 renames, X flips, F or Ctrl+0
 /// fits, Shift+F fits what is selected, Ctrl+plus, minus and 1 zoom; Ctrl+A selects all. The wheel zooms at
 /// the mouse; the middle button, or Space with the left one, pans.
@@ -86,7 +86,7 @@ class DrawingView : public QGraphicsView {
   [[nodiscard]] QStringList notice() const { return m_notice; }
 
   /// Is a gesture of mouse or keys under way, which Esc gives up?
-  [[nodiscard]] bool isDrawing() const { return !isIdle(); }
+  [[nodiscard]] bool isDrawing() const { return !isIdle() || isLoadDragged(); }
   /// All elements that are drawn, as keys walk along them: links, joints, meshes, what else there is, each in
   /// the order of the document. Cost: O(elements).
   [[nodiscard]] std::vector<ElementId> drawnElements() const;
@@ -211,6 +211,11 @@ class DrawingView : public QGraphicsView {
 
  private:
   enum class Grip { none, tool, pan };
+  /// The drag of a torque: one undo step.
+  struct LoadDrag {
+    quint64 gesture = 0;
+    MechanismPtr before;
+  };
 
   void showDocument();
   void showAnotherDocument();
@@ -223,6 +228,14 @@ class DrawingView : public QGraphicsView {
   void walk(int steps, bool add);
   void walkTowards(SheetPoint direction, bool add);
   void clickCurrent();
+  [[nodiscard]] QString whyNoLoadOn(const ElementId& element) const;
+  /// The element of a load whose chip is there, beside the drawing.
+  [[nodiscard]] std::optional<ElementId> loadUnder(QPointF viewportPlace) const;
+  /// A press that concerns a load; false: it is the tool's.
+  bool grabLoad(QPointF viewportPlace, Pointer pointer);
+  void stepLoad(const ToolEvent& event);
+  void pullLoad(const load_tool::PullTorque& pull);
+  [[nodiscard]] bool isLoadDragged() const { return m_load.index() != 0; }
   [[nodiscard]] std::optional<SheetPoint> middleOf(const ElementId& element) const;
   struct LineBox {
     QRect box;
@@ -249,6 +262,10 @@ class DrawingView : public QGraphicsView {
   QStringList m_notice;
   QString m_message;
   Grip m_grip = Grip::none;
+  load_tool::State m_load;
+  std::optional<LoadDrag> m_loadDrag;
+  QString m_hintBeforeLoad;
+  bool m_overLoad = false;  ///< a load that can be dragged is under the mouse
   double m_largest = kLargestFit;
   QPointF m_panFrom;
   bool m_spaceDown = false;

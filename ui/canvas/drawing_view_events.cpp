@@ -46,7 +46,8 @@ void DrawingView::mousePressEvent(QMouseEvent* event) {
   if (pan) {
     m_spaceUsed = m_spaceDown;
   } else {
-    pressed(pointerAt(event->position(), event->modifiers()));
+    const Pointer pointer = pointerAt(event->position(), event->modifiers());
+    if (!grabLoad(event->position(), pointer)) pressed(pointer);
   }
   updateCursor();
 }
@@ -72,8 +73,13 @@ void DrawingView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   const Pointer pointer = pointerAt(event->position(), event->modifiers());
+  if (isLoadDragged()) return stepLoad(Moved{pointer});
   moved(pointer);
   if (m_grip == Grip::tool && tool() == ToolKind::select) return;  // what is dragged stays lit
+  if (const bool over = tool() == ToolKind::select && loadUnder(event->position()); over != m_overLoad) {
+    m_overLoad = over;
+    updateCursor();
+  }
   if (pointer.on) {
     m_selection->hover(*pointer.on);
   } else {
@@ -83,8 +89,10 @@ void DrawingView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
-  if (m_grip == Grip::tool && event->button() == Qt::LeftButton)
-    released(pointerAt(event->position(), event->modifiers()));
+  if (m_grip == Grip::tool && event->button() == Qt::LeftButton) {
+    const Pointer pointer = pointerAt(event->position(), event->modifiers());
+    isLoadDragged() ? stepLoad(Released{pointer}) : released(pointer);
+  }
   if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) == 0) m_grip = Grip::none;
   updateCursor();
 }
@@ -95,6 +103,7 @@ void DrawingView::mouseDoubleClickEvent(QMouseEvent* event) {
     mousePressEvent(event);  // two quick clicks of any other tool
     return;
   }
+  if (loadUnder(event->position())) return editLoad();  // the first click has selected it
   openElement(*element);
 }
 
@@ -115,7 +124,7 @@ void DrawingView::wheelEvent(QWheelEvent* event) {
 }
 
 void DrawingView::contextMenuEvent(QContextMenuEvent* event) {
-  if (!isIdle()) return;
+  if (isDrawing()) return;
   QPoint place = viewport()->mapFromGlobal(event->globalPos());
   const std::optional<ElementId> current = currentElement();
   const bool byKey = event->reason() == QContextMenuEvent::Keyboard && current;
@@ -134,7 +143,8 @@ bool DrawingView::viewportEvent(QEvent* event) {
     if (onCaption && !captionToolTip().isEmpty()) {
       QToolTip::showText(help->globalPos(), captionToolTip(), viewport());
     } else if (element) {
-      QToolTip::showText(help->globalPos(), toolTipFor(*element), viewport());
+      const QString howTo = loadUnder(help->pos()) ? tr("\nDrag to change the load; W types it") : QString();
+      QToolTip::showText(help->globalPos(), toolTipFor(*element) + howTo, viewport());
     } else {
       QToolTip::hideText();
     }
@@ -155,7 +165,8 @@ void DrawingView::updateCursor() {
   if (tool() == ToolKind::link || tool() == ToolKind::turningJoint || tool() == ToolKind::gearMesh) {
     shape = Qt::CrossCursor;
   }
-  if (tool() == ToolKind::input) shape = Qt::PointingHandCursor;
+  if (tool() == ToolKind::input || tool() == ToolKind::load) shape = Qt::PointingHandCursor;
+  if (m_overLoad || isLoadDragged()) shape = Qt::SizeHorCursor;
   if (tool() == ToolKind::pan || m_spaceDown) shape = Qt::OpenHandCursor;
   const bool pulling = m_grip == Grip::pan || (m_grip == Grip::tool && tool() == ToolKind::pan);
   viewport()->setCursor(pulling ? Qt::ClosedHandCursor : shape);

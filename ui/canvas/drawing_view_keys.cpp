@@ -73,7 +73,11 @@ void DrawingView::focusOutEvent(QFocusEvent* event) {
 }
 
 void DrawingView::escape() {
-  if (cancel()) {
+  if (isLoadDragged()) {
+    stepLoad(Escaped{});
+    m_grip = Grip::none;
+    updateCursor();
+  } else if (cancel()) {
     m_grip = Grip::none;
   } else if (!m_selection->selected().empty()) {
     m_selection->clear();
@@ -270,6 +274,7 @@ void DrawingView::clickCurrent() {
     if (current) openElement(*current);
     return;
   }
+  if (tool() == ToolKind::load) return editLoad();
   Pointer pointer;
   pointer.on = tool() == ToolKind::link ? std::nullopt : current;
   if (!pointer.on && tool() != ToolKind::link) return;

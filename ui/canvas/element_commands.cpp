@@ -72,19 +72,40 @@ int torqueLoadOf(const Mechanism& mechanism, const ElementId& element) {
 
 }  // namespace
 
-QString ElementCommands::torqueOf(const ElementId& element) const {
-  const Mechanism& mechanism = *m_document.mechanism();
+Number givenTorque(const Mechanism& mechanism, const ElementId& element) {
   const int load = torqueLoadOf(mechanism, element);
   if (load < 0) return {};
   const auto& action = mechanism.loads[static_cast<std::size_t>(load)].action;
   const auto* inJoint = std::get_if<JointTorque>(&action);
-  const Number& torque = inJoint != nullptr ? inJoint->torque : std::get<LinkTorque>(action).torque;
-  return QString::fromStdString(torque.text()) + QStringLiteral(" Nm");
+  return inJoint != nullptr ? inJoint->torque : std::get<LinkTorque>(action).torque;
+}
+
+Expected<Mechanism> withTorque(const Mechanism& before, const ElementId& element, const Number& torque) {
+  const int load = torqueLoadOf(before, element);
+  decltype(Load::action) action;
+  if (element.kind == ElementKind::turningJoint) {
+    action = JointTorque{JointId(element.id), torque};
+  } else {
+    LinkTorque onLink{LinkId(element.id), {}, torque};
+    if (load >= 0)
+      onLink.axis = std::get<LinkTorque>(before.loads[static_cast<std::size_t>(load)].action).axis;
+    action = std::move(onLink);
+  }
+  if (load >= 0) return withLoadAction(before, load, std::move(action));
+  return withLoad(before, Load{{}, std::move(action)});
+}
+
+bool ElementCommands::hasTorque(const ElementId& element) const {
+  return torqueLoadOf(*m_document.mechanism(), element) >= 0;
+}
+
+QString ElementCommands::torqueOf(const ElementId& element) const {
+  if (!hasTorque(element)) return {};
+  return QString::fromStdString(givenTorque(*m_document.mechanism(), element).text()) + QStringLiteral(" Nm");
 }
 
 QString ElementCommands::setTorque(const ElementId& element, const QString& text) {
-  const Mechanism& mechanism = *m_document.mechanism();
-  const int load = torqueLoadOf(mechanism, element);
+  const int load = torqueLoadOf(*m_document.mechanism(), element);
   const QString plain = text.trimmed();
   if (plain.isEmpty()) {
     if (load >= 0)
@@ -94,21 +115,8 @@ QString ElementCommands::setTorque(const ElementId& element, const QString& text
   const bool hasUnit = plain.contains(QLatin1Char('m'));
   const auto torque = torqueFromText((hasUnit ? plain : plain + QStringLiteral("Nm")).toStdString());
   if (!torque) return tr("A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm");
-  decltype(Load::action) action;
-  if (element.kind == ElementKind::turningJoint) {
-    action = JointTorque{JointId(element.id), *torque};
-  } else {
-    LinkTorque onLink{LinkId(element.id), {}, *torque};
-    if (load >= 0)
-      onLink.axis = std::get<LinkTorque>(mechanism.loads[static_cast<std::size_t>(load)].action).axis;
-    action = std::move(onLink);
-  }
-  if (load >= 0) {
-    apply(tr("Set load"),
-          [load, action](const Mechanism& before) { return withLoadAction(before, load, action); });
-  } else {
-    apply(tr("Add load"), [action](const Mechanism& before) { return withLoad(before, Load{{}, action}); });
-  }
+  apply(load >= 0 ? tr("Set load") : tr("Add load"),
+        [element, torque](const Mechanism& before) { return withTorque(before, element, *torque); });
   return {};
 }
 

@@ -7,6 +7,13 @@
 
 namespace geargraph::inline canvas {
 
+/// The mechanism with this torque in a joint or on a link, N m, in place of the one that acts there.
+/// @pre the element is one of either kind
+[[nodiscard]] Expected<Mechanism> withTorque(const Mechanism& before, const ElementId& element,
+                                             const Number& torque);
+/// The torque that is given there, N m; 0 where there is none.
+[[nodiscard]] Number givenTorque(const Mechanism& mechanism, const ElementId& element);
+
 /// What keys and menus do with elements in any drawing: an edit of one undo step each.
 class ElementCommands {
  public:
@@ -39,6 +46,8 @@ class ElementCommands {
   QString setTorque(const ElementId& element, const QString& text);
   /// As setTorque() takes it; empty where no torque acts there.
   [[nodiscard]] QString torqueOf(const ElementId& element) const;
+  /// Does a torque act there that is given?
+  [[nodiscard]] bool hasTorque(const ElementId& element) const;
 
  private:
   void apply(const QString& text, Reduce reduce);

@@ -48,6 +48,9 @@ void WindowActions::makeTools() {
        words("Draw a turning joint: drag from a link to the link it carries")},
       {ToolKind::gearMesh, "gear-mesh", words("Draw a gear mesh: drag from a gear to the one it drives")},
       {ToolKind::input, "input", words("Drive a joint: click a turning joint or the link it carries")},
+      {ToolKind::load, "load",
+       words("Load a joint or a link: drag for its torque, or click and type 10 Nm; where one is selected, "
+             "its torque is typed at once")},
       {ToolKind::pan, "pan", words("Move the sheet; the middle mouse button does so with any tool")},
   };
   tools = new QActionGroup(m_window);
@@ -153,9 +156,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   hold = make("mechanism.hold", words("Hold with a &brake"),
               words("Engage the brake of the selected link, a new one where it has none, or release it"),
               {QKeySequence(QStringLiteral("B"))});
-  load = make("mechanism.load", words("&Load…"),
+  load = make("mechanism.load", words("T&orque…"),
               words("A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it"),
-              {QKeySequence(QStringLiteral("W"))});
+              {});
   releaseAll = make("mechanism.releaseAll", words("&Release brakes and clutches"),
                     words("Release every brake and clutch; the motion goes on"),
                     {QKeySequence(QStringLiteral("Ctrl+B"))});

@@ -136,8 +136,10 @@ void MainWindow::wireActions() {
   connect(a.rename, &QAction::triggered, this, [this] { drawing().renameSelected(); });
   connect(a.selectAll, &QAction::triggered, this, [this] { drawing().selectAll(); });
   connect(a.tools, &QActionGroup::triggered, this, [this](QAction* tool) {
-    drawing().setTool(static_cast<ToolKind>(tool->data().toInt()));
+    const auto kind = static_cast<ToolKind>(tool->data().toInt());
+    drawing().setTool(kind);
     drawing().setFocus();
+    if (kind == ToolKind::load) drawing().editLoad();
   });
   connect(a.flip, &QAction::triggered, this, [this] { drawing().flipSelected(); });
   connect(a.drive, &QAction::triggered, this, [this] { drawing().toggleInputs(); });

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ui/tools/load_tool.h"
+
 namespace geargraph::inline tools::section_tool {
 namespace {
 
@@ -92,6 +94,8 @@ std::string_view hint(const State& state, ToolKind tool) {
                   : "Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels";
     case ToolKind::input:
       return "Input: click a turning joint, or the link it carries, to drive it or not";
+    case ToolKind::load:
+      return load_tool::hint({});
     case ToolKind::pan:
       return "Drag to move the sheet";
     case ToolKind::select:

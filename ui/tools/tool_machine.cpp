@@ -45,6 +45,8 @@ std::string_view toolName(ToolKind tool) {
       return "Gear mesh";
     case ToolKind::input:
       return "Input";
+    case ToolKind::load:
+      return "Load";
     case ToolKind::pan:
       return "Pan";
   }
@@ -52,7 +54,7 @@ std::string_view toolName(ToolKind tool) {
 }
 
 char toolKey(ToolKind tool) {
-  constexpr std::string_view kKeys = "VLTGIH";
+  constexpr std::string_view kKeys = "VLTGIWH";
   return kKeys[static_cast<std::size_t>(tool)];
 }
 
@@ -69,6 +71,8 @@ ToolMachine::State ToolMachine::firstState(ToolKind tool) {
       return joint_tool::State{};
     case ToolKind::input:
       return input_tool::State{};
+    case ToolKind::load:
+      return load_tool::State{};
     case ToolKind::pan:
       return pan_tool::State{};
   }
@@ -86,6 +90,8 @@ std::vector<Proposal> ToolMachine::on(const ToolEvent& event) {
   if (auto* input = std::get_if<input_tool::State>(&m_state)) {
     return step(*input, input_tool::on(*input, event));
   }
+  // Loads are pulled with Select, too, and in every drawing: the view steps the tool itself.
+  if (std::holds_alternative<load_tool::State>(m_state)) return {};
   auto& pan = std::get<pan_tool::State>(m_state);
   return step(pan, pan_tool::on(pan, event));
 }
@@ -106,6 +112,8 @@ std::string_view ToolMachine::hint() const {
       return jointHint(std::get<joint_tool::State>(m_state), m_tool);
     case ToolKind::input:
       return "Input: click a turning joint, or the link it carries, to drive it or not";
+    case ToolKind::load:
+      return load_tool::hint(std::get<load_tool::State>(m_state));
     case ToolKind::pan:
       return "Drag to move the sheet";
   }

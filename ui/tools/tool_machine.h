@@ -2,6 +2,7 @@
 
 #include "ui/tools/click_tools.h"
 #include "ui/tools/joint_tool.h"
+#include "ui/tools/load_tool.h"
 #include "ui/tools/select_tool.h"
 
 namespace geargraph::inline tools {
@@ -26,7 +27,7 @@ class ToolMachine {
 
  private:
   using State = std::variant<select_tool::State, link_tool::State, joint_tool::State, input_tool::State,
-                             pan_tool::State>;
+                             load_tool::State, pan_tool::State>;
   [[nodiscard]] static State firstState(ToolKind tool);
 
   ToolKind m_tool;

@@ -47,6 +47,19 @@ class WindowForcesTest : public QObject {
       if (const auto* text = std::get_if<Text>(&mark.what)) all << QString::fromStdString(text->text);
     return all;
   }
+  [[nodiscard]] Rational torque() const {
+    const auto& loads = window->document().mechanism()->loads;
+    return loads.empty() ? Rational(0) : std::get<JointTorque>(loads[0].action).torque.exact();
+  }
+  /// Where these words stand in the drawing in front.
+  [[nodiscard]] std::optional<QPoint> placeOf(const char* words) {
+    for (const Mark& mark : window->drawing().displayList().marks) {
+      const auto* text = std::get_if<Text>(&mark.what);
+      if (text != nullptr && text->text == words)
+        return window->drawing().mapFromScene(QPointF(text->center.x, text->center.y));
+    }
+    return std::nullopt;
+  }
   QAction& powerFlow() { return *window->findChild<QAction*>(QStringLiteral("view.powerFlow")); }
   void setPower(bool on) {
     powerFlow().setChecked(on);
@@ -147,10 +160,6 @@ class WindowForcesTest : public QObject {
       QTRY_VERIFY(window->digraph().findChild<QLineEdit*>(QStringLiteral("torqueEditor")) == nullptr);
       QTRY_VERIFY(window->isSettled());
     };
-    const auto torque = [&] {
-      const auto& loads = window->document().mechanism()->loads;
-      return loads.empty() ? Rational(0) : std::get<JointTorque>(loads[0].action).torque.exact();
-    };
     type("10");
     QCOMPARE(torque(), Rational(10));
     QTRY_VERIFY(texts(window->digraph()).contains("T 10 N m"));
@@ -165,6 +174,85 @@ class WindowForcesTest : public QObject {
     QCOMPARE(torque(), Rational(-1, 2));
     window->selection().select({window->document().mechanism()->links[0].id});
     QVERIFY(!load.isEnabled() && load.toolTip().contains("ground"));
+  }
+
+  /// The chip of a load is pulled: the torque follows, in one step; Esc puts it back.
+  void loadsAreDragged() {
+    open(set());
+    for (const char* name : {"digraph", "schematic"}) {
+      QVERIFY(window->showDrawing(QLatin1String(name)));
+      QTRY_VERIFY(window->isSettled());
+      QTRY_VERIFY(placeOf("T 10 N m").has_value());
+      const int steps = window->document().undoStack().count();
+      const QPoint chip = *placeOf("T 10 N m");
+      QWidget* const sheet = window->drawing().viewport();
+      QTest::mousePress(sheet, Qt::LeftButton, {}, chip);
+      QTest::mouseMove(sheet, chip + QPoint(20, 0));
+      QCOMPARE(torque(), Rational(15));  // at once
+      QVERIFY(window->drawing().isDrawing());
+      QVERIFY(window->drawing().hint().contains("15 N m"));
+      QTest::mouseMove(sheet, chip + QPoint(20, 60));
+      QCOMPARE(torque(), Rational(0));
+      QTest::mouseMove(sheet, chip + QPoint(40, -40));
+      QTest::mouseRelease(sheet, Qt::LeftButton, {}, chip + QPoint(40, -40));
+      QCOMPARE(torque(), Rational(30));
+      QVERIFY(!window->drawing().isDrawing());
+      QCOMPARE(window->document().undoStack().count(), steps + 1);
+      QTRY_VERIFY2(texts(window->drawing()).contains("T 30 N m"), name);
+      window->document().undoStack().undo();
+      QCOMPARE(torque(), Rational(10));
+
+      QTRY_VERIFY(placeOf("T 10 N m").has_value());
+      QTest::mousePress(sheet, Qt::LeftButton, {}, *placeOf("T 10 N m"));
+      QTest::mouseMove(sheet, chip + QPoint(28, 0));
+      QVERIFY(torque() != Rational(10));
+      QTest::keyClick(sheet, Qt::Key_Escape);
+      QCOMPARE(torque(), Rational(10));
+      QTest::mouseRelease(sheet, Qt::LeftButton, {}, chip + QPoint(28, 0));
+      QCOMPARE(torque(), Rational(10));
+      QVERIFY(!window->document().undoStack().canRedo());
+      QCOMPARE(window->document().undoStack().index(), 0);
+    }
+  }
+
+  /// What was found is no load: pulling it changes nothing.
+  void whatWasFoundIsNotDragged() {
+    open(set());
+    QTRY_VERIFY(placeOf("T 25 N m").has_value());
+    const QPoint chip = *placeOf("T 25 N m");
+    QWidget* const sheet = window->drawing().viewport();
+    QTest::mousePress(sheet, Qt::LeftButton, {}, chip);
+    QTest::mouseMove(sheet, chip + QPoint(20, 0));
+    QTest::mouseRelease(sheet, Qt::LeftButton, {}, chip + QPoint(20, 0));
+    QCOMPARE(torque(), Rational(10));
+    QCOMPARE(window->document().mechanism()->loads.size(), std::size_t{1});
+  }
+
+  /// The tool Load: a drag on a link loads it, a click is for typing.
+  void theToolLoads() {
+    open(set(false));
+    auto& tool = *window->findChild<QAction*>(QStringLiteral("tool.load"));
+    tool.trigger();
+    QVERIFY(tool.isChecked());
+    QVERIFY(window->drawing().tool() == ToolKind::load);
+    QVERIFY(window->drawing().hint().contains("10 Nm"));
+    QWidget* const sheet = window->drawing().viewport();
+    test::Hand hand(*window);
+    const QPoint link = hand.placeOf(1);
+    QTest::mousePress(sheet, Qt::LeftButton, {}, link);
+    QTest::mouseMove(sheet, link + QPoint(24, 0));
+    QTest::mouseRelease(sheet, Qt::LeftButton, {}, link + QPoint(24, 0));
+    const auto& loads = window->document().mechanism()->loads;
+    QCOMPARE(loads.size(), std::size_t{1});
+    QCOMPARE(std::get<LinkTorque>(loads[0].action).torque.exact(), Rational(6));
+    QCOMPARE(window->document().undoStack().count(), 1);
+    QTRY_VERIFY(texts(window->drawing()).contains("T 6 N m"));
+    QTest::mouseClick(sheet, Qt::LeftButton, {}, hand.placeOf(2));
+    QVERIFY(window->digraph().findChild<QLineEdit*>(QStringLiteral("torqueEditor")) != nullptr);
+    QTest::keyClick(window->digraph().findChild<QLineEdit*>(QStringLiteral("torqueEditor")), Qt::Key_Escape);
+    QTest::mouseClick(sheet, Qt::LeftButton, {}, hand.placeOf(0));
+    QVERIFY(window->drawing().hint().contains("ground"));
+    QCOMPARE(window->document().mechanism()->loads.size(), std::size_t{1});
   }
 
   void forcesIn3D() {
