@@ -14,6 +14,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/forces/efficiency_page.h"
+#include "ui/forces/explanation_label.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
@@ -49,6 +51,8 @@ QString tipOf(ForceTableKind kind) {
   return {};
 }
 
+constexpr int kPlotsChip = 1000;  ///< beyond all kinds of tables
+
 /// Every kind, in the order of the chips.
 std::vector<ForceTableKind> kindsOfChips() {
   std::vector<ForceTableKind> kinds = allForceTableKinds();
@@ -70,8 +74,10 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
       m_loads(new LoadsList(document, selection, this)),
       m_table(new LinkedTable(m_model, selection, this)),
       m_pages(new QStackedWidget(this)),
+      m_plots(new EfficiencyPage(this)),
       m_empty(emptyLabel(this)),
-      m_remark(new QLabel(this)) {
+      m_remark(new QLabel(this)),
+      m_explanation(new ExplanationLabel(selection, this)) {
   m_remark->setObjectName(QStringLiteral("forcesRemark"));
   m_remark->setWordWrap(true);
   m_remark->setTextFormat(Qt::PlainText);
@@ -83,6 +89,7 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   layout->addWidget(makeMiddle(), 1);
   layout->addWidget(new SidewaysScroll(makeTotals(), this));
   layout->addWidget(m_remark);
+  layout->addWidget(m_explanation);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
 
@@ -100,19 +107,25 @@ QWidget* ForcesPanel::makeBar() {
   layout->setContentsMargins(12, 6, 10, 2);
   layout->setSpacing(4);
   m_chips = new QButtonGroup(this);
-  for (const ForceTableKind kind : kindsOfChips()) {
+  const auto addChip = [&](const QString& text, const QString& name, const QString& tip, int id) {
     auto* chip = new QToolButton(bar);
-    chip->setText(shownText(forceTableTitle(kind)));
-    chip->setObjectName(QStringLiteral("chip.") + shownText(forceTableCommandName(kind)));
-    chip->setToolTip(tipOf(kind));
+    chip->setText(text);
+    chip->setObjectName(QStringLiteral("chip.") + name);
+    chip->setToolTip(tip);
     chip->setCheckable(true);
     chip->setProperty("look", "chip");
-    m_chips->addButton(chip, static_cast<int>(kind));
+    m_chips->addButton(chip, id);
     layout->addWidget(chip);
-  }
+  };
+  for (const ForceTableKind kind : kindsOfChips())
+    addChip(shownText(forceTableTitle(kind)), shownText(forceTableCommandName(kind)), tipOf(kind),
+            static_cast<int>(kind));
+  addChip(tr("Plots"), QStringLiteral("plots"),
+          tr("Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes"),
+          kPlotsChip);
   m_chips->button(static_cast<int>(ForceTableKind::joints))->setChecked(true);
   connect(m_chips, &QButtonGroup::idClicked, this,
-          [this](int id) { showTable(static_cast<ForceTableKind>(id)); });
+          [this](int id) { id == kPlotsChip ? showPlots() : showTable(static_cast<ForceTableKind>(id)); });
   layout->addStretch(1);
   m_states = new QComboBox(bar);
   m_states->setObjectName(QStringLiteral("forcesState"));
@@ -135,6 +148,8 @@ QWidget* ForcesPanel::makeMiddle() {
   m_table->setAccessibleName(tr("Forces"));
   m_pages->addWidget(m_table);
   m_pages->addWidget(m_empty);
+  m_pages->addWidget(m_plots);
+  connect(m_plots, &EfficiencyPage::tableChanged, this, [this] { showPage(); });
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(m_loads);
@@ -228,6 +243,7 @@ void ForcesPanel::setSnapshot(const SnapshotPtr& snapshot) {
 
 void ForcesPanel::setAwake(bool awake) {
   m_service->setWatched(this, awake);
+  m_explanation->setAwake(awake);
 }
 
 /// "As engaged", then those of the document; the one that was chosen stays by its name.
@@ -262,6 +278,19 @@ void ForcesPanel::showTable(ForceTableKind kind) {
   showForces();
 }
 
+void ForcesPanel::showPlots() {
+  m_chips->button(kPlotsChip)->setChecked(true);
+  showForces();
+}
+
+bool ForcesPanel::showsPlots() const {
+  return m_chips->checkedId() == kPlotsChip;
+}
+
+bool ForcesPanel::isUpToDate() const {
+  return m_service->isComplete() && (!showsPlots() || m_plots->isUpToDate());
+}
+
 void ForcesPanel::showState(int state) {
   if (state + 1 >= m_states->count()) return;
   m_states->setCurrentIndex(state + 1);
@@ -270,15 +299,25 @@ void ForcesPanel::showState(int state) {
 
 void ForcesPanel::showForces() {
   m_model->show(forces(), m_model->kind());
-  const QString why = whyEmpty();
-  m_empty->setText(why);
-  m_pages->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_table) : m_empty);
-  m_copy->setEnabled(why.isEmpty());
-  m_export->setEnabled(why.isEmpty());
-  if (why.isEmpty()) m_table->resizeColumnsToContents();
+  m_plots->show(forces());
+  showPage();
   showTotals();
   showRemark();
   m_table->selectRowOfSelection();
+  m_explanation->show(forces());
+}
+
+/// The table, the plots, or why there is neither.
+void ForcesPanel::showPage() {
+  const bool plots = showsPlots();
+  const QString why = plots ? QString() : whyEmpty();
+  m_empty->setText(why);
+  m_pages->setCurrentWidget(plots           ? static_cast<QWidget*>(m_plots)
+                            : why.isEmpty() ? static_cast<QWidget*>(m_table)
+                                            : m_empty);
+  const QString none = plots ? m_plots->emptyText() : why;
+  for (QToolButton* button : {m_copy, m_export}) button->setEnabled(none.isEmpty());
+  if (!plots && why.isEmpty()) m_table->resizeColumnsToContents();
 }
 
 QString ForcesPanel::whyEmpty() const {
@@ -376,6 +415,10 @@ void ForcesPanel::showRemark() {
   setSheet(*m_remark, QStringLiteral("color: %1").arg(qColor(role, themeOf(palette())).name()));
 }
 
+QString ForcesPanel::explanation() const {
+  return m_explanation->text();
+}
+
 QString ForcesPanel::emptyText() const {
   return m_pages->currentWidget() == m_empty ? m_empty->text() : QString();
 }
@@ -391,18 +434,25 @@ bool ForcesPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void ForcesPanel::wantExport() {
+std::optional<ValueTable> ForcesPanel::shownTable() const {
+  if (showsPlots()) return m_plots->table();
   const ForceTable* const table = m_model->table();
-  if (table == nullptr) return;
+  return table == nullptr ? std::nullopt : std::optional<ValueTable>(*table);
+}
+
+void ForcesPanel::wantExport() {
+  const std::optional<ValueTable> table = shownTable();
+  if (!table) return;
   TextSink sink;
   writeForceCsv(sink, *table);
-  emit exportWanted(shownText(forceTableCommandName(table->kind)) + QStringLiteral(".csv"),
-                    QString::fromStdString(sink.text()));
+  const QString name =
+      showsPlots() ? QStringLiteral("efficiency") : shownText(forceTableCommandName(m_model->kind()));
+  emit exportWanted(name + QStringLiteral(".csv"), QString::fromStdString(sink.text()));
 }
 
 void ForcesPanel::copy() {
-  const ForceTable* const table = m_model->table();
-  if (table == nullptr) return;
+  const std::optional<ValueTable> table = shownTable();
+  if (!table) return;
   TextSink sink;
   CsvOptions options;
   options.separator = '\t';

@@ -21,6 +21,8 @@ class NumberField;
 
 namespace geargraph::inline forces {
 
+class EfficiencyPage;
+class ExplanationLabel;
 class ForceTableModel;
 class LinkedTable;
 class LoadsList;
@@ -43,12 +45,18 @@ class ForcesPanel : public QWidget {
   /// Couplings of this state are engaged; -1: those that the document engages.
   void showState(int state);
 
-  [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
+  [[nodiscard]] bool isUpToDate() const;
   [[nodiscard]] const ForcesPtr& forces() const { return m_service->answer(); }
   [[nodiscard]] ForceTableModel& model() { return *m_model; }
   [[nodiscard]] LinkedTable& table() { return *m_table; }
+  /// The plots of the efficiency, instead of a table.
+  void showPlots();
+  [[nodiscard]] EfficiencyPage& plots() { return *m_plots; }
   /// The finding under the table; empty where all is well.
   [[nodiscard]] QString remark() const;
+  /// The cutset of the one selected joint with its equation, or which gear of the one selected mesh drives;
+  /// empty else. What a cutset cuts off, and what crosses it, stays lit in all views meanwhile.
+  [[nodiscard]] QString explanation() const;
   /// What the table is replaced by; empty while it is shown.
   [[nodiscard]] QString emptyText() const;
   /// A value below the table, by its name: "fed", "forward".
@@ -74,6 +82,9 @@ class ForcesPanel : public QWidget {
   void showRemark();
   void setTotal(const char* name, const QString& text);
   void fitLoads();
+  [[nodiscard]] bool showsPlots() const;
+  void showPage();
+  [[nodiscard]] std::optional<ValueTable> shownTable() const;
   void wantExport();
   void copy();
   [[nodiscard]] QString whyEmpty() const;
@@ -85,8 +96,10 @@ class ForcesPanel : public QWidget {
   QScrollArea* m_loadsView = nullptr;
   LinkedTable* m_table;
   QStackedWidget* m_pages;
+  EfficiencyPage* m_plots;
   QLabel* m_empty;
   QLabel* m_remark;
+  ExplanationLabel* m_explanation;
   QButtonGroup* m_chips = nullptr;
   QComboBox* m_states = nullptr;
   NumberField* m_efficiency = nullptr;

@@ -20,4 +20,10 @@ void Selection::hover(std::set<ElementId> elements) {
   emit hoverChanged();
 }
 
+void Selection::keepLit(std::set<ElementId> elements) {
+  if (elements == m_lit) return;
+  m_lit = std::move(elements);
+  if (m_hovered.empty()) emit hoverChanged();
+}
+
 }  // namespace geargraph::inline selection

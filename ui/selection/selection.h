@@ -25,17 +25,21 @@ class Selection : public QObject {
   void clear() { select({}); }
 
   /// All elements that are to light up for what is under the mouse; empty where nothing is.
-  [[nodiscard]] const std::set<ElementId>& hovered() const { return m_hovered; }
-  [[nodiscard]] bool isHovered(const ElementId& element) const { return m_hovered.contains(element); }
+  [[nodiscard]] const std::set<ElementId>& hovered() const { return m_hovered.empty() ? m_lit : m_hovered; }
+  [[nodiscard]] bool isHovered(const ElementId& element) const { return hovered().contains(element); }
   void hover(std::set<ElementId> elements);
   void hover(const ElementId& element) { hover(std::set<ElementId>{element}); }
   void unhover() { hover(std::set<ElementId>{}); }
+
+  /// What is lit while nothing is under the mouse: what a view explains of the selection.
+  void keepLit(std::set<ElementId> elements);
 
   /// Drops what `exists` denies: after every change of the document.
   template <class Exists>
   void keepOnly(Exists exists) {
     if (!std::all_of(m_selected.begin(), m_selected.end(), exists)) select(kept(m_selected, exists));
     if (!std::all_of(m_hovered.begin(), m_hovered.end(), exists)) hover(kept(m_hovered, exists));
+    if (!std::all_of(m_lit.begin(), m_lit.end(), exists)) keepLit(kept(m_lit, exists));
   }
 
  signals:
@@ -51,6 +55,7 @@ class Selection : public QObject {
 
   std::set<ElementId> m_selected;
   std::set<ElementId> m_hovered;
+  std::set<ElementId> m_lit;
 };
 
 }  // namespace geargraph::inline selection

@@ -27,12 +27,7 @@ SnapshotPtr released(const SnapshotPtr& snapshot, const std::stop_token& stop) {
 std::optional<StaticsReport> solved(const ForcesQuestion& question, const AnalysisSnapshot& snapshot,
                                     const std::stop_token& stop) {
   if (snapshot.matroid() == nullptr || hasErrorsFor(snapshot, question.state)) return std::nullopt;
-  StaticsOptions options;
-  options.state = question.state;
-  options.losses = true;
-  options.efficiency = question.efficiency;
-  options.stiffness = question.stiffness;
-  options.symbolic = false;
+  const StaticsOptions options = optionsOf(question);
   return analyzeStatics(*snapshot.mechanism, *snapshot.kinematics->model, snapshot.kinematics->placement(),
                         *snapshot.kinematics->ttGraph, *snapshot.matroid(), options, stop);
 }
@@ -139,6 +134,16 @@ bool isSame(const ForcesRequest& before, const ForcesRequest& now) {
 }
 
 }  // namespace
+
+StaticsOptions optionsOf(const ForcesQuestion& question) {
+  StaticsOptions options;
+  options.state = question.state;
+  options.losses = true;
+  options.efficiency = question.efficiency;
+  options.stiffness = question.stiffness;
+  options.symbolic = false;
+  return options;
+}
 
 const ForceTable* Forces::table(ForceTableKind kind) const {
   const auto found =

@@ -22,6 +22,9 @@ struct ForcesQuestion {
   friend bool operator==(const ForcesQuestion&, const ForcesQuestion&) = default;
 };
 
+/// As analyzeStatics() takes it: with losses, without symbols.
+[[nodiscard]] StaticsOptions optionsOf(const ForcesQuestion& question);
+
 struct ForcesRequest {
   SnapshotPtr snapshot;
   ForcesQuestion question;

@@ -13,6 +13,7 @@
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/train_sketch.h"
 #include "tests/core/support/trains.h"
+#include "ui/forces/efficiency_page.h"
 #include "ui/forces/force_table_model.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/forces/linked_table.h"
@@ -346,6 +347,77 @@ class ForcesPanelTest : public QObject {
     QVERIFY(wanted[0][1].toString().contains(QLatin1String("torque [N m]")));
     press("copyForces");
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QLatin1String("at\tturns\t")));
+  }
+
+  /// Two inputs: over the ratio of their speeds; the meshes' efficiency beside it. Off this thread, as CSV.
+  void thePlots() {
+    open(set());
+    press("chip.plots");
+    EfficiencyPage& plots = panel->plots();
+    auto* axis = plots.findChild<QComboBox*>(QStringLiteral("efficiencyAxis"));
+    QTRY_VERIFY(panel->isUpToDate() && plots.followed() != nullptr);
+    QCOMPARE(axis->count(), 1);  // lossless: only what the meshes' efficiency does
+    type("meshEfficiency", "0.98");
+    QTRY_VERIFY(panel->isUpToDate());
+    QCOMPARE(axis->count(), 2);
+    QCOMPARE(axis->currentIndex(), 0);  // the ratio of speeds tells more, unless somebody chose
+    QTRY_VERIFY(panel->isUpToDate() && plots.followed()->curve.axis == CurveAxis::speedRatio);
+    const EfficiencyPlot::Sheet& sheet = plots.plot().sheet();
+    QVERIFY(sheet.across.contains("joint"));
+    QCOMPARE(sheet.lines.size(), std::size_t{2});
+    QCOMPARE(*sheet.now, 0.0);
+    const auto still = static_cast<std::size_t>(std::find(sheet.places.begin(), sheet.places.end(), 0.0) -
+                                                sheet.places.begin());
+    QCOMPARE(*sheet.lines[0].values[still], Rational(3401, 3500).toDouble());
+
+    QSignalSpy wanted(panel.get(), &ForcesPanel::exportWanted);
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("exportForces")), Qt::LeftButton);
+    QCOMPARE(wanted.size(), 1);
+    QCOMPARE(wanted[0][0].toString(), QStringLiteral("efficiency.csv"));
+    const QString csv = wanted[0][1].toString();
+    QVERIFY(csv.contains("torque at joint 6 [N m]"));
+    QCOMPARE(csv.count(QLatin1Char('\n')), 82);
+    QVERIFY(csv.contains(QStringLiteral("0,0.971714285714285")));
+
+    auto* quantity = plots.findChild<QComboBox*>(QStringLiteral("efficiencyQuantity"));
+    quantity->setCurrentIndex(1);
+    QCOMPARE(*plots.plot().sheet().lines[0].values[still], 24.01);
+
+    // Keys read it.
+    plots.plot().setFocus();
+    QTest::keyClick(&plots.plot(), Qt::Key_Right);
+    QVERIFY(plots.plot().reading().contains("joint 6"));
+    QCOMPARE(plots.plot().accessibleDescription(), plots.plot().reading());
+
+    document->apply(
+        {QStringLiteral("Change"), [](const Mechanism& before) { return withoutLoad(before, 0); }, 0});
+    settle();
+    QVERIFY(plots.emptyText().contains("loads"));
+    QVERIFY(!panel->findChild<QToolButton*>(QStringLiteral("exportForces"))->isEnabled());
+  }
+
+  /// A joint, in the table or in a drawing: its cutset, lit in all views; a mesh: which gear drives.
+  void whatIsSelectedIsExplained() {
+    open(set());
+    QCOMPARE(panel->explanation(), QString());
+    const auto& mechanism = *document->mechanism();
+    selection.select({mechanism.turningJoints[2].id});
+    QVERIFY2(panel->explanation().contains("cuts off links 3 and 4"), qPrintable(panel->explanation()));
+    QVERIFY(panel->explanation().contains("T7 + M9 + M10 = 0"));
+    QVERIFY(selection.isHovered(mechanism.links[3].id));
+    QVERIFY(selection.isHovered(mechanism.gearMeshes[0].id));
+    QVERIFY(!selection.isHovered(mechanism.links[1].id));
+    selection.hover(mechanism.links[1].id);  // the mouse goes first
+    QVERIFY(!selection.isHovered(mechanism.links[3].id));
+    selection.unhover();
+    QVERIFY(selection.isHovered(mechanism.links[3].id));
+    selection.select({mechanism.gearMeshes[0].id});
+    QVERIFY(panel->explanation().contains("drives gear"));
+    QVERIFY(selection.hovered().empty());
+    selection.select({mechanism.turningJoints[2].id});
+    panel->setAwake(false);
+    QCOMPARE(panel->explanation(), QString());
+    QVERIFY(selection.hovered().empty());
   }
 };
 
