@@ -35,7 +35,7 @@ QColor colourOf(ForceKind kind, bool dark) {
   return dark ? QColor(0x6C, 0x9B, 0xFF) : QColor(0x2A, 0x68, 0xE4);
 }
 
-/// Boxes in the colours of their arrows, and what these colours mean in the upper left corner.
+/// Boxes in the colours of their arrows, and what these colours mean on the upper left.
 void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces& shown, bool dark) {
   if (shown.arrows.empty()) return;
   const QColor sheet = dark ? QColor(0x26, 0x2B, 0x31) : QColor(Qt::white);
@@ -56,7 +56,7 @@ void paintForces(QPainter& painter, const LabelGround& ground, const ShownForces
     painter.setPen(inkOf(dark));
     painter.drawText(box, Qt::AlignCenter, QString::fromStdString(force.text));
   }
-  constexpr double kLegendLeft = 12, kLegendTop = 12, kLegendLine = 18;
+  constexpr double kLegendLeft = 12, kLegendTop = 40, kLegendLine = 18;  // below "Software 3D"
   double line = kLegendTop;
   for (const ForceKind kind : {ForceKind::tooth, ForceKind::bearing}) {
     const QString text = QString::fromUtf8(forceLegend(kind).data(), qsizetype(forceLegend(kind).size()));
