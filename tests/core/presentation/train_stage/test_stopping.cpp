@@ -10,13 +10,17 @@
 #include <future>
 #include <thread>
 
+#include "core/foundations/base/contract.h"
 #include "core/machine/bodies/complete_train.h"
 #include "core/machine/bodies/derived_geometry.h"
 #include "core/presentation/meshfile/mesh_writer.h"
 #include "core/presentation/schematic/schematic.h"
+#include "core/presentation/simulators/simulator_model.h"
 #include "core/presentation/train_stage/stage_picture.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/theory/dynamics/dynamics_report.h"
 #include "core/theory/matroid/input_sets.h"
+#include "core/theory/statics/efficiency_curve.h"
 #include "tests/core/support/deep_train.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/extreme_documents.h"
@@ -140,6 +144,59 @@ class StoppingTest : public QObject {
     });
   }
 
+  /// Masses, the equation of motion, a motion that goes on for long, and models for simulators.
+  void dynamicsOn(const char* name, const Mechanism& mechanism) {
+    const SnapshotPtr live = analyzeLive(shared(mechanism));
+    GEARGRAPH_REQUIRE(live->matroid() != nullptr && live->matroid()->solution);
+    const Placement& placement = live->kinematics->placement();
+    const auto train = std::make_shared<const GearTrain>(trainOf(*live->mechanism, placement));
+    const auto prepared = [live, train](const std::stop_token& stop) {
+      return dynamicsOf(*live->mechanism, *live->kinematics->model, live->kinematics->placement(),
+                        *live->matroid(), *train, stop);
+    };
+    QTest::addRow("dynamics, %s", name)
+        << Work([prepared](const std::stop_token& stop) { return std::any(prepared(stop).has_value()); });
+    QTest::addRow("simulator model, %s", name) << Work([live, train](const std::stop_token& stop) {
+      return std::any(simulatorModel(*live, *train, {}, stop));
+    });
+    const auto ready = std::make_shared<MechanismDynamics>(std::move(prepared({})->value()));
+    QTest::addRow("motion, %s", name) << Work([ready](const std::stop_token& stop) {
+      TrainDynamics dynamics(ready->train);
+      SimulationOptions options;
+      const auto inputs = static_cast<Eigen::Index>(ready->inputs.size());
+      options.motors.assign(ready->inputs.size(), Motor{1, 1e-3});
+      options.angles = options.speeds = Eigen::VectorXd::Zero(inputs);
+      options.seconds = 1e4;
+      options.interval = 0.1;
+      return std::any(simulate(dynamics, options, stop));
+    });
+  }
+
+  /// Torques under a load on the last joint, and the efficiency over that of the meshes.
+  void staticsOn(const char* name, Mechanism mechanism) {
+    mechanism.loads = {{{}, JointTorque{mechanism.turningJoints.back().id, Number(10)}}};
+    const SnapshotPtr live = analyzeLive(shared(std::move(mechanism)));
+    StaticsOptions options;
+    options.losses = true;
+    options.efficiency = Rational(49, 50);
+    const auto solve = [live, options](const std::stop_token& stop) {
+      return analyzeStatics(*live->mechanism, *live->kinematics->model, live->kinematics->placement(),
+                            *live->kinematics->ttGraph, *live->matroid(), options, stop);
+    };
+    QTest::addRow("statics, %s", name)
+        << Work([solve](const std::stop_token& stop) { return std::any(solve(stop)); });
+    StaticsOptions plain = options;
+    plain.symbolic = false;
+    const auto report = std::make_shared<const StaticsReport>(
+        *analyzeStatics(*live->mechanism, *live->kinematics->model, live->kinematics->placement(),
+                        *live->kinematics->ttGraph, *live->matroid(), plain));
+    QTest::addRow("efficiency curve, %s", name) << Work([live, report, plain](const std::stop_token& stop) {
+      return std::any(efficiencyCurve(
+          *live->mechanism, *live->kinematics->model, live->kinematics->placement(), *live->matroid(),
+          *report, plain, CurveAxis::meshEfficiency, usualRange(CurveAxis::meshEfficiency), stop));
+    });
+  }
+
   QTemporaryDir m_folder;
 
  private slots:
@@ -154,6 +211,10 @@ class StoppingTest : public QObject {
     exportsOf("gearbox", test::example("eight-speed-gearbox"));
     picturesOf("1,000 links", test::deepTrain(1, 1000));
     picturesOf("gearbox", test::example("eight-speed-gearbox"));
+    dynamicsOn("robot", test::example("robot"));
+    dynamicsOn("180 links", test::deepTrain(2, 180));
+    staticsOn("180 links", test::deepTrain(2, 180));
+    staticsOn("1,000 links", test::deepTrain(1, 1000));
   }
   void workEndsWithinATenthOfASecond() {
     QFETCH(Work, work);
