@@ -1,6 +1,9 @@
 #include "app/editor/command_line.h"
 
 #include <QCommandLineParser>
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace geargraph {
 namespace {
@@ -15,6 +18,13 @@ std::optional<QSize> sizeFrom(const QString& text) {
 }
 
 }  // namespace
+
+bool onlyPrints(int count, char** words) {
+  constexpr std::array<std::string_view, 5> kPrinting = {"-h", "--help", "--help-all", "-v", "--version"};
+  return std::any_of(words + 1, words + count, [&](std::string_view word) {
+    return std::find(kPrinting.begin(), kPrinting.end(), word) != kPrinting.end();
+  });
+}
 
 CommandLine readCommandLine(const QStringList& arguments) {
   QCommandLineParser parser;

@@ -17,6 +17,9 @@ struct CommandLine {
   std::optional<QSize> size;
 };
 
+/// Help or version are asked for, which needs no display. @pre the words are those of main
+[[nodiscard]] bool onlyPrints(int count, char** words);
+
 /// Reads the arguments; prints help, version or what is wrong with them and exits where that was asked.
 [[nodiscard]] CommandLine readCommandLine(const QStringList& arguments);
 

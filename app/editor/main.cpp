@@ -13,6 +13,9 @@
 
 int main(int argc, char** argv) {
   using namespace geargraph;
+  // --help is asked for over remote lines, too.
+  if (onlyPrints(argc, argv) && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
   View3D::prepareApplication();
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("GearGraph"));

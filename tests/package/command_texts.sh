@@ -18,6 +18,10 @@ for command in $("$cli" --help | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1
 done
 grep -qF '\fB\-\-screenshot\fR \fIfile\fR' "$texts/geargraph.1" || fail "The man page lacks --screenshot."
 
+# Who asks over a remote line has no display.
+env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM "$editor" --help | grep -q -- --screenshot ||
+  fail "The editor's --help needs a display."
+
 # completes WORDS...: what the last word is completed to.
 source "$texts/geargraph-cli.bash"
 completes() {

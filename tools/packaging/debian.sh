@@ -1,5 +1,10 @@
 # Debian packages: geargraph, geargraph-cli (without Qt) and python3-geargraph. Sourced by tools/package.
 
+# Each release has packages of its own, of libraries that other releases do not have.
+debian_version() {
+  echo "$version-1~deb$(. /etc/os-release && echo "$VERSION_ID")u1"
+}
+
 # stage_component PACKAGE COMPONENT: what the build installs of a component, stripped, below /usr.
 stage_component() {
   cmake --install "$build" --component "$2" --prefix "$out/stage/$1/usr" --strip >/dev/null
@@ -31,7 +36,7 @@ make_debian_package() {
   local name=$1 stage=$out/stage/$1 depends
   install -D -m 644 "$root/resources/packaging/copyright" "$stage/usr/share/doc/$name/copyright"
   {
-    echo "geargraph ($version-1) unstable; urgency=medium"
+    echo "geargraph ($(debian_version)) unstable; urgency=medium"
     printf '\n  * Release %s.\n\n' "$version"
     echo " -- $(maintainer)  $(LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH")"
   } >"$out/texts/changelog.Debian"
@@ -40,7 +45,7 @@ make_debian_package() {
   depends=$(library_dependencies "$name")
   mkdir -p "$stage/DEBIAN"
   {
-    printf 'Package: %s\nVersion: %s-1\nArchitecture: %s\n' "$name" "$version" "$(dpkg --print-architecture)"
+    printf 'Package: %s\nVersion: %s\nArchitecture: %s\n' "$name" "$(debian_version)" "$(dpkg --print-architecture)"
     printf 'Maintainer: %s\nSection: %s\nPriority: optional\n' "$(maintainer)" "$2"
     printf 'Installed-Size: %s\n' "$(du -sk --apparent-size "$stage/usr" | cut -f1)"
     printf 'Depends: %s%s\n' "${3:+$3, }" "$depends"
@@ -49,7 +54,7 @@ make_debian_package() {
   } >"$stage/DEBIAN/control"
   (cd "$stage" && find usr -type f -exec md5sum {} + | LC_ALL=C sort -k2) >"$stage/DEBIAN/md5sums"
   find "$stage" -type d -exec chmod 755 {} +
-  dpkg-deb --root-owner-group -Zxz --build "$stage" "$out/${name}_$version-1_$(dpkg --print-architecture).deb" >/dev/null
+  dpkg-deb --root-owner-group -Zxz --build "$stage" "$out/${name}_$(debian_version)_$(dpkg --print-architecture).deb" >/dev/null
 }
 
 make_debian_packages() {
@@ -70,8 +75,9 @@ make_debian_packages() {
  It needs neither a display nor Qt.'
 
   stage_component geargraph editor
+  install -m 644 "$out/texts/org.geargraph.geargraph.metainfo.xml" "$out/stage/geargraph/usr/share/metainfo"
   add_text "$out/texts/geargraph.1" share/man/man1/geargraph.1 geargraph
-  make_debian_package geargraph science "geargraph-cli (= $version-1)" 'Recommends: libgl1-mesa-dri, fonts-dejavu-core' \
+  make_debian_package geargraph science "geargraph-cli (= $(debian_version))" 'Recommends: libgl1-mesa-dri, fonts-dejavu-core' \
     'editor and teaching tool for geared mechanisms' \
     'Draw links, turning joints and gear meshes, and see what theory says of them:
  the digraph, its matrices, speeds by two methods, the functional schematic,
@@ -79,7 +85,7 @@ make_debian_packages() {
 
   stage_component python3-geargraph python
   # 3D files are read by the program of geargraph-cli.
-  make_debian_package python3-geargraph python "geargraph-cli (= $version-1), $python" \
+  make_debian_package python3-geargraph python "geargraph-cli (= $(debian_version)), $python" \
     'Suggests: python3-numpy, python3-pandas, python3-sympy' \
     'geared mechanisms in Python' \
     'Mechanisms built and edited in code, analysed exactly by two methods, drawn and
