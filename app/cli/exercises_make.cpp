@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/exercise_forms.h"
+#include "app/cli/exercise_plan.h"
 #include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/foundations/files/folder.h"
@@ -29,55 +30,14 @@ struct MakeOptions {
   std::vector<std::string> forms;
 };
 
-std::vector<std::string> wordsOf(const std::string& list, char separator) {
-  std::vector<std::string> words;
-  std::size_t begin = 0;
-  while (begin <= list.size()) {
-    const std::size_t end = std::min(list.find(separator, begin), list.size());
-    std::string word = list.substr(begin, end - begin);
-    while (!word.empty() && (word.back() == '\r' || word.back() == ' ')) word.pop_back();
-    if (!word.empty()) words.push_back(std::move(word));
-    begin = end + 1;
-  }
-  return words;
-}
-
-std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& arguments,
-                                                              const ExerciseSource& source) {
-  const auto given = arguments.value("--kinds");
-  if (!given) return offeredKinds(source);
-  std::vector<ExerciseKind> kinds;
-  for (const std::string& name : wordsOf(*given, ',')) {
-    const auto kind = kindFromName(name);
-    if (!kind)
-      return UsageError{"There is no kind of question \"" + name +
-                        "\"; geargraph-cli exercises kinds FILE lists them."};
-    if (const auto reason = reasonAgainst(source, *kind))
-      return UsageError{"The mechanism gives no question \"" + name + "\": " + *reason + '.'};
-    kinds.push_back(*kind);
-  }
-  if (kinds.empty() || static_cast<int>(kinds.size()) > kMostQuestions)
-    return UsageError{"--kinds names 1 to 100 questions."};
-  return kinds;
-}
-
 /// Everything but the kinds, which depend on the mechanism.
 std::variant<MakeOptions, UsageError, FileError> optionsFrom(const Arguments& arguments) {
   MakeOptions options;
-  options.plan.title = arguments.value("--title").value_or("Exercises");
-  if (const auto word = arguments.value("--seed")) {
-    const auto seed = numberFrom<std::uint64_t>(*word);
-    if (!seed) return UsageError{"--seed is a whole number from 0 on."};
-    options.plan.seed = *seed;
-  }
   if (arguments.has("--variants") && arguments.has("--names"))
     return UsageError{"Give --variants or --names: a name is a variant."};
-  if (const auto word = arguments.value("--variants")) {
-    const auto variants = numberFrom<int>(*word);
-    if (!variants || *variants < 1 || *variants > kMostVariants)
-      return UsageError{"--variants is a whole number from 1 to 1000."};
-    options.plan.variants = *variants;
-  }
+  auto plan = planFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&plan)) return *error;
+  options.plan = std::get<SheetPlan>(std::move(plan));
   if (const auto path = arguments.value("--names")) {
     const auto bytes = readFile(*path, kLargestFile);
     if (const auto* error = std::get_if<FileError>(&bytes)) return *error;

@@ -23,7 +23,8 @@ constexpr unsigned kSolids = 1U << 6U;
 constexpr unsigned kAssembly = 1U << 7U;
 constexpr unsigned kSimulator = 1U << 8U;
 constexpr unsigned kGraph = 1U << 9U;
-constexpr unsigned kEverything = (1U << 10U) - 1;
+constexpr unsigned kHandout = 1U << 10U;
+constexpr unsigned kEverything = (1U << 11U) - 1;
 
 constexpr std::string_view kOfMatrices = "Matrices (--to csv)";
 constexpr std::string_view kOfDerivations = "Derivations (--to html, latex, md, pdf, handout or scorm)";
@@ -31,20 +32,21 @@ constexpr std::string_view kOfViews = "Drawings and 3D pictures (--to svg, pdf o
 constexpr std::string_view kOf3D = "3D pictures (--to png --view 3d)";
 constexpr std::string_view kOfAnimations = "Animations (--to png --view 3d)";
 constexpr std::string_view kOfSolids = "Solids (--to stl, obj, ply, glb or 3mf)";
+constexpr std::string_view kOfHandouts = "Handouts (--to handout or scorm)";
 constexpr std::string_view kOfSimulators = "Simulators (--to mjcf or urdf)";
 
 /// What --help, and the rejection of an option, call what is written.
-constexpr std::array<std::string_view, 10> kNames = {
-    "--to csv",
-    "derivations (--to html, latex, md, pdf, handout, scorm)",
-    "drawings (--view digraph, ttgraph, schematic)",
-    "3D pictures (--to png --view 3d)",
-    "animations (--turntable, --motion)",
-    "--to glb --view 3d",
-    "--to stl, obj, ply, glb, 3mf",
-    "--to assembly",
-    "--to mjcf, urdf",
-    "graphs (--to dot, graphml, node-link)"};
+constexpr std::array<std::string_view, 11> kNames = {"--to csv",
+                                                     "derivations (--to html, latex, md, pdf)",
+                                                     "drawings (--view digraph, ttgraph, schematic)",
+                                                     "3D pictures (--to png --view 3d)",
+                                                     "animations (--turntable, --motion)",
+                                                     "--to glb --view 3d",
+                                                     "--to stl, obj, ply, glb, 3mf",
+                                                     "--to assembly",
+                                                     "--to mjcf, urdf",
+                                                     "graphs (--to dot, graphml, node-link)",
+                                                     "handouts (--to handout, scorm)"};
 
 struct ExportOption {
   Option option;
@@ -86,9 +88,22 @@ constexpr std::array kExportOptions = {
                  kMatrices},
     ExportOption{
         {"--inputs", "8,9,11", "drive these joints (by label) instead of the document's", kOfDerivations},
-        kDerivation},
+        kDerivation | kHandout},
     ExportOption{{"--speed", "8=1/2", "the speed of an input in rad/s; may be repeated", kOfDerivations},
-                 kDerivation},
+                 kDerivation | kHandout},
+    ExportOption{
+        {"--exercises", "",
+         "with an exercise sheet that tells where an answer is wrong, and why. Saved answers are graded "
+         "by exercises grade with the sheet.json of exercises make with the same options",
+         kOfHandouts},
+        kHandout},
+    ExportOption{{"--kinds", "LIST", "kinds of questions, as for exercises make (all)", kOfHandouts},
+                 kHandout},
+    ExportOption{{"--seed", "N", "the same number makes the same sheets everywhere (1)", kOfHandouts},
+                 kHandout},
+    ExportOption{{"--title", "TEXT", "the heading of the sheet (\"Exercises\")", kOfHandouts}, kHandout},
+    ExportOption{{"--variants", "N", "how many different sheets there are (1)", kOfHandouts}, kHandout},
+    ExportOption{{"--variant", "K", "which of them this is (1)", kOfHandouts}, kHandout},
     ExportOption{kStateOption, kEverything},
     ExportOption{kEngageOption, kEverything},
     ExportOption{
@@ -194,7 +209,7 @@ std::optional<Exporter> exporterOf(const Arguments& arguments, const std::string
     return Exporter{kDerivation, to, [&arguments, report] { return exportReport(arguments, *report); }};
   if (form == "handout" || form == "scorm") {
     const HandoutUse use = form == "handout" ? HandoutUse::alone : HandoutUse::learningPlatform;
-    return Exporter{kDerivation, to, [&arguments, use] { return exportHandout(arguments, use); }};
+    return Exporter{kHandout, to, [&arguments, use] { return exportHandout(arguments, use); }};
   }
   if (const auto graph = graphFormFromName(form))
     return Exporter{kGraph, to, [&arguments, graph] { return exportGraph(arguments, *graph); }};

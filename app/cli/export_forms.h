@@ -37,8 +37,9 @@ int exportDrawing(const Arguments& arguments, PictureForm form);
 int exportReport(const Arguments& arguments, ReportForm form);
 /// `export FILE --to pdf [--inputs ...] -o OUT`, without --view: the same on pages.
 int exportReportPages(const Arguments& arguments);
-/// `export FILE --to handout|scorm [--inputs ...] -o OUT`: the same as a page for browsers, with inputs to
-/// move; or as a package with that page, for a learning platform.
+/// `export FILE --to handout|scorm [--inputs ... | --exercises [--kinds LIST] [--seed N] [--title TEXT]
+/// [--variants N --variant K]] -o OUT`: the same as a page for browsers, with inputs to move, and exercises
+/// that give feedback; or as a package with that page, for a learning platform.
 int exportHandout(const Arguments& arguments, HandoutUse use);
 
 /// `export FILE --to dot/graphml/node-link [--view digraph/ttgraph] -o OUT`.

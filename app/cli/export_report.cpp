@@ -4,12 +4,16 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/diagnostics_output.h"
 #include "app/cli/engagement_options.h"
+#include "app/cli/exercise_forms.h"
+#include "app/cli/exercise_plan.h"
 #include "app/cli/export_forms.h"
 #include "app/cli/input_options.h"
+#include "app/cli/load.h"
 #include "app/cli/time_limit.h"
 #include "core/presentation/drawing/svg_writer.h"
 #include "core/presentation/handout/handout.h"
@@ -59,6 +63,39 @@ int exportDerivation(const Arguments& arguments,
   return hasErrors(snapshot->diagnostics) ? kMechanismErrors : kFine;
 }
 
+/// What --exercises and its options ask for; none without it, or the exit status.
+std::variant<std::optional<HandoutExercises>, UsageError, int> exercisesFrom(const Arguments& arguments) {
+  if (!arguments.has("--exercises")) {
+    for (const char* option : {"--kinds", "--seed", "--title", "--variants", "--variant"}) {
+      if (arguments.has(option)) return UsageError{std::string(option) + " needs --exercises."};
+    }
+    return std::optional<HandoutExercises>();
+  }
+  // By its mark a sheet is that of a document as it is in its file.
+  for (const char* option : {"--inputs", "--speed", "--state", "--engage"}) {
+    if (arguments.has(option))
+      return UsageError{std::string(option) +
+                        " has no meaning with --exercises, which ask about the document."};
+  }
+  if (arguments.files.front() == "-") return UsageError{"--exercises needs a file, not standard input."};
+  auto plan = planFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&plan)) return *error;
+  auto& sheet = std::get<SheetPlan>(plan);
+  const auto variant = numberFrom<int>(arguments.value("--variant").value_or("1"));
+  if (!variant || *variant < 1 || *variant > sheet.variants)
+    return UsageError{"--variant is a whole number from 1 to that of --variants."};
+  const auto loaded = loadOrSay(arguments.files.front());
+  if (const int* status = std::get_if<int>(&loaded)) return *status;
+  const auto& mechanism = std::get<Mechanism>(loaded);
+  if (mechanism.n() > kMostExerciseLinks) return tooLargeForExercises();
+  const ExerciseSource source(mechanism);
+  auto kinds = kindsFrom(arguments, source);
+  if (const auto* error = std::get_if<UsageError>(&kinds)) return *error;
+  sheet.kinds = std::get<std::vector<ExerciseKind>>(std::move(kinds));
+  if (sheet.kinds.empty()) return UsageError{"Nothing can be asked about this mechanism."};
+  return std::optional(handoutExercises(source, sheet, *variant));
+}
+
 }  // namespace
 
 int exportReport(const Arguments& arguments, ReportForm form) {
@@ -77,13 +114,17 @@ int exportReportPages(const Arguments& arguments) {
 }
 
 int exportHandout(const Arguments& arguments, HandoutUse use) {
+  auto made = exercisesFrom(arguments);
+  if (const auto* error = std::get_if<UsageError>(&made)) return wrongUsage(kExport, error->message);
+  if (const int* status = std::get_if<int>(&made)) return *status;
+  const auto& exercises = std::get<std::optional<HandoutExercises>>(made);
   return exportDerivation(arguments, [&](const SnapshotPtr& snapshot) -> Expected<std::string> {
     const std::string& file = arguments.files.front();
-    const MadeHandoutTrain made = handoutTrain(
+    const MadeHandoutTrain train = handoutTrain(
         *snapshot, file == "-" ? "." : std::filesystem::absolute(file).parent_path(), arguments.stop);
-    for (const std::string& note : made.notes) std::cerr << file << ": " << note << '\n';
-    Expected<std::string> page =
-        handoutHtml(snapshot, drawingsOf(*snapshot, arguments.stop), made.train, use, arguments.stop);
+    for (const std::string& note : train.notes) std::cerr << file << ": " << note << '\n';
+    Expected<std::string> page = handoutHtml(snapshot, drawingsOf(*snapshot, arguments.stop), train.train,
+                                             use, exercises, arguments.stop);
     if (!page || use == HandoutUse::alone) return page;
     return scormPackage(reportTitle(*snapshot->mechanism), *page);
   });

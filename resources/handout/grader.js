@@ -113,12 +113,10 @@ const UNREADABLE = {
   choice: ['not-a-choice', (text, name) => `\u201c${text}\u201d is not among what the question offers for ${name}.`],
 };
 
+const hasOneAnswer = ({accepted}) => accepted.length === 1 && accepted[0].test === 'values' && accepted[0].values.length === 1;
 // Where an answer differs from the only right one; nothing where several are right.
-const differingFields = (question, read) => {
-  const [first] = question.accepted;
-  if (question.accepted.length !== 1 || first.test !== 'values' || first.values.length !== 1) return [];
-  return read.flatMap((field, i) => (readsLike(field, question.solution[i]) ? [] : [i]));
-};
+const differingFields = (question, read) =>
+    (hasOneAnswer(question) ? read.flatMap((field, i) => (readsLike(field, question.solution[i]) ? [] : [i])) : []);
 
 // `answer`: a text for each field. {isRight, points, mistakes: [{name, fields, elements, reason}], wrongFields, reason}: the
 // first of the mistakes is the one to be told; `wrongFields` are marked, none of them means the answer as a whole.

@@ -58,7 +58,7 @@ const keyAt = target => {
   return node.dataset.el ? node.dataset.el.split(' ')[0] : keyOf(node.dataset.list, node.dataset.id);
 };
 document.addEventListener('click', event => {
-  if (event.target.closest('a, button, input, .card, canvas')) return;
+  if (event.target.closest('a, button, input, select, .card, canvas')) return;
   select(keyAt(event.target));
 });
 document.addEventListener('keydown', event => {

@@ -1,7 +1,8 @@
-// Tells a learning platform (SCORM 1.2) which parts were seen, how long it took, and when all of them were. The platform
-// offers its object "API" in a frame or window around the page; without one nothing is told.
+// Tells a learning platform (SCORM 1.2) which parts were seen, how long it took, when all of them were, and the points of
+// the exercises. The platform offers its object "API" in a frame or window around the page; without one nothing is told.
 
-const PARTS = ['drawings', 'matrices', 'solution', 'derivation'];
+const sheet = document.getElementById('exercises');
+const PARTS = ['drawings', 'matrices', 'solution', 'derivation'].concat(sheet ? ['exercises'] : []);
 const FARTHEST = 10;  // frames outwards, as the standard has it
 
 // Frames of another origin may not be looked into.
@@ -42,12 +43,27 @@ if (api && String(api.LMSInitialize('')) === 'true') {
     api.LMSSetValue('cmi.suspend_data', PARTS.filter(part => seen.has(part)).join(','));
     api.LMSCommit('');
   };
+  // In percent; what was reached on another day or device stays.
+  const tellPoints = () => {
+    if (!sheet.dataset.of) return;
+    const before = Number(api.LMSGetValue('cmi.core.score.raw') || 0);
+    const score = Math.max(before, Math.round(100 * Number(sheet.dataset.points) / Number(sheet.dataset.of)));
+    for (const [name, value] of [['min', 0], ['max', 100], ['raw', score]])
+      api.LMSSetValue('cmi.core.score.' + name, String(value));
+    if (sheet.dataset.open === '0') seen.add('exercises');
+    tell();
+  };
+  if (sheet) {
+    sheet.addEventListener('points', tellPoints);
+    tellPoints();
+  }
   const observer = new IntersectionObserver(entries => {
     const before = seen.size;
     for (const {isIntersecting, target} of entries) if (isIntersecting) seen.add(target.id);
     if (seen.size > before) tell();
   });
-  for (const part of PARTS) observer.observe(document.getElementById(part));
+  // Exercises are over when each was checked or shown, not when they were seen.
+  for (const part of PARTS) if (part !== 'exercises') observer.observe(document.getElementById(part));
   tell();
   let isFinished = false;
   window.addEventListener('pagehide', () => {

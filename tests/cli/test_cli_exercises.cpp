@@ -48,6 +48,31 @@ class CliExercisesTest : public QObject {
   }
 
  private slots:
+  /// The page's key is that of the sheet that the same options make; what the browser does with it is tested
+  /// there (tests/handout).
+  void aHandoutAsksTheQuestionsOfASheet() {
+    const QString page = path("page.html");
+    const auto exported = [&](const QStringList& more) {
+      return run(QStringList{"export", kRobot, "--to", "handout", "-o", page} + more);
+    };
+    const Run made = exported({"--exercises", "--kinds", "freedom,speed,freedom", "--seed", "5", "--variants",
+                               "9", "--variant", "9", "--title", "Week 3"});
+    QVERIFY2(made.status == 0, made.errors.c_str());
+    const QString text = QString::fromStdString(contents("page.html"));
+    QCOMPARE(text.count("<article class=\"question\""), qsizetype{3});
+    QVERIFY(text.contains("Week 3, variant 9"));
+    const std::vector<QStringList> refused{{"--kinds", "freedom"},
+                                           {"--exercises", "--kinds", "nothing"},
+                                           {"--exercises", "--variant", "2"},
+                                           {"--exercises", "--variants", "0"},
+                                           {"--exercises", "--seed", "-1"},
+                                           {"--exercises", "--inputs", "8,9,11"}};
+    for (const QStringList& words : refused) {
+      const Run run = exported(words);
+      QVERIFY2(run.status == 2 && !run.errors.empty(), qPrintable(words.join(' ')));
+    }
+  }
+
   void aSheetIsMadeAndGraded() {
     const Run made = make("class", {"--variants", "12", "--seed", "2026", "--to", "html,json", "--kinds",
                                     "cycle-basis,terminal,inputs,speed,cycle-basis"});

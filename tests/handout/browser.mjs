@@ -1,77 +1,25 @@
 // Handouts in a real browser, opened from disk as they are handed out, under their own policy.
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
-import fs from 'node:fs';
-import os from 'node:os';
-import path from 'node:path';
 import test, {after, before} from 'node:test';
-import {pathToFileURL} from 'node:url';
-import puppeteer from 'puppeteer-core';
+import {DESK, PAIRS, PHONE, barriers, closed, handoutsIn, opened, start} from './browsers.mjs';
 
-const cli = process.env.GEARGRAPH_CLI;
-const examples = process.env.GEARGRAPH_EXAMPLES;
 const name = process.env.GEARGRAPH_BROWSER;
 const isFirefox = name.startsWith('firefox');
-const program = ['/usr/bin', '/usr/local/bin', '/snap/bin'].map(folder => path.join(folder, name)).find(fs.existsSync);
-if (!program) {
-  console.log(`skipped: there is no ${name}`);
-  process.exit(77);
-}
-const DESK = {width: 1366, height: 768}, PHONE = {width: 390, height: 844, isMobile: false};
-const axe = fs.readFileSync('node_modules/axe-core/axe.min.js', 'utf8');
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-browser-'));
-
+// With exercises, which have to be as free of barriers as the rest.
+const pages = handoutsIn('pages');
+const handout = example => pages(example, '--exercises');
 let browser;
-const start = more => puppeteer.launch({
-  browser: isFirefox ? 'firefox' : 'chrome', executablePath: program, headless: true, ...more,
-  args: isFirefox ? [] : ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-before(async () => { browser = await start({}); });
+before(async () => { browser = await start(name); });
 after(async () => {
-  await browser.close();
-  fs.rmSync(folder, {recursive: true});
-});
+  await browser?.close();
+  });
 
-const made = new Map();
-const handout = example => {
-  if (!made.has(example)) {
-    const file = path.join(folder, example + '.html');
-    try {
-      execFileSync(cli, ['export', path.join(examples, example + '.geargraph'), '--to', 'handout', '-o', file], {stdio: 'ignore'});
-    } catch (error) {
-      if (error.status !== 1) throw error;  // 1: a mechanism with errors, which has a handout, too
-    }
-    made.set(example, pathToFileURL(file).href);
-  }
-  return made.get(example);
+const open = async (example, {size = DESK, theme = 'light'} = {}) => {
+  const each = await opened(browser, handout(example), size);
+  if (theme === 'dark') await each.page.evaluate(() => { document.documentElement.dataset.theme = 'dark'; });
+  return each;
 };
-
-// A page with what it complained of: errors, refusals of its policy, requests.
-const open = async (example, {size = DESK, theme = 'light', from = browser} = {}) => {
-  const page = await from.newPage();
-  const complaints = [];
-  page.on('pageerror', error => complaints.push(String(error)));
-  page.on('console', message => { if (['error', 'warn'].includes(message.type())) complaints.push(message.text()); });
-  page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(request.url()); });
-  await page.setViewport(size);
-  await page.goto(handout(example));
-  if (theme === 'dark') await page.evaluate(() => { document.documentElement.dataset.theme = 'dark'; });
-  return {page, complaints};
-};
-const ready = page => page.waitForSelector('#scene canvas', {timeout: 60000});
-// Elements of MathML with another number of children than they must have.
-const brokenFormulas = page => page.evaluate(() => {
-  const children = {msub: 2, msup: 2, mfrac: 2, mroot: 2, munder: 2, mover: 2, msubsup: 3, munderover: 3};
-  return Object.entries(children).flatMap(([name, count]) => [...document.getElementsByTagName(name)]
-    .filter(each => each.childElementCount !== count).map(each => each.outerHTML));
-});
-const closed = async ({page, complaints}) => {
-  // What a driver without a graphics card says of itself; and what Firefox says of a formula that is not read to its end when
-  // it lays out the first part of a page: the whole page is looked at for that.
-  const own = complaints.filter(each => !/WebGL|GPU stall|GL Driver|swiftshader|software|Incorrect number of children/i.test(each));
-  assert.deepEqual(own, []);
-  assert.deepEqual(await brokenFormulas(page), []);
-  await page.close();
-};
+const ready = page => page.waitForSelector('#scene canvas');
 const rates = page => page.$$eval('[data-now]', cells => cells.map(cell => cell.textContent));
 // The picture on the canvas, as a number that changes with it.
 const painted = page => page.evaluate(async () => {
@@ -86,25 +34,43 @@ const painted = page => page.evaluate(async () => {
   return sum;
 });
 
-test('every example opens, without a complaint and without asking for anything', async () => {
-  let scenes = 0;
-  const files = fs.readdirSync(examples).filter(each => each.endsWith('.geargraph'));
-  // Two browsers need not look at all: what differs between them is not the mechanism.
-  for (const file of isFirefox ? files.slice(0, 4) : files) {
-    const opened = await open(path.basename(file, '.geargraph'));
-    if (await opened.page.$('#scene')) {
-      await ready(opened.page);
-      ++scenes;
-    }
-    await closed(opened);
+// All others are opened, without three dimensions, by exercises.mjs.
+test('trains of many forms open, without a complaint and without asking for anything', async () => {
+  const names = ['robot', 'eight-speed-gearbox', 'spur-pair', 'humpage-reduction', 'ravigneaux', 'ferguson-paradox'];
+  for (const example of isFirefox ? names.slice(0, 3) : names) {
+    const each = await open(example);
+    await ready(each.page);
+    await closed(each);
   }
-  assert.ok(scenes >= (isFirefox ? 3 : 12), `${scenes} scenes`);
+});
+
+test('where the graphics are lost the still picture stands, until they are back', async () => {
+  const each = await open('spur-pair');
+  const {page} = each;
+  await ready(page);
+  const before = await painted(page);
+  const seen = () => page.evaluate(() => {
+    const {width} = document.querySelector('#scene img:not(.printed)').getBoundingClientRect();
+    return [width > 0, document.querySelector('#scene canvas').getBoundingClientRect().width > 0];
+  });
+  assert.deepEqual(await seen(), [false, true]);
+  await page.evaluate(() => {
+    window.loss = document.querySelector('#scene canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.loss.loseContext();
+  });
+  await page.waitForFunction(() => document.querySelector('#scene canvas').hidden);
+  assert.deepEqual(await seen(), [true, false]);
+  await page.evaluate(() => window.loss.restoreContext());
+  await page.waitForFunction(() => !document.querySelector('#scene canvas').hidden);
+  assert.deepEqual(await seen(), [false, true]);
+  assert.equal(await painted(page), before);
+  await closed(each);
 });
 
 test('the page is what it takes for the scene to be seen', async () => {
-  const opened = await open('robot');
-  await ready(opened.page);
-  const colours = await opened.page.evaluate(() => {
+  const each = await open('robot');
+  await ready(each.page);
+  const colours = await each.page.evaluate(() => {
     window.dispatchEvent(new Event('beforeprint'));
     const picture = document.querySelector('#scene img.printed');
     return picture.decode().then(() => {
@@ -119,12 +85,12 @@ test('the page is what it takes for the scene to be seen', async () => {
     });
   });
   assert.ok(colours > 12, `${colours} colours`);
-  await closed(opened);
+  await closed(each);
 });
 
 test('inputs drive the solution, in fractions; what is no number is refused with a reason', async () => {
-  const opened = await open('robot');
-  const {page} = opened;
+  const each = await open('robot');
+  const {page} = each;
   await ready(page);
   const before = await rates(page);
   const field = '[data-input="8"] input[type=text]';
@@ -140,12 +106,12 @@ test('inputs drive the solution, in fractions; what is no number is refused with
     range.dispatchEvent(new Event('input', {bubbles: true}));
   });
   assert.deepEqual(await rates(page), before);
-  await closed(opened);
+  await closed(each);
 });
 
 test('a click selects an element everywhere, Escape clears it, keys walk a drawing', async () => {
-  const opened = await open('robot');
-  const {page} = opened;
+  const each = await open('robot');
+  const {page} = each;
   await ready(page);
   const still = await painted(page);
   await page.evaluate(() => document.querySelector('table.matrix tr[data-el="gearMeshes/16"] th').click());
@@ -161,17 +127,17 @@ test('a click selects an element everywhere, Escape clears it, keys walk a drawi
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
   assert.ok((await lit()).length > 0);
-  await closed(opened);
+  await closed(each);
 });
 
 test('the train turns: played, scrubbed, by keys, and back', async () => {
-  const opened = await open('planetary-ring-held');
-  const {page} = opened;
+  const each = await open('planetary-ring-held');
+  const {page} = each;
   await ready(page);
   const still = await painted(page);
   const play = await page.evaluateHandle(() => [...document.querySelectorAll('#train button')].find(each => /Play/.test(each.textContent)));
   await play.click();
-  await page.waitForFunction(() => Number(document.querySelector('[aria-label=Time]').value) > 0, {timeout: 30000});
+  await page.waitForFunction(() => Number(document.querySelector('[aria-label=Time]').value) > 0);
   await play.click();
   assert.notEqual(await painted(page), still);
   await page.click('[aria-label="To the reference pose"]');
@@ -185,24 +151,24 @@ test('the train turns: played, scrubbed, by keys, and back', async () => {
   await page.focus('#scene canvas');
   await page.keyboard.press('ArrowLeft');
   assert.notEqual(await painted(page), scrubbed, 'arrow keys orbit');
-  await closed(opened);
+  await closed(each);
 });
 
 test('a joint stops at its limit and says so', async () => {
-  const opened = await open('robot');
-  const {page} = opened;
+  const each = await open('robot');
+  const {page} = each;
   await ready(page);
   await page.$eval('[aria-label=Time]', range => {
     range.value = '999';
     range.dispatchEvent(new Event('input', {bubbles: true}));
   });
   assert.match(await page.$eval('.time', text => text.textContent), /^Joint \d+ is at its limit of .*°\.$/);
-  await closed(opened);
+  await closed(each);
 });
 
 test('states of a gearbox are put in by a click', async () => {
-  const opened = await open('eight-speed-gearbox');
-  const {page} = opened;
+  const each = await open('eight-speed-gearbox');
+  const {page} = each;
   await ready(page);
   const buttons = await page.$$('tr[data-state] button');
   assert.ok(buttons.length >= 8, `${buttons.length} states`);
@@ -213,45 +179,38 @@ test('states of a gearbox are put in by a click', async () => {
     assert.equal(await button.evaluate(each => each.getAttribute('aria-pressed')), 'true');
   }
   assert.equal(seen.size, buttons.length, 'each has speeds of its own');
-  await closed(opened);
+  await closed(each);
 });
 
 test('on a phone each part is a page of its own', async () => {
-  const opened = await open('robot', {size: PHONE});
-  const {page} = opened;
+  const each = await open('robot', {size: PHONE});
+  const {page} = each;
   await ready(page);
   const shown = () => page.$$eval('section', all => all.filter(each => each.offsetHeight > 0).map(each => each.id));
   assert.deepEqual(await shown(), ['train', 'solution']);
-  for (const part of ['matrices', 'drawings', 'derivation']) {
+  for (const part of ['matrices', 'drawings', 'derivation', 'exercises']) {
     await page.click(`nav a[href="#${part}"]`);
     assert.deepEqual(await shown(), [part]);
     const [wide, view] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
     assert.ok(wide <= view, `${part} is ${wide} px wide`);
   }
-  await closed(opened);
+  await closed(each);
 });
 
-for (const theme of ['light', 'dark']) {
-  for (const [where, size] of [['desk', DESK], ['phone', PHONE]]) {
-    test(`axe-core finds nothing: ${where}, ${theme}`, async () => {
-      const {page} = await open('robot', {size, theme});
-      await ready(page);
-      await page.evaluate(() => new Promise(done => setTimeout(done, 0)));
-      // The page's policy allows no foreign script; the debugger's own evaluation is not one.
-      await page.evaluate(axe);
-      const parts = size === PHONE ? ['solution', 'drawings', 'matrices', 'derivation'] : ['all'];
-      for (const part of parts) {
-        if (part !== 'all') await page.click(`nav a[href="#${part}"]`);
-        const found = await page.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice']}));
-        assert.deepEqual(found.violations.map(each => `${part} ${each.id}: ${each.nodes.map(node => node.target).slice(0, 3).join(' ')}`), []);
-      }
-      await page.close();
-    });
-  }
+for (const [where, size, theme] of isFirefox ? [] : PAIRS) {
+  test(`axe-core finds nothing: ${where}, ${theme}`, async () => {
+    const {page} = await open('robot', {size, theme});
+    await ready(page);
+    for (const part of size === PHONE ? ['solution', 'drawings', 'matrices', 'derivation', 'exercises'] : ['all']) {
+      if (part !== 'all') await page.click(`nav a[href="#${part}"]`);
+      assert.deepEqual(await barriers(page), [], part);
+    }
+    await page.close();
+  });
 }
 
 test('without scripts all parts and the still picture are there', async () => {
-  const quiet = isFirefox ? await start({extraPrefsFirefox: {'javascript.enabled': false}}) : browser;
+  const quiet = isFirefox ? await start(name, {extraPrefsFirefox: {'javascript.enabled': false}}) : browser;
   const page = await quiet.newPage();
   if (!isFirefox) await page.setJavaScriptEnabled(false);
   await page.setViewport(DESK);
@@ -267,7 +226,7 @@ test('without scripts all parts and the still picture are there', async () => {
   const {root} = await client.send('DOM.getDocument', {depth: -1});
   const {nodeIds} = await client.send('DOM.querySelectorAll', {nodeId: root.nodeId, selector: 'section, #scene img, figure svg, table.matrix, math'});
   assert.ok(nodeIds.length > 40, `${nodeIds.length} parts`);
-  const {nodeIds: controls} = await client.send('DOM.querySelectorAll', {nodeId: root.nodeId, selector: 'button, input, canvas'});
+  const {nodeIds: controls} = await client.send('DOM.querySelectorAll', {nodeId: root.nodeId, selector: 'button, input, select, canvas'});
   assert.equal(controls.length, 0);
   await page.close();
 });

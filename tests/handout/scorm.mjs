@@ -7,13 +7,9 @@ import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import zlib from 'node:zlib';
-import puppeteer from 'puppeteer-core';
+import {LONGEST, programOf, start} from './browsers.mjs';
 
-const program = '/usr/bin/chromium';
-if (!fs.existsSync(program)) {
-  console.log('skipped: there is no chromium');
-  process.exit(77);
-}
+programOf('chromium');
 
 // The files of a ZIP archive, by its central directory [APPNOTE 6.3.9, 4.3.12].
 const unzipped = bytes => {
@@ -31,7 +27,7 @@ const unzipped = bytes => {
 };
 
 const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-scorm-')), 'robot.zip');
-execFileSync(process.env.GEARGRAPH_CLI, ['export', path.join(process.env.GEARGRAPH_EXAMPLES, 'robot.geargraph'), '--to', 'scorm', '-o', file]);
+execFileSync(process.env.GEARGRAPH_CLI, ['export', path.join(process.env.GEARGRAPH_EXAMPLES, 'robot.geargraph'), '--to', 'scorm', '--exercises', '--kinds', 'freedom,cycle-basis', '-o', file]);
 const files = unzipped(fs.readFileSync(file));
 const manifest = files.get('imsmanifest.xml').toString();
 
@@ -50,14 +46,14 @@ before(async () => {
     response.end(body || '');
   }).listen(0, '127.0.0.1');
   await new Promise(done => server.once('listening', done));
-  browser = await puppeteer.launch({executablePath: program, headless: true,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+  browser = await start('chromium');
   page = await browser.newPage();
+  page.setDefaultTimeout(LONGEST);
   await page.goto(`http://127.0.0.1:${server.address().port}/platform.html`);
 });
 after(async () => {
-  await browser.close();
-  server.close();
+  await browser?.close();
+  server?.close();
   fs.rmSync(path.dirname(file), {recursive: true});
 });
 
@@ -69,9 +65,9 @@ const show = async () => {
     return xml.querySelector('resource').getAttribute('href');
   }, manifest);
   await page.evaluate(name => { document.getElementById('sco').src = name; }, named);
-  await page.waitForFunction(() => window.told.some(([name]) => name === 'cmi.suspend_data'), {timeout: 60000});
+  await page.waitForFunction(() => window.told.some(([name]) => name === 'cmi.suspend_data'));
   const frame = await (await page.$('#sco')).contentFrame();
-  await frame.waitForSelector('#scene canvas', {timeout: 60000});
+  await frame.waitForSelector('#scene canvas');
   return frame;
 };
 
@@ -88,13 +84,34 @@ test('what was not yet seen is incomplete, what was seen is kept, and all of it 
   assert.match(await value('cmi.suspend_data'), /drawings/);
   for (const part of ['matrices', 'derivation', 'solution'])
     await frame.evaluate(id => document.getElementById(id).scrollIntoView(), part);
-  await page.waitForFunction(() => window.API.LMSGetValue('cmi.core.lesson_status') === 'completed', {timeout: 20000});
-  assert.equal(await value('cmi.suspend_data'), 'drawings,matrices,solution,derivation');
+  await page.waitForFunction(() => window.API.LMSGetValue('cmi.suspend_data') === 'drawings,matrices,solution,derivation');
+  assert.equal(await value('cmi.core.lesson_status'), 'incomplete', 'the exercises are left');
+});
+
+test('points of the exercises are the score, and the last of them completes', async () => {
+  const frame = await (await page.$('#sco')).contentFrame();
+  await frame.waitForSelector('#exercises.live');
+  assert.deepEqual([await value('cmi.core.score.raw'), await value('cmi.core.score.max')], ['0', '100']);
+  const fill = (at, texts) => frame.evaluate((question, values) => {
+    const node = document.querySelectorAll('.question')[question];
+    [...node.querySelectorAll('td input')].forEach((input, i) => {
+      input.value = values[i];
+      input.dispatchEvent(new Event('input', {bubbles: true}));
+    });
+    node.querySelector('.controls .bar:last-child button').click();
+  }, at, texts);
+  await fill(0, ['4', '4']);
+  assert.deepEqual([await value('cmi.core.score.raw'), await value('cmi.core.lesson_status')], ['0', 'incomplete']);
+  await fill(0, ['4', '3']);
+  assert.equal(await value('cmi.core.score.raw'), '43');  // 3 of 7 points
+  await fill(1, Array(11).fill('0'));
+  assert.deepEqual([await value('cmi.core.score.raw'), await value('cmi.core.lesson_status')], ['43', 'completed']);
+  assert.equal(await value('cmi.suspend_data'), 'drawings,matrices,solution,derivation,exercises');
 });
 
 test('leaving tells how long it took and finishes', async () => {
   await page.evaluate(() => { document.getElementById('sco').src = 'about:blank'; });
-  await page.waitForFunction(() => window.told.some(([name]) => name === 'cmi.core.session_time'), {timeout: 20000});
+  await page.waitForFunction(() => window.told.some(([name]) => name === 'cmi.core.session_time'));
   const time = await page.evaluate(() => window.told.find(([name]) => name === 'cmi.core.session_time')[1]);
   assert.match(time, /^\d{4}:\d\d:\d\d\.\d\d$/);
   assert.equal(await page.evaluate(() => window.API.isTerminated()), true);
@@ -106,6 +123,6 @@ test('by itself the page of the package works, too', async () => {
   alone.on('pageerror', error => complaints.push(String(error)));
   alone.on('console', message => { if (message.type() === 'error' && !/favicon|404/.test(message.text())) complaints.push(message.text()); });
   await alone.goto(`http://127.0.0.1:${server.address().port}/index.html`);
-  await alone.waitForSelector('#scene canvas', {timeout: 60000});
+  await alone.waitForSelector('#scene canvas');
   assert.deepEqual(complaints, []);
 });

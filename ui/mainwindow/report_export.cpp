@@ -36,6 +36,18 @@ QString writingError(const QString& path, const std::string& bytes) {
   return error ? QString::fromStdString(error->message) : QString();
 }
 
+/// A question of every kind that the mechanism gives, as `geargraph-cli exercises make` asks them; none where
+/// it gives none.
+std::optional<HandoutExercises> exercisesFor(const Mechanism& mechanism) {
+  if (mechanism.n() > kMostExerciseLinks) return std::nullopt;
+  const ExerciseSource source(mechanism);
+  SheetPlan plan;
+  plan.title = "Exercises";
+  plan.kinds = offeredKinds(source);
+  if (plan.kinds.empty()) return std::nullopt;
+  return handoutExercises(source, plan, 1);
+}
+
 }  // namespace
 
 QString WindowExports::whyNoDerivation() const {
@@ -95,23 +107,41 @@ void WindowExports::exportDerivation(const QString& path) {
 
 void WindowExports::chooseAndExportHandout() {
   const QString name = QFileInfo(m_files.title()).completeBaseName();
-  QString path = QFileDialog::getSaveFileName(
-      m_window, tr("Export handout"), name + QStringLiteral("-handout.html"), tr("Web page (*.html)"));
+  const QString plain = tr("Web page (*.html)");
+  const QString asking = tr("Web page with exercises (*.html)");
+  QString chosen = plain;
+  QString path =
+      QFileDialog::getSaveFileName(m_window, tr("Export handout"), name + QStringLiteral("-handout.html"),
+                                   plain + QStringLiteral(";;") + asking, &chosen);
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
-  exportHandout(path);
+  writeHandout(path, chosen == asking);
 }
 
 void WindowExports::exportHandout(const QString& path) {
+  writeHandout(path, false);
+}
+
+void WindowExports::exportHandoutWithExercises(const QString& path) {
+  writeHandout(path, true);
+}
+
+void WindowExports::writeHandout(const QString& path, bool asks) {
   const std::optional<ReportLists> lists = shownLists();
   if (!lists) return;
   const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
+  const auto mechanism = m_workbench.document().mechanism();
   const std::filesystem::path folder =
       QFile::encodeName(QFileInfo(m_files.source()).absolutePath()).toStdString();
   const auto run = [=, lists = *lists](const ExportJobs::Progress&, const std::stop_token& stop) {
     const MadeHandoutTrain made = handoutTrain(*snapshot, folder, stop);
+    std::optional<HandoutExercises> exercises;
+    if (asks) {
+      exercises = exercisesFor(*mechanism);
+      if (!exercises) return tr("Nothing can be asked about this mechanism: export it without exercises.");
+    }
     const Expected<std::string> page =
-        handoutHtml(snapshot, drawingsOf(lists), made.train, HandoutUse::alone, stop);
+        handoutHtml(snapshot, drawingsOf(lists), made.train, HandoutUse::alone, exercises, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
     return page ? writingError(path, *page) : QString::fromStdString(page.error().front().message);
   };

@@ -96,7 +96,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   exportHandout =
       make("file.exportHandout", words("Export &handout…"),
            words("One page for any browser, also on a phone and without a network: drawings, matrices, "
-                 "solution, derivation and the train in 3D, with inputs that move"),
+                 "solution, derivation and the train in 3D, with inputs that move, and exercises if you "
+                 "choose them"),
            {});
   print = make("file.print", words("&Print…"),
                words("Print the drawings and the derivation, or look at the pages first"),

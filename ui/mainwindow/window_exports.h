@@ -75,6 +75,8 @@ class WindowExports : public QObject {
   void exportDerivation(const QString& path);
   /// The mechanism as one page for any browser; written() follows.
   void exportHandout(const QString& path);
+  /// The same with a question of every kind that the document gives, with feedback.
+  void exportHandoutWithExercises(const QString& path);
   /// Prints pages on a thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
@@ -107,6 +109,7 @@ class WindowExports : public QObject {
   void exportView3D(const PictureWish& wish, const QString& path);
   void copyView3D();
   [[nodiscard]] std::optional<ReportLists> shownLists();
+  void writeHandout(const QString& path, bool asks);
   void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);
 

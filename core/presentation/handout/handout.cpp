@@ -14,10 +14,6 @@
 namespace geargraph::inline handout {
 namespace {
 
-std::string counted(int number, const char* one, const char* several) {
-  return std::to_string(number) + " " + (number == 1 ? one : several);
-}
-
 std::string counts(const AnalysisSnapshot& snapshot) {
   const Mechanism& mechanism = *snapshot.mechanism;
   std::string text = counted(mechanism.n(), "moving link", "moving links") + ", " +
@@ -34,7 +30,7 @@ std::string section(const char* id, const std::string& content) {
 
 /// The parts of a page that grow with the mechanism.
 struct Parts {
-  std::string drawings, matrices, solution, derivation, data, still, geometry;
+  std::string drawings, matrices, solution, derivation, exercises, key, data, still, geometry;
 
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = 0;
@@ -49,11 +45,13 @@ struct Parts {
   }
 
  private:
-  [[nodiscard]] std::array<std::pair<const char*, const std::string*>, 7> named() const {
+  [[nodiscard]] std::array<std::pair<const char*, const std::string*>, 9> named() const {
     return {std::pair("the drawings", &drawings),
             {"the matrices", &matrices},
             {"the solution", &solution},
             {"the derivation", &derivation},
+            {"the exercises", &exercises},
+            {"the key of the exercises", &key},
             {"the mechanism's data", &data},
             {"the still picture", &still},
             {"the solids", &geometry}};
@@ -79,15 +77,17 @@ std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title
       title + "</h1>\n<p>" + counts(snapshot) +
       "</p>\n</header>\n<nav aria-label=\"Parts\"><a href=\"#drawings\">Drawings</a><a "
       "href=\"#matrices\">Matrices</a>"
-      "<a href=\"#solution\">Solution</a><a href=\"#derivation\">Derivation</a></nav>\n"
-      "<div class=\"columns\">\n<main>\n";
+      "<a href=\"#solution\">Solution</a><a href=\"#derivation\">Derivation</a>" +
+      (parts.exercises.empty() ? "" : "<a href=\"#exercises\">Exercises</a>") +
+      "</nav>\n<div class=\"columns\">\n<main>\n";
   page += section("drawings", parts.drawings) + section("matrices", parts.matrices) +
           section("derivation", parts.derivation);
+  if (!parts.exercises.empty()) page += section("exercises", parts.exercises);
   page += "</main>\n<aside aria-label=\"The train and its solution\">\n";
   if (hasScene) page += section("train", trainSection(parts.still));
-  const char* const promise =
-      reports ? "Tells the learning platform which parts were seen; loads nothing and sends nothing else."
-              : "Works offline: this file loads nothing and sends nothing.";
+  const char* const promise = reports ? "Tells the learning platform which parts were seen, and points; "
+                                        "loads nothing and sends nothing else."
+                                      : "Works offline: this file loads nothing and sends nothing.";
   page += section("solution", parts.solution) + "</aside>\n</div>\n<footer>" + promise + note +
           " Made by GearGraph.</footer>\n<script type=\"application/json\" id=\"mechanism\">" + parts.data +
           "</script>\n";
@@ -95,6 +95,8 @@ std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title
     page += "<script type=\"application/octet-stream\" id=\"geometry\">" + parts.geometry + "</script>\n" +
             script(pageLibrary());
   }
+  if (!parts.key.empty())
+    page += "<script type=\"application/octet-stream\" id=\"exercises-key\">" + parts.key + "</script>\n";
   page += script(pageScript());
   if (reports) page += script(pageReporter());
   return page + "</body>\n</html>\n";
@@ -103,7 +105,9 @@ std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title
 }  // namespace
 
 Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
-                                  const HandoutTrain& train, HandoutUse use, const std::stop_token& stop) {
+                                  const HandoutTrain& train, HandoutUse use,
+                                  const std::optional<HandoutExercises>& exercises,
+                                  const std::stop_token& stop) {
   const Report report = derivationReport(snapshot, stop);
   const bool hasScene = train.stage && !train.stage->scene.instances.empty();
   Parts parts;
@@ -111,6 +115,10 @@ Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawi
   parts.matrices = matricesSection(*snapshot);
   parts.solution = solutionSection(*snapshot, stop);
   parts.derivation = derivationSection(report);
+  if (exercises) {
+    parts.exercises = exercisesSection(*exercises);
+    parts.key = exercisesKey(*exercises);
+  }
   parts.still = base64(train.still);
   std::string note;
   std::size_t bytes = 0;

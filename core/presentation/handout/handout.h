@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "core/foundations/base/expected.h"
+#include "core/presentation/handout/handout_exercises.h"
 #include "core/presentation/report/report.h"
 #include "core/presentation/stage/stage.h"
 #include "core/theory/analysis/analysis.h"
@@ -27,6 +29,9 @@ enum class HandoutUse { alone, learningPlatform };
 /// it everywhere), drive the inputs, in fractions, by elimination on the rows of P, and turn the train in
 /// three dimensions. A policy in the page forbids everything else.
 ///
+/// With exercises the page asks them, grades by the same data as the program, with places and reasons, and
+/// writes files of answers that the program grades.
+///
 /// `drawings`: those that are shown, in SVG; their elements carry data-list and data-id.
 /// Solids are taken coarser where the page would be too large, and the page says so; one beyond
 /// kMostHandoutBytes fails (graphics), with the name of its largest part.
@@ -35,6 +40,7 @@ enum class HandoutUse { alone, learningPlatform };
 [[nodiscard]] Expected<std::string> handoutHtml(const SnapshotPtr& snapshot, const ReportDrawings& drawings,
                                                 const HandoutTrain& train = {},
                                                 HandoutUse use = HandoutUse::alone,
+                                                const std::optional<HandoutExercises>& exercises = {},
                                                 const std::stop_token& stop = {});
 
 }  // namespace geargraph::inline handout

@@ -106,6 +106,10 @@ std::string figure(const std::string& svg, const char* caption) {
 
 }  // namespace
 
+std::string counted(int number, const char* one, const char* several) {
+  return std::to_string(number) + " " + (number == 1 ? one : several);
+}
+
 std::string drawingsSection(const ReportDrawings& drawings) {
   return "<h2>Drawings</h2>\n" +
          figure(drawings.digraph, "Digraph. Solid arrows: turning joints; dashed: gear meshes.") +

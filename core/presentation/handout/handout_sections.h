@@ -8,6 +8,9 @@
 
 namespace geargraph::inline handout {
 
+/// "1 mesh", "4 meshes".
+[[nodiscard]] std::string counted(int number, const char* one, const char* several);
+
 // The parts of a page, each the content of a section with its heading.
 
 /// A figure for each drawing that is not empty.

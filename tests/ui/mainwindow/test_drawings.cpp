@@ -103,6 +103,13 @@ class DrawingsTest : public QObject {
     QVERIFY(page.contains("id=\"eq25\"") && page.endsWith("</html>\n"));
   }
 
+  void theHandoutAsksWhereItIsTold() {
+    QVERIFY(!handout("plain.html").contains("exercises-key\">"));
+    const QByteArray page = written("asking.html", &WindowExports::exportHandoutWithExercises);
+    QVERIFY(page.count("<article class=\"question\"") >= 14);
+    QVERIFY(page.contains("id=\"exercises-key\">") && page.endsWith("</html>\n"));
+  }
+
   // One key, and both methods are there, as the document is now.
   void theDerivationIsShownInTheWindow() {
     DerivationPanel& panel = window->derivation();

@@ -13,6 +13,7 @@
 #include "core/presentation/handout/page_scene.h"
 #include "core/presentation/results/named_drawings.h"
 #include "core/presentation/train_stage/train_stage.h"
+#include "core/teaching/grading/question_json.h"
 #include "tests/core/support/example_files.h"
 
 namespace geargraph {
@@ -26,21 +27,21 @@ QString between(const QString& text, const QString& begin, const QString& end) {
   return text.mid(from + begin.size(), to - from - begin.size());
 }
 
-QString pageOf(Mechanism mechanism) {
+QString pageOf(Mechanism mechanism, const std::optional<HandoutExercises>& exercises = {}) {
   const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(std::move(mechanism)));
   const auto svg = [&](const char* name) {
     return svgOf(drawingNamed(name)->draw(*snapshot, nullptr, {}), SheetLook());
   };
   GearCache cache;
   const HandoutTrain train{trainStage(*snapshot, cache), "a picture"};
-  return QString::fromStdString(
-      *handoutHtml(snapshot, {svg("schematic"), svg("digraph"), svg("ttgraph")}, train));
+  return QString::fromStdString(*handoutHtml(snapshot, {svg("schematic"), svg("digraph"), svg("ttgraph")},
+                                             train, HandoutUse::alone, exercises));
 }
 
-/// The bytes of the page's solids.
-QByteArray solidsOf(const QString& page) {
+/// The bytes that a script element of this id holds, packed.
+QByteArray unpacked(const QString& page, const QString& id) {
   const QByteArray packed = QByteArray::fromBase64(
-      between(page, "<script type=\"application/octet-stream\" id=\"geometry\">", "</script>").toLatin1());
+      between(page, "<script type=\"application/octet-stream\" id=\"" + id + "\">", "</script>").toLatin1());
   QByteArray bytes(16'000'000, '\0');
   z_stream stream{};
   inflateInit2(&stream, MAX_WBITS + 16);
@@ -81,6 +82,30 @@ class TestHandout : public QObject {
     QVERIFY(policy.contains("script-src " + scripts[1] + " " + scripts[0] + ";"));
     QVERIFY(policy.contains("style-src " + hashed(between(page, "<style>", "</style>")) + ";"));
     QVERIFY(!policy.contains("unsafe"));
+  }
+
+  /// All questions can be read without scripts; the key is that of the sheet, and does not meet the eye.
+  void exercisesStandInThePageWithTheirKey() {
+    const Mechanism robot = test::example("robot");
+    const ExerciseSource source(robot);
+    const SheetPlan plan{"Second <week>", offeredKinds(source), 3, 30};
+    const QString page = pageOf(robot, handoutExercises(source, plan, 12));
+    const SheetVariant sheet = makeVariant(source, plan, 12);
+    QCOMPARE(static_cast<std::size_t>(page.count("<article class=\"question\"")), sheet.questions.size());
+    std::size_t fields = 0;
+    for (const Question& question : sheet.questions) fields += question.fields.size();
+    QCOMPARE(static_cast<std::size_t>(page.count("<td data-field=\"")), fields);
+    QVERIFY(page.contains("Second &lt;week&gt;, variant 12") && page.contains("href=\"#exercises\""));
+    const QJsonObject key = QJsonDocument::fromJson(unpacked(page, "exercises-key")).object();
+    QCOMPARE(key["sheet"].toString().toStdString(), sheetMark({plan, robot}));
+    QCOMPARE(key["variant"].toInt(), 12);
+    QJsonObject file{{"format", "geargraph-questions"}, {"version", 1}, {"questions", key["questions"]}};
+    const auto read = readQuestions(QJsonDocument(file).toJson().toStdString());
+    QVERIFY(read.has_value());
+    QVERIFY(*read == sheet.questions);
+    for (const Question& question : sheet.questions)
+      QVERIFY2(!page.contains("\"" + QString::fromStdString(question.rule) + "\""), question.rule.c_str());
+    QVERIFY(!pageOf(robot).contains("id=\"exercises"));
   }
 
   void nothingIsFetchedAndNoStyleStandsInAnElement() {
@@ -158,7 +183,7 @@ class TestHandout : public QObject {
         largest = std::max(largest, vertices);
       }
       QVERIFY(largest > 100);
-      QCOMPARE(solidsOf(page).size(), bytes);
+      QCOMPARE(unpacked(page, "geometry").size(), bytes);
       QCOMPARE(data["movers"].toArray().size(), test::example(name).n() + 1);
       std::set<int> links;
       for (const QJsonValue& part : scene["parts"].toArray()) {
@@ -179,7 +204,7 @@ class TestHandout : public QObject {
     scene.solids.push_back(std::make_shared<const Solid>(solid));
     const QString page = "<script type=\"application/octet-stream\" id=\"geometry\">" +
                          QString::fromStdString(pageGeometry(scene, kFarTolerance)) + "</script>";
-    const QByteArray bytes = solidsOf(page);
+    const QByteArray bytes = unpacked(page, "geometry");
     QCOMPARE(bytes.size(), 20 + 8 + 8);
     const auto* steps = reinterpret_cast<const quint16*>(bytes.constData());
     QCOMPARE(int(steps[0]), 0);

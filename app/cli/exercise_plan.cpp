@@ -1,0 +1,58 @@
+#include "app/cli/exercise_plan.h"
+
+#include <algorithm>
+
+#include "app/cli/command.h"
+
+namespace geargraph::cli {
+
+std::vector<std::string> wordsOf(const std::string& list, char separator) {
+  std::vector<std::string> words;
+  std::size_t begin = 0;
+  while (begin <= list.size()) {
+    const std::size_t end = std::min(list.find(separator, begin), list.size());
+    std::string word = list.substr(begin, end - begin);
+    while (!word.empty() && (word.back() == '\r' || word.back() == ' ')) word.pop_back();
+    if (!word.empty()) words.push_back(std::move(word));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::variant<std::vector<ExerciseKind>, UsageError> kindsFrom(const Arguments& arguments,
+                                                              const ExerciseSource& source) {
+  const auto given = arguments.value("--kinds");
+  if (!given) return offeredKinds(source);
+  std::vector<ExerciseKind> kinds;
+  for (const std::string& name : wordsOf(*given, ',')) {
+    const auto kind = kindFromName(name);
+    if (!kind)
+      return UsageError{"There is no kind of question \"" + name +
+                        "\"; geargraph-cli exercises kinds FILE lists them."};
+    if (const auto reason = reasonAgainst(source, *kind))
+      return UsageError{"The mechanism gives no question \"" + name + "\": " + *reason + '.'};
+    kinds.push_back(*kind);
+  }
+  if (kinds.empty() || static_cast<int>(kinds.size()) > kMostQuestions)
+    return UsageError{"--kinds names 1 to 100 questions."};
+  return kinds;
+}
+
+std::variant<SheetPlan, UsageError> planFrom(const Arguments& arguments) {
+  SheetPlan plan;
+  plan.title = arguments.value("--title").value_or("Exercises");
+  if (const auto word = arguments.value("--seed")) {
+    const auto seed = numberFrom<std::uint64_t>(*word);
+    if (!seed) return UsageError{"--seed is a whole number from 0 on."};
+    plan.seed = *seed;
+  }
+  if (const auto word = arguments.value("--variants")) {
+    const auto variants = numberFrom<int>(*word);
+    if (!variants || *variants < 1 || *variants > kMostVariants)
+      return UsageError{"--variants is a whole number from 1 to 1000."};
+    plan.variants = *variants;
+  }
+  return plan;
+}
+
+}  // namespace geargraph::cli

@@ -1,0 +1,310 @@
+// The exercise sheet: one question at a time with fields, graded here (grader.js). Without this script, and on paper, all
+// questions stand in the page with blanks.
+
+const SHEET_FORMAT = 'geargraph-answers';
+const MOST_CHIPS = 24;  // options of a set that are buttons
+
+// ---- Fields: {node, get, set, focus} each, over a text as in the files of answers ----
+
+const textField = (field, label) => {
+  const input = make('input', {type: 'text', 'aria-label': label, autocomplete: 'off', autocapitalize: 'off', spellcheck: 'false'});
+  return {node: input, get: () => input.value, set: text => { input.value = text; }, focus: () => input.focus()};
+};
+const choiceField = (field, label) => {
+  const list = make('select', {'aria-label': label}, make('option', {value: ''}, '\u2013'),
+                    ...field.options.map(option => make('option', {value: option}, option)));
+  return {node: list, get: () => list.value, set: text => {
+    const word = trimmed(text);
+    list.value = field.options.find(option => trimmed(option) === word) ?? '';
+  }, focus: () => list.focus()};
+};
+const setField = (field, label) => {
+  const group = make('div', {role: 'group', 'aria-label': label, class: 'chips'});
+  const chips = field.options.map(option => make('button', {type: 'button', 'aria-pressed': 'false'}, option));
+  const isIn = chip => chip.getAttribute('aria-pressed') === 'true';
+  for (const chip of chips) {
+    chip.addEventListener('click', () => {
+      chip.setAttribute('aria-pressed', String(!isIn(chip)));
+      group.dispatchEvent(new Event('input', {bubbles: true}));
+    });
+  }
+  group.append(...chips);
+  return {node: group, get: () => field.options.filter((_, i) => isIn(chips[i])).join(','), set: text => {
+    const names = setIn(field.options, trimmed(text)) || [];
+    chips.forEach((chip, i) => chip.setAttribute('aria-pressed', String(names.includes(field.options[i]))));
+  }, focus: () => chips[0].focus()};
+};
+const fieldFor = (field, label) => {
+  if (field.kind === 'choice') return choiceField(field, label);
+  if (field.kind === 'set' && field.options.length <= MOST_CHIPS) return setField(field, label);
+  return textField(field, label);
+};
+const labelOf = ({table, fields}, at) => {
+  if (!table) return fields[at].name;
+  const wide = table.columns.length;
+  return `Row ${table.rows[Math.floor(at / wide)]}, column ${table.columns[at % wide]}`;
+};
+
+// ---- What is kept: in the browser, where it may be; else until the page is closed ----
+
+const kept = key => {
+  try {
+    return JSON.parse(localStorage.getItem(key));
+  } catch (error) {
+    return null;
+  }
+};
+const keep = (key, value) => {
+  try {
+    localStorage.setItem(key, JSON.stringify(value));
+  } catch (error) {
+    // Nothing is kept where the browser forbids it.
+  }
+};
+
+const pointsText = count => count + (count === 1 ? ' point' : ' points');
+
+// ---- One question ----
+
+class Exercise {
+  // `state`: {texts, points, isChecked, isShown}; `changed` is called when it changes; `light` with elements and a mark.
+  constructor(node, question, state, {changed, light}) {
+    Object.assign(this, {node, question, state, changed, light});
+    this.fields = question.fields.map((field, i) => fieldFor(field, labelOf(question, i)));
+    this.cells = this.fields.map((_, i) => node.querySelector(`[data-field="${i}"]`));
+    this.fields.forEach((field, i) => {
+      field.set(state.texts[i]);
+      this.cells[i].replaceChildren(field.node);
+      field.node.addEventListener('input', () => this.write());
+      field.node.addEventListener('focusin', () => {
+        this.at = i;
+        if (!this.verdict) return light(question.fields[i].elements || question.elements || [], 'asked');
+        const mistake = this.verdict.mistakes.find(each => each.fields.includes(i));
+        if (mistake) light(mistake.elements, 'wrong');
+      });
+      if (question.table) field.node.addEventListener('keydown', event => this.move(event, i));
+    });
+    this.at = 0;
+    this.verdict = null;
+    this.told = make('div', {class: 'verdict', role: 'status', tabindex: '-1'});
+    this.check = this.button('Check', () => this.tell());
+    this.again = this.button('Try again', () => this.retry());
+    this.show = this.button('Show', () => this.reveal());
+    const parts = [this.told, make('div', {class: 'bar'}, this.check, this.again, this.show)];
+    if (question.table && question.fields.every(field => field.kind === 'integer')) parts.unshift(this.keys());
+    this.controls = make('div', {class: 'controls'}, ...parts);
+    node.append(this.controls);
+    node.addEventListener('keydown', event => {
+      if (event.key !== 'Enter' || event.target.closest('button')) return;
+      event.preventDefault();
+      if (!this.check.disabled) this.tell();
+    });
+    this.arrange();
+    if (state.isShown) this.reveal();
+    else if (state.isChecked) this.grade();
+  }
+  button(text, run) {
+    const button = make('button', {type: 'button'}, text);
+    button.addEventListener('click', run);
+    return button;
+  }
+  // For those who have no keyboard at hand.
+  keys() {
+    const put = text => {
+      const at = this.at;
+      this.fields[at].set(text);
+      this.write();
+      this.fields[Math.min(at + 1, this.fields.length - 1)].focus();
+    };
+    return make('div', {class: 'bar keys', role: 'group', 'aria-label': 'Fills the cell and goes on to the next'},
+                ...['\u22121', '0', '1'].map(text => this.button(text, () => put(text))));
+  }
+  move(event, at) {
+    const {selectionStart, selectionEnd, value} = event.target;
+    const wide = this.question.table.columns.length;
+    const isText = value !== undefined && event.target.tagName === 'INPUT';
+    const atStart = isText && selectionStart === 0 && selectionEnd === 0, atEnd = isText && selectionStart === value.length;
+    const step = {ArrowUp: isText && -wide, ArrowDown: isText && wide, ArrowLeft: atStart && -1, ArrowRight: atEnd && 1}[event.key];
+    if (!step || !this.fields[at + step]) return;
+    event.preventDefault();
+    this.fields[at + step].focus();
+  }
+  texts() { return this.fields.map(field => field.get()); }
+  write() {
+    if (this.state.isShown) return;
+    this.state.texts = this.texts();
+    this.state.isChecked = false;
+    this.verdict = null;
+    this.told.replaceChildren();
+    this.mark([]);
+    this.light([], 'wrong');
+    this.arrange();
+    this.changed();
+  }
+  arrange() {
+    const {isShown} = this.state;
+    this.check.disabled = isShown || Boolean(this.verdict);
+    this.again.hidden = !this.verdict || this.verdict.isRight || isShown;
+    this.show.hidden = isShown || Boolean(this.verdict && this.verdict.isRight);
+    this.node.classList.toggle('done', isShown || Boolean(this.verdict && this.verdict.isRight));
+  }
+  mark(wrong) {
+    this.cells.forEach((cell, i) => {
+      const isWrong = wrong.includes(i);
+      cell.classList.toggle('wrong', isWrong);
+      if (this.fields[i].node.tagName === 'DIV') return;  // a group has no such state; its cell shows it
+      if (isWrong) this.fields[i].node.setAttribute('aria-invalid', 'true');
+      else this.fields[i].node.removeAttribute('aria-invalid');
+    });
+  }
+  tell() {
+    this.grade();
+    this.told.scrollIntoView({block: 'nearest'});
+    // A button that can no longer be pressed loses the focus.
+    if (this.node.contains(document.activeElement) && document.activeElement !== this.check) return;
+    (this.verdict.isRight ? this.told : this.again).focus({preventScroll: true});
+  }
+  grade() {
+    const {question, state} = this;
+    const verdict = this.verdict = grade(question, this.texts());
+    state.isChecked = true;
+    state.points = Math.max(state.points, verdict.points);  // it never falls
+    this.mark(verdict.wrongFields);
+    const names = verdict.wrongFields.map(i => labelOf(question, i));
+    const title = verdict.isRight ? `Right, ${verdict.points} of ${pointsText(question.points)}`
+                : names.length ? 'Wrong: ' + names.slice(0, 6).join('; ') + (names.length > 6 ? '; \u2026' : '')
+                               : 'Wrong';
+    const reasons = verdict.mistakes.length ? verdict.mistakes.map(mistake => mistake.reason) : [verdict.isRight ? verdict.reason : ''];
+    const rest = question.fields.length - names.length;
+    if (names.length && rest > 0 && hasOneAnswer(question))
+      reasons.push(rest === 1 ? 'The other field is right.' : `The other ${rest} fields are right.`);
+    if (!verdict.isRight && !verdict.mistakes.length) reasons.push('No known mistake explains it. Walk through it once more, or let it be shown.');
+    this.told.className = 'verdict ' + (verdict.isRight ? 'right' : 'wrong');
+    this.told.replaceChildren(make('h4', {}, title), ...reasons.filter(Boolean).map(reason => make('p', {}, reason)));
+    this.light(verdict.isRight ? [] : (verdict.mistakes[0]?.elements || []), 'wrong');
+    this.arrange();
+    this.changed();
+  }
+  // Empties what is wrong, and nothing else.
+  retry() {
+    const wrong = this.verdict.wrongFields;
+    for (const i of wrong) this.fields[i].set('');
+    this.write();
+    this.fields[wrong.length ? wrong[0] : 0].focus();
+  }
+  // The learner's own texts are kept: they are what is handed in.
+  reveal() {
+    const {question, state} = this;
+    state.isShown = true;
+    state.points = 0;
+    this.verdict = null;
+    this.mark([]);
+    this.fields.forEach((field, i) => field.set(question.solution[i]));
+    for (const control of this.node.querySelectorAll('[data-field] input, [data-field] select, [data-field] button, .keys button'))
+      control.disabled = true;
+    this.told.className = 'verdict shown';
+    this.told.replaceChildren(make('h4', {}, 'Shown, no points'), make('p', {}, question.rule));
+    this.light([], 'wrong');
+    this.arrange();
+    this.changed();
+  }
+}
+
+// ---- The sheet ----
+
+const answersText = (sheet, states, student) => JSON.stringify({
+  format: SHEET_FORMAT, version: 1, sheet: sheet.sheet, variant: sheet.variant, student,
+  answers: Object.fromEntries(sheet.questions.map(({fields}, i) => [String(i + 1),
+    Object.fromEntries(fields.map((field, j) => [field.name, states[i].texts[j]]))])),
+}, null, 2) + '\n';
+
+// A drawing beside the question, on which nothing can be asked: its elements light up with the cells and the mistakes.
+const askedDrawings = () => {
+  const drawings = [...document.querySelectorAll('#drawings figure')].slice(0, 2).map(figure => {
+    const name = figure.querySelector('figcaption').textContent.split('.')[0];
+    const svg = figure.querySelector('svg').cloneNode(true);
+    for (const attribute of ['tabindex', 'aria-label']) svg.removeAttribute(attribute);
+    svg.setAttribute('role', 'img');
+    svg.setAttribute('aria-label', name + ' of the mechanism');
+    for (const node of svg.querySelectorAll('[data-id]')) addPlace(keyOf(node.dataset.list, node.dataset.id), node);
+    return {name, svg};
+  });
+  const views = drawings.map(({name}, i) => make('button', {type: 'button', 'aria-pressed': String(i === 0)}, name));
+  const show = at => {
+    drawings.forEach(({svg}, i) => svg.toggleAttribute('hidden', i !== at));
+    views.forEach((view, i) => view.setAttribute('aria-pressed', String(i === at)));
+  };
+  views.forEach((view, i) => view.addEventListener('click', () => show(i)));
+  show(0);
+  return make('div', {class: 'asked-drawing'}, make('div', {class: 'bar', role: 'group', 'aria-label': 'Drawing'}, ...views),
+              ...drawings.map(({svg}) => svg));
+};
+
+const showSheet = sheet => {
+  const section = byId('exercises');
+  const {questions} = sheet;
+  const key = `geargraph/${sheet.sheet}/${sheet.variant}`;
+  const old = kept(key);
+  const isOld = i => Array.isArray(old?.states?.[i]?.texts) && old.states[i].texts.length === questions[i].fields.length;
+  const states = questions.map(({fields}, i) =>
+      (isOld(i) ? old.states[i] : {texts: fields.map(() => ''), points: 0, isChecked: false, isShown: false}));
+  const student = make('input', {type: 'text', id: 'student', autocomplete: 'name'});
+  student.value = old?.student || '';
+  let lit = [];
+  let at = Number.isInteger(old?.at) && questions[old.at] ? old.at : 0;
+  const light = (keys, name) => {
+    for (const [each, was] of lit) mark(each, was, false);
+    lit = keys.map(each => [each, name]);
+    for (const each of keys) mark(each, name, true);
+  };
+  const of = questions.reduce((sum, question) => sum + question.points, 0);
+  const score = make('p', {class: 'score'});
+  const changed = () => {
+    keep(key, {states, student: student.value, at});
+    const points = states.reduce((sum, state) => sum + state.points, 0);
+    const done = states.filter(state => state.isChecked || state.isShown).length;
+    score.textContent = `${points} of ${pointsText(of)}; ${done} of ${questions.length} checked`;
+    Object.assign(section.dataset, {points: String(points), of: String(of), open: String(questions.length - done)});
+    section.dispatchEvent(new Event('points'));
+  };
+
+  const nodes = [...section.querySelectorAll('.question')];
+  const exercises = [];
+  const place = make('p', {class: 'place', 'aria-live': 'polite'});
+  const go = to => {
+    at = to;
+    light([], 'wrong');
+    nodes.forEach((node, i) => node.classList.toggle('here', i === at));
+    place.textContent = `Question ${at + 1} of ${questions.length}`;
+    back.disabled = at === 0;
+    next.disabled = at === questions.length - 1;
+    const verdict = exercises[at].verdict;
+    if (verdict && !verdict.isRight) light(verdict.mistakes[0]?.elements || [], 'wrong');
+    keep(key, {states, student: student.value, at});
+    reachWide();
+  };
+  const back = make('button', {type: 'button', 'aria-label': 'Question before'}, '\u2039 Back');
+  const next = make('button', {type: 'button', 'aria-label': 'Next question'}, 'Next \u203a');
+  back.addEventListener('click', () => go(at - 1));
+  next.addEventListener('click', () => go(at + 1));
+  student.addEventListener('input', changed);
+  const save = make('a', {class: 'button', href: '#exercises', download: `answers-${sheet.variant}.json`}, 'Save answers');
+  save.addEventListener('click', () => {
+    save.href = 'data:application/json;charset=utf-8,' + encodeURIComponent(answersText(sheet, states, student.value));
+  });
+
+  nodes.forEach((node, i) => exercises.push(new Exercise(node, questions[i], states[i], {changed, light})));
+  nodes[0].before(make('div', {class: 'bar walk'}, back, place, next), askedDrawings());
+  section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, 'Name'), student, save),
+                 make('p', {class: 'note'}, 'What you write stays in this browser. Saved answers are a small file to hand in.'));
+  section.classList.add('live');
+  go(at);
+  changed();
+};
+
+if (byId('exercises-key')) {
+  unpacked(byId('exercises-key').textContent.trim())
+      .then(bytes => showSheet(JSON.parse(new TextDecoder().decode(bytes))))
+      .catch(error => byId('exercises').append(make('p', {class: 'reason', role: 'status'},
+          'This browser cannot grade the answers (' + error.message + '): write them on paper.')));
+}
