@@ -7,9 +7,8 @@ import os from 'node:os';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
 import zlib from 'node:zlib';
-import {LONGEST, programOf, start} from './browsers.mjs';
+import {LONGEST, start} from './browsers.mjs';
 
-programOf('chromium');
 
 // The files of a ZIP archive, by its central directory [APPNOTE 6.3.9, 4.3.12].
 const unzipped = bytes => {

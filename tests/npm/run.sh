@@ -1,9 +1,10 @@
 #!/bin/sh
-# run.sh install SOURCE FOLDER: what SOURCE/package-lock.json pins, into FOLDER. run.sh check SOURCE FOLDER FILE: the
-# tests of SOURCE/FILE, there. 77, which ctest shows as skipped, where there is no node or the packages cannot be fetched.
+# run.sh install SOURCE FOLDER: what SOURCE/package-lock.json pins, into FOLDER. run.sh check SOURCE FOLDER FILE
+# [PROGRAM]: the tests of SOURCE/FILE, there. 77, which ctest shows as skipped, where there is no node or no PROGRAM, or the
+# packages cannot be fetched.
 set -eu
-for program in node npm; do
-  command -v "$program" >/dev/null || { echo "skipped: there is no $program"; exit 77; }
+for program in node npm ${5:-}; do
+  command -v "$program" >/dev/null || { echo "skipped: there is no $program (tools/packages.txt)"; exit 77; }
 done
 mkdir -p "$3"
 if [ "$1" = install ]; then
@@ -13,7 +14,7 @@ if [ "$1" = install ]; then
   cp "$2"/package.json "$2"/package-lock.json "$3"
   cd "$3"
   # Without a network npm would try for longer than a test may take.
-  timeout 240 npm ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --fetch-timeout=60000 || {
+  timeout 100 npm ci --ignore-scripts --no-audit --no-fund --fetch-retries=1 --fetch-timeout=60000 || {
     rm -rf node_modules
     echo "skipped: the packages could not be fetched"
     exit 77
