@@ -23,7 +23,7 @@ std::string writtenSeconds(double seconds) {
 std::span<const Command* const> commands() {
   static constexpr std::array kCommands = {&kAnalyze,   &kValidate, &kInputs, &kStates,  &kStatics,
                                            &kDynamics,  &kExport,   &kPose,   &kSummary, &kServe,
-                                           &kExercises, &kLesson,   &kCheck};
+                                           &kExercises, &kLesson,   &kCheck,  &kManual};
   return kCommands;
 }
 

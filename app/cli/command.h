@@ -43,6 +43,7 @@ extern const Command kServe;
 extern const Command kExercises;
 extern const Command kLesson;
 extern const Command kCheck;
+extern const Command kManual;
 
 /// Runs a command with its words, within `seconds`; the exit status. May throw std::bad_alloc.
 int runCommand(const Command& command, const std::vector<std::string>& words, std::optional<double> seconds);

@@ -1,0 +1,65 @@
+// `manual -o FOLDER`: the manual of the program as web pages.
+
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "app/cli/command.h"
+#include "core/foundations/files/file.h"
+#include "core/presentation/manual/manual_site.h"
+
+namespace geargraph::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "robot" for pictures/window-robot-light.png with its dark twin.
+std::set<std::string> windowPicturesIn(const fs::path& folder) {
+  static constexpr std::string_view kStart = "window-";
+  static constexpr std::string_view kEnd = "-light.png";
+  std::set<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / "pictures", error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kStart) || !name.ends_with(kEnd)) continue;
+    const std::string inside = name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size());
+    if (fs::exists(folder / "pictures" / ("window-" + inside + "-dark.png"), error)) names.insert(inside);
+  }
+  return names;
+}
+
+int run(const Arguments& arguments) {
+  const auto path = arguments.value("-o");
+  if (!path || *path == "-") return wrongUsage(kManual, "It needs -o with a folder.");
+  if (!arguments.files.empty()) return wrongUsage(kManual, "It reads no file.");
+  const fs::path folder = *path;
+  std::error_code error;
+  fs::create_directories(folder / "pictures", error);
+  if (!fs::is_directory(folder / "pictures"))
+    return fileFailure("The folder \"" + (folder / "pictures").string() + "\" could not be made.");
+  const std::vector<ManualFile> files = manualSite(windowPicturesIn(folder));
+  if (!arguments.has("--force")) {
+    for (const ManualFile& file : files) {
+      if (fs::exists(folder / file.name, error))
+        return fileFailure("\"" + (folder / file.name).string() +
+                           "\" is there already; --force overwrites it.");
+    }
+  }
+  for (const ManualFile& file : files)
+    if (const auto why = writeFile(folder / file.name, file.bytes)) return fileFailure(why->message);
+  return print(std::to_string(files.size()) + " files in " + folder.string() + "\n");
+}
+
+constexpr std::array kOptions = {Option{"-o", "FOLDER", "the folder that the pages are written to"},
+                                 Option{"--force", "", "overwrite files that are there"}};
+
+}  // namespace
+
+const Command kManual = {.name = "manual",
+                         .usage = "-o FOLDER [--force]",
+                         .summary = "Writes the manual of the program as web pages, with its pictures.",
+                         .options = kOptions,
+                         .run = run,
+                         .isServed = false};
+
+}  // namespace geargraph::cli

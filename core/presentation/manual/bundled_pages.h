@@ -1,0 +1,10 @@
+#pragma once
+
+#include <span>
+
+namespace geargraph::inline manual {
+
+/// The files of resources/help, in the order of their names.
+[[nodiscard]] std::span<const std::span<const unsigned char>> pageFiles();
+
+}  // namespace geargraph::inline manual

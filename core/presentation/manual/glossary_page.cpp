@@ -1,0 +1,198 @@
+#include "core/presentation/manual/glossary_page.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/foundations/base/contract.h"
+#include "core/presentation/manual/manual.h"
+#include "core/presentation/manual/markdown.h"
+#include "core/teaching/derivation/matrix_text.h"
+#include "core/teaching/lessons/course.h"
+#include "core/theory/analysis/analysis.h"
+
+namespace geargraph::inline manual {
+namespace {
+
+constexpr const char* kShownExample = "planetary-ring-held";  // of matrices: small enough for a line
+
+std::optional<MatrixKind> matrixOf(Term term) {
+  for (const MatrixKind kind : {MatrixKind::incidence, MatrixKind::reducedIncidence, MatrixKind::path,
+                                MatrixKind::spanningTree, MatrixKind::cycleBasis, MatrixKind::cutset}) {
+    if (termOf(kind) == term) return kind;
+  }
+  return std::nullopt;
+}
+
+/// The numbered equations of [AU] that the glossary names. Those that are matrices of the paper's robot are
+/// given as the rule that makes them.
+std::string equationTex(int number) {
+  switch (number) {
+    case 1:
+      return "\\Gamma^0_{ie} = 1 , \\quad \\Gamma^0_{je} = -1 , \\quad e = (j, i)";
+    case 2:
+      return "\\Gamma = [\\, G \\mid G^* \\,]";
+    case 3:
+      return "Z = -G^{-1}";
+    case 4:
+      return "T = G^{*T} Z^T";
+    case 5:
+      return "C = [\\, T \\mid U \\,]";
+    case 6:
+      return "\\hat{u}_{c,k} = \\begin{pmatrix} L_k & M_k & N_k & P_{c,k} & Q_{c,k} & R_{c,k} "
+             "\\end{pmatrix}^T";
+    case 7:
+      return "u_k = D_{0,k} \\, u";
+    case 11:
+      return "\\ell_{c,k} = \\begin{pmatrix} x_k - x_c & y_k - y_c & z_k - z_c \\end{pmatrix}^T";
+    case 18:
+      return "P = [\\, T \\circ P_{c,t} \\,]";
+    case 20:
+      return "i_{15} = \\frac{d_4}{d_1} = \\frac{N_4}{N_1}";
+    case 21:
+      return "E = t - r";
+    case 23:
+      return "\\dot{\\theta}_r = -P_r^{-1} P_E \\, \\dot{\\theta}_E";
+    case 26:
+      return "\\omega_{ik} = \\pm \\frac{N_j}{N_i} \\, \\omega_{jk}";
+    case 31:
+      return "\\omega_{51}'' = \\omega_{50} - \\omega_{10}";
+    default:
+      return {};
+  }
+}
+
+std::string matrixParagraph(MatrixKind kind) {
+  const SnapshotPtr snapshot = analyzeLive(*bundledExample(kShownExample));
+  std::string tex = matrixLatex(*snapshot->matrix(kind));
+  std::replace(tex.begin(), tex.end(), '\n', ' ');
+  return "For the planetary train with sun 1, carrier 2 and planet 3:\n\n$$" + tex + "$$\n\n";
+}
+
+std::string termMarkdown(const Definition& definition) {
+  const std::string name = escapedMarkdown(definition.name);
+  std::string text = "## " + name + "\n\n";
+  if (!definition.symbol.empty()) text += "**" + escapedMarkdown(definition.symbol) + "**   ";
+  text += escapedMarkdown(definition.text) + "\n\n";
+  text += "![" + name + "](picture:" + std::string(pictureOf(definition.term)) + ")\n\n";
+  if (const std::string formula = formulaOfTerm(definition.term); !formula.empty()) {
+    text += "$$" + formula + "$$\n\nEquation (" + std::to_string(definition.equation) + ") of the paper.\n\n";
+  }
+  if (const auto kind = matrixOf(definition.term)) text += matrixParagraph(*kind);
+  const Lesson* lesson = lessonAbout(definition.term);
+  if (lesson == nullptr) return text + "No lesson is about it.\n\n";
+  return text + "Lesson: [" + escapedMarkdown(lesson->title) + "](lesson:" + lesson->id + ")\n\n";
+}
+
+}  // namespace
+
+const Lesson* lessonAbout(Term term) {
+  const std::string name(definitionOf(term).name);
+  for (const Lesson& lesson : course())
+    if (std::find(lesson.terms.begin(), lesson.terms.end(), name) != lesson.terms.end()) return &lesson;
+  return nullptr;
+}
+
+std::string formulaOfTerm(Term term) {
+  return equationTex(definitionOf(term).equation);
+}
+
+std::string_view pictureOf(Term term) {
+  switch (term) {
+    case Term::movingLinks:
+      return "digraph/robot/links";
+    case Term::turningJoints:
+    case Term::spanningTree:
+    case Term::degreesOfFreedom:
+      return "digraph/robot/joints";
+    case Term::gearMeshes:
+    case Term::rank:
+    case Term::coefficientMatrix:
+      return "digraph/robot/meshes";
+    case Term::incidenceMatrix:
+    case Term::reducedIncidenceMatrix:
+      return "digraph/planetary-ring-held/link.3+joint.6+mesh.7+mesh.8";
+    case Term::pathMatrix:
+      return "digraph/planetary-ring-held/link.3+joint.6+joint.5+link.0";
+    case Term::spanningTreeMatrix:
+    case Term::cycleBasisMatrix:
+      return "digraph/planetary-ring-held/cycle.7";
+    case Term::cutsetMatrix:
+      return "digraph/planetary-ring-held/joint.6+mesh.7+mesh.8";
+    case Term::digraph:
+    case Term::label:
+      return "digraph/robot";
+    case Term::functionalSchematic:
+      return "schematic/robot";
+    case Term::link:
+      return "digraph/robot/link.4";
+    case Term::ground:
+      return "digraph/robot/link.0";
+    case Term::turningJoint:
+      return "digraph/robot/joint.12";
+    case Term::gearMesh:
+      return "digraph/robot/mesh.16";
+    case Term::input:
+    case Term::solution:
+      return "digraph/robot/joint.8+joint.9+joint.11";
+    case Term::axis:
+    case Term::axisPoint:
+    case Term::axisDirection:
+    case Term::jointLimits:
+      return "schematic/robot/joint.8";
+    case Term::offset:
+      return "schematic/spur-pair/joint.3";
+    case Term::teeth:
+    case Term::module:
+    case Term::gearRatio:
+    case Term::pitchPoint:
+      return "schematic/spur-pair/mesh.5";
+    case Term::meshKind:
+      return "schematic/planetary-ring-held/mesh.8";
+    case Term::cycle:
+      return "digraph/robot/cycle.16";
+    case Term::screw:
+      return "schematic/robot/mesh.15+joint.8";
+    case Term::ttGraph:
+    case Term::level:
+      return "ttgraph/robot";
+    case Term::transferVertex:
+      return "ttgraph/robot/link.1";
+    case Term::chord:
+    case Term::terminalEquation:
+      return "ttgraph/robot/mesh.16";
+    case Term::fundamentalCircuit:
+      return "ttgraph/robot/cycle.16";
+  }
+  GEARGRAPH_REQUIRE(false);
+}
+
+std::string glossaryMarkdown() {
+  std::vector<Definition> terms = glossary();
+  const auto key = [](const Definition& definition) {
+    std::string name(definition.name);
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name;
+  };
+  std::sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::string text =
+      "# Glossary\n\nEvery technical term that the program shows: what it means, a drawing of it, the "
+      "paper's "
+      "equation where it has one, and the lesson that teaches it. **Learn > Look up a term** finds a term by "
+      "its name or symbol.\n\n";
+  for (const Definition& definition : terms) text += termMarkdown(definition);
+  return text;
+}
+
+std::string courseMarkdown() {
+  std::string text;
+  int number = 0;
+  for (const Lesson& lesson : course()) {
+    text += std::to_string(++number) + ". [" + escapedMarkdown(lesson.title) + "](lesson:" + lesson.id +
+            "), " + std::to_string(lesson.minutes) + " minutes: afterwards you can " +
+            escapedMarkdown(lesson.goal) + ".\n";
+  }
+  return text;
+}
+
+}  // namespace geargraph::inline manual

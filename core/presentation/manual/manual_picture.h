@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/presentation/drawing/display_list.h"
+
+namespace geargraph::inline manual {
+
+/// A drawing of a bundled example, as the program draws it: "VIEW/EXAMPLE" or "VIEW/EXAMPLE/MARKS".
+///
+/// VIEW is "digraph", "ttgraph" or "schematic"; MARKS are joined by "+" and stand out: "link.4", "joint.8",
+/// "mesh.15" by id, "cycle.17" as the walk of the mesh's fundamental cycle, and "links" (the moving ones),
+/// "joints", "meshes". Nothing where a name is not known.
+/// Cost: that of the drawing, milliseconds for the examples.
+[[nodiscard]] std::optional<DisplayList> manualPicture(std::string_view name);
+
+}  // namespace geargraph::inline manual

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace geargraph::inline manual {
+
+struct ManualFile {
+  std::string name;  ///< within the folder: "first-steps.html", "pictures/..."
+  std::string bytes;
+};
+
+/// The manual as web pages with their pictures, light and dark: no scripts, nothing from elsewhere.
+/// `windowPictures`: names of pictures of the window that the folder has ("robot" for
+/// pictures/window-robot-light.png and -dark.png); others are left out.
+/// Cost: that of all drawings, some hundred milliseconds.
+[[nodiscard]] std::vector<ManualFile> manualSite(const std::set<std::string>& windowPictures);
+
+}  // namespace geargraph::inline manual
