@@ -7,6 +7,8 @@
 #include "ui/crash/crash_handler.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/mainwindow/start_page.h"
+#include "ui/mainwindow/window_help.h"
 #include "ui/mainwindow/window_set.h"
 #include "ui/theme/application_theme.h"
 #include "ui/view3d/view3d.h"
@@ -32,6 +34,10 @@ int main(int argc, char** argv) {
   const ActionRecorder recorder(nullptr);
   WindowSet windows(WindowSet::defaultFolder());
   windows.start(line.documents);
+  // Where nothing was asked for and nothing is opened again, somebody may be here for the first time.
+  if (MainWindow* first = windows.windows().front();
+      line.documents.isEmpty() && first->startPage().isVisible())
+    first->help().offerTour();
   if (line.size) {
     for (MainWindow* window : windows.windows()) window->resize(*line.size);
   }

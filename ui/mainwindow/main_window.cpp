@@ -17,6 +17,7 @@
 #include "ui/dynamics/dynamics_panel.h"
 #include "ui/forces/forces_panel.h"
 #include "ui/mainwindow/dock_titles.h"
+#include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/notice_bar.h"
@@ -28,6 +29,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/mainwindow/window_help.h"
 #include "ui/models/joint_preview.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/gearbox_panel.h"
@@ -95,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
   makeDrawings();
   makeDocks();
   makeCommands();
+  makeHelp();
   makeMenus();
   makeToolBar();
   addToolBarBreak();
@@ -183,6 +186,28 @@ void MainWindow::makeCommands() {
   connect(m_exports, &WindowExports::refused, m_status, &StatusLine::showRefusal);
   connect(m_exports, &WindowExports::noted, m_status, &StatusLine::showNote);
   connect(m_derivation, &DerivationPanel::exportWanted, m_exports, &WindowExports::chooseAndExportDerivation);
+}
+
+void MainWindow::makeHelp() {
+  TourStage stage;
+  stage.whyNone = [this] {
+    return m_lesson == nullptr ? QString()
+                               : tr("A lesson is played in this window: take the tour in another one.");
+  };
+  stage.begin = [this] {
+    m_presentation->setOn(false);
+    const bool isEmpty = m_document->mechanism()->n() == 0;
+    if (isEmpty && m_files->isUnused()) openDocument(robotExamplePath());
+    m_start->dismiss(&drawing());
+  };
+  stage.showDrawing = [this](const QString& name) { showDrawing(name); };
+  stage.end = [this] {
+    if (m_start->isHidden()) return drawing().setFocus();
+    m_start->setFocus();
+  };
+  m_help = new WindowHelp(this, std::move(stage));
+  connect(m_help, &WindowHelp::lessonWanted, this, &MainWindow::playLessonNamed);
+  connect(m_help, &WindowHelp::refused, m_status, &StatusLine::showRefusal);
 }
 
 void MainWindow::wireViews() {

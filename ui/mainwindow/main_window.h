@@ -62,6 +62,7 @@ class StatusLine;
 class StartPage;
 class WindowExports;
 class WindowFiles;
+class WindowHelp;
 
 /// One document and all its views: builds them, lays them out, and passes to each what the workbench answers.
 class MainWindow : public QMainWindow {
@@ -121,6 +122,7 @@ class MainWindow : public QMainWindow {
   /// Null in windows that play no lesson.
   [[nodiscard]] LessonPanel* lesson() { return m_lesson; }
   void showCourse();
+  [[nodiscard]] WindowHelp& help() { return *m_help; }
   [[nodiscard]] Presentation& presentation() { return *m_presentation; }
   /// Is everything shown as the document is now?
   [[nodiscard]] bool isSettled() const;
@@ -146,6 +148,7 @@ class MainWindow : public QMainWindow {
   void onDrawingChosen();
   void makeDocks();
   void makeCommands();
+  void makeHelp();
   QWidget* makeInputsAndResults();
   QAction* makePanelAction(QDockWidget* dock);
   QDockWidget* addDock(const char* name, const QString& title, QWidget* widget);
@@ -194,6 +197,7 @@ class MainWindow : public QMainWindow {
   void wantLesson(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
   void makeLesson();
   void playNextLesson();
+  void playLessonNamed(const QString& id);
   void setAnswersOpen(bool isOpen);
 
   Workbench* m_workbench;
@@ -236,6 +240,7 @@ class MainWindow : public QMainWindow {
   PowerView* m_power = nullptr;
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
+  WindowHelp* m_help = nullptr;
   LessonPanel* m_lesson = nullptr;     ///< made with the first lesson
   CourseDialog* m_course = nullptr;    ///< made when it is first wanted
   FileWatch* m_lessonWatch = nullptr;  ///< of a preview

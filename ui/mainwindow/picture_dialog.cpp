@@ -44,6 +44,7 @@ PictureDialog::PictureDialog(const std::vector<std::pair<QString, QString>>& vie
       m_rate(new QDoubleSpinBox(this)),
       m_fitted(new QCheckBox(tr("Fit everything into the picture"), this)) {
   setWindowTitle(tr("Export picture"));
+  setObjectName(QStringLiteral("pictureDialog"));
   for (const auto& [name, title] : views) {
     m_view->addItem(title, name);
     if (name == inFront) m_view->setCurrentIndex(m_view->count() - 1);

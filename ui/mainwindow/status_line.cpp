@@ -28,6 +28,7 @@ QString engagedNames(const Mechanism& mechanism) {
 
 StatusLine::StatusLine(Selection* selection, QWidget* parent)
     : QStatusBar(parent), m_selection(selection), m_icon(new QLabel(this)), m_message(new QLabel(this)) {
+  setObjectName(QStringLiteral("statusLine"));
   setSizeGripEnabled(false);
   setContentsMargins(4, 0, 8, 0);
   m_icon->setContentsMargins(10, 0, 0, 0);

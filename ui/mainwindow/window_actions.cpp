@@ -197,10 +197,17 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   resetLayout = make("view.reset", words("&Reset the layout"), words("All panels back to their places"), {});
   makeMotion();
   lookUp = make("learn.lookUp", words("&Look up a term…"), words("The definition of a technical term"), {});
-  search = make("help.search", words("&Search…"), words("Find a command, an element or a term"),
+  search = make("help.search", words("&Search…"),
+                words("Find a command, an element, a term or a page of the manual"),
                 {QKeySequence(QStringLiteral("Ctrl+K"))});
+  manual = make("help.manual", words("&Manual"), words("The page of the manual about what has the focus"),
+                {QKeySequence(Qt::Key_F1)});
+  whatsThis =
+      make("help.whatsThis", words("&What's this"), words("Then click something to learn what it is for"),
+           {QKeySequence(Qt::SHIFT | Qt::Key_F1)});
+  tour = make("help.tour", words("&Tour"), words("The parts of the window in two minutes"), {});
   shortcuts = make("help.shortcuts", words("&Keyboard shortcuts"), words("All keys on one sheet"),
-                   {QKeySequence(Qt::Key_F1)});
+                   {QKeySequence(Qt::CTRL | Qt::Key_F1)});
   about = make("help.about", words("&About GearGraph"), words("What this program is"), {});
 }
 

@@ -90,6 +90,9 @@ struct WindowActions {
 
   QAction* lookUp;
   QAction* search;
+  QAction* manual;
+  QAction* whatsThis;
+  QAction* tour;
   QAction* shortcuts;
   QAction* about;
 

@@ -9,6 +9,7 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/play_controls.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_help.h"
 #include "ui/search/search_field.h"
 #include "ui/view3d/view3d.h"
 
@@ -49,6 +50,7 @@ void MainWindow::makeToolBar() {
   bar->addWidget(m_search);
   connect(m_search, &SearchField::elementChosen, this, &MainWindow::showElement);
   connect(m_search, &SearchField::refused, m_status, &StatusLine::showRefusal);
+  connect(m_search, &SearchField::pageChosen, m_help, &WindowHelp::showPage);
 }
 
 void MainWindow::wireMotion() {

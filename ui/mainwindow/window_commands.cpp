@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
+#include <QWhatsThis>
 
 #include "core/mechanism/model/edits.h"
 #include "core/presentation/report/report.h"
@@ -27,6 +28,7 @@
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/mainwindow/window_help.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/engagement_edits.h"
 #include "ui/panels/insert_set_dialog.h"
@@ -103,7 +105,7 @@ void MainWindow::makeMenus() {
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
   menu(tr("&Learn"))->addActions({a.lessons, a.lessonFile, a.showDerivation, a.compareMethods, a.lookUp});
-  menu(tr("&Help"))->addActions({a.search, a.shortcuts, a.about});
+  menu(tr("&Help"))->addActions({a.manual, a.whatsThis, a.tour, a.search, a.shortcuts, a.about});
 }
 
 void MainWindow::wireActions() {
@@ -181,6 +183,9 @@ void MainWindow::wireActions() {
   connect(a.search, &QAction::triggered, this, [this] { m_search->begin(); });
   connect(a.lookUp, &QAction::triggered, this, [this] { m_search->begin(SearchField::Scope::terms); });
   connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
+  connect(a.manual, &QAction::triggered, m_help, &WindowHelp::showPageForFocus);
+  connect(a.whatsThis, &QAction::triggered, m_help, [] { QWhatsThis::enterWhatsThisMode(); });
+  connect(a.tour, &QAction::triggered, m_help, &WindowHelp::startTour);
 }
 
 void MainWindow::wireFiles() {

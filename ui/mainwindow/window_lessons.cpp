@@ -130,6 +130,14 @@ void MainWindow::makeLesson() {
   });
 }
 
+/// Of the course.
+void MainWindow::playLessonNamed(const QString& id) {
+  for (std::size_t i = 0; i < course().size(); ++i) {
+    if (QString::fromStdString(course()[i].id) == id)
+      return wantLesson(lessonOfCourse(i), placeInCourse(i), QString());
+  }
+}
+
 void MainWindow::playNextLesson() {
   const auto& lessons = course();
   for (std::size_t next = 1; next < lessons.size(); ++next) {

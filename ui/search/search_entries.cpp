@@ -4,8 +4,10 @@
 #include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <algorithm>
 #include <unordered_map>
 
+#include "core/presentation/manual/manual.h"
 #include "ui/search/everyday_words.h"
 #include "ui/search/word_match.h"
 
@@ -101,6 +103,43 @@ std::vector<SearchEntry> termEntries() {
     entries.push_back(std::move(entry));
   }
   return entries;
+}
+
+std::vector<SearchEntry> pageEntries() {
+  constexpr qsizetype kSummary = 160;
+  std::vector<SearchEntry> entries;
+  for (const ManualPage& page : manualPages()) {
+    const bool isGlossary = &page == &manualPages().back();
+    for (const ManualSection& section : page.sections) {
+      if (isGlossary && section.level > 1) continue;
+      SearchEntry entry;
+      entry.title = shown(section.title);
+      if (section.level > 1) entry.side = shown(page.title);
+      entry.haystack = foldedText(entry.title + QLatin1Char(' ') + entry.side);
+      const QString words = shown(section.words).simplified();
+      entry.everydayWords = foldedText(words);
+      entry.summary = words.size() <= kSummary
+                          ? words
+                          : words.left(kSummary).section(QLatin1Char(' '), 0, -2) + QStringLiteral(" …");
+      entry.page = shown(page.id);
+      if (section.level > 1) entry.page += QLatin1Char('#') + shown(section.anchor);
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
+QAction* commandAt(const QMenuBar& menus, const QString& path) {
+  QList<QAction*> actions = menus.actions();
+  QAction* found = nullptr;
+  for (const QString& name : path.simplified().split(QStringLiteral(" > "))) {
+    const auto action = std::find_if(actions.begin(), actions.end(),
+                                     [&](const QAction* each) { return plainText(each->text()) == name; });
+    if (action == actions.end()) return nullptr;
+    found = *action;
+    actions = found->menu() != nullptr ? found->menu()->actions() : QList<QAction*>();
+  }
+  return found;
 }
 
 }  // namespace geargraph::inline search

@@ -6,6 +6,9 @@
 #include <QMenuBar>
 #include <algorithm>
 
+#include "core/presentation/manual/manual.h"
+#include "ui/help/help_page_of.h"
+
 namespace geargraph::inline search {
 namespace {
 
@@ -25,7 +28,7 @@ SearchField::SearchField(const Document* document, Selection* selection, QMenuBa
       m_popup(new SearchPopup(m_model, menus->window())) {
   setObjectName(QStringLiteral("search"));
   setPlaceholderText(tr("Search a command or a term  Ctrl+K"));
-  setToolTip(tr("Find a command, an element or a term (Ctrl+K)"));
+  setToolTip(tr("Find a command, an element, a term or a page of the manual (Ctrl+K)"));
   setAccessibleName(tr("Search"));
   setMinimumWidth(kWidth / 2);
   setMaximumWidth(kWidth);
@@ -61,6 +64,8 @@ void SearchField::gather() {
     std::vector<SearchEntry> elements = elementEntries(*m_document->mechanism());
     std::move(elements.begin(), elements.end(), std::back_inserter(entries));
     std::move(terms.begin(), terms.end(), std::back_inserter(entries));
+    std::vector<SearchEntry> pages = pageEntries();
+    std::move(pages.begin(), pages.end(), std::back_inserter(entries));
   }
   m_model->setEntries(std::move(entries));
   query();
@@ -83,6 +88,11 @@ void SearchField::place() {
 }
 
 void SearchField::lightUp(int row) {
+  const SearchEntry* entry = row >= 0 ? &m_model->entryAt(row) : nullptr;
+  // F1 then tells more than the tip: with a picture, the equation and the lesson.
+  setProperty(kHelpPage, entry != nullptr && entry->term
+                             ? QStringLiteral("glossary#") + QString::fromStdString(anchorOf(*entry->term))
+                             : QString());
   if (!m_popup->isVisible()) return;
   if (row >= 0 && m_model->entryAt(row).element) {
     m_selection->hover(*m_model->entryAt(row).element);
@@ -97,6 +107,7 @@ void SearchField::choose(int row) {
   if (entry.term) return m_popup->showDefinition(*entry.term);
   end();
   if (entry.element) return emit elementChosen(*entry.element);
+  if (!entry.page.isEmpty()) return emit pageChosen(entry.page);
   if (entry.action == nullptr) return;
   if (!entry.action->isEnabled()) return emit refused(entry.action->toolTip());
   const bool isShown = entry.action->property(kRevealsPanel).toBool() && entry.action->isChecked();

@@ -12,8 +12,9 @@ class QMenuBar;
 
 namespace geargraph::inline search {
 
-/// One field for every command, every element of the document and every term: what is typed is looked for by
-/// words, arrow keys choose, Enter carries out, Esc goes back to where the keyboard was.
+/// One field for every command, every element of the document, every term and every heading of the manual:
+/// what is typed is looked for by words, arrow keys choose, Enter carries out, Esc goes back to where the
+/// keyboard was.
 ///
 /// What can be found is gathered when the search begins, so an idle field costs nothing.
 class SearchField : public QLineEdit {
@@ -34,6 +35,8 @@ class SearchField : public QLineEdit {
 
  signals:
   void elementChosen(const geargraph::ElementId& element);
+  /// A heading of the manual: "drawing#tools".
+  void pageChosen(const QString& page);
   /// A command was chosen that is not possible now; `why` is its reason.
   void refused(const QString& why);
 

@@ -8,17 +8,21 @@
 namespace geargraph::inline search {
 namespace {
 
+constexpr int kPagesBehind = 4;
+
 bool isPossible(const SearchEntry& entry) {
   return entry.action == nullptr || entry.action->isEnabled();
 }
 
 QString kindOf(const SearchEntry& entry) {
   if (entry.element) return SearchModel::tr("element");
+  if (!entry.page.isEmpty()) return SearchModel::tr("manual");
   return entry.term ? SearchModel::tr("term") : SearchModel::tr("command");
 }
 
 QString detailOf(const SearchEntry& entry) {
   if (entry.action != nullptr) return entry.action->toolTip().remove(QLatin1Char('&'));
+  if (!entry.page.isEmpty()) return entry.summary;
   if (!entry.term) return SearchModel::tr("Enter selects and shows it.");
   const std::string_view text = definitionOf(*entry.term).text;
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -43,6 +47,8 @@ void SearchModel::setQuery(const QString& query) {
       // A name counts more than another word for it.
       score = matchScore(entry.haystack + QLatin1Char(' ') + entry.everydayWords, words, false) / 2;
     }
+    // Pages tell about what commands do: those come first.
+    if (!entry.page.isEmpty() && score > 0) score = std::max(1, score / kPagesBehind);
     if (score > 0) found.emplace_back(-score, i);
   }
   const std::size_t kept = std::min(found.size(), std::size_t{kMost});

@@ -6,7 +6,8 @@
 
 namespace geargraph::inline search {
 
-/// What a query finds, best first: of equal matches commands before elements before terms.
+/// What a query finds, best first: of equal matches commands before elements before terms before pages of the
+/// manual.
 class SearchModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -16,7 +17,7 @@ class SearchModel : public QAbstractListModel {
   enum Role {
     SideRole = Qt::UserRole,  ///< QString: what stands at the right
     EnabledRole,              ///< bool: a command that is possible now, or anything else
-    KindRole,                 ///< QString: "command", "element", "term"
+    KindRole,                 ///< QString: "command", "element", "term", "manual"
     DetailRole,               ///< QString: what it is or does, or why it is not possible now
   };
 

@@ -138,7 +138,7 @@ void SearchPopup::showDefinition(Term term) {
   if (definition.equation > 0) text += tr("<p>Equation (%1) of the paper.</p>").arg(definition.equation);
   m_definition->setText(text);
   m_pages->setCurrentWidget(m_definition);
-  m_detail->setText(tr("Type to search on; Esc closes."));
+  m_detail->setText(tr("F1 shows it with a picture and its lesson. Type to search on; Esc closes."));
 }
 
 int SearchPopup::heightForResults(int most) const {

@@ -233,7 +233,7 @@ class WindowHabitsTest : public QObject {
   }
 
   void allKeysStandOnOneSheet() {
-    press(Qt::Key_F1);
+    press(Qt::Key_F1, Qt::ControlModifier);
     auto* sheet = part<ShortcutSheet>("shortcutSheet");
     QVERIFY(sheet != nullptr && sheet->isVisible());
     const QString text = sheet->findChild<QTextBrowser*>()->toPlainText();

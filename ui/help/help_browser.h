@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QTextBrowser>
+#include <vector>
+
+#include "ui/derivation/formula_painter.h"
+#include "ui/help/help_pictures.h"
+
+namespace geargraph::inline manual {
+struct ManualPage;
+}  // namespace geargraph::inline manual
+
+namespace geargraph::inline ui_help {
+
+/// A page of the manual with its formulas and pictures, in the colours and the type of the window. Clicked
+/// commands, pages and lessons are signals; where they lead is the window's.
+class HelpBrowser : public QTextBrowser {
+  Q_OBJECT
+
+ public:
+  explicit HelpBrowser(QWidget* parent = nullptr);
+
+  /// @pre the page is one of manualPages()
+  void showPage(const ManualPage* page, const QString& anchor);
+  [[nodiscard]] const ManualPage* page() const { return m_page; }
+  /// Are all pictures that were asked for there?
+  [[nodiscard]] bool isSettled() const { return m_pictures.isSettled(); }
+
+ signals:
+  void pageWanted(const QString& pageAndAnchor);
+  void commandWanted(const QString& menuPath);
+  void lessonWanted(const QString& id);
+
+ protected:
+  QVariant loadResource(int type, const QUrl& name) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void setPage();
+  void follow(const QUrl& link);
+  [[nodiscard]] QString html();
+  [[nodiscard]] QString sheet() const;
+  [[nodiscard]] QImage formula(int position);
+  [[nodiscard]] int roomForPictures() const;
+
+  const ManualPage* m_page = nullptr;
+  HelpPictures m_pictures;
+  FormulaPainter m_painter;
+  std::vector<std::string> m_formulas;  ///< of the page, in TeX
+  int m_laidOutFor = 0;                 ///< the room for pictures then
+};
+
+}  // namespace geargraph::inline ui_help

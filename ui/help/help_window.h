@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace geargraph::inline ui_help {
+
+class HelpBrowser;
+
+/// The manual in a window of its own beside the document: contents, pages, back and forward, and a field that
+/// finds words in all pages.
+class HelpWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit HelpWindow(QWidget* parent);
+
+  /// "page", "page#anchor" or "#anchor" of the page that is shown. False where there is no such page.
+  bool open(const QString& pageAndAnchor);
+  /// "page#anchor" as it was opened last.
+  [[nodiscard]] const QString& place() const { return m_places[m_at]; }
+  [[nodiscard]] HelpBrowser& browser() { return *m_browser; }
+
+ signals:
+  void commandWanted(const QString& menuPath);
+  void lessonWanted(const QString& id);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QWidget* makeBar();
+  QToolButton* makeButton(const char* name, const QString& text, const QString& tip);
+  void fillContents();
+  void display(const QString& place);
+  void go(int steps);
+  void findNext();
+  void renewButtons();
+
+  HelpBrowser* m_browser;
+  QTreeWidget* m_contents;
+  QLineEdit* m_find;
+  QLabel* m_found;
+  QToolButton* m_back = nullptr;
+  QToolButton* m_forward = nullptr;
+  std::vector<QString> m_places;  ///< that were shown, the last of them newest
+  std::size_t m_at = 0;
+};
+
+}  // namespace geargraph::inline ui_help
