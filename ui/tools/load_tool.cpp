@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline tools::load_tool {
 namespace {
 
@@ -52,8 +54,9 @@ Step on(const State& state, const ToolEvent& event) {
 
 std::string_view hint(const State& state) {
   if (std::holds_alternative<Idle>(state))
-    return "Load: drag from a turning joint or a link for its torque, or click it and type 10 Nm";
-  return "Load: to the right or upwards is more; Alt: tenths. Esc puts back";
+    return toTranslate(
+        "Load: drag from a turning joint or a link for its torque, or click it and type 10 Nm");
+  return toTranslate("Load: to the right or upwards is more; Alt: tenths. Esc puts back");
 }
 
 }  // namespace geargraph::inline tools::load_tool

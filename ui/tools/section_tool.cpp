@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/foundations/base/words.h"
 #include "ui/tools/load_tool.h"
 
 namespace geargraph::inline tools::section_tool {
@@ -84,23 +85,24 @@ std::string_view hint(const State& state, ToolKind tool) {
   const bool idle = std::holds_alternative<Idle>(state);
   switch (tool) {
     case ToolKind::link:
-      return idle ? "Shaft: drag along an axis, or on an empty area for a new axis"
-                  : "Shaft: release where it ends. Esc cancels";
+      return idle ? toTranslate("Shaft: drag along an axis, or on an empty area for a new axis")
+                  : toTranslate("Shaft: release where it ends. Esc cancels");
     case ToolKind::turningJoint:
-      return idle ? "Carried shaft: drag from the link that carries it to its place"
-                  : "Carried shaft: release at the place of its axis. Esc cancels";
+      return idle ? toTranslate("Carried shaft: drag from the link that carries it to its place")
+                  : toTranslate("Carried shaft: release at the place of its axis. Esc cancels");
     case ToolKind::gearMesh:
-      return idle ? "Gear mesh: drag from a shaft to the one it drives"
-                  : "Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels";
+      return idle
+                 ? toTranslate("Gear mesh: drag from a shaft to the one it drives")
+                 : toTranslate("Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels");
     case ToolKind::input:
-      return "Input: click a turning joint, or the link it carries, to drive it or not";
+      return toTranslate("Input: click a turning joint, or the link it carries, to drive it or not");
     case ToolKind::load:
       return load_tool::hint({});
     case ToolKind::pan:
-      return "Drag to move the sheet";
+      return toTranslate("Drag to move the sheet");
     case ToolKind::select:
-      if (std::holds_alternative<Dragging>(state)) return "Alt places freely. Esc puts back";
-      return "Click to select, drag an axis to move it. The program lays the drawing out";
+      if (std::holds_alternative<Dragging>(state)) return toTranslate("Alt places freely. Esc puts back");
+      return toTranslate("Click to select, drag an axis to move it. The program lays the drawing out");
   }
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline tools {
 namespace {
 
@@ -18,17 +20,19 @@ std::vector<Proposal> step(State& state, Outcome<State> outcome) {
 std::string_view jointHint(const joint_tool::State& state, ToolKind tool) {
   const bool mesh = tool == ToolKind::gearMesh;
   if (std::holds_alternative<joint_tool::Idle>(state)) {
-    return mesh ? "Gear mesh: drag from a gear to the gear it drives"
-                : "Turning joint: drag from a link to the link it carries";
+    return mesh ? toTranslate("Gear mesh: drag from a gear to the gear it drives")
+                : toTranslate("Turning joint: drag from a link to the link it carries");
   }
-  return mesh ? "Gear mesh: release on the second gear. Esc cancels"
-              : "Turning joint: release on the link that is carried. Esc cancels";
+  return mesh ? toTranslate("Gear mesh: release on the second gear. Esc cancels")
+              : toTranslate("Turning joint: release on the link that is carried. Esc cancels");
 }
 
 std::string_view selectHint(const select_tool::State& state) {
-  if (std::holds_alternative<select_tool::Moving>(state)) return "Alt places freely. Esc puts back";
-  if (std::holds_alternative<select_tool::Banding>(state)) return "Release to select what is inside";
-  return "Click to select, drag to move, drag on an empty area to select several";
+  if (std::holds_alternative<select_tool::Moving>(state))
+    return toTranslate("Alt places freely. Esc puts back");
+  if (std::holds_alternative<select_tool::Banding>(state))
+    return toTranslate("Release to select what is inside");
+  return toTranslate("Click to select, drag to move, drag on an empty area to select several");
 }
 
 }  // namespace
@@ -36,19 +40,19 @@ std::string_view selectHint(const select_tool::State& state) {
 std::string_view toolName(ToolKind tool) {
   switch (tool) {
     case ToolKind::select:
-      return "Select";
+      return toTranslate("Select");
     case ToolKind::link:
-      return "Link";
+      return toTranslate("Link");
     case ToolKind::turningJoint:
-      return "Turning joint";
+      return toTranslate("Turning joint");
     case ToolKind::gearMesh:
-      return "Gear mesh";
+      return toTranslate("Gear mesh");
     case ToolKind::input:
-      return "Input";
+      return toTranslate("Input");
     case ToolKind::load:
-      return "Load";
+      return toTranslate("Load");
     case ToolKind::pan:
-      return "Pan";
+      return toTranslate("Pan");
   }
   return {};
 }
@@ -106,16 +110,16 @@ std::string_view ToolMachine::hint() const {
     case ToolKind::select:
       return selectHint(std::get<select_tool::State>(m_state));
     case ToolKind::link:
-      return "Link: click on an empty area";
+      return toTranslate("Link: click on an empty area");
     case ToolKind::turningJoint:
     case ToolKind::gearMesh:
       return jointHint(std::get<joint_tool::State>(m_state), m_tool);
     case ToolKind::input:
-      return "Input: click a turning joint, or the link it carries, to drive it or not";
+      return toTranslate("Input: click a turning joint, or the link it carries, to drive it or not");
     case ToolKind::load:
       return load_tool::hint(std::get<load_tool::State>(m_state));
     case ToolKind::pan:
-      return "Drag to move the sheet";
+      return toTranslate("Drag to move the sheet");
   }
   return {};
 }

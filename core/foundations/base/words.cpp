@@ -1,0 +1,57 @@
+#include "core/foundations/base/words.h"
+
+#include <memory>
+#include <mutex>
+
+namespace geargraph::inline base {
+namespace {
+
+std::mutex g_mutex;
+std::shared_ptr<const Catalogue> g_catalogue;  ///< guarded by g_mutex; null: English
+
+std::shared_ptr<const Catalogue> catalogue() {
+  const std::lock_guard lock(g_mutex);
+  return g_catalogue;
+}
+
+std::string lookedUp(const char* text, int n) {
+  const auto now = catalogue();
+  std::string found = now ? (*now)(text, n) : std::string();
+  return found.empty() ? text : found;
+}
+
+}  // namespace
+
+std::string translated(const char* text) {
+  return lookedUp(text, -1);
+}
+
+std::string translated(const char* text, int n) {
+  std::string form = lookedUp(text, n);
+  if (const auto place = form.find("%n"); place != std::string::npos)
+    form.replace(place, 2, std::to_string(n));
+  return form;
+}
+
+std::string filled(std::string_view text, std::initializer_list<std::string_view> places) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool isPlace = text[i] == '%' && i + 1 < text.size() && text[i + 1] >= '1' && text[i + 1] <= '9';
+    const std::size_t place = isPlace ? static_cast<std::size_t>(text[i + 1] - '1') : places.size();
+    if (place < places.size()) {
+      result += *(places.begin() + place);
+      ++i;
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+void setCatalogue(Catalogue next) {
+  auto shared = next ? std::make_shared<const Catalogue>(std::move(next)) : nullptr;
+  const std::lock_guard lock(g_mutex);
+  g_catalogue.swap(shared);
+}
+
+}  // namespace geargraph::inline base

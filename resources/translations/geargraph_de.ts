@@ -1,0 +1,4854 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>GearGraph</name>
+    <message>
+        <source>at</source>
+        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <comment>The link beyond the joint, seen from the ground.</comment>
+        <translation>dreht</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
+        <translation>getragen von</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <comment>A brake or clutch that is engaged.</comment>
+        <translation>Schaltelement</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <comment>The gear mesh, by its label.</comment>
+        <translation>Zahneingriff</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <comment>The link of the tail&apos;s gear.</comment>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <comment>The link of the head&apos;s gear.</comment>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
+        <translation>treibt</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <comment>The link that it acts on.</comment>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <comment>The shafts of the loop.</comment>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <comment>The meshes of the gear sets of the loop.</comment>
+        <translation>greift ein in</translation>
+    </message>
+    <message>
+        <source>the ground does not move</source>
+        <translation>das Gestell bewegt sich nicht</translation>
+    </message>
+    <message>
+        <source>no turning joint carries it yet</source>
+        <translation>noch trägt es kein Drehgelenk</translation>
+    </message>
+    <message>
+        <source>several turning joints: click one</source>
+        <translation>mehrere Drehgelenke: eines anklicken</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 Elemente</translation>
+    </message>
+    <message>
+        <source>link %1</source>
+        <translation>Glied %1</translation>
+    </message>
+    <message>
+        <source>turning joint %1</source>
+        <translation>Drehgelenk %1</translation>
+    </message>
+    <message>
+        <source>gear mesh %1</source>
+        <translation>Zahneingriff %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>brake %1</source>
+        <translation>Bremse %1</translation>
+    </message>
+    <message>
+        <source>clutch %1</source>
+        <translation>Kupplung %1</translation>
+    </message>
+    <message>
+        <source> from link %1 to link %2</source>
+        <translation> von Glied %1 zu Glied %2</translation>
+    </message>
+    <message>
+        <source>: holds link %1 while it is engaged</source>
+        <translation>: hält Glied %1, solange sie geschlossen ist</translation>
+    </message>
+    <message>
+        <source>: links %1 turn as one while it is engaged</source>
+        <translation>: die Glieder %1 drehen sich gemeinsam, solange sie geschlossen ist</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>, axis %1</source>
+        <translation>, Achse %1</translation>
+    </message>
+    <message>
+        <source>, driven</source>
+        <translation>, angetrieben</translation>
+    </message>
+    <message>
+        <source>, %1 : %2 teeth</source>
+        <translation>, %1 : %2 Zähne</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>Engage %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>Take %1 off</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Hold it with a brake</source>
+        <translation>Mit einer Bremse festhalten</translation>
+    </message>
+    <message>
+        <source>Connect it to another link with a clutch</source>
+        <translation>Durch eine Kupplung mit einem anderen Glied verbinden</translation>
+    </message>
+    <message>
+        <source>select two links</source>
+        <translation>zwei Glieder auswählen</translation>
+    </message>
+    <message>
+        <source>Connect %1 and %2 with a clutch</source>
+        <translation>%1 und %2 durch eine Kupplung verbinden</translation>
+    </message>
+    <message>
+        <source>hold the link with a brake</source>
+        <translation>das Glied mit einer Bremse festhalten</translation>
+    </message>
+    <message>
+        <source>Move gear %1 to the other side of the apex</source>
+        <translation>Zahnrad %1 auf die andere Seite der Kegelspitze setzen</translation>
+    </message>
+    <message>
+        <source>Make it external</source>
+        <translation>Außenverzahnt machen</translation>
+    </message>
+    <message>
+        <source>Make it internal</source>
+        <translation>Innenverzahnt machen</translation>
+    </message>
+    <message>
+        <source>Pin the module</source>
+        <translation>Modul fixieren</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Stop driving it</source>
+        <translation>Nicht mehr antreiben</translation>
+    </message>
+    <message>
+        <source>Drive it</source>
+        <translation>Antreiben</translation>
+    </message>
+    <message>
+        <source>Make it the ground</source>
+        <translation>Zum Gestell machen</translation>
+    </message>
+    <message>
+        <source>it is the ground</source>
+        <translation>es ist das Gestell</translation>
+    </message>
+    <message>
+        <source>Attach a gear</source>
+        <translation>Zahnrad anfügen</translation>
+    </message>
+    <message>
+        <source>Pin the teeth of its gears</source>
+        <translation>Zähnezahlen seiner Räder fixieren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>the ground cannot be deleted</source>
+        <translation>das Gestell kann nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>Axis %1 pinned</source>
+        <translation>Achse %1 fixiert</translation>
+    </message>
+    <message>
+        <source>only turning joints can be driven</source>
+        <translation>nur Drehgelenke können angetrieben werden</translation>
+    </message>
+    <message>
+        <source>Flip the arrow</source>
+        <translation>Pfeil umkehren</translation>
+    </message>
+    <message>
+        <source>Delete with its joints</source>
+        <translation>Samt Gelenken löschen</translation>
+    </message>
+    <message>
+        <source>New link here</source>
+        <translation>Neues Glied hier</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Tidy the drawing</source>
+        <translation>Zeichnung ordnen</translation>
+    </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>noch ist nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Cycle C%1:</source>
+        <translation>Zyklus C%1:</translation>
+    </message>
+    <message>
+        <source>Digraph</source>
+        <translation>Digraph</translation>
+    </message>
+    <message>
+        <source>Laying out %1 links</source>
+        <translation>%1 Glieder werden angeordnet</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1.</source>
+        <translation>Es kann kein Zahnrad angefügt werden: %1.</translation>
+    </message>
+    <message>
+        <source>Select one turning joint or link to load it.</source>
+        <translation>Wählen Sie ein Drehgelenk oder ein Glied aus, um es zu belasten.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: select a moving link.</source>
+        <translation>Das Gestell nimmt jede Last auf: Wählen Sie ein bewegtes Glied.</translation>
+    </message>
+    <message>
+        <source>Loads act in turning joints and on links.</source>
+        <translation>Lasten wirken in Drehgelenken und an Gliedern.</translation>
+    </message>
+    <message>
+        <source>10 Nm</source>
+        <translation>10 Nm</translation>
+    </message>
+    <message>
+        <source>Torque that acts here</source>
+        <translation>Drehmoment, das hier wirkt</translation>
+    </message>
+    <message>
+        <source>Remove load</source>
+        <translation>Last entfernen</translation>
+    </message>
+    <message>
+        <source>A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm</source>
+        <translation>Ein Drehmoment ist eine Zahl mit Einheit: 10 Nm, 500 Nmm, 1/2 kNm</translation>
+    </message>
+    <message>
+        <source>Set load</source>
+        <translation>Last ändern</translation>
+    </message>
+    <message>
+        <source>Add load</source>
+        <translation>Last hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Flip %1</source>
+        <translation>%1 umkehren</translation>
+    </message>
+    <message>
+        <source>Cannot be driven: %1</source>
+        <translation>Kann nicht angetrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Drive or release</source>
+        <translation>Antrieb ein oder aus</translation>
+    </message>
+    <message>
+        <source>Rename link</source>
+        <translation>Glied umbenennen</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1</source>
+        <translation>Es kann kein Zahnrad angefügt werden: %1</translation>
+    </message>
+    <message>
+        <source>Attach gear to %1</source>
+        <translation>Zahnrad an %1 anfügen</translation>
+    </message>
+    <message>
+        <source>Make ground</source>
+        <translation>Gestell festlegen</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>%1 fixieren</translation>
+    </message>
+    <message>
+        <source>Unpin %1</source>
+        <translation>%1 freigeben</translation>
+    </message>
+    <message>
+        <source>Change kind</source>
+        <translation>Art ändern</translation>
+    </message>
+    <message>
+        <source>Move gear to the other side</source>
+        <translation>Zahnrad auf die andere Seite setzen</translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>%1 festhalten</translation>
+    </message>
+    <message>
+        <source>Connect links</source>
+        <translation>Glieder verbinden</translation>
+    </message>
+    <message>
+        <source>Take off %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1:  %2,  transfer vertex %3</source>
+        <translation>%1:  %2,  Transferknoten %3</translation>
+    </message>
+    <message>
+        <source>The drawn pose does not tell the sign of its terminal equation.</source>
+        <translation>Die gezeichnete Lage bestimmt das Vorzeichen seiner Klemmengleichung nicht.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click</source>
+        <translation>Zeichnen Sie das erste Glied: L, dann klicken</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the link</source>
+        <translation>Name des Glieds</translation>
+    </message>
+    <message>
+        <source>Move link</source>
+        <translation>Glied verschieben</translation>
+    </message>
+    <message>
+        <source>Move links</source>
+        <translation>Glieder verschieben</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Schrittweise verschieben</translation>
+    </message>
+    <message>
+        <source>Add link</source>
+        <translation>Glied hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add gear mesh</source>
+        <translation>Zahneingriff hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add turning joint</source>
+        <translation>Drehgelenk hinzufügen</translation>
+    </message>
+    <message>
+        <source>T-T graph</source>
+        <translation>T-T-Graph</translation>
+    </message>
+    <message>
+        <source>The T–T graph is still being laid out. Try again in a moment.</source>
+        <translation>Der T–T-Graph wird noch angeordnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>No tree yet: turning joints have to tie every link to the ground and close no loop.</source>
+        <translation>Noch kein Baum: Drehgelenke müssen jedes Glied mit dem Gestell verbinden und dürfen keine Schleife schließen.</translation>
+    </message>
+    <message>
+        <source>Then the dotted meshes get their transfer vertices.</source>
+        <translation>Dann erhalten die gepunkteten Zahneingriffe ihre Transferknoten.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex of %1</source>
+        <translation>Transferknoten von %1</translation>
+    </message>
+    <message>
+        <source>Branch %1 on level %2</source>
+        <translation>Zweig %1 auf Ebene %2</translation>
+    </message>
+    <message>
+        <source>It has no transfer vertex.</source>
+        <translation>Es hat keinen Transferknoten.</translation>
+    </message>
+    <message>
+        <source>Tidy the T-T graph</source>
+        <translation>T-T-Graph ordnen</translation>
+    </message>
+    <message>
+        <source>The derivation could not be worked out: %1</source>
+        <translation>Die Herleitung konnte nicht berechnet werden: %1</translation>
+    </message>
+    <message>
+        <source>The derivation appears here, both methods step by step.</source>
+        <translation>Hier erscheint die Herleitung, beide Verfahren Schritt für Schritt.</translation>
+    </message>
+    <message>
+        <source>The sections of the derivation</source>
+        <translation>Abschnitte der Herleitung</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the derivation as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Herleitung als Webseite, PDF, LaTeX oder Markdown schreiben</translation>
+    </message>
+    <message>
+        <source>The derivation is being worked out…</source>
+        <translation>Die Herleitung wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Copy equation as LaTeX</source>
+        <translation>Gleichung als LaTeX kopieren</translation>
+    </message>
+    <message>
+        <source>Copy text</source>
+        <translation>Text kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all as LaTeX</source>
+        <translation>Alles als LaTeX kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all as Markdown</source>
+        <translation>Alles als Markdown kopieren</translation>
+    </message>
+    <message>
+        <source>Before the first step</source>
+        <translation>Vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>%1 (saved)</source>
+        <translation>%1 (gespeichert)</translation>
+    </message>
+    <message>
+        <source>%1, shown now</source>
+        <translation>%1, wird jetzt gezeigt</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>The dynamics could not be worked out: %1</source>
+        <translation>Die Dynamik konnte nicht berechnet werden: %1</translation>
+    </message>
+    <message>
+        <source>Masses</source>
+        <translation>Massen</translation>
+    </message>
+    <message>
+        <source>Mass and moments of inertia of every link, density and gravity</source>
+        <translation>Masse und Trägheitsmomente jedes Glieds, Dichte und Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Inertia at the motors</source>
+        <translation>Trägheit an den Motoren</translation>
+    </message>
+    <message>
+        <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>
+        <translation>Welchen Anteil jedes Glied an der Trägheit hat, die ein Motor spürt (reduzierte Trägheit)</translation>
+    </message>
+    <message>
+        <source>Equation of motion</source>
+        <translation>Bewegungsgleichung</translation>
+    </message>
+    <message>
+        <source>Generalised inertia, Coriolis and centrifugal torques, weight and loads in the inputs</source>
+        <translation>Verallgemeinerte Trägheit, Coriolis- und Zentrifugalmomente, Gewicht und Lasten in den Antrieben</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>The motion that torques of the motors cause: simulated and played</source>
+        <translation>Die Bewegung, die Momente der Motoren bewirken: simuliert und abgespielt</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Tabelle für eine Tabellenkalkulation kopieren</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>Export the table, or the simulated motion, to a CSV file</source>
+        <translation>Tabelle oder simulierte Bewegung in eine CSV-Datei exportieren</translation>
+    </message>
+    <message>
+        <source>Masses and motion appear here as soon as the mechanism is analysed.</source>
+        <translation>Massen und Bewegung erscheinen hier, sobald der Mechanismus analysiert ist.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: state masses of its links, or give its wheels teeth.</source>
+        <translation>Eine Bewegung der Antriebe bewegt keine Masse: Geben Sie Massen der Glieder oder Zähnezahlen der Räder an.</translation>
+    </message>
+    <message>
+        <source>At the moment that the 3D view shows.</source>
+        <translation>Zu dem Zeitpunkt, den die 3D-Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy yet</source>
+        <translation>Noch gibt es nichts zu kopieren</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet</source>
+        <translation>Noch gibt es nichts zu exportieren</translation>
+    </message>
+    <message>
+        <source>masses.csv</source>
+        <translation>massen.csv</translation>
+    </message>
+    <message>
+        <source>reflected-inertia.csv</source>
+        <translation>reduzierte-traegheit.csv</translation>
+    </message>
+    <message>
+        <source>equation-of-motion.csv</source>
+        <translation>bewegungsgleichung.csv</translation>
+    </message>
+    <message>
+        <source>motion.csv</source>
+        <translation>bewegung.csv</translation>
+    </message>
+    <message>
+        <source>M: the generalised inertia of the inputs. h: what motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight. τ: torques of the motors. ℓ: what the loads contribute.</source>
+        <translation>M: verallgemeinerte Trägheit der Antriebe. h: was Motoren bei konstanten Drehzahlen für Coriolis- und Zentrifugalkräfte und für das Gewicht aufbringen müssen. τ: Momente der Motoren. ℓ: Beitrag der Lasten.</translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation>Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Link %1: %2 kg m² at %3, %4 % of all.</source>
+        <translation>Glied %1: %2 kg m² bei %3, %4 % von allem.</translation>
+    </message>
+    <message>
+        <source>moves no mass</source>
+        <translation>bewegt keine Masse</translation>
+    </message>
+    <message>
+        <source>%1 kg m²</source>
+        <translation>%1 kg m²</translation>
+    </message>
+    <message>
+        <source>The inertia that each link has at the motor while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>Trägheit, die jedes Glied am Motor hat, während die anderen Antriebe stillstehen: bei einem Glied, das sich um eine Achse dreht, sein Trägheitsmoment mal dem Quadrat seiner Übersetzung.</translation>
+    </message>
+    <message>
+        <source>Double-click, or press F2, to state it; empty it to leave it to the solids.</source>
+        <translation>Doppelklick oder F2, um sie anzugeben; leer lassen, damit sie aus den Körpern folgt.</translation>
+    </message>
+    <message>
+        <source>Mass, kg</source>
+        <translation>Masse, kg</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0 kg.</source>
+        <translation>Eine Masse ist mindestens 0 kg.</translation>
+    </message>
+    <message>
+        <source>Masses of the links</source>
+        <translation>Massen der Glieder</translation>
+    </message>
+    <message>
+        <source>The density of all solids, kg/m³; empty: that of steel</source>
+        <translation>Dichte aller Körper, kg/m³; leer: die von Stahl</translation>
+    </message>
+    <message>
+        <source>Density, kg/m³</source>
+        <translation>Dichte, kg/m³</translation>
+    </message>
+    <message>
+        <source>%1, steel</source>
+        <translation>%1, Stahl</translation>
+    </message>
+    <message>
+        <source>The acceleration of free fall in the base frame, m/s²: x, y, z</source>
+        <translation>Fallbeschleunigung im Basissystem, m/s²: x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Schwerkraft, m/s²</translation>
+    </message>
+    <message>
+        <source>A density is above 0.</source>
+        <translation>Eine Dichte ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>Set density</source>
+        <translation>Dichte ändern</translation>
+    </message>
+    <message>
+        <source>Set gravity</source>
+        <translation>Schwerkraft ändern</translation>
+    </message>
+    <message>
+        <source>Set mass</source>
+        <translation>Masse ändern</translation>
+    </message>
+    <message>
+        <source>The motion could not be followed: %1</source>
+        <translation>Die Bewegung konnte nicht verfolgt werden: %1</translation>
+    </message>
+    <message>
+        <source>How much of the motion is followed</source>
+        <translation>Wie weit die Bewegung verfolgt ist</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Drehzahlen</translation>
+    </message>
+    <message>
+        <source>Speeds of the inputs, and of the joints that are selected, over time</source>
+        <translation>Drehzahlen der Antriebe und der ausgewählten Gelenke über der Zeit</translation>
+    </message>
+    <message>
+        <source>Torques</source>
+        <translation>Momente</translation>
+    </message>
+    <message>
+        <source>Torques of the motors over time</source>
+        <translation>Momente der Motoren über der Zeit</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Kinetic and potential energy, the work of motors and loads, and their balance, over time</source>
+        <translation>Kinetische und potentielle Energie, Arbeit von Motoren und Lasten und ihre Bilanz über der Zeit</translation>
+    </message>
+    <message>
+        <source>Play in 3D</source>
+        <translation>In 3D abspielen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>End the motion where it is now</source>
+        <translation>Bewegung hier beenden</translation>
+    </message>
+    <message>
+        <source>Follow the motion that these torques, the loads and weight cause</source>
+        <translation>Der Bewegung folgen, die diese Momente, die Lasten und das Gewicht bewirken</translation>
+    </message>
+    <message>
+        <source>There is nothing to move yet</source>
+        <translation>Noch gibt es nichts zu bewegen</translation>
+    </message>
+    <message>
+        <source>Show this motion in the 3D view instead of that of the input speeds</source>
+        <translation>Diese Bewegung in der 3D-Ansicht zeigen statt der mit den Antriebsdrehzahlen</translation>
+    </message>
+    <message>
+        <source>Simulate a motion first</source>
+        <translation>Simulieren Sie zuerst eine Bewegung</translation>
+    </message>
+    <message>
+        <source>Give the motors their torques, then Simulate: speeds, torques and energy appear here.</source>
+        <translation>Geben Sie den Motoren ihre Momente und wählen Sie Simulieren: Drehzahlen, Momente und Energie erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>The motion is being followed …</source>
+        <translation>Die Bewegung wird verfolgt …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>After %1 s: kinetic energy %2 J, potential %3 J, work of motors and loads %4 J; they balance but for %5 J.</source>
+        <translation>Nach %1 s: kinetische Energie %2 J, potentielle %3 J, Arbeit von Motoren und Lasten %4 J; die Bilanz stimmt bis auf %5 J.</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>The joint that the motor drives.</source>
+        <translation>Das Gelenk, das der Motor antreibt.</translation>
+    </message>
+    <message>
+        <source>T, N m</source>
+        <translation>T, N m</translation>
+    </message>
+    <message>
+        <source>The torque of the motor at rest, by the tail of its joint on the head.</source>
+        <translation>Moment des Motors im Stillstand, vom Fuß seines Gelenks auf die Spitze.</translation>
+    </message>
+    <message>
+        <source>d, N m s</source>
+        <translation>d, N m s</translation>
+    </message>
+    <message>
+        <source>How much torque the motor loses for each rad/s of its joint: with the torque at rest over the no-load speed it is a direct-current motor at constant voltage.</source>
+        <translation>Wie viel Moment der Motor je rad/s seines Gelenks verliert: mit Stillstandsmoment durch Leerlaufdrehzahl ist er ein Gleichstrommotor bei konstanter Spannung.</translation>
+    </message>
+    <message>
+        <source>from, °</source>
+        <translation>ab, °</translation>
+    </message>
+    <message>
+        <source>The angle of the joint at the start, from the reference pose.</source>
+        <translation>Winkel des Gelenks am Anfang, ab der Bezugslage.</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>The speed of the joint at the start.</source>
+        <translation>Drehzahl des Gelenks am Anfang.</translation>
+    </message>
+    <message>
+        <source>How long the motion is followed, in seconds.</source>
+        <translation>Wie lange die Bewegung verfolgt wird, in Sekunden.</translation>
+    </message>
+    <message>
+        <source>for, s</source>
+        <translation>Dauer, s</translation>
+    </message>
+    <message>
+        <source>The time is %1 s to %2 s.</source>
+        <translation>Die Dauer beträgt %1 s bis %2 s.</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Torque of the motor of joint %1, N m</source>
+        <translation>Motormoment von Gelenk %1, N m</translation>
+    </message>
+    <message>
+        <source>Torque that the motor of joint %1 loses for each rad/s, N m s</source>
+        <translation>Moment, das der Motor von Gelenk %1 je rad/s verliert, N m s</translation>
+    </message>
+    <message>
+        <source>Angle of joint %1 at the start, degrees</source>
+        <translation>Anfangswinkel von Gelenk %1, Grad</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1 at the start, rad/s</source>
+        <translation>Anfangsdrehzahl von Gelenk %1, rad/s</translation>
+    </message>
+    <message>
+        <source>It is at least 0 N m s.</source>
+        <translation>Es ist mindestens 0 N m s.</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power in every turning joint, and of what acts on links</source>
+        <translation>Moment, Drehzahl und Leistung in jedem Drehgelenk und dessen, was an Gliedern wirkt</translation>
+    </message>
+    <message>
+        <source>Torques of the brakes and clutches that are engaged</source>
+        <translation>Momente der geschlossenen Bremsen und Kupplungen</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
+        <translation>Momente an den Rädern jedes Zahneingriffs, Zahnkräfte und übertragene Leistung</translation>
+    </message>
+    <message>
+        <source>What holds each link in its turning joint: force and moment</source>
+        <translation>Was jedes Glied in seinem Drehgelenk hält: Kraft und Moment</translation>
+    </message>
+    <message>
+        <source>What every element delivers to each of its links, seen from the ground</source>
+        <translation>Was jedes Element an jedes seiner Glieder abgibt, vom Gestell aus gesehen</translation>
+    </message>
+    <message>
+        <source>Power that goes round in loops, beside what goes through the train</source>
+        <translation>Blindleistung, die in Schleifen umläuft, neben der, die durch das Getriebe geht</translation>
+    </message>
+    <message>
+        <source>Torques of the couplings and efficiency in every state of the gearbox</source>
+        <translation>Momente der Schaltelemente und Wirkungsgrad in jedem Schaltzustand des Getriebes</translation>
+    </message>
+    <message>
+        <source>The torques could not be worked out: %1</source>
+        <translation>Die Momente konnten nicht berechnet werden: %1</translation>
+    </message>
+    <message>
+        <source>The state whose brakes and clutches are engaged</source>
+        <translation>Der Schaltzustand, dessen Bremsen und Kupplungen geschlossen sind</translation>
+    </message>
+    <message>
+        <source>Export the table with its units to a CSV file</source>
+        <translation>Tabelle mit Einheiten in eine CSV-Datei exportieren</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>An efficiency is above 0 and at most 1.</source>
+        <translation>Ein Wirkungsgrad ist größer als 0 und höchstens 1.</translation>
+    </message>
+    <message>
+        <source>η of a mesh</source>
+        <translation>η eines Zahneingriffs</translation>
+    </message>
+    <message>
+        <source>The efficiency of meshes that state none: the power that a mesh delivers over what it takes, seen from its carrier. Empty: they lose nothing.</source>
+        <translation>Wirkungsgrad der Zahneingriffe, die keinen angeben: abgegebene durch aufgenommene Leistung, vom Steg aus gesehen. Leer: verlustfrei.</translation>
+    </message>
+    <message>
+        <source>fed, W</source>
+        <translation>zugeführt, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances feed into the train.</source>
+        <translation>Leistung, die Lasten und Ausgleichsmomente dem Getriebe zuführen.</translation>
+    </message>
+    <message>
+        <source>taken, W</source>
+        <translation>entnommen, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances take from the train.</source>
+        <translation>Leistung, die Lasten und Ausgleichsmomente dem Getriebe entnehmen.</translation>
+    </message>
+    <message>
+        <source>lost, W</source>
+        <translation>verloren, W</translation>
+    </message>
+    <message>
+        <source>What the meshes lose: fed less taken.</source>
+        <translation>Was die Zahneingriffe verlieren: zugeführte minus entnommene Leistung.</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed.</source>
+        <translation>Entnommene durch zugeführte Leistung.</translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>The efficiency of the same motion with all known torques reversed: the output drives.</source>
+        <translation>Wirkungsgrad derselben Bewegung mit umgekehrten bekannten Momenten: Der Abtrieb treibt.</translation>
+    </message>
+    <message>
+        <source>latent ratio</source>
+        <translation>Wälzleistungsverhältnis</translation>
+    </message>
+    <message>
+        <source>What all meshes pass, seen from their carriers, over the power fed: the losses are about this many times those of one mesh.</source>
+        <translation>Leistung aller Zahneingriffe, von ihren Stegen aus gesehen, durch die zugeführte: Die Verluste sind etwa so viele Male die eines Zahneingriffs.</translation>
+    </message>
+    <message>
+        <source>circulating, W</source>
+        <translation>Blindleistung, W</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop of shafts and gear sets.</source>
+        <translation>Die größte Leistung, die in einer Schleife von Wellen und Radsätzen umläuft.</translation>
+    </message>
+    <message>
+        <source>Share by stiffness</source>
+        <translation>Nach Steifigkeit aufteilen</translation>
+    </message>
+    <message>
+        <source>Meshes that share a load in unknown parts: assume that all teeth are equally stiff, without clearance, on rigid bodies</source>
+        <translation>Zahneingriffe, die eine Last in unbekannten Anteilen tragen: alle Zähne gleich steif, spielfrei und auf starren Körpern annehmen</translation>
+    </message>
+    <message>
+        <source>as engaged</source>
+        <translation>wie geschlossen</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>Schaltzustand %1</translation>
+    </message>
+    <message>
+        <source>Torques and forces appear here as soon as the mechanism is analysed.</source>
+        <translation>Momente und Kräfte erscheinen hier, sobald der Mechanismus analysiert ist.</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their torques appear here.</source>
+        <translation>Zeichnen Sie Drehgelenke und Zahneingriffe: Ihre Momente erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium: the reason is below.</source>
+        <translation>Es gibt kein Gleichgewicht: Der Grund steht unten.</translation>
+    </message>
+    <message>
+        <source>No brake or clutch is engaged: engage one in Gearbox, or choose a state.</source>
+        <translation>Keine Bremse oder Kupplung ist geschlossen: Schließen Sie eine unter Schaltgetriebe oder wählen Sie einen Schaltzustand.</translation>
+    </message>
+    <message>
+        <source>Forces need a unit of length whose size is known.</source>
+        <translation>Kräfte brauchen eine Längeneinheit bekannter Größe.</translation>
+    </message>
+    <message>
+        <source>No power flows.</source>
+        <translation>Es fließt keine Leistung.</translation>
+    </message>
+    <message>
+        <source>Without a motion there is no power.</source>
+        <translation>Ohne Bewegung gibt es keine Leistung.</translation>
+    </message>
+    <message>
+        <source>No power circulates.</source>
+        <translation>Es läuft keine Blindleistung um.</translation>
+    </message>
+    <message>
+        <source>Loops are found where every link but the planets turns on the ground.</source>
+        <translation>Schleifen werden gefunden, wo jedes Glied außer den Planetenrädern im Gestell dreht.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>Es gibt nichts zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Matroid = T–T graph method, exactly</source>
+        <translation>Matroid- = T–T-Graph-Verfahren, exakt</translation>
+    </message>
+    <message>
+        <source>The two methods do not agree</source>
+        <translation>Die beiden Verfahren stimmen nicht überein</translation>
+    </message>
+    <message>
+        <source>locks itself</source>
+        <translation>selbsthemmend</translation>
+    </message>
+    <message>
+        <source>No load acts yet. Select a joint or a link, then + Load.</source>
+        <translation>Noch wirkt keine Last. Wählen Sie ein Gelenk oder Glied aus, dann + Last.</translation>
+    </message>
+    <message>
+        <source>+ Load</source>
+        <translation>+ Last</translation>
+    </message>
+    <message>
+        <source>A torque of 1 N m on the selected joint or link, or choose one</source>
+        <translation>Ein Drehmoment von 1 N m am ausgewählten Gelenk oder Glied, oder wählen</translation>
+    </message>
+    <message>
+        <source>Found at ▾</source>
+        <translation>Gesucht an ▾</translation>
+    </message>
+    <message>
+        <source>Balances: where torques are found that hold the loads. By itself the program takes the inputs that bear no load of their own.</source>
+        <translation>Ausgleich: wo Momente gesucht werden, die den Lasten das Gleichgewicht halten. Von selbst nimmt das Programm die Antriebe ohne eigene Last.</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>N mm</source>
+        <translation>N mm</translation>
+    </message>
+    <message>
+        <source>kN m</source>
+        <translation>kN m</translation>
+    </message>
+    <message>
+        <source>The unit of the torques in this list; the document keeps N m</source>
+        <translation>Einheit der Momente in dieser Liste; das Dokument behält N m</translation>
+    </message>
+    <message>
+        <source>F on %1</source>
+        <translation>F an %1</translation>
+    </message>
+    <message>
+        <source>T in %1</source>
+        <translation>T in %1</translation>
+    </message>
+    <message>
+        <source>T on %1 about %2</source>
+        <translation>T an %1 um %2</translation>
+    </message>
+    <message>
+        <source>T on %1</source>
+        <translation>T an %1</translation>
+    </message>
+    <message>
+        <source>A force from outside on the link, N, in the base frame, at (%1) of the reference pose.</source>
+        <translation>Äußere Kraft auf das Glied, N, im Basissystem, in (%1) der Bezugslage.</translation>
+    </message>
+    <message>
+        <source>A torque that the joint&apos;s tail exerts on its head, about the direction of its axis; the head exerts the opposite one on the tail.</source>
+        <translation>Moment, das der Fuß des Gelenks auf seine Spitze ausübt, um die Richtung seiner Achse; die Spitze übt das entgegengesetzte auf den Fuß aus.</translation>
+    </message>
+    <message>
+        <source>A torque from outside on the link; the ground takes the reaction. Without an axis it is about the link&apos;s first axis on the way to the ground.</source>
+        <translation>Äußeres Moment auf das Glied; das Gestell nimmt die Reaktion auf. Ohne Achse wirkt es um die erste Achse des Glieds auf dem Weg zum Gestell.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 loads are listed</source>
+        <translation>%1 von %2 Lasten sind aufgeführt</translation>
+    </message>
+    <message>
+        <source>Remove this load</source>
+        <translation>Diese Last entfernen</translation>
+    </message>
+    <message>
+        <source>Torque in a joint</source>
+        <translation>Moment in einem Gelenk</translation>
+    </message>
+    <message>
+        <source>Torque on a link</source>
+        <translation>Moment an einem Glied</translation>
+    </message>
+    <message>
+        <source>Inputs without a load</source>
+        <translation>Antriebe ohne Last</translation>
+    </message>
+    <message>
+        <source>Choose balances</source>
+        <translation>Ausgleich wählen</translation>
+    </message>
+    <message>
+        <source>Select in the drawing, or type: 8, 10</source>
+        <translation>In der Zeichnung auswählen oder eingeben: 8, 10</translation>
+    </message>
+    <message>
+        <source>A whole number, a fraction such as −2/3, or a decimal</source>
+        <translation>Eine ganze Zahl, ein Bruch wie −2/3 oder eine Dezimalzahl</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>From one gear pair to the robot</source>
+        <translation>Von einem Zahnradpaar bis zum Roboter</translation>
+    </message>
+    <message>
+        <source>Open a lesson file…</source>
+        <translation>Lektionsdatei öffnen …</translation>
+    </message>
+    <message>
+        <source>A lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Eine eigene Lektion: Sie wird neu geladen, sooft die Datei gespeichert wird</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Afterwards you can %1.</source>
+        <translation>Danach können Sie: %1.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min. %3 done, about %4 min to go.</source>
+        <translation>%1 Lektionen, %2 min. %3 erledigt, noch etwa %4 min.</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps done</source>
+        <translation>%1 von %2 Schritten erledigt</translation>
+    </message>
+    <message>
+        <source>‹ Back</source>
+        <translation>‹ Zurück</translation>
+    </message>
+    <message>
+        <source>The step before (Alt+Left)</source>
+        <translation>Voriger Schritt (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Skip ›</source>
+        <translation>Weiter ›</translation>
+    </message>
+    <message>
+        <source>The next step (Alt+Right)</source>
+        <translation>Nächster Schritt (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>‹ Course</source>
+        <translation>‹ Kurs</translation>
+    </message>
+    <message>
+        <source>All lessons, with your progress</source>
+        <translation>Alle Lektionen mit Ihrem Fortschritt</translation>
+    </message>
+    <message>
+        <source>2 points for a step that is right at once, 1 after a hint or a correction; the score never falls</source>
+        <translation>2 Punkte für einen Schritt, der sofort richtig ist, 1 nach einem Hinweis oder einer Korrektur; der Punktestand sinkt nie</translation>
+    </message>
+    <message>
+        <source>H&amp;int</source>
+        <translation>&amp;Hinweis</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule, then the first half</source>
+        <translation>Wo Sie hinsehen müssen, dann die Regel, dann die erste Hälfte</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Lösung zeigen</translation>
+    </message>
+    <message>
+        <source>The answer; the step then gives no points</source>
+        <translation>Die Lösung; der Schritt gibt dann keine Punkte</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Check the answer (Return)</source>
+        <translation>Antwort prüfen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Begin the step</source>
+        <translation>Schritt beginnen</translation>
+    </message>
+    <message>
+        <source>Right. %1</source>
+        <translation>Richtig. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) are wrong: look at those that are framed.</source>
+        <translation>
+            <numerusform>%n Feld ist falsch: Sehen Sie das umrahmte an.</numerusform>
+            <numerusform>%n Felder sind falsch: Sehen Sie die umrahmten an.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This is not right. A hint tells where to look.</source>
+        <translation>Das ist nicht richtig. Ein Hinweis sagt, wo Sie hinsehen müssen.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 min</source>
+        <translation>%1, %2 min</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Score %1 of %2</source>
+        <translation>Punkte %1 von %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule: hint %1 of %2</source>
+        <translation>Wo Sie hinsehen müssen, dann die Regel: Hinweis %1 von %2</translation>
+    </message>
+    <message>
+        <source>There are no more hints in this step.</source>
+        <translation>In diesem Schritt gibt es keine weiteren Hinweise.</translation>
+    </message>
+    <message>
+        <source>A drawing can be right in many ways: take a hint.</source>
+        <translation>Eine Zeichnung kann auf viele Arten richtig sein: Nehmen Sie einen Hinweis.</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Dies ist der erste Schritt.</translation>
+    </message>
+    <message>
+        <source>Next lesson ›</source>
+        <translation>Nächste Lektion ›</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>Weiter ›</translation>
+    </message>
+    <message>
+        <source>Leave ›</source>
+        <translation>Verlassen ›</translation>
+    </message>
+    <message>
+        <source>About GearGraph</source>
+        <translation>Über GearGraph</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Draw, analyse and see geared mechanisms by the matroid and the T–T graph methods (Amirinezhad and Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Zahnradmechanismen zeichnen, analysieren und ansehen, mit dem Matroid- und dem T–T-Graph-Verfahren (Amirinezhad und Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;MIT-Lizenz.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>Einzelheiten kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>Crash report</source>
+        <translation>Absturzbericht</translation>
+    </message>
+    <message>
+        <source>GearGraph crashed on %1. A report says where in the program; it names neither documents nor what is in them.</source>
+        <translation>GearGraph ist am %1 abgestürzt. Ein Bericht sagt, wo im Programm; er nennt weder Dokumente noch deren Inhalt.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Bericht zeigen</translation>
+    </message>
+    <message>
+        <source>Read it, and decide then</source>
+        <translation>Erst lesen, dann entscheiden</translation>
+    </message>
+    <message>
+        <source>For a message to the developers</source>
+        <translation>Für eine Nachricht an die Entwickler</translation>
+    </message>
+    <message>
+        <source>The crash report was copied.</source>
+        <translation>Der Absturzbericht wurde kopiert.</translation>
+    </message>
+    <message>
+        <source>For good</source>
+        <translation>Endgültig</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>It will be offered again</source>
+        <translation>Er wird wieder angeboten</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Labels of rows and columns</source>
+        <translation>Zeilen- und Spaltennamen</translation>
+    </message>
+    <message>
+        <source>Byte order mark</source>
+        <translation>Byte-Reihenfolge-Marke</translation>
+    </message>
+    <message>
+        <source>Export %1 as CSV</source>
+        <translation>%1 als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>What parts the columns</source>
+        <translation>Was die Spalten trennt</translation>
+    </message>
+    <message>
+        <source>Numbers with a decimal comma are quoted where commas part the columns</source>
+        <translation>Zahlen mit Dezimalkomma stehen in Anführungszeichen, wenn Kommas die Spalten trennen</translation>
+    </message>
+    <message>
+        <source>Without them the file holds the entries alone</source>
+        <translation>Ohne sie enthält die Datei nur die Einträge</translation>
+    </message>
+    <message>
+        <source>Begins the file with a mark by which spreadsheet programs know UTF-8</source>
+        <translation>Beginnt die Datei mit einer Marke, an der Tabellenkalkulationen UTF-8 erkennen</translation>
+    </message>
+    <message>
+        <source>Columns parted by</source>
+        <translation>Spaltentrenner</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links: %1</source>
+        <translation>Die Zwischenablage enthält keine Glieder: %1</translation>
+    </message>
+    <message>
+        <source>Select links to copy; the ground stays where it is.</source>
+        <translation>Wählen Sie Glieder zum Kopieren aus; das Gestell bleibt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>%1 kopiert</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Glied</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Glieder</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>The clipboard is empty.</source>
+        <translation>Die Zwischenablage ist leer.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links.</source>
+        <translation>Die Zwischenablage enthält keine Glieder.</translation>
+    </message>
+    <message>
+        <source>What the clipboard holds is too large to be a mechanism.</source>
+        <translation>Der Inhalt der Zwischenablage ist zu groß für einen Mechanismus.</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Pasted as it was drawn in %1: check the lengths, which count in %2 here.</source>
+        <translation>Eingefügt, wie in %1 gezeichnet: Prüfen Sie die Längen, die hier in %2 zählen.</translation>
+    </message>
+    <message>
+        <source>Make %1 planets</source>
+        <translation>%1 Planetenräder anlegen</translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Exporting %1.</source>
+        <translation>%1 wird exportiert.</translation>
+    </message>
+    <message>
+        <source>Give up this export; nothing is written</source>
+        <translation>Diesen Export abbrechen; es wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 of %3 pictures.</source>
+        <translation>%1 wird exportiert: %2 von %3 Bildern.</translation>
+    </message>
+    <message>
+        <source>The export of %1 was stopped; nothing was written.</source>
+        <translation>Der Export von %1 wurde angehalten; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph);;All files (*)</source>
+        <translation>GearGraph-Dokumente (*.geargraph);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Steps of the history</source>
+        <translation>Schritte des Verlaufs</translation>
+    </message>
+    <message>
+        <source>A click on a step, or Return, goes there. Steps below it can be repeated until something else is drawn.</source>
+        <translation>Ein Klick auf einen Schritt oder die Eingabetaste geht dorthin. Schritte darunter können wiederholt werden, bis etwas anderes gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>The gears appear here. Draw the first link: L, then click.</source>
+        <translation>Hier erscheinen die Zahnräder. Zeichnen Sie das erste Glied: L, dann klicken.</translation>
+    </message>
+    <message>
+        <source>The gears appear when the turning joints tie every link to the ground and close no loop.</source>
+        <translation>Die Zahnräder erscheinen, wenn die Drehgelenke jedes Glied mit dem Gestell verbinden und keine Schleife schließen.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows trains of up to %1 links; this one has %2.</source>
+        <translation>Die 3D-Ansicht zeigt Getriebe mit bis zu %1 Gliedern; dieses hat %2.</translation>
+    </message>
+    <message>
+        <source>The gears appear when a mesh joins two of the links: G, then drag.</source>
+        <translation>Die Zahnräder erscheinen, wenn ein Zahneingriff zwei Glieder verbindet: G, dann ziehen.</translation>
+    </message>
+    <message>
+        <source>T–T graph</source>
+        <translation>T–T-Graph</translation>
+    </message>
+    <message>
+        <source>Schematic</source>
+        <translation>Schema</translation>
+    </message>
+    <message>
+        <source>The views could not be updated: %1.</source>
+        <translation>Die Ansichten konnten nicht erneuert werden: %1.</translation>
+    </message>
+    <message>
+        <source>Shown as before the last changes. %1</source>
+        <translation>Gezeigt wie vor den letzten Änderungen. %1</translation>
+    </message>
+    <message>
+        <source>This matrix needs a mechanism without errors.</source>
+        <translation>Diese Matrix braucht einen Mechanismus ohne Fehler.</translation>
+    </message>
+    <message>
+        <source>This matrix needs the turning joints to be a spanning tree.</source>
+        <translation>Für diese Matrix müssen die Drehgelenke einen Spannbaum bilden.</translation>
+    </message>
+    <message>
+        <source> (read-only)</source>
+        <translation> (schreibgeschützt)</translation>
+    </message>
+    <message>
+        <source>Notices</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>1 of %1</source>
+        <translation>1 von %1</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation>Der Speicher reicht für das Bild nicht aus.</translation>
+    </message>
+    <message>
+        <source>Of this size:</source>
+        <translation>In dieser Größe:</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Hell auf dunkel</translation>
+    </message>
+    <message>
+        <source>Fit everything into the picture</source>
+        <translation>Alles in das Bild einpassen</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>SVG, lines and text</source>
+        <translation>SVG, Linien und Text</translation>
+    </message>
+    <message>
+        <source>PDF, lines and text</source>
+        <translation>PDF, Linien und Text</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Pixel</translation>
+    </message>
+    <message>
+        <source>PNG, a folder of pictures</source>
+        <translation>PNG, ein Ordner mit Bildern</translation>
+    </message>
+    <message>
+        <source>GLB, the solids in their present pose</source>
+        <translation>GLB, die Körper in ihrer jetzigen Lage</translation>
+    </message>
+    <message>
+        <source>Without it the picture is as large as the drawing.</source>
+        <translation>Ohne sie ist das Bild so groß wie die Zeichnung.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>None: one picture</source>
+        <translation>Keine: ein Bild</translation>
+    </message>
+    <message>
+        <source>Turntable: once round</source>
+        <translation>Drehteller: einmal herum</translation>
+    </message>
+    <message>
+        <source>Motion: one period</source>
+        <translation>Bewegung: eine Periode</translation>
+    </message>
+    <message>
+        <source>A minute where the motion has no period</source>
+        <translation>Eine Minute, wo die Bewegung keine Periode hat</translation>
+    </message>
+    <message>
+        <source> pictures</source>
+        <translation> Bilder</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> je Sekunde</translation>
+    </message>
+    <message>
+        <source>The 3D view is made of pixels.</source>
+        <translation>Die 3D-Ansicht besteht aus Pixeln.</translation>
+    </message>
+    <message>
+        <source>Only the 3D view has it.</source>
+        <translation>Nur die 3D-Ansicht hat das.</translation>
+    </message>
+    <message>
+        <source>Export pictures into the new folder</source>
+        <translation>Bilder in den neuen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Ordner (*)</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to export.</source>
+        <translation>Die 3D-Ansicht ist leer: Es gibt nichts zu exportieren.</translation>
+    </message>
+    <message>
+        <source>Copied the drawing as a picture</source>
+        <translation>Zeichnung als Bild kopiert</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to copy.</source>
+        <translation>Die 3D-Ansicht ist leer: Es gibt nichts zu kopieren.</translation>
+    </message>
+    <message>
+        <source>Copied the 3D view as a picture</source>
+        <translation>3D-Ansicht als Bild kopiert</translation>
+    </message>
+    <message>
+        <source>Sent to the printer</source>
+        <translation>An den Drucker gesendet</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>How fast the motion is shown; a double click is 1.0×</source>
+        <translation>Wie schnell die Bewegung gezeigt wird; ein Doppelklick ist 1,0×</translation>
+    </message>
+    <message>
+        <source>Speed of the motion</source>
+        <translation>Geschwindigkeit der Bewegung</translation>
+    </message>
+    <message>
+        <source>Pause the motion (Space)</source>
+        <translation>Bewegung anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Play the motion (Space)</source>
+        <translation>Bewegung abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Power flows under loads: add one in Forces.</source>
+        <translation>Leistung fließt unter Lasten: Fügen Sie unter Kräfte eine hinzu.</translation>
+    </message>
+    <message>
+        <source>The loads are not in balance: Forces names what is missing.</source>
+        <translation>Die Lasten sind nicht im Gleichgewicht: Unter Kräfte steht, was fehlt.</translation>
+    </message>
+    <message>
+        <source>The ground</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Glied %1</translation>
+    </message>
+    <message>
+        <source>Link %1, %2</source>
+        <translation>Glied %1, %2</translation>
+    </message>
+    <message>
+        <source>Esc or F11 ends the presentation, Space plays.  Alt+1, Alt+2, … show and hide panels.</source>
+        <translation>Esc oder F11 beendet die Präsentation, die Leertaste spielt ab.  Alt+1, Alt+2, … zeigen und verbergen Bereiche.</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>No file has been opened yet</source>
+        <translation>Es wurde noch keine Datei geöffnet</translation>
+    </message>
+    <message>
+        <source>There is nothing drawn to derive anything for.</source>
+        <translation>Es ist nichts gezeichnet, wofür etwas herzuleiten wäre.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read.</source>
+        <translation>Eine Herleitung für mehr als %1 Glieder wird nicht geschrieben: Sie wäre zu lang zum Lesen.</translation>
+    </message>
+    <message>
+        <source>Export derivation</source>
+        <translation>Herleitung exportieren</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</source>
+        <translation>Webseite (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out. Try again in a moment.</source>
+        <translation>Die Lösung wird noch berechnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>The export was stopped.</source>
+        <translation>Der Export wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Export handout</source>
+        <translation>Handout exportieren</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>about x, °</source>
+        <translation>um x, °</translation>
+    </message>
+    <message>
+        <source>about y, °</source>
+        <translation>um y, °</translation>
+    </message>
+    <message>
+        <source>about z, °</source>
+        <translation>um z, °</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Another STL, OBJ, PLY or GLB file</source>
+        <translation>Eine weitere STL-, OBJ-, PLY- oder GLB-Datei</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Lengths in the document&apos;s unit. A file is turned about x, then y, then z, and moved, in the drawn pose; it then moves with its link.</source>
+        <translation>Längen in der Einheit des Dokuments. Eine Datei wird in der gezeichneten Lage um x, dann y, dann z gedreht und verschoben; danach bewegt sie sich mit ihrem Glied.</translation>
+    </message>
+    <message>
+        <source>3D files of link %1</source>
+        <translation>3D-Dateien von Glied %1</translation>
+    </message>
+    <message>
+        <source>Place a 3D file</source>
+        <translation>3D-Datei platzieren</translation>
+    </message>
+    <message>
+        <source>3D file</source>
+        <translation>3D-Datei</translation>
+    </message>
+    <message>
+        <source>3D files (*.stl *.obj *.ply *.glb);;All files (*)</source>
+        <translation>3D-Dateien (*.stl *.obj *.ply *.glb);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Wear a 3D file</source>
+        <translation>3D-Datei anhängen</translation>
+    </message>
+    <message>
+        <source>Take off a 3D file</source>
+        <translation>3D-Datei abnehmen</translation>
+    </message>
+    <message>
+        <source>In a drawing</source>
+        <translation>In einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>Abspielen, anhalten</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Blatt verschieben</translation>
+    </message>
+    <message>
+        <source>Space or middle button, and drag</source>
+        <translation>Leertaste oder mittlere Taste und ziehen</translation>
+    </message>
+    <message>
+        <source>Zoom at the mouse</source>
+        <translation>An der Maus zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Fit what is selected</source>
+        <translation>Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Umschalt+F</translation>
+    </message>
+    <message>
+        <source>Nudge; finer</source>
+        <translation>Schrittweise verschieben; feiner</translation>
+    </message>
+    <message>
+        <source>Arrow keys; with Shift</source>
+        <translation>Pfeiltasten; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Zur Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl, and click</source>
+        <translation>Umschalt oder Strg und klicken</translation>
+    </message>
+    <message>
+        <source>Drag without snapping</source>
+        <translation>Ohne Einrasten ziehen</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Rename in place</source>
+        <translation>An Ort und Stelle umbenennen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Next, last element; besides</source>
+        <translation>Nächstes, voriges Element; zusätzlich</translation>
+    </message>
+    <message>
+        <source>Page down, up; with Shift</source>
+        <translation>Bild ab, auf; mit Umschalt</translation>
+    </message>
+    <message>
+        <source>The nearest element that way</source>
+        <translation>Nächstes Element in dieser Richtung</translation>
+    </message>
+    <message>
+        <source>Ctrl and arrow key</source>
+        <translation>Strg und Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>As a click on the element</source>
+        <translation>Wie ein Klick auf das Element</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Give up, deselect, back to Select</source>
+        <translation>Abbrechen, Auswahl aufheben, zurück zu Auswählen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>In der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Step back, step on</source>
+        <translation>Schritt zurück, Schritt vor</translation>
+    </message>
+    <message>
+        <source>Comma, point</source>
+        <translation>Komma, Punkt</translation>
+    </message>
+    <message>
+        <source>F, Home</source>
+        <translation>F, Pos1</translation>
+    </message>
+    <message>
+        <source>Isometric, front, right, top</source>
+        <translation>Isometrisch, vorn, rechts, oben</translation>
+    </message>
+    <message>
+        <source>0, 1, 2, 3</source>
+        <translation>0, 1, 2, 3</translation>
+    </message>
+    <message>
+        <source>Turn the train</source>
+        <translation>Getriebe drehen</translation>
+    </message>
+    <message>
+        <source>Drag a gear</source>
+        <translation>An einem Zahnrad ziehen</translation>
+    </message>
+    <message>
+        <source>Turn a part by hand</source>
+        <translation>Ein Teil von Hand drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl, and drag</source>
+        <translation>Strg und ziehen</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Umkreisen</translation>
+    </message>
+    <message>
+        <source>Drag elsewhere, arrow keys</source>
+        <translation>Anderswo ziehen, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Shift with drag or arrow keys</source>
+        <translation>Umschalt mit Ziehen oder Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel, + and −</source>
+        <translation>Rad, + und −</translation>
+    </message>
+    <message>
+        <source>Next, last link</source>
+        <translation>Nächstes, voriges Glied</translation>
+    </message>
+    <message>
+        <source>Page down, Page up</source>
+        <translation>Bild ab, Bild auf</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>New mechanism</source>
+        <translation>Neuer Mechanismus</translation>
+    </message>
+    <message>
+        <source>An empty sheet with the ground on it</source>
+        <translation>Ein leeres Blatt mit dem Gestell</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a document; it can be dropped on the window, too</source>
+        <translation>Ein Dokument öffnen; es kann auch auf das Fenster gezogen werden</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Documents that you open or save are listed here.</source>
+        <translation>Hier stehen Dokumente, die Sie öffnen oder speichern.</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>n %1</source>
+        <translation>n %1</translation>
+    </message>
+    <message>
+        <source>t %1</source>
+        <translation>t %1</translation>
+    </message>
+    <message>
+        <source>c %1</source>
+        <translation>c %1</translation>
+    </message>
+    <message>
+        <source>rank –</source>
+        <translation>Rang –</translation>
+    </message>
+    <message>
+        <source>DOF –</source>
+        <translation>F –</translation>
+    </message>
+    <message>
+        <source>rank %1</source>
+        <translation>Rang %1</translation>
+    </message>
+    <message>
+        <source>DOF %1</source>
+        <translation>F %1</translation>
+    </message>
+    <message>
+        <source>rank %1 + %2</source>
+        <translation>Rang %1 + %2</translation>
+    </message>
+    <message>
+        <source>DOF %1 (engaged: %2)</source>
+        <translation>F %1 (geschlossen: %2)</translation>
+    </message>
+    <message>
+        <source>Select, move, and change what is drawn</source>
+        <translation>Auswählen, verschieben und ändern, was gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Draw links: click on an empty place</source>
+        <translation>Glieder zeichnen: auf eine leere Stelle klicken</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: drag from a link to the link it carries</source>
+        <translation>Ein Drehgelenk zeichnen: von einem Glied zu dem ziehen, das es trägt</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: drag from a gear to the one it drives</source>
+        <translation>Einen Zahneingriff zeichnen: von einem Rad zu dem ziehen, das es treibt</translation>
+    </message>
+    <message>
+        <source>Drive a joint: click a turning joint or the link it carries</source>
+        <translation>Ein Gelenk antreiben: auf ein Drehgelenk oder das getragene Glied klicken</translation>
+    </message>
+    <message>
+        <source>Move the sheet; the middle mouse button does so with any tool</source>
+        <translation>Das Blatt verschieben; die mittlere Maustaste tut das mit jedem Werkzeug</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>A document with the ground and nothing else</source>
+        <translation>Ein Dokument nur mit dem Gestell</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Neues &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Another window with an empty document</source>
+        <translation>Ein weiteres Fenster mit leerem Dokument</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>S&amp;tartseite</translation>
+    </message>
+    <message>
+        <source>New document, recent documents and examples</source>
+        <translation>Neues Dokument, zuletzt verwendete Dokumente und Beispiele</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a document</source>
+        <translation>Ein Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the document</source>
+        <translation>Das Dokument speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the document under another name</source>
+        <translation>Das Dokument unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>Zu&amp;r Datei zurückkehren</translation>
+    </message>
+    <message>
+        <source>Reload the file; this can be undone</source>
+        <translation>Die Datei neu laden; das kann rückgängig gemacht werden</translation>
+    </message>
+    <message>
+        <source>Reopen w&amp;indows at start</source>
+        <translation>Fenster beim Start &amp;wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Open the documents of the last time when the program starts without one</source>
+        <translation>Die Dokumente vom letzten Mal öffnen, wenn das Programm ohne eines startet</translation>
+    </message>
+    <message>
+        <source>&amp;Export matrix as CSV…</source>
+        <translation>&amp;Matrix als CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Export the matrix that is shown, with its labels</source>
+        <translation>Die gezeigte Matrix mit Zeilen- und Spaltennamen exportieren</translation>
+    </message>
+    <message>
+        <source>Export pict&amp;ure…</source>
+        <translation>B&amp;ild exportieren …</translation>
+    </message>
+    <message>
+        <source>Export a drawing as SVG, PDF or PNG, or the 3D view as PNG</source>
+        <translation>Eine Zeichnung als SVG, PDF oder PNG oder die 3D-Ansicht als PNG exportieren</translation>
+    </message>
+    <message>
+        <source>Export &amp;derivation…</source>
+        <translation>&amp;Herleitung exportieren …</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Beide Verfahren Schritt für Schritt für diesen Mechanismus, als Webseite, PDF, LaTeX oder Markdown</translation>
+    </message>
+    <message>
+        <source>Export &amp;handout…</source>
+        <translation>H&amp;andout exportieren …</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
+        <translation>Eine Seite für jeden Browser, auch am Telefon und ohne Netz: Zeichnungen, Matrizen, Lösung, Herleitung und das Getriebe in 3D mit beweglichen Antrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Print the drawings and the derivation, or look at the pages first</source>
+        <translation>Zeichnungen und Herleitung drucken oder die Seiten zuerst ansehen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;derivation</source>
+        <translation>&amp;Herleitung zeigen</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism</source>
+        <translation>Beide Verfahren Schritt für Schritt für diesen Mechanismus</translation>
+    </message>
+    <message>
+        <source>&amp;Compare the methods</source>
+        <translation>&amp;Verfahren vergleichen</translation>
+    </message>
+    <message>
+        <source>Both methods side by side, counted for this mechanism</source>
+        <translation>Beide Verfahren nebeneinander, für diesen Mechanismus gezählt</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons…</source>
+        <translation>&amp;Lektionen …</translation>
+    </message>
+    <message>
+        <source>A course from one gear pair to the robot, with tasks that are checked; in a window of its own</source>
+        <translation>Ein Kurs vom Zahnradpaar bis zum Roboter, mit Aufgaben, die geprüft werden; in einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>Open a lesson &amp;file…</source>
+        <translation>Lektions&amp;datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Preview a lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Vorschau einer eigenen Lektion: Sie wird neu geladen, sooft die Datei gespeichert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>F&amp;enster schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Alle Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Verlauf …</translation>
+    </message>
+    <message>
+        <source>All steps as a list; a click goes to any of them</source>
+        <translation>Alle Schritte als Liste; ein Klick geht zu jedem davon</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy what is selected, and delete it</source>
+        <translation>Die Auswahl kopieren und löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected links with the joints and meshes between them</source>
+        <translation>Die ausgewählten Glieder mit den Gelenken und Zahneingriffen dazwischen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as p&amp;icture</source>
+        <translation>Als &amp;Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the drawing in front, or the 3D view where it has the focus, as SVG and PNG</source>
+        <translation>Die vordere Zeichnung, oder die 3D-Ansicht, wenn sie den Fokus hat, als SVG und PNG kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Insert what was copied, in this window or in another</source>
+        <translation>Einfügen, was in diesem oder einem anderen Fenster kopiert wurde</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>A copy of the selection in the drawing</source>
+        <translation>Eine Kopie der Auswahl in der Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete what is selected, and what needs it</source>
+        <translation>Löschen, was ausgewählt ist und was davon abhängt</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename the selected link</source>
+        <translation>Das ausgewählte Glied umbenennen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Alle&amp;s auswählen</translation>
+    </message>
+    <message>
+        <source>Select everything</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head of the selected arrows</source>
+        <translation>Fuß und Spitze der ausgewählten Pfeile tauschen</translation>
+    </message>
+    <message>
+        <source>Make &amp;ground</source>
+        <translation>Zum &amp;Gestell machen</translation>
+    </message>
+    <message>
+        <source>Makes the selected link the ground</source>
+        <translation>Macht das ausgewählte Glied zum Gestell</translation>
+    </message>
+    <message>
+        <source>&amp;Attach a gear</source>
+        <translation>&amp;Zahnrad anfügen</translation>
+    </message>
+    <message>
+        <source>A new gear in mesh with the selected one, on the same carrier</source>
+        <translation>Ein neues Rad im Eingriff mit dem ausgewählten, auf demselben Steg</translation>
+    </message>
+    <message>
+        <source>Dri&amp;ve</source>
+        <translation>An&amp;treiben</translation>
+    </message>
+    <message>
+        <source>Drive the selected joints, or stop driving them</source>
+        <translation>Die ausgewählten Gelenke antreiben oder nicht mehr antreiben</translation>
+    </message>
+    <message>
+        <source>Hold with a &amp;brake</source>
+        <translation>Mit B&amp;remse festhalten</translation>
+    </message>
+    <message>
+        <source>Engage the brake of the selected link, a new one where it has none, or release it</source>
+        <translation>Die Bremse des ausgewählten Glieds schließen, wo es keine hat eine neue, oder sie lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Last …</translation>
+    </message>
+    <message>
+        <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
+        <translation>Ein Moment im ausgewählten Gelenk oder am ausgewählten Glied: 10 Nm eingeben, nichts entfernt es</translation>
+    </message>
+    <message>
+        <source>&amp;Release brakes and clutches</source>
+        <translation>Bremsen und &amp;Kupplungen lösen</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on</source>
+        <translation>Alle Bremsen und Kupplungen lösen; die Bewegung geht weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Insert set…</source>
+        <translation>Radsatz &amp;einfügen …</translation>
+    </message>
+    <message>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
+        <translation>Ein ganzer Planeten-, Ravigneaux- oder Simpson-Satz, ein Differential, eine rückkehrende Stufe, ein Handgelenk</translation>
+    </message>
+    <message>
+        <source>%1 planets</source>
+        <translation>%1 Planetenräder</translation>
+    </message>
+    <message>
+        <source>Copies of the selected planet, equally spaced, %1 in all</source>
+        <translation>Kopien des ausgewählten Planetenrads, gleichmäßig verteilt, insgesamt %1</translation>
+    </message>
+    <message>
+        <source>&amp;Tidy the drawing</source>
+        <translation>Zeichnung &amp;ordnen</translation>
+    </message>
+    <message>
+        <source>Lay the digraph out anew</source>
+        <translation>Den Digraphen neu anordnen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show all of the drawing</source>
+        <translation>Die ganze Zeichnung zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;selection</source>
+        <translation>&amp;Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Show all that is selected</source>
+        <translation>Alles Ausgewählte zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Presentation</source>
+        <translation>&amp;Präsentation</translation>
+    </message>
+    <message>
+        <source>Full screen, large type, the drawing and the panels that were chosen</source>
+        <translation>Vollbild, große Schrift, die Zeichnung und die gewählten Bereiche</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;grid</source>
+        <translation>Am &amp;Raster einrasten</translation>
+    </message>
+    <message>
+        <source>Nodes keep to a grid; Alt suspends it</source>
+        <translation>Knoten halten sich an ein Raster; Alt setzt es aus</translation>
+    </message>
+    <message>
+        <source>Po&amp;wer flow</source>
+        <translation>&amp;Leistungsfluss</translation>
+    </message>
+    <message>
+        <source>Bands in digraph and schematic show where the power of the loads goes</source>
+        <translation>Bänder in Digraph und Schema zeigen, wohin die Leistung der Lasten fließt</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All panels back to their places</source>
+        <translation>Alle Bereiche zurück an ihre Plätze</translation>
+    </message>
+    <message>
+        <source>Look &amp;up a term…</source>
+        <translation>&amp;Begriff nachschlagen …</translation>
+    </message>
+    <message>
+        <source>The definition of a technical term</source>
+        <translation>Die Definition eines Fachbegriffs</translation>
+    </message>
+    <message>
+        <source>&amp;Search…</source>
+        <translation>&amp;Suchen …</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term</source>
+        <translation>Einen Befehl, ein Element oder einen Begriff finden</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>Alle Tasten auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>&amp;About GearGraph</source>
+        <translation>&amp;Über GearGraph</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Was dieses Programm ist</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Light or dark as the system is</source>
+        <translation>Hell oder dunkel wie das System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Dunkel auf hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Hoher &amp;Kontrast</translation>
+    </message>
+    <message>
+        <source>Light on black</source>
+        <translation>Hell auf schwarz</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Words of the window at %1 % of their size</source>
+        <translation>Texte des Fensters in %1 % ihrer Größe</translation>
+    </message>
+    <message>
+        <source>3D on &amp;half the width</source>
+        <translation>3D auf halber &amp;Breite</translation>
+    </message>
+    <message>
+        <source>The 3D view as wide as the drawing</source>
+        <translation>Die 3D-Ansicht so breit wie die Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Play	Space</source>
+        <translation>&amp;Abspielen<byte value="x9"/>Leertaste</translation>
+    </message>
+    <message>
+        <source>Start or stop the motion (Space)</source>
+        <translation>Die Bewegung starten oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;start</source>
+        <translation>Zum An&amp;fang</translation>
+    </message>
+    <message>
+        <source>The time goes back to 0</source>
+        <translation>Die Zeit geht auf 0 zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Schneller</translation>
+    </message>
+    <message>
+        <source>The motion is shown faster</source>
+        <translation>Die Bewegung wird schneller gezeigt</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>The motion is shown more slowly</source>
+        <translation>Die Bewegung wird langsamer gezeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Normal speed</source>
+        <translation>&amp;Normale Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>A second of the motion takes a second</source>
+        <translation>Eine Sekunde der Bewegung dauert eine Sekunde</translation>
+    </message>
+    <message>
+        <source>&amp;Backwards</source>
+        <translation>&amp;Rückwärts</translation>
+    </message>
+    <message>
+        <source>The motion runs back in time</source>
+        <translation>Die Bewegung läuft in der Zeit zurück</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Pause	Space</source>
+        <translation>&amp;Anhalten<byte value="x9"/>Leertaste</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xample</source>
+        <translation>Beis&amp;piel öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Power seen fro&amp;m</source>
+        <translation>Leistung gesehen &amp;von</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>T&amp;ype size</source>
+        <translation>Schrif&amp;tgröße</translation>
+    </message>
+    <message>
+        <source>&amp;Mechanism</source>
+        <translation>&amp;Mechanismus</translation>
+    </message>
+    <message>
+        <source>&amp;Planets like the selected one</source>
+        <translation>&amp;Planetenräder wie das ausgewählte</translation>
+    </message>
+    <message>
+        <source>M&amp;otion</source>
+        <translation>Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>&amp;Lernen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation>Es ist nichts ausgewählt.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>There is one ground in every document.</source>
+        <translation>In jedem Dokument gibt es ein Gestell.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted.</source>
+        <translation>Das Gestell kann nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it.</source>
+        <translation>Wählen Sie ein Glied aus, um es umzubenennen.</translation>
+    </message>
+    <message>
+        <source>Select a joint or a mesh to turn its arrow round.</source>
+        <translation>Wählen Sie ein Gelenk oder einen Zahneingriff aus, um den Pfeil umzukehren.</translation>
+    </message>
+    <message>
+        <source>Select a turning joint, or the link it carries.</source>
+        <translation>Wählen Sie ein Drehgelenk oder das Glied aus, das es trägt.</translation>
+    </message>
+    <message>
+        <source>The ground does not move.</source>
+        <translation>Das Gestell bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Select one link to hold it.</source>
+        <translation>Wählen Sie ein Glied aus, um es festzuhalten.</translation>
+    </message>
+    <message>
+        <source>No brake and no clutch is engaged.</source>
+        <translation>Keine Bremse und keine Kupplung ist geschlossen.</translation>
+    </message>
+    <message>
+        <source>Select one planet.</source>
+        <translation>Wählen Sie ein Planetenrad aus.</translation>
+    </message>
+    <message>
+        <source>Select the link that the gear should mesh with.</source>
+        <translation>Wählen Sie das Glied aus, in das das Zahnrad eingreifen soll.</translation>
+    </message>
+    <message>
+        <source>This link is the ground already.</source>
+        <translation>Dieses Glied ist bereits das Gestell.</translation>
+    </message>
+    <message>
+        <source>Select one link to make it the ground.</source>
+        <translation>Wählen Sie ein Glied aus, um es zum Gestell zu machen.</translation>
+    </message>
+    <message>
+        <source>There is no link to lay out yet.</source>
+        <translation>Noch gibt es kein Glied anzuordnen.</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out.</source>
+        <translation>Die Lösung wird noch berechnet.</translation>
+    </message>
+    <message>
+        <source>Matrices</source>
+        <translation>Matrizen</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Inputs and results</source>
+        <translation>Antriebe und Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Gearbox</source>
+        <translation>Schaltgetriebe</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Derivation</source>
+        <translation>Herleitung</translation>
+    </message>
+    <message>
+        <source>Dynamics</source>
+        <translation>Dynamik</translation>
+    </message>
+    <message>
+        <source>Problems %1</source>
+        <translation>Probleme %1</translation>
+    </message>
+    <message>
+        <source>Export matrix</source>
+        <translation>Matrix exportieren</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv);;All files (*)</source>
+        <translation>CSV-Dateien (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Tabelle exportieren</translation>
+    </message>
+    <message>
+        <source>Save the traced path</source>
+        <translation>Aufgezeichnete Bahn speichern</translation>
+    </message>
+    <message>
+        <source>path.csv</source>
+        <translation>bahn.csv</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save the speeds</source>
+        <translation>Drehzahlen speichern</translation>
+    </message>
+    <message>
+        <source>speeds.csv</source>
+        <translation>drehzahlen.csv</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2</source>
+        <translation>%1 konnte nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>This window is not connected to others.</source>
+        <translation>Dieses Fenster ist mit keinem anderen verbunden.</translation>
+    </message>
+    <message>
+        <source>A lesson&apos;s drawing is not kept: copy what you need into another window.</source>
+        <translation>Die Zeichnung einer Lektion wird nicht aufbewahrt: Kopieren Sie, was Sie brauchen, in ein anderes Fenster.</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed since it was saved.</source>
+        <translation>Seit dem Speichern wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The document has no file yet.</source>
+        <translation>Das Dokument hat noch keine Datei.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier run are in %1, which cannot be read.</source>
+        <translation>Ungespeicherte Änderungen eines früheren Laufs liegen in %1, das nicht gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>a document that was never saved (%1)</source>
+        <translation>eines nie gespeicherten Dokuments (%1)</translation>
+    </message>
+    <message>
+        <source>1 edit</source>
+        <translation>1 Änderung</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 Änderungen</translation>
+    </message>
+    <message>
+        <source>GearGraph ended with unsaved changes of %1: %2 after it was last saved, the last at %3 (%4).</source>
+        <translation>GearGraph endete mit ungespeicherten Änderungen: %1, %2 nach dem letzten Speichern, die letzte um %3 (%4).</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open them as unsaved changes, which can be undone</source>
+        <translation>Als ungespeicherte Änderungen öffnen, die rückgängig gemacht werden können</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Delete them for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>They stay where they are and will be offered again</source>
+        <translation>Sie bleiben, wo sie sind, und werden wieder angeboten</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Ungespeicherte Änderungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>Lesson %1 of %2</source>
+        <translation>Lektion %1 von %2</translation>
+    </message>
+    <message>
+        <source>Open a lesson file</source>
+        <translation>Lektionsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lektionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>This panel holds the answer: it opens when the step is right or shown.</source>
+        <translation>Dieser Bereich enthält die Antwort: Er öffnet sich, wenn der Schritt richtig oder gezeigt ist.</translation>
+    </message>
+    <message>
+        <source>The derivation holds the answer: it opens when the step is right or shown.</source>
+        <translation>Die Herleitung enthält die Antwort: Sie öffnet sich, wenn der Schritt richtig oder gezeigt ist.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it.</source>
+        <translation>%1 wurde nicht gespeichert: Ein anderes Programm hat es geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved. %2</source>
+        <translation>%1 wurde nicht gespeichert. %2</translation>
+    </message>
+    <message>
+        <source>Save it once more</source>
+        <translation>Noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>The document stays open, with its changes</source>
+        <translation>Das Dokument bleibt mit seinen Änderungen geöffnet</translation>
+    </message>
+    <message>
+        <source>untitled.geargraph</source>
+        <translation>unbenannt.geargraph</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1 first?</source>
+        <translation>Die Änderungen an %1 zuerst speichern?</translation>
+    </message>
+    <message>
+        <source>Revert to the file</source>
+        <translation>Zur Datei zurückkehren</translation>
+    </message>
+    <message>
+        <source>it can no longer be read</source>
+        <translation>es kann nicht mehr gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it (%2). Reloading can be undone.</source>
+        <translation>%1 wurde nicht gespeichert: Ein anderes Programm hat es geändert (%2). Neu laden kann rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2. Your own changes are not saved; reloading can be undone.</source>
+        <translation>Ein anderes Programm hat %1 geändert: %2. Ihre eigenen Änderungen sind nicht gespeichert; neu laden kann rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2.</source>
+        <translation>Ein anderes Programm hat %1 geändert: %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Load the contents of the file</source>
+        <translation>Den Inhalt der Datei laden</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document over it</source>
+        <translation>Das Dokument dieses Fensters darüber speichern</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Beide behalten</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document under another name</source>
+        <translation>Das Dokument dieses Fensters unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>Saving will ask again</source>
+        <translation>Beim Speichern wird wieder gefragt</translation>
+    </message>
+    <message>
+        <source>Another program has moved or deleted %1.</source>
+        <translation>Ein anderes Programm hat %1 verschoben oder gelöscht.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Wieder speichern</translation>
+    </message>
+    <message>
+        <source>Write it where it was</source>
+        <translation>Dorthin schreiben, wo es war</translation>
+    </message>
+    <message>
+        <source>The document stays open</source>
+        <translation>Das Dokument bleibt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 is open in this window already.</source>
+        <translation>%1 ist in diesem Fenster bereits geöffnet.</translation>
+    </message>
+    <message>
+        <source>Not opened again: %1</source>
+        <translation>Nicht wieder geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of GearGraph. Here it is read-only.</source>
+        <translation>%1 ist in einem anderen Fenster von GearGraph geöffnet. Hier ist es schreibgeschützt.</translation>
+    </message>
+    <message>
+        <source>Show that window</source>
+        <translation>Jenes Fenster zeigen</translation>
+    </message>
+    <message>
+        <source>And close this one if nothing is changed in it</source>
+        <translation>Und dieses schließen, wenn darin nichts geändert ist</translation>
+    </message>
+    <message>
+        <source>Read-only</source>
+        <translation>Schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Look at it here; changes can be saved under another name</source>
+        <translation>Hier ansehen; Änderungen können unter einem anderen Namen gespeichert werden</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2 is open in another window of GearGraph.</source>
+        <translation>%1 wurde nicht gespeichert: %2 ist in einem anderen Fenster von GearGraph geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 is not open in another window any more. This one writes to it now.</source>
+        <translation>%1 ist in keinem anderen Fenster mehr geöffnet. Dieses schreibt es jetzt.</translation>
+    </message>
+    <message>
+        <source>The other window with %1 does not answer.</source>
+        <translation>Das andere Fenster mit %1 antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Saving %1 was interrupted, so the file may be damaged. What was to be saved is in %2.</source>
+        <translation>Das Speichern von %1 wurde unterbrochen, die Datei kann beschädigt sein. Was gespeichert werden sollte, liegt in %2.</translation>
+    </message>
+    <message>
+        <source>Open the copy</source>
+        <translation>Kopie öffnen</translation>
+    </message>
+    <message>
+        <source>Delete the copy</source>
+        <translation>Kopie löschen</translation>
+    </message>
+    <message>
+        <source>The file is as it should be</source>
+        <translation>Die Datei ist, wie sie sein soll</translation>
+    </message>
+    <message>
+        <source>Attached 3D files…</source>
+        <translation>Angehängte 3D-Dateien …</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>Code: %1</source>
+        <translation>Code: %1</translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source>No other joint turns with joint %1.</source>
+        <translation>Kein anderes Gelenk dreht mit Gelenk %1.</translation>
+    </message>
+    <message>
+        <source>Joint %1 commands %2.</source>
+        <translation>Gelenk %1 bestimmt %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 turn together, at a fixed ratio.</source>
+        <translation>Die Gelenke %1 drehen sich gemeinsam in festem Verhältnis.</translation>
+    </message>
+    <message>
+        <source>Never turning: %1.</source>
+        <translation>Drehen sich nie: %1.</translation>
+    </message>
+    <message>
+        <source>%1 about %2</source>
+        <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>steht still</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>absolute speed</source>
+        <translation>absolute Drehzahl</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Übersetzung</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>zu %1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation>%1 rad/s</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 frei</translation>
+    </message>
+    <message>
+        <source>linkage</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>tumbles</source>
+        <translation>taumelt</translation>
+    </message>
+    <message>
+        <source>%1 engaged</source>
+        <translation>%1 geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 released</source>
+        <translation>%1 gelöst</translation>
+    </message>
+    <message>
+        <source>Several couplings share the load in proportions that stiffness and clearance decide.</source>
+        <translation>Mehrere Schaltelemente teilen sich die Last in Anteilen, die Steifigkeit und Spiel bestimmen.</translation>
+    </message>
+    <message>
+        <source>Brake %1 bears %2 N m, its torque on link %3</source>
+        <translation>Bremse %1 trägt %2 N m, ihr Moment auf Glied %3</translation>
+    </message>
+    <message>
+        <source>Clutch %1 bears %2 N m, its torque on link %3 from link %4</source>
+        <translation>Kupplung %1 trägt %2 N m, ihr Moment auf Glied %3 von Glied %4</translation>
+    </message>
+    <message>
+        <source>In the gear ratios: %1</source>
+        <translation>In den Übersetzungen: %1</translation>
+    </message>
+    <message>
+        <source>%1 = 0</source>
+        <translation>%1 = 0</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2</source>
+        <translation>Bremse %1 hält Glied %2</translation>
+    </message>
+    <message>
+        <source>Clutch %1 makes links %2 and %3 turn as one</source>
+        <translation>Kupplung %1 lässt die Glieder %2 und %3 gemeinsam drehen</translation>
+    </message>
+    <message>
+        <source>The ratio is the speed of the first link over that of the second. Click to choose them.</source>
+        <translation>Die Übersetzung ist die Drehzahl des ersten Glieds durch die des zweiten. Klicken, um sie zu wählen.</translation>
+    </message>
+    <message>
+        <source>The ratio before over this one</source>
+        <translation>Vorige Übersetzung durch diese</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving</source>
+        <translation>Entnommene durch zugeführte Leistung, wenn der Antrieb treibt</translation>
+    </message>
+    <message>
+        <source>The efficiency with all known torques reversed: the output drives</source>
+        <translation>Wirkungsgrad mit umgekehrten bekannten Momenten: Der Abtrieb treibt</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed</source>
+        <translation>Die größte Leistung, die in einer Schleife umläuft, je Watt zugeführter</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>decimal</source>
+        <translation>dezimal</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>η</source>
+        <translation>η</translation>
+    </message>
+    <message>
+        <source>η back</source>
+        <translation>η rückw.</translation>
+    </message>
+    <message>
+        <source>circul.</source>
+        <translation>Blindl.</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source> Eq. (%1)</source>
+        <translation> Gl. (%1)</translation>
+    </message>
+    <message>
+        <source>All gears on this link keep their teeth while other things change.</source>
+        <translation>Alle Räder dieses Glieds behalten ihre Zähnezahlen, wenn sich anderes ändert.</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Select a link, a joint or a mesh to see and change what belongs to it.</source>
+        <translation>Wählen Sie ein Glied, ein Gelenk oder einen Zahneingriff aus, um dessen Eigenschaften zu sehen und zu ändern.</translation>
+    </message>
+    <message>
+        <source>Rename document</source>
+        <translation>Dokument umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete removes them with their joints and meshes.</source>
+        <translation>Entf entfernt sie samt ihren Gelenken und Zahneingriffen.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Zahnräder</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Schaltelemente</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches of this link</source>
+        <translation>Bremsen und Kupplungen dieses Glieds</translation>
+    </message>
+    <message>
+        <source>Link 0, the ground</source>
+        <translation>Glied 0, das Gestell</translation>
+    </message>
+    <message>
+        <source>Makes this link the ground: it becomes 0, and the other labels follow.</source>
+        <translation>Macht dieses Glied zum Gestell: Es wird 0, und die anderen Nummern folgen.</translation>
+    </message>
+    <message>
+        <source>Pin the axis</source>
+        <translation>Achse fixieren</translation>
+    </message>
+    <message>
+        <source>The axis keeps its place while other things change.</source>
+        <translation>Die Achse behält ihren Ort, wenn sich anderes ändert.</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head: the arrow turns round, and the speed changes its sign.</source>
+        <translation>Fuß und Spitze tauschen: Der Pfeil kehrt sich um, und die Drehzahl ändert ihr Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Flip joint</source>
+        <translation>Gelenk umkehren</translation>
+    </message>
+    <message>
+        <source>Move bearing</source>
+        <translation>Lager verschieben</translation>
+    </message>
+    <message>
+        <source>The joint turns back no farther than this from the reference pose, in degrees: 0 or less. Empty: no limit.</source>
+        <translation>Weiter als so dreht das Gelenk nicht zurück, ab der Bezugslage, in Grad: höchstens 0. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>The joint turns on no farther than this from the reference pose, in degrees: 0 or more. Empty: no limit.</source>
+        <translation>Weiter als so dreht das Gelenk nicht vor, ab der Bezugslage, in Grad: mindestens 0. Leer: keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Limit joint</source>
+        <translation>Gelenk begrenzen</translation>
+    </message>
+    <message>
+        <source>Limits, deg</source>
+        <translation>Grenzen, Grad</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Neue Achse</translation>
+    </message>
+    <message>
+        <source>Change axis</source>
+        <translation>Achse wechseln</translation>
+    </message>
+    <message>
+        <source>Move axis</source>
+        <translation>Achse verschieben</translation>
+    </message>
+    <message>
+        <source>Turn axis</source>
+        <translation>Achse drehen</translation>
+    </message>
+    <message>
+        <source>new axis</source>
+        <translation>neue Achse</translation>
+    </message>
+    <message>
+        <source>%1 turning joints</source>
+        <translation>%1 Drehgelenke</translation>
+    </message>
+    <message>
+        <source>Turning joint %1: %2 → %3</source>
+        <translation>Drehgelenk %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The axis is pinned.</source>
+        <translation>Die Achse ist fixiert.</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its module while other things change.</source>
+        <translation>Der Zahneingriff behält seinen Modul, wenn sich anderes ändert.</translation>
+    </message>
+    <message>
+        <source>This train has more than %1 meshes: axes and other wheels do not follow a change of teeth by themselves.</source>
+        <translation>Dieses Getriebe hat mehr als %1 Zahneingriffe: Achsen und andere Räder folgen einer Änderung der Zähnezahlen nicht von selbst.</translation>
+    </message>
+    <message>
+        <source>from the geometry</source>
+        <translation>aus der Geometrie</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>bevel</source>
+        <translation>Kegelräder</translation>
+    </message>
+    <message>
+        <source>Teeth of gear %1</source>
+        <translation>Zähne des Rads %1</translation>
+    </message>
+    <message>
+        <source>Teeth, tail</source>
+        <translation>Zähne, Fuß</translation>
+    </message>
+    <message>
+        <source>Teeth, head</source>
+        <translation>Zähne, Spitze</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Übersetzung</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Pitch point</source>
+        <translation>Wälzpunkt</translation>
+    </message>
+    <message>
+        <source>gear %1</source>
+        <translation>Rad %1</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Fixiert</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head with their teeth: the arrow turns round.</source>
+        <translation>Fuß und Spitze samt Zähnezahlen tauschen: Der Pfeil kehrt sich um.</translation>
+    </message>
+    <message>
+        <source>Change module</source>
+        <translation>Modul ändern</translation>
+    </message>
+    <message>
+        <source>Move pitch point</source>
+        <translation>Wälzpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Flip mesh</source>
+        <translation>Zahneingriff umkehren</translation>
+    </message>
+    <message>
+        <source>Change teeth</source>
+        <translation>Zähnezahlen ändern</translation>
+    </message>
+    <message>
+        <source>%1 gear meshes</source>
+        <translation>%1 Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1: %2 → %3</source>
+        <translation>Zahneingriff %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The module is pinned.</source>
+        <translation>Der Modul ist fixiert.</translation>
+    </message>
+    <message>
+        <source>The gears have no places yet: see Problems.</source>
+        <translation>Die Räder haben noch keinen Ort: siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>They are of several kinds. Select elements of one kind to change them together.</source>
+        <translation>Sie sind von verschiedener Art. Wählen Sie Elemente einer Art aus, um sie gemeinsam zu ändern.</translation>
+    </message>
+    <message>
+        <source>Release all couplings</source>
+        <translation>Alle Schaltelemente lösen</translation>
+    </message>
+    <message>
+        <source>Fixes it; Ctrl+Z undoes that</source>
+        <translation>Behebt es; Strg+Z macht das rückgängig</translation>
+    </message>
+    <message>
+        <source>+ Brake</source>
+        <translation>+ Bremse</translation>
+    </message>
+    <message>
+        <source>Hold a link against the ground: the selected one, or choose</source>
+        <translation>Ein Glied gegen das Gestell festhalten: das ausgewählte, oder wählen</translation>
+    </message>
+    <message>
+        <source>+ Clutch</source>
+        <translation>+ Kupplung</translation>
+    </message>
+    <message>
+        <source>Make two links turn as one: the two selected, or choose</source>
+        <translation>Zwei Glieder gemeinsam drehen lassen: die ausgewählten, oder wählen</translation>
+    </message>
+    <message>
+        <source>+ State</source>
+        <translation>+ Zustand</translation>
+    </message>
+    <message>
+        <source>A new row: what is engaged together</source>
+        <translation>Eine neue Zeile: was gemeinsam geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Alle lösen</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on (Ctrl+B)</source>
+        <translation>Alle Bremsen und Kupplungen lösen; die Bewegung geht weiter (Strg+B)</translation>
+    </message>
+    <message>
+        <source>A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a link and add a brake, or two links and add a clutch; then add states that engage them.</source>
+        <translation>Ein Schaltgetriebe hat Bremsen, die ein Glied festhalten, und Kupplungen, die zwei Glieder gemeinsam drehen lassen. Wählen Sie ein Glied aus und fügen Sie eine Bremse hinzu, oder zwei Glieder und eine Kupplung; dann Schaltzustände, die sie schließen.</translation>
+    </message>
+    <message>
+        <source>Shift table</source>
+        <translation>Schalttabelle</translation>
+    </message>
+    <message>
+        <source>Rename state</source>
+        <translation>Schaltzustand umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename coupling</source>
+        <translation>Schaltelement umbenennen</translation>
+    </message>
+    <message>
+        <source>Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.</source>
+        <translation>Klicken Sie auf einen Schaltzustand, um ihn zu schalten, auf einen Buchstaben, um ein Schaltelement zu schließen oder zu lösen, auf einen Punkt, um einen Zustand zu ändern.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for 1 N m at the drive.</source>
+        <translation>Momente in N m, für 1 N m am Antrieb.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, under the loads of the document.</source>
+        <translation>Momente in N m, unter den Lasten des Dokuments.</translation>
+    </message>
+    <message>
+        <source>Click a letter to engage or release; add a state, then click its dots.</source>
+        <translation>Auf einen Buchstaben klicken, um zu schließen oder zu lösen; einen Zustand hinzufügen, dann auf seine Punkte klicken.</translation>
+    </message>
+    <message>
+        <source>Add brake</source>
+        <translation>Bremse hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add clutch</source>
+        <translation>Kupplung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Link %1 with</source>
+        <translation>Glied %1 mit</translation>
+    </message>
+    <message>
+        <source>Add state</source>
+        <translation>Schaltzustand hinzufügen</translation>
+    </message>
+    <message>
+        <source>Engage state %1</source>
+        <translation>Schaltzustand %1 schalten</translation>
+    </message>
+    <message>
+        <source>Put %1 into the state</source>
+        <translation>%1 in den Zustand aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take %1 out of the state</source>
+        <translation>%1 aus dem Zustand nehmen</translation>
+    </message>
+    <message>
+        <source>Choose drive</source>
+        <translation>Antrieb wählen</translation>
+    </message>
+    <message>
+        <source>Choose driven</source>
+        <translation>Abtrieb wählen</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Abtrieb</translation>
+    </message>
+    <message>
+        <source>Drive of all states</source>
+        <translation>Antrieb aller Zustände</translation>
+    </message>
+    <message>
+        <source>Driven of all states</source>
+        <translation>Abtrieb aller Zustände</translation>
+    </message>
+    <message>
+        <source>Engage</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Delete state</source>
+        <translation>Schaltzustand löschen</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Export table as CSV…</source>
+        <translation>Tabelle als CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Delete coupling</source>
+        <translation>Schaltelement löschen</translation>
+    </message>
+    <message>
+        <source>No joint is driven yet. Choose the input tool (I), then click a turning joint.</source>
+        <translation>Noch ist kein Gelenk angetrieben. Wählen Sie das Antriebswerkzeug (I) und klicken Sie auf ein Drehgelenk.</translation>
+    </message>
+    <message>
+        <source>Show more: %1 of %2 inputs are listed</source>
+        <translation>Mehr zeigen: %1 von %2 Antrieben sind aufgeführt</translation>
+    </message>
+    <message>
+        <source>link %1 held</source>
+        <translation>Glied %1 festgehalten</translation>
+    </message>
+    <message>
+        <source>links %1 and %2 as one</source>
+        <translation>Glieder %1 und %2 gekuppelt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Engaged: %1</source>
+        <translation>Geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Engaged: state %1, with %2</source>
+        <translation>Geschaltet: Zustand %1, mit %2</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>Drehzahl von Gelenk %1: wie schnell Glied %2 gegen Glied %3 dreht. Positiv: um die Richtung der Achse, nach der Rechte-Hand-Regel.</translation>
+    </message>
+    <message>
+        <source>Colour of link %1</source>
+        <translation>Farbe von Glied %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>Drehzahl von Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Drive another joint instead; the motion stays as it is</source>
+        <translation>Stattdessen ein anderes Gelenk antreiben; die Bewegung bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet</source>
+        <translation>Noch ist nichts gelöst</translation>
+    </message>
+    <message>
+        <source>Joint %1 instead of %2</source>
+        <translation>Gelenk %1 statt %2</translation>
+    </message>
+    <message>
+        <source>Joint %1 never turns</source>
+        <translation>Gelenk %1 dreht sich nie</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not depend on %2; it could replace %3</source>
+        <translation>Gelenk %1 hängt nicht von %2 ab; es könnte %3 ersetzen</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Choose inputs</source>
+        <translation>Antriebe wählen</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive yet. Draw a turning joint: T, then drag.</source>
+        <translation>Noch gibt es nichts anzutreiben. Zeichnen Sie ein Drehgelenk: T, dann ziehen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive: the mechanism has no degree of freedom.</source>
+        <translation>Es gibt nichts anzutreiben: Der Mechanismus hat keinen Freiheitsgrad.</translation>
+    </message>
+    <message>
+        <source>Drive joint %1</source>
+        <translation>Gelenk %1 antreiben</translation>
+    </message>
+    <message>
+        <source>Drive joints %1</source>
+        <translation>Gelenke %1 antreiben</translation>
+    </message>
+    <message>
+        <source>Set speed</source>
+        <translation>Drehzahl ändern</translation>
+    </message>
+    <message>
+        <source>Side wheels</source>
+        <translation>Achswellenräder</translation>
+    </message>
+    <message>
+        <source>Pinions&apos; teeth</source>
+        <translation>Zähne der Ausgleichsräder</translation>
+    </message>
+    <message>
+        <source>Pinions</source>
+        <translation>Ausgleichsräder</translation>
+    </message>
+    <message>
+        <source>Small sun</source>
+        <translation>Kleine Sonne</translation>
+    </message>
+    <message>
+        <source>Large sun</source>
+        <translation>Große Sonne</translation>
+    </message>
+    <message>
+        <source>Short planet</source>
+        <translation>Kurzer Planet</translation>
+    </message>
+    <message>
+        <source>Long planet</source>
+        <translation>Langer Planet</translation>
+    </message>
+    <message>
+        <source>Pairs of planets</source>
+        <translation>Planetenpaare</translation>
+    </message>
+    <message>
+        <source>Suns</source>
+        <translation>Sonnenräder</translation>
+    </message>
+    <message>
+        <source>Planets&apos; teeth</source>
+        <translation>Zähne der Planeten</translation>
+    </message>
+    <message>
+        <source>Planets a set</source>
+        <translation>Planeten je Satz</translation>
+    </message>
+    <message>
+        <source>Bend shaft</source>
+        <translation>Welle des Beugens</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Beugen</translation>
+    </message>
+    <message>
+        <source>Roll shaft</source>
+        <translation>Welle des Rollens</translation>
+    </message>
+    <message>
+        <source>Idler</source>
+        <translation>Zwischenrad</translation>
+    </message>
+    <message>
+        <source>Idler&apos;s pinion</source>
+        <translation>Ritzel des Zwischenrads</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a set</source>
+        <translation>Radsatz einfügen</translation>
+    </message>
+    <message>
+        <source>Planetary set</source>
+        <translation>Planetensatz</translation>
+    </message>
+    <message>
+        <source>Reverted train</source>
+        <translation>Rückkehrende Stufe</translation>
+    </message>
+    <message>
+        <source>Bevel differential</source>
+        <translation>Kegelraddifferential</translation>
+    </message>
+    <message>
+        <source>Ravigneaux set</source>
+        <translation>Ravigneaux-Satz</translation>
+    </message>
+    <message>
+        <source>Simpson set</source>
+        <translation>Simpson-Satz</translation>
+    </message>
+    <message>
+        <source>Bevel wrist</source>
+        <translation>Kegelrad-Handgelenk</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 joints, %3 meshes</source>
+        <translation>%1 Glieder, %2 Gelenke, %3 Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>; %1 couplings and %2 states</source>
+        <translation>; %1 Schaltelemente und %2 Zustände</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 with %2, axis %3</source>
+        <translation>%1 mit %2, Achse %3</translation>
+    </message>
+    <message>
+        <source>link </source>
+        <translation>Glied </translation>
+    </message>
+    <message>
+        <source>%1 teeth in mesh %2 with %3</source>
+        <translation>%1 Zähne im Eingriff %2 mit %3</translation>
+    </message>
+    <message>
+        <source>brake </source>
+        <translation>Bremse </translation>
+    </message>
+    <message>
+        <source>clutch </source>
+        <translation>Kupplung </translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>dezimal</translation>
+    </message>
+    <message>
+        <source>fractions</source>
+        <translation>Brüche</translation>
+    </message>
+    <message>
+        <source>symbols</source>
+        <translation>Symbole</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>Export the matrix with its labels to a CSV file</source>
+        <translation>Matrix mit Zeilen- und Spaltennamen in eine CSV-Datei exportieren</translation>
+    </message>
+    <message>
+        <source>zeros ·</source>
+        <translation>Nullen ·</translation>
+    </message>
+    <message>
+        <source>Show zeros as faint dots, or as 0</source>
+        <translation>Nullen als blasse Punkte oder als 0 zeigen</translation>
+    </message>
+    <message>
+        <source>zeros 0</source>
+        <translation>Nullen 0</translation>
+    </message>
+    <message>
+        <source>Copy ▾</source>
+        <translation>Kopieren ▾</translation>
+    </message>
+    <message>
+        <source>Copy the matrix with its labels</source>
+        <translation>Matrix mit Zeilen- und Spaltennamen kopieren</translation>
+    </message>
+    <message>
+        <source>Table (TSV)</source>
+        <translation>Tabelle (TSV)</translation>
+    </message>
+    <message>
+        <source>A matrix of %1 entries is too large to be copied. Export it as CSV.</source>
+        <translation>Eine Matrix mit %1 Einträgen ist zu groß zum Kopieren. Exportieren Sie sie als CSV.</translation>
+    </message>
+    <message>
+        <source>How the entries are shown: decimals, fractions or symbols</source>
+        <translation>Wie die Einträge gezeigt werden: dezimal, als Brüche oder Symbole</translation>
+    </message>
+    <message>
+        <source>The equations are too many to be written out.</source>
+        <translation>Es sind zu viele Gleichungen, um sie auszuschreiben.</translation>
+    </message>
+    <message>
+        <source>The matrices appear as soon as the mechanism is analysed.</source>
+        <translation>Die Matrizen erscheinen, sobald der Mechanismus analysiert ist.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click.</source>
+        <translation>Zeichnen Sie das erste Glied: L, dann klicken.</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: T, then drag from a link to another.</source>
+        <translation>Zeichnen Sie ein Drehgelenk: T, dann von einem Glied zum anderen ziehen.</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: G, then drag from a gear to the one it drives.</source>
+        <translation>Zeichnen Sie einen Zahneingriff: G, dann von einem Rad zu dem ziehen, das es treibt.</translation>
+    </message>
+    <message>
+        <source>In %1; a length with another unit, such as 1/2 in or 2.5 cm, is converted.</source>
+        <translation>In %1; eine Länge mit anderer Einheit wie 1/2 in oder 2,5 cm wird umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Type a whole number from %1 to %2.</source>
+        <translation>Geben Sie eine ganze Zahl von %1 bis %2 ein.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
+        <translation>Geben Sie eine Zahl wie 12, 0,5 oder 22/7 oder eine Länge wie 1/2 in ein.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7.</source>
+        <translation>Geben Sie eine Zahl wie 12, 0,5 oder 22/7 ein.</translation>
+    </message>
+    <message>
+        <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
+        <translation>Keine Probleme. Jedes Glied ist mit dem Gestell verbunden, und die Drehgelenke bilden einen Spannbaum.</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the problems of the open document again</source>
+        <translation>Die Probleme des geöffneten Dokuments wieder zeigen</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2. The document that was open stays open.</source>
+        <translation>%1 konnte nicht geöffnet werden: %2. Das vorher geöffnete Dokument bleibt geöffnet.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fixieren</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Coefficients as formulas in the gear ratios, or as fractions</source>
+        <translation>Koeffizienten als Formeln in den Übersetzungen oder als Brüche</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
+        <translation>Relativ: Gelenk für Gelenk. Absolut: Winkelgeschwindigkeitsvektoren der Glieder.</translation>
+    </message>
+    <message>
+        <source>The unit of the speeds, or the member they are taken as ratio to</source>
+        <translation>Einheit der Drehzahlen oder das Element, auf das sie bezogen werden</translation>
+    </message>
+    <message>
+        <source>Read the motors ▾</source>
+        <translation>Motoren ablesen ▾</translation>
+    </message>
+    <message>
+        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
+        <translation>Drehzahlen eines Glieds gegenüber seiner Gelenkkette eingeben und die der Motoren ablesen</translation>
+    </message>
+    <message>
+        <source>absolute speeds</source>
+        <translation>absolute Drehzahlen</translation>
+    </message>
+    <message>
+        <source>relative speeds</source>
+        <translation>relative Drehzahlen</translation>
+    </message>
+    <message>
+        <source>ratio to %1</source>
+        <translation>Verhältnis zu %1</translation>
+    </message>
+    <message>
+        <source>rpm, turns a minute</source>
+        <translation>U/min, Umdrehungen je Minute</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1 (link %2)</source>
+        <translation>Verhältnis zu Gelenk %1 (Glied %2)</translation>
+    </message>
+    <message>
+        <source>%1 more joints: select one to find it here</source>
+        <translation>%1 weitere Gelenke: Wählen Sie eines aus, um es hier zu finden</translation>
+    </message>
+    <message>
+        <source>Give the joints of link %1: %2</source>
+        <translation>Gelenke von Glied %1 vorgeben: %2</translation>
+    </message>
+    <message>
+        <source> (they are not independent)</source>
+        <translation> (sie sind nicht unabhängig)</translation>
+    </message>
+    <message>
+        <source>%1 more links: select one to find it here</source>
+        <translation>%1 weitere Glieder: Wählen Sie eines aus, um es hier zu finden</translation>
+    </message>
+    <message>
+        <source>Every link turns on the ground</source>
+        <translation>Jedes Glied dreht im Gestell</translation>
+    </message>
+    <message>
+        <source>formulas</source>
+        <translation>Formeln</translation>
+    </message>
+    <message>
+        <source>… (%1 in all)</source>
+        <translation>… (%1 insgesamt)</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s each.</source>
+        <translation>Kein Gelenk ist angetrieben: %1 als Antrieb, mit je 1 rad/s.</translation>
+    </message>
+    <message>
+        <source>the set of joints %1</source>
+        <translation>die Gelenkmenge %1</translation>
+    </message>
+    <message>
+        <source>The two methods differ at %1 joints. Please report this document.</source>
+        <translation>Die beiden Verfahren weichen bei %1 Gelenken ab. Bitte melden Sie dieses Dokument.</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly</source>
+        <translation>Matroid-Verfahren = T–T-Graph-Verfahren, exakt</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
+        <translation>Matroid-Verfahren = T–T-Graph-Verfahren, exakt, für alle %1 Gelenke</translation>
+    </message>
+    <message>
+        <source>Solving exactly, by both methods …</source>
+        <translation>Wird exakt gelöst, mit beiden Verfahren …</translation>
+    </message>
+    <message>
+        <source>The results appear as soon as the mechanism is analysed.</source>
+        <translation>Die Ergebnisse erscheinen, sobald der Mechanismus analysiert ist.</translation>
+    </message>
+    <message>
+        <source>Rates appear when the first turning joint is drawn.</source>
+        <translation>Drehzahlen erscheinen, wenn das erste Drehgelenk gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Every joint is an input: there is nothing left to solve for.</source>
+        <translation>Jedes Gelenk ist ein Antrieb: Es bleibt nichts zu lösen.</translation>
+    </message>
+    <message>
+        <source>Ratio wanted</source>
+        <translation>Gewünschte Übersetzung</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>planet</source>
+        <translation>Planet</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>Hohlrad</translation>
+    </message>
+    <message>
+        <source>sun to carrier, ring held</source>
+        <translation>Sonne zu Steg, Hohlrad fest</translation>
+    </message>
+    <message>
+        <source>ring to carrier, sun held</source>
+        <translation>Hohlrad zu Steg, Sonne fest</translation>
+    </message>
+    <message>
+        <source>sun to ring, carrier held</source>
+        <translation>Sonne zu Hohlrad, Steg fest</translation>
+    </message>
+    <message>
+        <source>carrier to sun, ring held</source>
+        <translation>Steg zu Sonne, Hohlrad fest</translation>
+    </message>
+    <message>
+        <source>carrier to ring, sun held</source>
+        <translation>Steg zu Hohlrad, Sonne fest</translation>
+    </message>
+    <message>
+        <source>ring to sun, carrier held</source>
+        <translation>Hohlrad zu Sonne, Steg fest</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Von, nach</translation>
+    </message>
+    <message>
+        <source>Planets</source>
+        <translation>Planeten</translation>
+    </message>
+    <message>
+        <source>Fewest teeth</source>
+        <translation>Wenigste Zähne</translation>
+    </message>
+    <message>
+        <source>Most teeth</source>
+        <translation>Meiste Zähne</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erstes</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweites</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <translation>drittes</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <translation>viertes</translation>
+    </message>
+    <message>
+        <source>Print preview</source>
+        <translation>Druckvorschau</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2: %3</source>
+        <translation>Seite %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>The drawing on a page of its own</source>
+        <translation>Die Zeichnung auf einer eigenen Seite</translation>
+    </message>
+    <message>
+        <source>Derivation with its matrices</source>
+        <translation>Herleitung mit ihren Matrizen</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step</source>
+        <translation>Beide Verfahren Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Page setup…</source>
+        <translation>Seite einrichten …</translation>
+    </message>
+    <message>
+        <source>Size and orientation of the paper</source>
+        <translation>Größe und Ausrichtung des Papiers</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken …</translation>
+    </message>
+    <message>
+        <source>Choose a printer, or a PDF file</source>
+        <translation>Drucker oder PDF-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>The page that is shown</source>
+        <translation>Die gezeigte Seite</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>Es ist nichts gewählt.</translation>
+    </message>
+    <message>
+        <source>There is no such page to print.</source>
+        <translation>Eine solche Seite zum Drucken gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The printer could not be opened.</source>
+        <translation>Der Drucker konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The printer stopped at page %1.</source>
+        <translation>Der Drucker hielt bei Seite %1 an.</translation>
+    </message>
+    <message>
+        <source>Printing was stopped.</source>
+        <translation>Der Druck wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The printer reported an error.</source>
+        <translation>Der Drucker meldete einen Fehler.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept: no file can be written beside the document or in %1.</source>
+        <translation>Ungespeicherte Änderungen können nicht aufbewahrt werden: Weder neben dem Dokument noch in %1 lässt sich eine Datei schreiben.</translation>
+    </message>
+    <message>
+        <source>The schematic is still being laid out. Try again in a moment.</source>
+        <translation>Das Schema wird noch angeordnet. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>Finding places for %1 links …</source>
+        <translation>Plätze für %1 Glieder werden gesucht …</translation>
+    </message>
+    <message>
+        <source>The schematic shows up to %1 links; this train has %2. Digraph and T–T graph show all of them</source>
+        <translation>Das Schema zeigt bis zu %1 Glieder; dieses Getriebe hat %2. Digraph und T–T-Graph zeigen alle</translation>
+    </message>
+    <message>
+        <source>Draw the first shaft: L, then drag</source>
+        <translation>Zeichnen Sie die erste Welle: L, dann ziehen</translation>
+    </message>
+    <message>
+        <source>No turning joint ties a link to the ground yet. Draw a shaft: L, then drag</source>
+        <translation>Noch verbindet kein Drehgelenk ein Glied mit dem Gestell. Zeichnen Sie eine Welle: L, dann ziehen</translation>
+    </message>
+    <message>
+        <source>Move axis %1</source>
+        <translation>Achse %1 verschieben</translation>
+    </message>
+    <message>
+        <source>%1. Alt places freely, Esc puts back</source>
+        <translation>%1. Alt platziert frei, Esc setzt zurück</translation>
+    </message>
+    <message>
+        <source>Axis %1 is %2 from axis %3, module %4</source>
+        <translation>Achse %1 ist %2 von Achse %3 entfernt, Modul %4</translation>
+    </message>
+    <message>
+        <source>Module %1, teeth as they are</source>
+        <translation>Modul %1, Zähnezahlen wie bisher</translation>
+    </message>
+    <message>
+        <source>%1 : %2 teeth, %3 apart, %4 off</source>
+        <translation>%1 : %2 Zähne, Abstand %3, Abweichung %4</translation>
+    </message>
+    <message>
+        <source>%1. Choose tooth counts instead, or Esc</source>
+        <translation>%1. Stattdessen Zähnezahlen wählen, oder Esc</translation>
+    </message>
+    <message>
+        <source>Draw shaft</source>
+        <translation>Welle zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw gear mesh</source>
+        <translation>Zahneingriff zeichnen</translation>
+    </message>
+    <message>
+        <source>Turning joint %1</source>
+        <translation>Drehgelenk %1</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1</source>
+        <translation>Zahneingriff %1</translation>
+    </message>
+    <message>
+        <source>Search a command or a term  Ctrl+K</source>
+        <translation>Befehl oder Begriff suchen  Strg+K</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term (Ctrl+K)</source>
+        <translation>Einen Befehl, ein Element oder einen Begriff finden (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>No command or term matches “%1”.</source>
+        <translation>Kein Befehl oder Begriff passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>term</source>
+        <translation>Begriff</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Enter selects and shows it.</source>
+        <translation>Die Eingabetaste wählt es aus und zeigt es.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Gleichung (%1) des Aufsatzes.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Type to search on; Esc closes.</source>
+        <translation>Tippen, um weiterzusuchen; Esc schließt.</translation>
+    </message>
+    <message>
+        <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
+        <translation>Welle: entlang einer Achse ziehen, oder im leeren Bereich für eine neue Achse</translation>
+    </message>
+    <message>
+        <source>Shaft: release where it ends. Esc cancels</source>
+        <translation>Welle: am Ende loslassen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Carried shaft: drag from the link that carries it to its place</source>
+        <translation>Getragene Welle: vom tragenden Glied zu ihrem Ort ziehen</translation>
+    </message>
+    <message>
+        <source>Carried shaft: release at the place of its axis. Esc cancels</source>
+        <translation>Getragene Welle: am Ort ihrer Achse loslassen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a shaft to the one it drives</source>
+        <translation>Zahneingriff: von einer Welle zu der ziehen, die sie treibt</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels</source>
+        <translation>Zahneingriff: auf der anderen Welle loslassen, oder jenseits davon für ein Hohlrad. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Input: click a turning joint, or the link it carries, to drive it or not</source>
+        <translation>Antrieb: auf ein Drehgelenk oder das getragene Glied klicken, um es anzutreiben oder nicht</translation>
+    </message>
+    <message>
+        <source>Drag to move the sheet</source>
+        <translation>Ziehen, um das Blatt zu verschieben</translation>
+    </message>
+    <message>
+        <source>Alt places freely. Esc puts back</source>
+        <translation>Alt platziert frei. Esc setzt zurück</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
+        <translation>Klicken wählt aus, eine Achse ziehen verschiebt sie. Das Programm ordnet die Zeichnung an</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a gear to the gear it drives</source>
+        <translation>Zahneingriff: von einem Rad zu dem ziehen, das es treibt</translation>
+    </message>
+    <message>
+        <source>Turning joint: drag from a link to the link it carries</source>
+        <translation>Drehgelenk: von einem Glied zu dem ziehen, das es trägt</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the second gear. Esc cancels</source>
+        <translation>Zahneingriff: auf dem zweiten Rad loslassen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Turning joint: release on the link that is carried. Esc cancels</source>
+        <translation>Drehgelenk: auf dem getragenen Glied loslassen. Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Release to select what is inside</source>
+        <translation>Loslassen, um alles darin auszuwählen</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to move, drag on an empty area to select several</source>
+        <translation>Klicken wählt aus, ziehen verschiebt, ziehen im leeren Bereich wählt mehrere aus</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>Turning joint</source>
+        <translation>Drehgelenk</translation>
+    </message>
+    <message>
+        <source>Gear mesh</source>
+        <translation>Zahneingriff</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Link: click on an empty area</source>
+        <translation>Glied: in den leeren Bereich klicken</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform &quot;%1&quot; has no windows with OpenGL.</source>
+        <translation>Qts Plattform „%1“ hat keine Fenster mit OpenGL.</translation>
+    </message>
+    <message>
+        <source>This display offers no OpenGL 3.3.</source>
+        <translation>Diese Anzeige bietet kein OpenGL 3.3.</translation>
+    </message>
+    <message>
+        <source>x, y, z</source>
+        <translation>x, y, z</translation>
+    </message>
+    <message>
+        <source>Coordinates beside the magnitudes of links and points</source>
+        <translation>Koordinaten neben den Beträgen von Gliedern und Punkten</translation>
+    </message>
+    <message>
+        <source>Save what is plotted as CSV</source>
+        <translation>Speichern, was aufgetragen ist, als CSV</translation>
+    </message>
+    <message>
+        <source>Select joints or links; trace points in the 3D view.</source>
+        <translation>Wählen Sie Gelenke oder Glieder aus; zeichnen Sie Bahnen von Punkten in der 3D-Ansicht auf.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: the speeds appear here when the mechanism has valid inputs.</source>
+        <translation>Noch bewegt sich nichts: Die Drehzahlen erscheinen hier, wenn der Mechanismus gültige Antriebe hat.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom in time; Ctrl+wheel: in value; drag: move; click: go there; double click: all</source>
+        <translation>Rad: Zeit zoomen; Strg+Rad: Wert zoomen; ziehen: verschieben; klicken: dorthin; Doppelklick: alles</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>bei %1 s</translation>
+    </message>
+    <message>
+        <source>One step back (,)</source>
+        <translation>Ein Schritt zurück (,)</translation>
+    </message>
+    <message>
+        <source>One step on (.)</source>
+        <translation>Ein Schritt vor (.)</translation>
+    </message>
+    <message>
+        <source>Speed and direction</source>
+        <translation>Geschwindigkeit und Richtung</translation>
+    </message>
+    <message>
+        <source>Torques ×</source>
+        <translation>Momente ×</translation>
+    </message>
+    <message>
+        <source>The motion that the torques of Dynamics cause is shown. Click to let the inputs run at their speeds again</source>
+        <translation>Gezeigt wird die Bewegung, die die Momente der Dynamik bewirken. Klicken, um die Antriebe wieder mit ihren Drehzahlen laufen zu lassen</translation>
+    </message>
+    <message>
+        <source>Backwards</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Drag through the motion that the torques cause</source>
+        <translation>Durch die Bewegung ziehen, die die Momente bewirken</translation>
+    </message>
+    <message>
+        <source>Drag through one period of the motion</source>
+        <translation>Durch eine Periode der Bewegung ziehen</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1 s (%2 … %3)</source>
+        <translation>%1 s (%2 … %3)</translation>
+    </message>
+    <message>
+        <source>%1 s / %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut square to %1</source>
+        <translation>Schnitt senkrecht zu %1</translation>
+    </message>
+    <message>
+        <source>Where the train is cut</source>
+        <translation>Wo das Getriebe geschnitten ist</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Take away the other half</source>
+        <translation>Die andere Hälfte wegnehmen</translation>
+    </message>
+    <message>
+        <source>Exploded view</source>
+        <translation>Explosionsansicht</translation>
+    </message>
+    <message>
+        <source>How far the parts are moved apart along their axes</source>
+        <translation>Wie weit die Teile entlang ihrer Achsen auseinandergezogen sind</translation>
+    </message>
+    <message>
+        <source>Picture of the train</source>
+        <translation>Bild des Getriebes</translation>
+    </message>
+    <message>
+        <source>Software 3D</source>
+        <translation>Software-3D</translation>
+    </message>
+    <message>
+        <source>%1 Painted by the processor (%2): finer when nothing moves.</source>
+        <translation>%1 Vom Prozessor gezeichnet (%2): feiner, wenn sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>All of the train in the view (F)</source>
+        <translation>Das ganze Getriebe in der Ansicht (F)</translation>
+    </message>
+    <message>
+        <source>Iso</source>
+        <translation>Iso</translation>
+    </message>
+    <message>
+        <source>Isometric (0)</source>
+        <translation>Isometrisch (0)</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>From the front: x to the right, z up (1)</source>
+        <translation>Von vorn: x nach rechts, z nach oben (1)</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>From the right: y to the right, z up (2)</source>
+        <translation>Von rechts: y nach rechts, z nach oben (2)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From above: x to the right, y up (3)</source>
+        <translation>Von oben: x nach rechts, y nach oben (3)</translation>
+    </message>
+    <message>
+        <source>Cut the train open (S)</source>
+        <translation>Getriebe aufschneiden (S)</translation>
+    </message>
+    <message>
+        <source>What is shown, and how</source>
+        <translation>Was gezeigt wird, und wie</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1.</source>
+        <translation>Grenze erreicht: %1.</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1. The motion turns round.</source>
+        <translation>Grenze erreicht: %1. Die Bewegung kehrt um.</translation>
+    </message>
+    <message>
+        <source>Nothing to turn yet: place axes and give the meshes their teeth.</source>
+        <translation>Noch gibt es nichts zu drehen: Platzieren Sie Achsen und geben Sie den Zahneingriffen Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>The point travels %1 %2 in %3 s.</source>
+        <translation>Der Punkt legt %1 %2 in %3 s zurück.</translation>
+    </message>
+    <message>
+        <source>not asked (GEARGRAPH_3D is set)</source>
+        <translation>nicht gefragt (GEARGRAPH_3D ist gesetzt)</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>das Gestell</translation>
+    </message>
+    <message>
+        <source>The gears are being made …</source>
+        <translation>Die Zahnräder werden erzeugt …</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Lines, hidden ones left out</source>
+        <translation>Linien ohne verdeckte</translation>
+    </message>
+    <message>
+        <source>All edges</source>
+        <translation>Alle Kanten</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstabsbalken</translation>
+    </message>
+    <message>
+        <source>Pitch circles and cones</source>
+        <translation>Wälzkreise und -kegel</translation>
+    </message>
+    <message>
+        <source>Pitch points</source>
+        <translation>Wälzpunkte</translation>
+    </message>
+    <message>
+        <source>Instantaneous axes</source>
+        <translation>Momentanachsen</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Forces under the loads</source>
+        <translation>Kräfte unter den Lasten</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Orbit; Shift pans, Ctrl zooms (Blender)</source>
+        <translation>Umkreisen; Umschalt verschiebt, Strg zoomt (Blender)</translation>
+    </message>
+    <message>
+        <source>Pan; Shift orbits, Ctrl zooms (FreeCAD)</source>
+        <translation>Verschieben; Umschalt umkreist, Strg zoomt (FreeCAD)</translation>
+    </message>
+    <message>
+        <source>Orbit; Ctrl pans, Shift zooms (SolidWorks)</source>
+        <translation>Umkreisen; Strg verschiebt, Umschalt zoomt (SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Mittlere Maustaste</translation>
+    </message>
+    <message>
+        <source>Stop riding along</source>
+        <translation>Nicht mehr mitfahren</translation>
+    </message>
+    <message>
+        <source>Show all parts</source>
+        <translation>Alle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>Save the traced path as CSV…</source>
+        <translation>Aufgezeichnete Bahn als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Clear traced paths</source>
+        <translation>Aufgezeichnete Bahnen löschen</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Von links</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>Dim what is not selected</source>
+        <translation>Nicht Ausgewähltes abdunkeln</translation>
+    </message>
+    <message>
+        <source>Follow %1</source>
+        <translation>%1 folgen</translation>
+    </message>
+    <message>
+        <source>Look along its axis</source>
+        <translation>Entlang seiner Achse blicken</translation>
+    </message>
+    <message>
+        <source>Trace this point</source>
+        <translation>Bahn dieses Punkts aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Hide it</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide all others</source>
+        <translation>Alle anderen ausblenden</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn the train. Ctrl turns it alone by hand</source>
+        <translation>Am Teil ziehen, um das Getriebe zu drehen. Strg dreht es allein von Hand</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn it by hand</source>
+        <translation>Am Teil ziehen, um es von Hand zu drehen</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: the train moves as its torques make it</source>
+        <translation>Ziehen umkreist: Das Getriebe bewegt sich, wie seine Momente es treiben</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: this part does not turn</source>
+        <translation>Ziehen umkreist: Dieses Teil dreht sich nicht</translation>
+    </message>
+    <message>
+        <source>Drag to orbit, with Shift to pan; the wheel zooms</source>
+        <translation>Ziehen umkreist, mit Umschalt verschiebt es; das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>Spra&amp;che</translation>
+    </message>
+    <message>
+        <source>The language of the system, where the program speaks it</source>
+        <translation>Die Sprache des Systems, wenn das Programm sie spricht</translation>
+    </message>
+    <message>
+        <source>The language can be changed when the export is finished.</source>
+        <translation>Die Sprache kann gewechselt werden, wenn der Export beendet ist.</translation>
+    </message>
+</context>
+</TS>

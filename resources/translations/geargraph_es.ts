@@ -1,0 +1,4854 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>GearGraph</name>
+    <message>
+        <source>at</source>
+        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
+        <translation>en</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <comment>The link beyond the joint, seen from the ground.</comment>
+        <translation>gira</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
+        <translation>llevado por</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <comment>A brake or clutch that is engaged.</comment>
+        <translation>acoplamiento</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
+        <translation>retiene</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
+        <translation>en torno a</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <comment>The gear mesh, by its label.</comment>
+        <translation>engrane</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <comment>The link of the tail&apos;s gear.</comment>
+        <translation>cola</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <comment>The link of the head&apos;s gear.</comment>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
+        <translation>portasatélites</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
+        <translation>acciona</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
+        <translation>elemento</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <comment>The link that it acts on.</comment>
+        <translation>eslabón</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <comment>The shafts of the loop.</comment>
+        <translation>eslabones</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <comment>The meshes of the gear sets of the loop.</comment>
+        <translation>engrana con</translation>
+    </message>
+    <message>
+        <source>the ground does not move</source>
+        <translation>el bastidor no se mueve</translation>
+    </message>
+    <message>
+        <source>no turning joint carries it yet</source>
+        <translation>ningún par de revolución lo lleva todavía</translation>
+    </message>
+    <message>
+        <source>several turning joints: click one</source>
+        <translation>varios pares de revolución: haga clic en uno</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 elementos</translation>
+    </message>
+    <message>
+        <source>link %1</source>
+        <translation>eslabón %1</translation>
+    </message>
+    <message>
+        <source>turning joint %1</source>
+        <translation>par de revolución %1</translation>
+    </message>
+    <message>
+        <source>gear mesh %1</source>
+        <translation>engrane %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>eje %1</translation>
+    </message>
+    <message>
+        <source>brake %1</source>
+        <translation>freno %1</translation>
+    </message>
+    <message>
+        <source>clutch %1</source>
+        <translation>embrague %1</translation>
+    </message>
+    <message>
+        <source> from link %1 to link %2</source>
+        <translation> del eslabón %1 al eslabón %2</translation>
+    </message>
+    <message>
+        <source>: holds link %1 while it is engaged</source>
+        <translation>: retiene el eslabón %1 mientras está activado</translation>
+    </message>
+    <message>
+        <source>: links %1 turn as one while it is engaged</source>
+        <translation>: los eslabones %1 giran juntos mientras está activado</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> y </translation>
+    </message>
+    <message>
+        <source>, axis %1</source>
+        <translation>, eje %1</translation>
+    </message>
+    <message>
+        <source>, driven</source>
+        <translation>, accionado</translation>
+    </message>
+    <message>
+        <source>, %1 : %2 teeth</source>
+        <translation>, %1 : %2 dientes</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>Liberar %1</translation>
+    </message>
+    <message>
+        <source>Engage %1</source>
+        <translation>Activar %1</translation>
+    </message>
+    <message>
+        <source>Take %1 off</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Hold it with a brake</source>
+        <translation>Retener con un freno</translation>
+    </message>
+    <message>
+        <source>Connect it to another link with a clutch</source>
+        <translation>Unir a otro eslabón con un embrague</translation>
+    </message>
+    <message>
+        <source>select two links</source>
+        <translation>seleccione dos eslabones</translation>
+    </message>
+    <message>
+        <source>Connect %1 and %2 with a clutch</source>
+        <translation>Unir %1 y %2 con un embrague</translation>
+    </message>
+    <message>
+        <source>hold the link with a brake</source>
+        <translation>retenga el eslabón con un freno</translation>
+    </message>
+    <message>
+        <source>Move gear %1 to the other side of the apex</source>
+        <translation>Pasar la rueda %1 al otro lado del vértice</translation>
+    </message>
+    <message>
+        <source>Make it external</source>
+        <translation>Hacerlo exterior</translation>
+    </message>
+    <message>
+        <source>Make it internal</source>
+        <translation>Hacerlo interior</translation>
+    </message>
+    <message>
+        <source>Pin the module</source>
+        <translation>Fijar el módulo</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Cambiar nombre</translation>
+    </message>
+    <message>
+        <source>Stop driving it</source>
+        <translation>Dejar de accionarlo</translation>
+    </message>
+    <message>
+        <source>Drive it</source>
+        <translation>Accionarlo</translation>
+    </message>
+    <message>
+        <source>Make it the ground</source>
+        <translation>Hacerlo bastidor</translation>
+    </message>
+    <message>
+        <source>it is the ground</source>
+        <translation>es el bastidor</translation>
+    </message>
+    <message>
+        <source>Attach a gear</source>
+        <translation>Añadir una rueda</translation>
+    </message>
+    <message>
+        <source>Pin the teeth of its gears</source>
+        <translation>Fijar los dientes de sus ruedas</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>the ground cannot be deleted</source>
+        <translation>el bastidor no se puede eliminar</translation>
+    </message>
+    <message>
+        <source>Axis %1 pinned</source>
+        <translation>Eje %1 fijado</translation>
+    </message>
+    <message>
+        <source>only turning joints can be driven</source>
+        <translation>solo se pueden accionar pares de revolución</translation>
+    </message>
+    <message>
+        <source>Flip the arrow</source>
+        <translation>Invertir la flecha</translation>
+    </message>
+    <message>
+        <source>Delete with its joints</source>
+        <translation>Eliminar con sus pares</translation>
+    </message>
+    <message>
+        <source>New link here</source>
+        <translation>Nuevo eslabón aquí</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Seleccionar todo</translation>
+    </message>
+    <message>
+        <source>Tidy the drawing</source>
+        <translation>Ordenar el dibujo</translation>
+    </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>todavía no hay nada dibujado</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Quitarlo</translation>
+    </message>
+    <message>
+        <source>Cycle C%1:</source>
+        <translation>Ciclo C%1:</translation>
+    </message>
+    <message>
+        <source>Digraph</source>
+        <translation>Dígrafo</translation>
+    </message>
+    <message>
+        <source>Laying out %1 links</source>
+        <translation>Ordenando %1 eslabones</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1.</source>
+        <translation>No se puede añadir una rueda: %1.</translation>
+    </message>
+    <message>
+        <source>Select one turning joint or link to load it.</source>
+        <translation>Seleccione un par de revolución o un eslabón para cargarlo.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: select a moving link.</source>
+        <translation>El bastidor soporta cualquier carga: seleccione un eslabón móvil.</translation>
+    </message>
+    <message>
+        <source>Loads act in turning joints and on links.</source>
+        <translation>Las cargas actúan en pares de revolución y en eslabones.</translation>
+    </message>
+    <message>
+        <source>10 Nm</source>
+        <translation>10 Nm</translation>
+    </message>
+    <message>
+        <source>Torque that acts here</source>
+        <translation>Momento que actúa aquí</translation>
+    </message>
+    <message>
+        <source>Remove load</source>
+        <translation>Quitar la carga</translation>
+    </message>
+    <message>
+        <source>A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm</source>
+        <translation>Un momento es un número con su unidad: 10 Nm, 500 Nmm, 1/2 kNm</translation>
+    </message>
+    <message>
+        <source>Set load</source>
+        <translation>Fijar la carga</translation>
+    </message>
+    <message>
+        <source>Add load</source>
+        <translation>Añadir carga</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Eliminar %1</translation>
+    </message>
+    <message>
+        <source>Flip %1</source>
+        <translation>Invertir %1</translation>
+    </message>
+    <message>
+        <source>Cannot be driven: %1</source>
+        <translation>No se puede accionar: %1</translation>
+    </message>
+    <message>
+        <source>Drive or release</source>
+        <translation>Accionar o liberar</translation>
+    </message>
+    <message>
+        <source>Rename link</source>
+        <translation>Cambiar nombre del eslabón</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1</source>
+        <translation>No se puede añadir una rueda: %1</translation>
+    </message>
+    <message>
+        <source>Attach gear to %1</source>
+        <translation>Añadir una rueda a %1</translation>
+    </message>
+    <message>
+        <source>Make ground</source>
+        <translation>Definir el bastidor</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>Fijar %1</translation>
+    </message>
+    <message>
+        <source>Unpin %1</source>
+        <translation>Soltar %1</translation>
+    </message>
+    <message>
+        <source>Change kind</source>
+        <translation>Cambiar el tipo</translation>
+    </message>
+    <message>
+        <source>Move gear to the other side</source>
+        <translation>Pasar la rueda al otro lado</translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>Retener %1</translation>
+    </message>
+    <message>
+        <source>Connect links</source>
+        <translation>Unir eslabones</translation>
+    </message>
+    <message>
+        <source>Take off %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>%1:  %2,  transfer vertex %3</source>
+        <translation>%1:  %2,  vértice de transferencia %3</translation>
+    </message>
+    <message>
+        <source>The drawn pose does not tell the sign of its terminal equation.</source>
+        <translation>La posición dibujada no determina el signo de su ecuación terminal.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click</source>
+        <translation>Dibuje el primer eslabón: L y clic</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Name of the link</source>
+        <translation>Nombre del eslabón</translation>
+    </message>
+    <message>
+        <source>Move link</source>
+        <translation>Mover eslabón</translation>
+    </message>
+    <message>
+        <source>Move links</source>
+        <translation>Mover eslabones</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Desplazar un poco</translation>
+    </message>
+    <message>
+        <source>Add link</source>
+        <translation>Añadir eslabón</translation>
+    </message>
+    <message>
+        <source>Add gear mesh</source>
+        <translation>Añadir engrane</translation>
+    </message>
+    <message>
+        <source>Add turning joint</source>
+        <translation>Añadir par de revolución</translation>
+    </message>
+    <message>
+        <source>T-T graph</source>
+        <translation>Grafo T-T</translation>
+    </message>
+    <message>
+        <source>The T–T graph is still being laid out. Try again in a moment.</source>
+        <translation>El grafo T–T se está ordenando todavía. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>No tree yet: turning joints have to tie every link to the ground and close no loop.</source>
+        <translation>Todavía no hay árbol: los pares de revolución deben unir cada eslabón al bastidor sin cerrar ningún lazo.</translation>
+    </message>
+    <message>
+        <source>Then the dotted meshes get their transfer vertices.</source>
+        <translation>Entonces los engranes punteados reciben sus vértices de transferencia.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Y %1 más.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex of %1</source>
+        <translation>Vértice de transferencia de %1</translation>
+    </message>
+    <message>
+        <source>Branch %1 on level %2</source>
+        <translation>Rama %1 en el nivel %2</translation>
+    </message>
+    <message>
+        <source>It has no transfer vertex.</source>
+        <translation>No tiene vértice de transferencia.</translation>
+    </message>
+    <message>
+        <source>Tidy the T-T graph</source>
+        <translation>Ordenar el grafo T-T</translation>
+    </message>
+    <message>
+        <source>The derivation could not be worked out: %1</source>
+        <translation>No se pudo obtener la deducción: %1</translation>
+    </message>
+    <message>
+        <source>The derivation appears here, both methods step by step.</source>
+        <translation>La deducción aparece aquí, con ambos métodos paso a paso.</translation>
+    </message>
+    <message>
+        <source>The sections of the derivation</source>
+        <translation>Secciones de la deducción</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Write the derivation as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Escribir la deducción como página web, PDF, LaTeX o Markdown</translation>
+    </message>
+    <message>
+        <source>The derivation is being worked out…</source>
+        <translation>Obteniendo la deducción…</translation>
+    </message>
+    <message>
+        <source>Copy equation as LaTeX</source>
+        <translation>Copiar la ecuación como LaTeX</translation>
+    </message>
+    <message>
+        <source>Copy text</source>
+        <translation>Copiar el texto</translation>
+    </message>
+    <message>
+        <source>Copy all as LaTeX</source>
+        <translation>Copiar todo como LaTeX</translation>
+    </message>
+    <message>
+        <source>Copy all as Markdown</source>
+        <translation>Copiar todo como Markdown</translation>
+    </message>
+    <message>
+        <source>Before the first step</source>
+        <translation>Antes del primer paso</translation>
+    </message>
+    <message>
+        <source>%1 (saved)</source>
+        <translation>%1 (guardado)</translation>
+    </message>
+    <message>
+        <source>%1, shown now</source>
+        <translation>%1, se muestra ahora</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, deshecho</translation>
+    </message>
+    <message>
+        <source>The dynamics could not be worked out: %1</source>
+        <translation>No se pudo calcular la dinámica: %1</translation>
+    </message>
+    <message>
+        <source>Masses</source>
+        <translation>Masas</translation>
+    </message>
+    <message>
+        <source>Mass and moments of inertia of every link, density and gravity</source>
+        <translation>Masa y momentos de inercia de cada eslabón, densidad y gravedad</translation>
+    </message>
+    <message>
+        <source>Inertia at the motors</source>
+        <translation>Inercia en los motores</translation>
+    </message>
+    <message>
+        <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>
+        <translation>Qué parte de la inercia que siente cada motor aporta cada eslabón (inercia reducida)</translation>
+    </message>
+    <message>
+        <source>Equation of motion</source>
+        <translation>Ecuación de movimiento</translation>
+    </message>
+    <message>
+        <source>Generalised inertia, Coriolis and centrifugal torques, weight and loads in the inputs</source>
+        <translation>Inercia generalizada, momentos centrífugos y de Coriolis, peso y cargas en las entradas</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>The motion that torques of the motors cause: simulated and played</source>
+        <translation>El movimiento que causan los momentos de los motores: simulado y reproducido</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Copiar la tabla para una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Export the table, or the simulated motion, to a CSV file</source>
+        <translation>Exportar la tabla, o el movimiento simulado, a un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Masses and motion appear here as soon as the mechanism is analysed.</source>
+        <translation>Las masas y el movimiento aparecen aquí en cuanto se analiza el mecanismo.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: state masses of its links, or give its wheels teeth.</source>
+        <translation>El movimiento de las entradas no mueve ninguna masa: indique masas de los eslabones o dientes de las ruedas.</translation>
+    </message>
+    <message>
+        <source>At the moment that the 3D view shows.</source>
+        <translation>En el instante que muestra la vista 3D.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy yet</source>
+        <translation>Todavía no hay nada que copiar</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet</source>
+        <translation>Todavía no hay nada que exportar</translation>
+    </message>
+    <message>
+        <source>masses.csv</source>
+        <translation>masas.csv</translation>
+    </message>
+    <message>
+        <source>reflected-inertia.csv</source>
+        <translation>inercia-reducida.csv</translation>
+    </message>
+    <message>
+        <source>equation-of-motion.csv</source>
+        <translation>ecuacion-de-movimiento.csv</translation>
+    </message>
+    <message>
+        <source>motion.csv</source>
+        <translation>movimiento.csv</translation>
+    </message>
+    <message>
+        <source>M: the generalised inertia of the inputs. h: what motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight. τ: torques of the motors. ℓ: what the loads contribute.</source>
+        <translation>M: inercia generalizada de las entradas. h: lo que los motores deben dar a velocidad constante por las fuerzas centrífugas y de Coriolis y por el peso. τ: momentos de los motores. ℓ: lo que aportan las cargas.</translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation>par %1</translation>
+    </message>
+    <message>
+        <source>Link %1: %2 kg m² at %3, %4 % of all.</source>
+        <translation>Eslabón %1: %2 kg m² en %3, %4 % del total.</translation>
+    </message>
+    <message>
+        <source>moves no mass</source>
+        <translation>no mueve ninguna masa</translation>
+    </message>
+    <message>
+        <source>%1 kg m²</source>
+        <translation>%1 kg m²</translation>
+    </message>
+    <message>
+        <source>The inertia that each link has at the motor while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>La inercia que cada eslabón tiene en el motor mientras las demás entradas están quietas: en un eslabón que gira en torno a un eje, su momento de inercia por el cuadrado de su relación.</translation>
+    </message>
+    <message>
+        <source>Double-click, or press F2, to state it; empty it to leave it to the solids.</source>
+        <translation>Doble clic, o F2, para indicarla; vacía, la dan los sólidos.</translation>
+    </message>
+    <message>
+        <source>Mass, kg</source>
+        <translation>Masa, kg</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0 kg.</source>
+        <translation>Una masa es al menos 0 kg.</translation>
+    </message>
+    <message>
+        <source>Masses of the links</source>
+        <translation>Masas de los eslabones</translation>
+    </message>
+    <message>
+        <source>The density of all solids, kg/m³; empty: that of steel</source>
+        <translation>Densidad de todos los sólidos, kg/m³; vacía: la del acero</translation>
+    </message>
+    <message>
+        <source>Density, kg/m³</source>
+        <translation>Densidad, kg/m³</translation>
+    </message>
+    <message>
+        <source>%1, steel</source>
+        <translation>%1, acero</translation>
+    </message>
+    <message>
+        <source>The acceleration of free fall in the base frame, m/s²: x, y, z</source>
+        <translation>Aceleración de la caída libre en el sistema base, m/s²: x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Gravedad, m/s²</translation>
+    </message>
+    <message>
+        <source>A density is above 0.</source>
+        <translation>Una densidad es mayor que 0.</translation>
+    </message>
+    <message>
+        <source>Set density</source>
+        <translation>Fijar la densidad</translation>
+    </message>
+    <message>
+        <source>Set gravity</source>
+        <translation>Fijar la gravedad</translation>
+    </message>
+    <message>
+        <source>Set mass</source>
+        <translation>Fijar la masa</translation>
+    </message>
+    <message>
+        <source>The motion could not be followed: %1</source>
+        <translation>No se pudo seguir el movimiento: %1</translation>
+    </message>
+    <message>
+        <source>How much of the motion is followed</source>
+        <translation>Cuánto del movimiento se ha seguido</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Velocidades</translation>
+    </message>
+    <message>
+        <source>Speeds of the inputs, and of the joints that are selected, over time</source>
+        <translation>Velocidades de las entradas, y de los pares seleccionados, en el tiempo</translation>
+    </message>
+    <message>
+        <source>Torques</source>
+        <translation>Momentos</translation>
+    </message>
+    <message>
+        <source>Torques of the motors over time</source>
+        <translation>Momentos de los motores en el tiempo</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energía</translation>
+    </message>
+    <message>
+        <source>Kinetic and potential energy, the work of motors and loads, and their balance, over time</source>
+        <translation>Energía cinética y potencial, trabajo de motores y cargas, y su balance, en el tiempo</translation>
+    </message>
+    <message>
+        <source>Play in 3D</source>
+        <translation>Reproducir en 3D</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simular</translation>
+    </message>
+    <message>
+        <source>End the motion where it is now</source>
+        <translation>Terminar aquí el movimiento</translation>
+    </message>
+    <message>
+        <source>Follow the motion that these torques, the loads and weight cause</source>
+        <translation>Seguir el movimiento que causan estos momentos, las cargas y el peso</translation>
+    </message>
+    <message>
+        <source>There is nothing to move yet</source>
+        <translation>Todavía no hay nada que mover</translation>
+    </message>
+    <message>
+        <source>Show this motion in the 3D view instead of that of the input speeds</source>
+        <translation>Mostrar este movimiento en la vista 3D en lugar del de las velocidades de entrada</translation>
+    </message>
+    <message>
+        <source>Simulate a motion first</source>
+        <translation>Simule antes un movimiento</translation>
+    </message>
+    <message>
+        <source>Give the motors their torques, then Simulate: speeds, torques and energy appear here.</source>
+        <translation>Dé a los motores sus momentos y pulse Simular: aquí aparecen velocidades, momentos y energía.</translation>
+    </message>
+    <message>
+        <source>The motion is being followed …</source>
+        <translation>Siguiendo el movimiento …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Detenido.</translation>
+    </message>
+    <message>
+        <source>After %1 s: kinetic energy %2 J, potential %3 J, work of motors and loads %4 J; they balance but for %5 J.</source>
+        <translation>Después de %1 s: energía cinética %2 J, potencial %3 J, trabajo de motores y cargas %4 J; el balance difiere en %5 J.</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>entrada</translation>
+    </message>
+    <message>
+        <source>The joint that the motor drives.</source>
+        <translation>El par que acciona el motor.</translation>
+    </message>
+    <message>
+        <source>T, N m</source>
+        <translation>T, N m</translation>
+    </message>
+    <message>
+        <source>The torque of the motor at rest, by the tail of its joint on the head.</source>
+        <translation>Momento del motor en reposo, de la cola de su par sobre la cabeza.</translation>
+    </message>
+    <message>
+        <source>d, N m s</source>
+        <translation>d, N m s</translation>
+    </message>
+    <message>
+        <source>How much torque the motor loses for each rad/s of its joint: with the torque at rest over the no-load speed it is a direct-current motor at constant voltage.</source>
+        <translation>Cuánto momento pierde el motor por cada rad/s de su par: con el momento en reposo entre la velocidad en vacío es un motor de corriente continua a tensión constante.</translation>
+    </message>
+    <message>
+        <source>from, °</source>
+        <translation>desde, °</translation>
+    </message>
+    <message>
+        <source>The angle of the joint at the start, from the reference pose.</source>
+        <translation>Ángulo del par al comienzo, desde la posición de referencia.</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>The speed of the joint at the start.</source>
+        <translation>Velocidad del par al comienzo.</translation>
+    </message>
+    <message>
+        <source>How long the motion is followed, in seconds.</source>
+        <translation>Cuánto tiempo se sigue el movimiento, en segundos.</translation>
+    </message>
+    <message>
+        <source>for, s</source>
+        <translation>durante, s</translation>
+    </message>
+    <message>
+        <source>The time is %1 s to %2 s.</source>
+        <translation>El tiempo es de %1 s a %2 s.</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Par %1</translation>
+    </message>
+    <message>
+        <source>Torque of the motor of joint %1, N m</source>
+        <translation>Momento del motor del par %1, N m</translation>
+    </message>
+    <message>
+        <source>Torque that the motor of joint %1 loses for each rad/s, N m s</source>
+        <translation>Momento que el motor del par %1 pierde por cada rad/s, N m s</translation>
+    </message>
+    <message>
+        <source>Angle of joint %1 at the start, degrees</source>
+        <translation>Ángulo inicial del par %1, grados</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1 at the start, rad/s</source>
+        <translation>Velocidad inicial del par %1, rad/s</translation>
+    </message>
+    <message>
+        <source>It is at least 0 N m s.</source>
+        <translation>Es al menos 0 N m s.</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power in every turning joint, and of what acts on links</source>
+        <translation>Momento, velocidad y potencia en cada par de revolución, y de lo que actúa en los eslabones</translation>
+    </message>
+    <message>
+        <source>Torques of the brakes and clutches that are engaged</source>
+        <translation>Momentos de los frenos y embragues activados</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
+        <translation>Momentos en las ruedas de cada engrane, fuerzas en los dientes y potencia que transmite</translation>
+    </message>
+    <message>
+        <source>What holds each link in its turning joint: force and moment</source>
+        <translation>Lo que sostiene a cada eslabón en su par de revolución: fuerza y momento</translation>
+    </message>
+    <message>
+        <source>What every element delivers to each of its links, seen from the ground</source>
+        <translation>Lo que cada elemento entrega a cada uno de sus eslabones, visto desde el bastidor</translation>
+    </message>
+    <message>
+        <source>Power that goes round in loops, beside what goes through the train</source>
+        <translation>Potencia que circula en lazos, además de la que atraviesa el tren</translation>
+    </message>
+    <message>
+        <source>Torques of the couplings and efficiency in every state of the gearbox</source>
+        <translation>Momentos de los acoplamientos y rendimiento en cada estado de la caja</translation>
+    </message>
+    <message>
+        <source>The torques could not be worked out: %1</source>
+        <translation>No se pudieron calcular los momentos: %1</translation>
+    </message>
+    <message>
+        <source>The state whose brakes and clutches are engaged</source>
+        <translation>El estado cuyos frenos y embragues están activados</translation>
+    </message>
+    <message>
+        <source>Export the table with its units to a CSV file</source>
+        <translation>Exportar la tabla con sus unidades a un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Fuerzas</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>An efficiency is above 0 and at most 1.</source>
+        <translation>Un rendimiento es mayor que 0 y como mucho 1.</translation>
+    </message>
+    <message>
+        <source>η of a mesh</source>
+        <translation>η de un engrane</translation>
+    </message>
+    <message>
+        <source>The efficiency of meshes that state none: the power that a mesh delivers over what it takes, seen from its carrier. Empty: they lose nothing.</source>
+        <translation>Rendimiento de los engranes que no indican ninguno: potencia que entrega un engrane entre la que toma, vista desde su portasatélites. Vacío: no pierden nada.</translation>
+    </message>
+    <message>
+        <source>fed, W</source>
+        <translation>aportada, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances feed into the train.</source>
+        <translation>Potencia que cargas y equilibrantes aportan al tren.</translation>
+    </message>
+    <message>
+        <source>taken, W</source>
+        <translation>extraída, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances take from the train.</source>
+        <translation>Potencia que cargas y equilibrantes extraen del tren.</translation>
+    </message>
+    <message>
+        <source>lost, W</source>
+        <translation>perdida, W</translation>
+    </message>
+    <message>
+        <source>What the meshes lose: fed less taken.</source>
+        <translation>Lo que pierden los engranes: aportada menos extraída.</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>rendimiento</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed.</source>
+        <translation>Potencia extraída entre potencia aportada.</translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation>inverso</translation>
+    </message>
+    <message>
+        <source>The efficiency of the same motion with all known torques reversed: the output drives.</source>
+        <translation>Rendimiento del mismo movimiento con todos los momentos conocidos invertidos: acciona la salida.</translation>
+    </message>
+    <message>
+        <source>latent ratio</source>
+        <translation>relación latente</translation>
+    </message>
+    <message>
+        <source>What all meshes pass, seen from their carriers, over the power fed: the losses are about this many times those of one mesh.</source>
+        <translation>Lo que transmiten todos los engranes, visto desde sus portasatélites, entre la potencia aportada: las pérdidas son unas tantas veces las de un engrane.</translation>
+    </message>
+    <message>
+        <source>circulating, W</source>
+        <translation>circulante, W</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop of shafts and gear sets.</source>
+        <translation>La mayor potencia que circula en un lazo de ejes y trenes.</translation>
+    </message>
+    <message>
+        <source>Share by stiffness</source>
+        <translation>Repartir por rigidez</translation>
+    </message>
+    <message>
+        <source>Meshes that share a load in unknown parts: assume that all teeth are equally stiff, without clearance, on rigid bodies</source>
+        <translation>Engranes que comparten una carga en partes desconocidas: suponer todos los dientes igual de rígidos, sin juego, sobre cuerpos rígidos</translation>
+    </message>
+    <message>
+        <source>as engaged</source>
+        <translation>como está activado</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>estado %1</translation>
+    </message>
+    <message>
+        <source>Torques and forces appear here as soon as the mechanism is analysed.</source>
+        <translation>Los momentos y fuerzas aparecen aquí en cuanto se analiza el mecanismo.</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their torques appear here.</source>
+        <translation>Dibuje pares de revolución y engranes: sus momentos aparecen aquí.</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium: the reason is below.</source>
+        <translation>No hay equilibrio: el motivo está abajo.</translation>
+    </message>
+    <message>
+        <source>No brake or clutch is engaged: engage one in Gearbox, or choose a state.</source>
+        <translation>No hay ningún freno ni embrague activado: active uno en Caja de cambios o elija un estado.</translation>
+    </message>
+    <message>
+        <source>Forces need a unit of length whose size is known.</source>
+        <translation>Las fuerzas necesitan una unidad de longitud de tamaño conocido.</translation>
+    </message>
+    <message>
+        <source>No power flows.</source>
+        <translation>No fluye potencia.</translation>
+    </message>
+    <message>
+        <source>Without a motion there is no power.</source>
+        <translation>Sin movimiento no hay potencia.</translation>
+    </message>
+    <message>
+        <source>No power circulates.</source>
+        <translation>No circula potencia.</translation>
+    </message>
+    <message>
+        <source>Loops are found where every link but the planets turns on the ground.</source>
+        <translation>Se buscan lazos cuando todos los eslabones menos los satélites giran en el bastidor.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>No hay nada que mostrar.</translation>
+    </message>
+    <message>
+        <source>Matroid = T–T graph method, exactly</source>
+        <translation>Método de matroides = grafo T–T, exacto</translation>
+    </message>
+    <message>
+        <source>The two methods do not agree</source>
+        <translation>Los dos métodos no coinciden</translation>
+    </message>
+    <message>
+        <source>locks itself</source>
+        <translation>se autobloquea</translation>
+    </message>
+    <message>
+        <source>No load acts yet. Select a joint or a link, then + Load.</source>
+        <translation>Todavía no actúa ninguna carga. Seleccione un par o un eslabón y luego + Carga.</translation>
+    </message>
+    <message>
+        <source>+ Load</source>
+        <translation>+ Carga</translation>
+    </message>
+    <message>
+        <source>A torque of 1 N m on the selected joint or link, or choose one</source>
+        <translation>Un momento de 1 N m en el par o eslabón seleccionado, o elegir</translation>
+    </message>
+    <message>
+        <source>Found at ▾</source>
+        <translation>Se busca en ▾</translation>
+    </message>
+    <message>
+        <source>Balances: where torques are found that hold the loads. By itself the program takes the inputs that bear no load of their own.</source>
+        <translation>Equilibrantes: dónde se buscan momentos que sostengan las cargas. Por sí mismo, el programa toma las entradas sin carga propia.</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>N mm</source>
+        <translation>N mm</translation>
+    </message>
+    <message>
+        <source>kN m</source>
+        <translation>kN m</translation>
+    </message>
+    <message>
+        <source>The unit of the torques in this list; the document keeps N m</source>
+        <translation>La unidad de los momentos de esta lista; el documento conserva N m</translation>
+    </message>
+    <message>
+        <source>F on %1</source>
+        <translation>F en %1</translation>
+    </message>
+    <message>
+        <source>T in %1</source>
+        <translation>T en el par %1</translation>
+    </message>
+    <message>
+        <source>T on %1 about %2</source>
+        <translation>T en %1 en torno a %2</translation>
+    </message>
+    <message>
+        <source>T on %1</source>
+        <translation>T en %1</translation>
+    </message>
+    <message>
+        <source>A force from outside on the link, N, in the base frame, at (%1) of the reference pose.</source>
+        <translation>Fuerza exterior sobre el eslabón, N, en el sistema base, en (%1) de la posición de referencia.</translation>
+    </message>
+    <message>
+        <source>A torque that the joint&apos;s tail exerts on its head, about the direction of its axis; the head exerts the opposite one on the tail.</source>
+        <translation>Momento que la cola del par ejerce sobre su cabeza, en torno a la dirección de su eje; la cabeza ejerce el opuesto sobre la cola.</translation>
+    </message>
+    <message>
+        <source>A torque from outside on the link; the ground takes the reaction. Without an axis it is about the link&apos;s first axis on the way to the ground.</source>
+        <translation>Momento exterior sobre el eslabón; el bastidor toma la reacción. Sin eje actúa en torno al primer eje del eslabón en el camino al bastidor.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 loads are listed</source>
+        <translation>Se muestran %1 de %2 cargas</translation>
+    </message>
+    <message>
+        <source>Remove this load</source>
+        <translation>Quitar esta carga</translation>
+    </message>
+    <message>
+        <source>Torque in a joint</source>
+        <translation>Momento en un par</translation>
+    </message>
+    <message>
+        <source>Torque on a link</source>
+        <translation>Momento en un eslabón</translation>
+    </message>
+    <message>
+        <source>Inputs without a load</source>
+        <translation>Entradas sin carga</translation>
+    </message>
+    <message>
+        <source>Choose balances</source>
+        <translation>Elegir equilibrantes</translation>
+    </message>
+    <message>
+        <source>Select in the drawing, or type: 8, 10</source>
+        <translation>Seleccione en el dibujo o escriba: 8, 10</translation>
+    </message>
+    <message>
+        <source>A whole number, a fraction such as −2/3, or a decimal</source>
+        <translation>Un entero, una fracción como −2/3 o un decimal</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message>
+        <source>From one gear pair to the robot</source>
+        <translation>De un par de ruedas al robot</translation>
+    </message>
+    <message>
+        <source>Open a lesson file…</source>
+        <translation>Abrir un archivo de lección…</translation>
+    </message>
+    <message>
+        <source>A lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Una lección propia: se recarga cada vez que se guarda el archivo</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>Afterwards you can %1.</source>
+        <translation>Después sabrá: %1.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min. %3 done, about %4 min to go.</source>
+        <translation>%1 lecciones, %2 min. %3 hechas, quedan unos %4 min.</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps done</source>
+        <translation>%1 de %2 pasos hechos</translation>
+    </message>
+    <message>
+        <source>‹ Back</source>
+        <translation>‹ Atrás</translation>
+    </message>
+    <message>
+        <source>The step before (Alt+Left)</source>
+        <translation>El paso anterior (Alt+Izquierda)</translation>
+    </message>
+    <message>
+        <source>Skip ›</source>
+        <translation>Saltar ›</translation>
+    </message>
+    <message>
+        <source>The next step (Alt+Right)</source>
+        <translation>El paso siguiente (Alt+Derecha)</translation>
+    </message>
+    <message>
+        <source>‹ Course</source>
+        <translation>‹ Curso</translation>
+    </message>
+    <message>
+        <source>All lessons, with your progress</source>
+        <translation>Todas las lecciones, con su progreso</translation>
+    </message>
+    <message>
+        <source>2 points for a step that is right at once, 1 after a hint or a correction; the score never falls</source>
+        <translation>2 puntos por un paso correcto a la primera, 1 tras una pista o una corrección; la puntuación nunca baja</translation>
+    </message>
+    <message>
+        <source>H&amp;int</source>
+        <translation>P&amp;ista</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule, then the first half</source>
+        <translation>Dónde mirar, luego la regla, luego la primera mitad</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>The answer; the step then gives no points</source>
+        <translation>La respuesta; el paso ya no da puntos</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Check the answer (Return)</source>
+        <translation>Comprobar la respuesta (Intro)</translation>
+    </message>
+    <message>
+        <source>Begin the step</source>
+        <translation>Empezar el paso</translation>
+    </message>
+    <message>
+        <source>Right. %1</source>
+        <translation>Correcto. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) are wrong: look at those that are framed.</source>
+        <translation>
+            <numerusform>%n campo está mal: mire el que está enmarcado.</numerusform>
+            <numerusform>%n campos están mal: mire los que están enmarcados.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This is not right. A hint tells where to look.</source>
+        <translation>Esto no es correcto. Una pista dice dónde mirar.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Mostrado: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 min</source>
+        <translation>%1, %2 min</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Paso %1 de %2</translation>
+    </message>
+    <message>
+        <source>Score %1 of %2</source>
+        <translation>Puntos %1 de %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Reintentar</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule: hint %1 of %2</source>
+        <translation>Dónde mirar, luego la regla: pista %1 de %2</translation>
+    </message>
+    <message>
+        <source>There are no more hints in this step.</source>
+        <translation>No hay más pistas en este paso.</translation>
+    </message>
+    <message>
+        <source>A drawing can be right in many ways: take a hint.</source>
+        <translation>Un dibujo puede ser correcto de muchas maneras: pida una pista.</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Este es el primer paso.</translation>
+    </message>
+    <message>
+        <source>Next lesson ›</source>
+        <translation>Lección siguiente ›</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>Siguiente ›</translation>
+    </message>
+    <message>
+        <source>Leave ›</source>
+        <translation>Salir ›</translation>
+    </message>
+    <message>
+        <source>About GearGraph</source>
+        <translation>Acerca de GearGraph</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Draw, analyse and see geared mechanisms by the matroid and the T–T graph methods (Amirinezhad and Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Dibuje, analice y vea mecanismos de engranajes con los métodos de matroides y del grafo T–T (Amirinezhad y Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;Licencia MIT.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>Copiar detalles</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Copiado</translation>
+    </message>
+    <message>
+        <source>Crash report</source>
+        <translation>Informe de fallo</translation>
+    </message>
+    <message>
+        <source>GearGraph crashed on %1. A report says where in the program; it names neither documents nor what is in them.</source>
+        <translation>GearGraph falló el %1. Un informe dice en qué parte del programa; no nombra documentos ni su contenido.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Mostrar el informe</translation>
+    </message>
+    <message>
+        <source>Read it, and decide then</source>
+        <translation>Léalo y decida después</translation>
+    </message>
+    <message>
+        <source>For a message to the developers</source>
+        <translation>Para un mensaje a los desarrolladores</translation>
+    </message>
+    <message>
+        <source>The crash report was copied.</source>
+        <translation>El informe de fallo se ha copiado.</translation>
+    </message>
+    <message>
+        <source>For good</source>
+        <translation>Para siempre</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Más tarde</translation>
+    </message>
+    <message>
+        <source>It will be offered again</source>
+        <translation>Se ofrecerá de nuevo</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Coma</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>Punto y coma</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulador</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Labels of rows and columns</source>
+        <translation>Etiquetas de filas y columnas</translation>
+    </message>
+    <message>
+        <source>Byte order mark</source>
+        <translation>Marca de orden de bytes</translation>
+    </message>
+    <message>
+        <source>Export %1 as CSV</source>
+        <translation>Exportar %1 como CSV</translation>
+    </message>
+    <message>
+        <source>What parts the columns</source>
+        <translation>Lo que separa las columnas</translation>
+    </message>
+    <message>
+        <source>Numbers with a decimal comma are quoted where commas part the columns</source>
+        <translation>Los números con coma decimal van entre comillas cuando las comas separan las columnas</translation>
+    </message>
+    <message>
+        <source>Without them the file holds the entries alone</source>
+        <translation>Sin ellas el archivo solo contiene las entradas</translation>
+    </message>
+    <message>
+        <source>Begins the file with a mark by which spreadsheet programs know UTF-8</source>
+        <translation>Comienza el archivo con una marca por la que las hojas de cálculo reconocen UTF-8</translation>
+    </message>
+    <message>
+        <source>Columns parted by</source>
+        <translation>Separador de columnas</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Signo decimal</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1 …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links: %1</source>
+        <translation>El portapapeles no contiene eslabones: %1</translation>
+    </message>
+    <message>
+        <source>Select links to copy; the ground stays where it is.</source>
+        <translation>Seleccione eslabones para copiar; el bastidor se queda donde está.</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>Copiado: %1</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 eslabón</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 eslabones</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>The clipboard is empty.</source>
+        <translation>El portapapeles está vacío.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links.</source>
+        <translation>El portapapeles no contiene eslabones.</translation>
+    </message>
+    <message>
+        <source>What the clipboard holds is too large to be a mechanism.</source>
+        <translation>Lo que contiene el portapapeles es demasiado grande para ser un mecanismo.</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Pegar</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Pasted as it was drawn in %1: check the lengths, which count in %2 here.</source>
+        <translation>Pegado como se dibujó en %1: compruebe las longitudes, que aquí cuentan en %2.</translation>
+    </message>
+    <message>
+        <source>Make %1 planets</source>
+        <translation>Crear %1 satélites</translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <translation>Insertar %1</translation>
+    </message>
+    <message>
+        <source>Exporting %1.</source>
+        <translation>Exportando %1.</translation>
+    </message>
+    <message>
+        <source>Give up this export; nothing is written</source>
+        <translation>Abandonar esta exportación; no se escribe nada</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 of %3 pictures.</source>
+        <translation>Exportando %1: %2 de %3 imágenes.</translation>
+    </message>
+    <message>
+        <source>The export of %1 was stopped; nothing was written.</source>
+        <translation>Se detuvo la exportación de %1; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph);;All files (*)</source>
+        <translation>Documentos de GearGraph (*.geargraph);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>Steps of the history</source>
+        <translation>Pasos del historial</translation>
+    </message>
+    <message>
+        <source>A click on a step, or Return, goes there. Steps below it can be repeated until something else is drawn.</source>
+        <translation>Un clic en un paso, o Intro, va allí. Los pasos de debajo se pueden rehacer hasta que se dibuje otra cosa.</translation>
+    </message>
+    <message>
+        <source>The gears appear here. Draw the first link: L, then click.</source>
+        <translation>Las ruedas aparecen aquí. Dibuje el primer eslabón: L y clic.</translation>
+    </message>
+    <message>
+        <source>The gears appear when the turning joints tie every link to the ground and close no loop.</source>
+        <translation>Las ruedas aparecen cuando los pares de revolución unen cada eslabón al bastidor sin cerrar lazos.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows trains of up to %1 links; this one has %2.</source>
+        <translation>La vista 3D muestra trenes de hasta %1 eslabones; este tiene %2.</translation>
+    </message>
+    <message>
+        <source>The gears appear when a mesh joins two of the links: G, then drag.</source>
+        <translation>Las ruedas aparecen cuando un engrane une dos eslabones: G y arrastrar.</translation>
+    </message>
+    <message>
+        <source>T–T graph</source>
+        <translation>Grafo T–T</translation>
+    </message>
+    <message>
+        <source>Schematic</source>
+        <translation>Esquema</translation>
+    </message>
+    <message>
+        <source>The views could not be updated: %1.</source>
+        <translation>No se pudieron actualizar las vistas: %1.</translation>
+    </message>
+    <message>
+        <source>Shown as before the last changes. %1</source>
+        <translation>Se muestra como antes de los últimos cambios. %1</translation>
+    </message>
+    <message>
+        <source>This matrix needs a mechanism without errors.</source>
+        <translation>Esta matriz necesita un mecanismo sin errores.</translation>
+    </message>
+    <message>
+        <source>This matrix needs the turning joints to be a spanning tree.</source>
+        <translation>Esta matriz necesita que los pares de revolución formen un árbol generador.</translation>
+    </message>
+    <message>
+        <source> (read-only)</source>
+        <translation> (solo lectura)</translation>
+    </message>
+    <message>
+        <source>Notices</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>1 of %1</source>
+        <translation>1 de %1</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation>No hay memoria suficiente para la imagen.</translation>
+    </message>
+    <message>
+        <source>Of this size:</source>
+        <translation>De este tamaño:</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fondo transparente</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Claro sobre oscuro</translation>
+    </message>
+    <message>
+        <source>Fit everything into the picture</source>
+        <translation>Ajustar todo a la imagen</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Exportar imagen</translation>
+    </message>
+    <message>
+        <source>SVG, lines and text</source>
+        <translation>SVG, líneas y texto</translation>
+    </message>
+    <message>
+        <source>PDF, lines and text</source>
+        <translation>PDF, líneas y texto</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, píxeles</translation>
+    </message>
+    <message>
+        <source>PNG, a folder of pictures</source>
+        <translation>PNG, una carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>GLB, the solids in their present pose</source>
+        <translation>GLB, los sólidos en su posición actual</translation>
+    </message>
+    <message>
+        <source>Without it the picture is as large as the drawing.</source>
+        <translation>Sin esto la imagen es tan grande como el dibujo.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animación</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>None: one picture</source>
+        <translation>Ninguna: una imagen</translation>
+    </message>
+    <message>
+        <source>Turntable: once round</source>
+        <translation>Plato giratorio: una vuelta</translation>
+    </message>
+    <message>
+        <source>Motion: one period</source>
+        <translation>Movimiento: un periodo</translation>
+    </message>
+    <message>
+        <source>A minute where the motion has no period</source>
+        <translation>Un minuto si el movimiento no tiene periodo</translation>
+    </message>
+    <message>
+        <source> pictures</source>
+        <translation> imágenes</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> por segundo</translation>
+    </message>
+    <message>
+        <source>The 3D view is made of pixels.</source>
+        <translation>La vista 3D está hecha de píxeles.</translation>
+    </message>
+    <message>
+        <source>Only the 3D view has it.</source>
+        <translation>Solo la vista 3D lo tiene.</translation>
+    </message>
+    <message>
+        <source>Export pictures into the new folder</source>
+        <translation>Exportar imágenes a la carpeta nueva</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Carpetas (*)</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Todos los archivos</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to export.</source>
+        <translation>La vista 3D está vacía: no hay nada que exportar.</translation>
+    </message>
+    <message>
+        <source>Copied the drawing as a picture</source>
+        <translation>Dibujo copiado como imagen</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to copy.</source>
+        <translation>La vista 3D está vacía: no hay nada que copiar.</translation>
+    </message>
+    <message>
+        <source>Copied the 3D view as a picture</source>
+        <translation>Vista 3D copiada como imagen</translation>
+    </message>
+    <message>
+        <source>Sent to the printer</source>
+        <translation>Enviado a la impresora</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exportado %1</translation>
+    </message>
+    <message>
+        <source>How fast the motion is shown; a double click is 1.0×</source>
+        <translation>Con qué rapidez se muestra el movimiento; un doble clic es 1,0×</translation>
+    </message>
+    <message>
+        <source>Speed of the motion</source>
+        <translation>Velocidad del movimiento</translation>
+    </message>
+    <message>
+        <source>Pause the motion (Space)</source>
+        <translation>Pausar el movimiento (Espacio)</translation>
+    </message>
+    <message>
+        <source>Play the motion (Space)</source>
+        <translation>Reproducir el movimiento (Espacio)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Power flows under loads: add one in Forces.</source>
+        <translation>La potencia fluye bajo cargas: añada una en Fuerzas.</translation>
+    </message>
+    <message>
+        <source>The loads are not in balance: Forces names what is missing.</source>
+        <translation>Las cargas no están en equilibrio: Fuerzas dice lo que falta.</translation>
+    </message>
+    <message>
+        <source>The ground</source>
+        <translation>El bastidor</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Eslabón %1</translation>
+    </message>
+    <message>
+        <source>Link %1, %2</source>
+        <translation>Eslabón %1, %2</translation>
+    </message>
+    <message>
+        <source>Esc or F11 ends the presentation, Space plays.  Alt+1, Alt+2, … show and hide panels.</source>
+        <translation>Esc o F11 terminan la presentación, Espacio reproduce.  Alt+1, Alt+2, … muestran y ocultan paneles.</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>No file has been opened yet</source>
+        <translation>Todavía no se ha abierto ningún archivo</translation>
+    </message>
+    <message>
+        <source>There is nothing drawn to derive anything for.</source>
+        <translation>No hay nada dibujado de lo que deducir algo.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read.</source>
+        <translation>No se escribe una deducción de más de %1 eslabones: sería demasiado larga para leerla.</translation>
+    </message>
+    <message>
+        <source>Export derivation</source>
+        <translation>Exportar la deducción</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</source>
+        <translation>Página web (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out. Try again in a moment.</source>
+        <translation>La solución se está calculando todavía. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>The export was stopped.</source>
+        <translation>La exportación se detuvo.</translation>
+    </message>
+    <message>
+        <source>Export handout</source>
+        <translation>Exportar el folleto</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Página web (*.html)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>about x, °</source>
+        <translation>en torno a x, °</translation>
+    </message>
+    <message>
+        <source>about y, °</source>
+        <translation>en torno a y, °</translation>
+    </message>
+    <message>
+        <source>about z, °</source>
+        <translation>en torno a z, °</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Añadir…</translation>
+    </message>
+    <message>
+        <source>Another STL, OBJ, PLY or GLB file</source>
+        <translation>Otro archivo STL, OBJ, PLY o GLB</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Lengths in the document&apos;s unit. A file is turned about x, then y, then z, and moved, in the drawn pose; it then moves with its link.</source>
+        <translation>Longitudes en la unidad del documento. El archivo se gira en torno a x, luego y, luego z, y se desplaza, en la posición dibujada; después se mueve con su eslabón.</translation>
+    </message>
+    <message>
+        <source>3D files of link %1</source>
+        <translation>Archivos 3D del eslabón %1</translation>
+    </message>
+    <message>
+        <source>Place a 3D file</source>
+        <translation>Colocar un archivo 3D</translation>
+    </message>
+    <message>
+        <source>3D file</source>
+        <translation>Archivo 3D</translation>
+    </message>
+    <message>
+        <source>3D files (*.stl *.obj *.ply *.glb);;All files (*)</source>
+        <translation>Archivos 3D (*.stl *.obj *.ply *.glb);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Wear a 3D file</source>
+        <translation>Poner un archivo 3D</translation>
+    </message>
+    <message>
+        <source>Take off a 3D file</source>
+        <translation>Quitar un archivo 3D</translation>
+    </message>
+    <message>
+        <source>In a drawing</source>
+        <translation>En un dibujo</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>Reproducir, pausar</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Mover la hoja</translation>
+    </message>
+    <message>
+        <source>Space or middle button, and drag</source>
+        <translation>Espacio o botón central, y arrastrar</translation>
+    </message>
+    <message>
+        <source>Zoom at the mouse</source>
+        <translation>Zoom en el ratón</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rueda</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Fit what is selected</source>
+        <translation>Ajustar lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Mayús+F</translation>
+    </message>
+    <message>
+        <source>Nudge; finer</source>
+        <translation>Desplazar; más fino</translation>
+    </message>
+    <message>
+        <source>Arrow keys; with Shift</source>
+        <translation>Flechas; con Mayús</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Añadir a la selección</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl, and click</source>
+        <translation>Mayús o Ctrl, y clic</translation>
+    </message>
+    <message>
+        <source>Drag without snapping</source>
+        <translation>Arrastrar sin ajuste</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Rename in place</source>
+        <translation>Cambiar el nombre en su sitio</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Next, last element; besides</source>
+        <translation>Elemento siguiente, anterior; además</translation>
+    </message>
+    <message>
+        <source>Page down, up; with Shift</source>
+        <translation>Av Pág, Re Pág; con Mayús</translation>
+    </message>
+    <message>
+        <source>The nearest element that way</source>
+        <translation>El elemento más cercano en esa dirección</translation>
+    </message>
+    <message>
+        <source>Ctrl and arrow key</source>
+        <translation>Ctrl y flecha</translation>
+    </message>
+    <message>
+        <source>As a click on the element</source>
+        <translation>Como un clic en el elemento</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Give up, deselect, back to Select</source>
+        <translation>Abandonar, deseleccionar, volver a Seleccionar</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>En la vista 3D</translation>
+    </message>
+    <message>
+        <source>Step back, step on</source>
+        <translation>Paso atrás, paso adelante</translation>
+    </message>
+    <message>
+        <source>Comma, point</source>
+        <translation>Coma, punto</translation>
+    </message>
+    <message>
+        <source>F, Home</source>
+        <translation>F, Inicio</translation>
+    </message>
+    <message>
+        <source>Isometric, front, right, top</source>
+        <translation>Isométrica, frente, derecha, arriba</translation>
+    </message>
+    <message>
+        <source>0, 1, 2, 3</source>
+        <translation>0, 1, 2, 3</translation>
+    </message>
+    <message>
+        <source>Turn the train</source>
+        <translation>Girar el tren</translation>
+    </message>
+    <message>
+        <source>Drag a gear</source>
+        <translation>Arrastrar una rueda</translation>
+    </message>
+    <message>
+        <source>Turn a part by hand</source>
+        <translation>Girar una pieza a mano</translation>
+    </message>
+    <message>
+        <source>Ctrl, and drag</source>
+        <translation>Ctrl, y arrastrar</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Orbitar</translation>
+    </message>
+    <message>
+        <source>Drag elsewhere, arrow keys</source>
+        <translation>Arrastrar en otro sitio, flechas</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplazar</translation>
+    </message>
+    <message>
+        <source>Shift with drag or arrow keys</source>
+        <translation>Mayús con arrastrar o flechas</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Wheel, + and −</source>
+        <translation>Rueda, + y −</translation>
+    </message>
+    <message>
+        <source>Next, last link</source>
+        <translation>Eslabón siguiente, anterior</translation>
+    </message>
+    <message>
+        <source>Page down, Page up</source>
+        <translation>Av Pág, Re Pág</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Atajos de teclado</translation>
+    </message>
+    <message>
+        <source>New mechanism</source>
+        <translation>Mecanismo nuevo</translation>
+    </message>
+    <message>
+        <source>An empty sheet with the ground on it</source>
+        <translation>Una hoja vacía con el bastidor</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a document; it can be dropped on the window, too</source>
+        <translation>Abrir un documento; también se puede soltar en la ventana</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Documents that you open or save are listed here.</source>
+        <translation>Aquí aparecen los documentos que abra o guarde.</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>n %1</source>
+        <translation>n %1</translation>
+    </message>
+    <message>
+        <source>t %1</source>
+        <translation>t %1</translation>
+    </message>
+    <message>
+        <source>c %1</source>
+        <translation>c %1</translation>
+    </message>
+    <message>
+        <source>rank –</source>
+        <translation>rango –</translation>
+    </message>
+    <message>
+        <source>DOF –</source>
+        <translation>GDL –</translation>
+    </message>
+    <message>
+        <source>rank %1</source>
+        <translation>rango %1</translation>
+    </message>
+    <message>
+        <source>DOF %1</source>
+        <translation>GDL %1</translation>
+    </message>
+    <message>
+        <source>rank %1 + %2</source>
+        <translation>rango %1 + %2</translation>
+    </message>
+    <message>
+        <source>DOF %1 (engaged: %2)</source>
+        <translation>GDL %1 (activado: %2)</translation>
+    </message>
+    <message>
+        <source>Select, move, and change what is drawn</source>
+        <translation>Seleccionar, mover y cambiar lo dibujado</translation>
+    </message>
+    <message>
+        <source>Draw links: click on an empty place</source>
+        <translation>Dibujar eslabones: clic en un lugar vacío</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: drag from a link to the link it carries</source>
+        <translation>Dibujar un par de revolución: arrastrar de un eslabón al que lleva</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: drag from a gear to the one it drives</source>
+        <translation>Dibujar un engrane: arrastrar de una rueda a la que acciona</translation>
+    </message>
+    <message>
+        <source>Drive a joint: click a turning joint or the link it carries</source>
+        <translation>Accionar un par: clic en un par de revolución o en el eslabón que lleva</translation>
+    </message>
+    <message>
+        <source>Move the sheet; the middle mouse button does so with any tool</source>
+        <translation>Mover la hoja; el botón central lo hace con cualquier herramienta</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nuevo</translation>
+    </message>
+    <message>
+        <source>A document with the ground and nothing else</source>
+        <translation>Un documento solo con el bastidor</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nueva &amp;ventana</translation>
+    </message>
+    <message>
+        <source>Another window with an empty document</source>
+        <translation>Otra ventana con un documento vacío</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>Página de &amp;inicio</translation>
+    </message>
+    <message>
+        <source>New document, recent documents and examples</source>
+        <translation>Documento nuevo, documentos recientes y ejemplos</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a document</source>
+        <translation>Abrir un documento</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save the document</source>
+        <translation>Guardar el documento</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Guardar co&amp;mo…</translation>
+    </message>
+    <message>
+        <source>Save the document under another name</source>
+        <translation>Guardar el documento con otro nombre</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>V&amp;olver al archivo</translation>
+    </message>
+    <message>
+        <source>Reload the file; this can be undone</source>
+        <translation>Recargar el archivo; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Reopen w&amp;indows at start</source>
+        <translation>Rea&amp;brir ventanas al arrancar</translation>
+    </message>
+    <message>
+        <source>Open the documents of the last time when the program starts without one</source>
+        <translation>Abrir los documentos de la última vez cuando el programa arranca sin ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Export matrix as CSV…</source>
+        <translation>Exportar matri&amp;z como CSV…</translation>
+    </message>
+    <message>
+        <source>Export the matrix that is shown, with its labels</source>
+        <translation>Exportar la matriz que se muestra, con sus etiquetas</translation>
+    </message>
+    <message>
+        <source>Export pict&amp;ure…</source>
+        <translation>E&amp;xportar imagen…</translation>
+    </message>
+    <message>
+        <source>Export a drawing as SVG, PDF or PNG, or the 3D view as PNG</source>
+        <translation>Exportar un dibujo como SVG, PDF o PNG, o la vista 3D como PNG</translation>
+    </message>
+    <message>
+        <source>Export &amp;derivation…</source>
+        <translation>Exportar &amp;deducción…</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Ambos métodos paso a paso para este mecanismo, como página web, PDF, LaTeX o Markdown</translation>
+    </message>
+    <message>
+        <source>Export &amp;handout…</source>
+        <translation>Exportar &amp;folleto…</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
+        <translation>Una página para cualquier navegador, también en un teléfono y sin red: dibujos, matrices, solución, deducción y el tren en 3D, con entradas que se mueven</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Im&amp;primir…</translation>
+    </message>
+    <message>
+        <source>Print the drawings and the derivation, or look at the pages first</source>
+        <translation>Imprimir los dibujos y la deducción, o ver antes las páginas</translation>
+    </message>
+    <message>
+        <source>Show the &amp;derivation</source>
+        <translation>Mostrar la &amp;deducción</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism</source>
+        <translation>Ambos métodos paso a paso para este mecanismo</translation>
+    </message>
+    <message>
+        <source>&amp;Compare the methods</source>
+        <translation>&amp;Comparar los métodos</translation>
+    </message>
+    <message>
+        <source>Both methods side by side, counted for this mechanism</source>
+        <translation>Ambos métodos en paralelo, contados para este mecanismo</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons…</source>
+        <translation>&amp;Lecciones…</translation>
+    </message>
+    <message>
+        <source>A course from one gear pair to the robot, with tasks that are checked; in a window of its own</source>
+        <translation>Un curso de un par de ruedas al robot, con tareas que se comprueban; en una ventana propia</translation>
+    </message>
+    <message>
+        <source>Open a lesson &amp;file…</source>
+        <translation>Abrir un &amp;archivo de lección…</translation>
+    </message>
+    <message>
+        <source>Preview a lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Vista previa de una lección propia: se recarga cada vez que se guarda el archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>&amp;Cerrar ventana</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cerrar esta ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Cerrar todas las ventanas</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Historial…</translation>
+    </message>
+    <message>
+        <source>All steps as a list; a click goes to any of them</source>
+        <translation>Todos los pasos en una lista; un clic va a cualquiera de ellos</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>Copy what is selected, and delete it</source>
+        <translation>Copiar lo seleccionado y eliminarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the selected links with the joints and meshes between them</source>
+        <translation>Copiar los eslabones seleccionados con los pares y engranes entre ellos</translation>
+    </message>
+    <message>
+        <source>Copy as p&amp;icture</source>
+        <translation>Copiar como &amp;imagen</translation>
+    </message>
+    <message>
+        <source>Copy the drawing in front, or the 3D view where it has the focus, as SVG and PNG</source>
+        <translation>Copiar el dibujo de delante, o la vista 3D si tiene el foco, como SVG y PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>Insert what was copied, in this window or in another</source>
+        <translation>Insertar lo que se copió, en esta ventana o en otra</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>D&amp;uplicar</translation>
+    </message>
+    <message>
+        <source>A copy of the selection in the drawing</source>
+        <translation>Una copia de la selección en el dibujo</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete what is selected, and what needs it</source>
+        <translation>Eliminar lo seleccionado y lo que lo necesita</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Cambiar &amp;nombre</translation>
+    </message>
+    <message>
+        <source>Rename the selected link</source>
+        <translation>Cambiar el nombre del eslabón seleccionado</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Seleccion&amp;ar todo</translation>
+    </message>
+    <message>
+        <source>Select everything</source>
+        <translation>Seleccionarlo todo</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>In&amp;vertir</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head of the selected arrows</source>
+        <translation>Intercambiar cola y cabeza de las flechas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Make &amp;ground</source>
+        <translation>Hacer &amp;bastidor</translation>
+    </message>
+    <message>
+        <source>Makes the selected link the ground</source>
+        <translation>Hace del eslabón seleccionado el bastidor</translation>
+    </message>
+    <message>
+        <source>&amp;Attach a gear</source>
+        <translation>&amp;Añadir una rueda</translation>
+    </message>
+    <message>
+        <source>A new gear in mesh with the selected one, on the same carrier</source>
+        <translation>Una rueda nueva que engrana con la seleccionada, en el mismo portasatélites</translation>
+    </message>
+    <message>
+        <source>Dri&amp;ve</source>
+        <translation>A&amp;ccionar</translation>
+    </message>
+    <message>
+        <source>Drive the selected joints, or stop driving them</source>
+        <translation>Accionar los pares seleccionados, o dejar de accionarlos</translation>
+    </message>
+    <message>
+        <source>Hold with a &amp;brake</source>
+        <translation>Retener con un &amp;freno</translation>
+    </message>
+    <message>
+        <source>Engage the brake of the selected link, a new one where it has none, or release it</source>
+        <translation>Activar el freno del eslabón seleccionado, uno nuevo si no tiene, o liberarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>Car&amp;ga…</translation>
+    </message>
+    <message>
+        <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
+        <translation>Un momento en el par o eslabón seleccionado: escriba 10 Nm; vacío lo quita</translation>
+    </message>
+    <message>
+        <source>&amp;Release brakes and clutches</source>
+        <translation>&amp;Liberar frenos y embragues</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on</source>
+        <translation>Liberar todos los frenos y embragues; el movimiento sigue</translation>
+    </message>
+    <message>
+        <source>&amp;Insert set…</source>
+        <translation>&amp;Insertar un tren…</translation>
+    </message>
+    <message>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
+        <translation>Un tren epicicloidal, Ravigneaux o Simpson entero, un diferencial, un tren recurrente, una muñeca</translation>
+    </message>
+    <message>
+        <source>%1 planets</source>
+        <translation>%1 satélites</translation>
+    </message>
+    <message>
+        <source>Copies of the selected planet, equally spaced, %1 in all</source>
+        <translation>Copias del satélite seleccionado, a distancias iguales, %1 en total</translation>
+    </message>
+    <message>
+        <source>&amp;Tidy the drawing</source>
+        <translation>&amp;Ordenar el dibujo</translation>
+    </message>
+    <message>
+        <source>Lay the digraph out anew</source>
+        <translation>Disponer de nuevo el dígrafo</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Ajustar</translation>
+    </message>
+    <message>
+        <source>Show all of the drawing</source>
+        <translation>Mostrar todo el dibujo</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>A&amp;cercar</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Más grande</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>A&amp;lejar</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Más pequeño</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;selection</source>
+        <translation>Ajustar la &amp;selección</translation>
+    </message>
+    <message>
+        <source>Show all that is selected</source>
+        <translation>Mostrar todo lo seleccionado</translation>
+    </message>
+    <message>
+        <source>&amp;Presentation</source>
+        <translation>&amp;Presentación</translation>
+    </message>
+    <message>
+        <source>Full screen, large type, the drawing and the panels that were chosen</source>
+        <translation>Pantalla completa, letra grande, el dibujo y los paneles elegidos</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;grid</source>
+        <translation>Ajustar a la c&amp;uadrícula</translation>
+    </message>
+    <message>
+        <source>Nodes keep to a grid; Alt suspends it</source>
+        <translation>Los nodos siguen una cuadrícula; Alt la suspende</translation>
+    </message>
+    <message>
+        <source>Po&amp;wer flow</source>
+        <translation>&amp;Flujo de potencia</translation>
+    </message>
+    <message>
+        <source>Bands in digraph and schematic show where the power of the loads goes</source>
+        <translation>Las bandas en el dígrafo y el esquema muestran adónde va la potencia de las cargas</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>&amp;Restablecer la disposición</translation>
+    </message>
+    <message>
+        <source>All panels back to their places</source>
+        <translation>Todos los paneles a sus lugares</translation>
+    </message>
+    <message>
+        <source>Look &amp;up a term…</source>
+        <translation>Consultar un &amp;término…</translation>
+    </message>
+    <message>
+        <source>The definition of a technical term</source>
+        <translation>La definición de un término técnico</translation>
+    </message>
+    <message>
+        <source>&amp;Search…</source>
+        <translation>&amp;Buscar…</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term</source>
+        <translation>Encontrar una orden, un elemento o un término</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>A&amp;tajos de teclado</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>Todas las teclas en una hoja</translation>
+    </message>
+    <message>
+        <source>&amp;About GearGraph</source>
+        <translation>&amp;Acerca de GearGraph</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Qué es este programa</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como el &amp;sistema</translation>
+    </message>
+    <message>
+        <source>Light or dark as the system is</source>
+        <translation>Claro u oscuro como el sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Oscuro sobre claro</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Alto contraste</translation>
+    </message>
+    <message>
+        <source>Light on black</source>
+        <translation>Claro sobre negro</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Words of the window at %1 % of their size</source>
+        <translation>Los textos del programa al %1 % de su tamaño</translation>
+    </message>
+    <message>
+        <source>3D on &amp;half the width</source>
+        <translation>3D a &amp;medio ancho</translation>
+    </message>
+    <message>
+        <source>The 3D view as wide as the drawing</source>
+        <translation>La vista 3D tan ancha como el dibujo</translation>
+    </message>
+    <message>
+        <source>&amp;Play	Space</source>
+        <translation>R&amp;eproducir<byte value="x9"/>Espacio</translation>
+    </message>
+    <message>
+        <source>Start or stop the motion (Space)</source>
+        <translation>Iniciar o detener el movimiento (Espacio)</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;start</source>
+        <translation>Volver al &amp;inicio</translation>
+    </message>
+    <message>
+        <source>The time goes back to 0</source>
+        <translation>El tiempo vuelve a 0</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Más &amp;rápido</translation>
+    </message>
+    <message>
+        <source>The motion is shown faster</source>
+        <translation>El movimiento se muestra más rápido</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>The motion is shown more slowly</source>
+        <translation>El movimiento se muestra más despacio</translation>
+    </message>
+    <message>
+        <source>&amp;Normal speed</source>
+        <translation>Velocidad &amp;normal</translation>
+    </message>
+    <message>
+        <source>A second of the motion takes a second</source>
+        <translation>Un segundo del movimiento dura un segundo</translation>
+    </message>
+    <message>
+        <source>&amp;Backwards</source>
+        <translation>&amp;Hacia atrás</translation>
+    </message>
+    <message>
+        <source>The motion runs back in time</source>
+        <translation>El movimiento va hacia atrás en el tiempo</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Pause	Space</source>
+        <translation>&amp;Pausa<byte value="x9"/>Espacio</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xample</source>
+        <translation>Abrir &amp;ejemplo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Power seen fro&amp;m</source>
+        <translation>Potencia vista &amp;desde</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>T&amp;ype size</source>
+        <translation>Tamañ&amp;o de letra</translation>
+    </message>
+    <message>
+        <source>&amp;Mechanism</source>
+        <translation>&amp;Mecanismo</translation>
+    </message>
+    <message>
+        <source>&amp;Planets like the selected one</source>
+        <translation>&amp;Satélites como el seleccionado</translation>
+    </message>
+    <message>
+        <source>M&amp;otion</source>
+        <translation>M&amp;ovimiento</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>A&amp;prender</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation>No hay nada seleccionado.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>No hay nada que deshacer.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>No hay nada que rehacer.</translation>
+    </message>
+    <message>
+        <source>There is one ground in every document.</source>
+        <translation>En cada documento hay un bastidor.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted.</source>
+        <translation>El bastidor no se puede eliminar.</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it.</source>
+        <translation>Seleccione un eslabón para cambiarle el nombre.</translation>
+    </message>
+    <message>
+        <source>Select a joint or a mesh to turn its arrow round.</source>
+        <translation>Seleccione un par o un engrane para invertir su flecha.</translation>
+    </message>
+    <message>
+        <source>Select a turning joint, or the link it carries.</source>
+        <translation>Seleccione un par de revolución o el eslabón que lleva.</translation>
+    </message>
+    <message>
+        <source>The ground does not move.</source>
+        <translation>El bastidor no se mueve.</translation>
+    </message>
+    <message>
+        <source>Select one link to hold it.</source>
+        <translation>Seleccione un eslabón para retenerlo.</translation>
+    </message>
+    <message>
+        <source>No brake and no clutch is engaged.</source>
+        <translation>No hay ningún freno ni embrague activado.</translation>
+    </message>
+    <message>
+        <source>Select one planet.</source>
+        <translation>Seleccione un satélite.</translation>
+    </message>
+    <message>
+        <source>Select the link that the gear should mesh with.</source>
+        <translation>Seleccione el eslabón con el que debe engranar la rueda.</translation>
+    </message>
+    <message>
+        <source>This link is the ground already.</source>
+        <translation>Este eslabón ya es el bastidor.</translation>
+    </message>
+    <message>
+        <source>Select one link to make it the ground.</source>
+        <translation>Seleccione un eslabón para hacerlo bastidor.</translation>
+    </message>
+    <message>
+        <source>There is no link to lay out yet.</source>
+        <translation>Todavía no hay eslabones que ordenar.</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out.</source>
+        <translation>La solución se está calculando todavía.</translation>
+    </message>
+    <message>
+        <source>Matrices</source>
+        <translation>Matrices</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemas</translation>
+    </message>
+    <message>
+        <source>Inputs and results</source>
+        <translation>Entradas y resultados</translation>
+    </message>
+    <message>
+        <source>Gearbox</source>
+        <translation>Caja de cambios</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
+    </message>
+    <message>
+        <source>Derivation</source>
+        <translation>Deducción</translation>
+    </message>
+    <message>
+        <source>Dynamics</source>
+        <translation>Dinámica</translation>
+    </message>
+    <message>
+        <source>Problems %1</source>
+        <translation>Problemas %1</translation>
+    </message>
+    <message>
+        <source>Export matrix</source>
+        <translation>Exportar matriz</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv);;All files (*)</source>
+        <translation>Archivos CSV (*.csv);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Exportar tabla</translation>
+    </message>
+    <message>
+        <source>Save the traced path</source>
+        <translation>Guardar la trayectoria trazada</translation>
+    </message>
+    <message>
+        <source>path.csv</source>
+        <translation>trayectoria.csv</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Guardado %1</translation>
+    </message>
+    <message>
+        <source>Save the speeds</source>
+        <translation>Guardar las velocidades</translation>
+    </message>
+    <message>
+        <source>speeds.csv</source>
+        <translation>velocidades.csv</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2</source>
+        <translation>No se pudo abrir %1: %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>This window is not connected to others.</source>
+        <translation>Esta ventana no está conectada con otras.</translation>
+    </message>
+    <message>
+        <source>A lesson&apos;s drawing is not kept: copy what you need into another window.</source>
+        <translation>El dibujo de una lección no se conserva: copie lo que necesite en otra ventana.</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed since it was saved.</source>
+        <translation>No se ha cambiado nada desde que se guardó.</translation>
+    </message>
+    <message>
+        <source>The document has no file yet.</source>
+        <translation>El documento no tiene archivo todavía.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier run are in %1, which cannot be read.</source>
+        <translation>Hay cambios sin guardar de una ejecución anterior en %1, que no se puede leer.</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Eliminarlo</translation>
+    </message>
+    <message>
+        <source>a document that was never saved (%1)</source>
+        <translation>un documento que nunca se guardó (%1)</translation>
+    </message>
+    <message>
+        <source>1 edit</source>
+        <translation>1 cambio</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 cambios</translation>
+    </message>
+    <message>
+        <source>GearGraph ended with unsaved changes of %1: %2 after it was last saved, the last at %3 (%4).</source>
+        <translation>GearGraph terminó con cambios sin guardar de %1: %2 desde que se guardó, el último a las %3 (%4).</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Open them as unsaved changes, which can be undone</source>
+        <translation>Abrirlos como cambios sin guardar, que se pueden deshacer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Delete them for good</source>
+        <translation>Eliminarlos para siempre</translation>
+    </message>
+    <message>
+        <source>They stay where they are and will be offered again</source>
+        <translation>Se quedan donde están y se ofrecerán de nuevo</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Restaurar los cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, línea %2: %3</translation>
+    </message>
+    <message>
+        <source>Lesson %1 of %2</source>
+        <translation>Lección %1 de %2</translation>
+    </message>
+    <message>
+        <source>Open a lesson file</source>
+        <translation>Abrir un archivo de lección</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lecciones (*.json)</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>This panel holds the answer: it opens when the step is right or shown.</source>
+        <translation>Este panel contiene la respuesta: se abre cuando el paso es correcto o se muestra.</translation>
+    </message>
+    <message>
+        <source>The derivation holds the answer: it opens when the step is right or shown.</source>
+        <translation>La deducción contiene la respuesta: se abre cuando el paso es correcto o se muestra.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it.</source>
+        <translation>%1 no se guardó: otro programa lo ha cambiado.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved. %2</source>
+        <translation>%1 no se guardó. %2</translation>
+    </message>
+    <message>
+        <source>Save it once more</source>
+        <translation>Guardar otra vez</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Guardar con otro nombre</translation>
+    </message>
+    <message>
+        <source>The document stays open, with its changes</source>
+        <translation>El documento sigue abierto, con sus cambios</translation>
+    </message>
+    <message>
+        <source>untitled.geargraph</source>
+        <translation>sin-titulo.geargraph</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1 first?</source>
+        <translation>¿Guardar antes los cambios de %1?</translation>
+    </message>
+    <message>
+        <source>Revert to the file</source>
+        <translation>Volver al archivo</translation>
+    </message>
+    <message>
+        <source>it can no longer be read</source>
+        <translation>ya no se puede leer</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it (%2). Reloading can be undone.</source>
+        <translation>%1 no se guardó: otro programa lo ha cambiado (%2). Recargar se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2. Your own changes are not saved; reloading can be undone.</source>
+        <translation>Otro programa ha cambiado %1: %2. Sus cambios no están guardados; recargar se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2.</source>
+        <translation>Otro programa ha cambiado %1: %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Load the contents of the file</source>
+        <translation>Cargar el contenido del archivo</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescribir</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document over it</source>
+        <translation>Guardar encima el documento de esta ventana</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Conservar ambos</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document under another name</source>
+        <translation>Guardar el documento de esta ventana con otro nombre</translation>
+    </message>
+    <message>
+        <source>Saving will ask again</source>
+        <translation>Al guardar se preguntará de nuevo</translation>
+    </message>
+    <message>
+        <source>Another program has moved or deleted %1.</source>
+        <translation>Otro programa ha movido o eliminado %1.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Guardar de nuevo</translation>
+    </message>
+    <message>
+        <source>Write it where it was</source>
+        <translation>Escribirlo donde estaba</translation>
+    </message>
+    <message>
+        <source>The document stays open</source>
+        <translation>El documento sigue abierto</translation>
+    </message>
+    <message>
+        <source>%1 is open in this window already.</source>
+        <translation>%1 ya está abierto en esta ventana.</translation>
+    </message>
+    <message>
+        <source>Not opened again: %1</source>
+        <translation>No se abrió de nuevo: %1</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of GearGraph. Here it is read-only.</source>
+        <translation>%1 está abierto en otra ventana de GearGraph. Aquí es de solo lectura.</translation>
+    </message>
+    <message>
+        <source>Show that window</source>
+        <translation>Mostrar esa ventana</translation>
+    </message>
+    <message>
+        <source>And close this one if nothing is changed in it</source>
+        <translation>Y cerrar esta si no hay nada cambiado en ella</translation>
+    </message>
+    <message>
+        <source>Read-only</source>
+        <translation>Solo lectura</translation>
+    </message>
+    <message>
+        <source>Look at it here; changes can be saved under another name</source>
+        <translation>Verlo aquí; los cambios se pueden guardar con otro nombre</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2 is open in another window of GearGraph.</source>
+        <translation>%1 no se guardó: %2 está abierto en otra ventana de GearGraph.</translation>
+    </message>
+    <message>
+        <source>%1 is not open in another window any more. This one writes to it now.</source>
+        <translation>%1 ya no está abierto en otra ventana. Ahora lo escribe esta.</translation>
+    </message>
+    <message>
+        <source>The other window with %1 does not answer.</source>
+        <translation>La otra ventana con %1 no responde.</translation>
+    </message>
+    <message>
+        <source>Saving %1 was interrupted, so the file may be damaged. What was to be saved is in %2.</source>
+        <translation>Se interrumpió el guardado de %1, así que el archivo puede estar dañado. Lo que se iba a guardar está en %2.</translation>
+    </message>
+    <message>
+        <source>Open the copy</source>
+        <translation>Abrir la copia</translation>
+    </message>
+    <message>
+        <source>Delete the copy</source>
+        <translation>Eliminar la copia</translation>
+    </message>
+    <message>
+        <source>The file is as it should be</source>
+        <translation>El archivo está como debe</translation>
+    </message>
+    <message>
+        <source>Attached 3D files…</source>
+        <translation>Archivos 3D adjuntos…</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>línea %1, columna %2</translation>
+    </message>
+    <message>
+        <source>Code: %1</source>
+        <translation>Código: %1</translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> y %1 más</translation>
+    </message>
+    <message>
+        <source>No other joint turns with joint %1.</source>
+        <translation>Ningún otro par gira con el par %1.</translation>
+    </message>
+    <message>
+        <source>Joint %1 commands %2.</source>
+        <translation>El par %1 determina %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 turn together, at a fixed ratio.</source>
+        <translation>Los pares %1 giran juntos, con relación fija.</translation>
+    </message>
+    <message>
+        <source>Never turning: %1.</source>
+        <translation>Nunca giran: %1.</translation>
+    </message>
+    <message>
+        <source>%1 about %2</source>
+        <translation>%1 en torno a %2</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>está quieto</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>eslabón</translation>
+    </message>
+    <message>
+        <source>absolute speed</source>
+        <translation>velocidad absoluta</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>relación</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>respecto a %1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation>%1 rad/s</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 libres</translation>
+    </message>
+    <message>
+        <source>linkage</source>
+        <translation>acoplamiento</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>quieto</translation>
+    </message>
+    <message>
+        <source>tumbles</source>
+        <translation>oscila</translation>
+    </message>
+    <message>
+        <source>%1 engaged</source>
+        <translation>%1 activado</translation>
+    </message>
+    <message>
+        <source>%1 released</source>
+        <translation>%1 liberado</translation>
+    </message>
+    <message>
+        <source>Several couplings share the load in proportions that stiffness and clearance decide.</source>
+        <translation>Varios acoplamientos comparten la carga en proporciones que deciden la rigidez y el juego.</translation>
+    </message>
+    <message>
+        <source>Brake %1 bears %2 N m, its torque on link %3</source>
+        <translation>El freno %1 soporta %2 N m, su momento sobre el eslabón %3</translation>
+    </message>
+    <message>
+        <source>Clutch %1 bears %2 N m, its torque on link %3 from link %4</source>
+        <translation>El embrague %1 soporta %2 N m, su momento sobre el eslabón %3 desde el eslabón %4</translation>
+    </message>
+    <message>
+        <source>In the gear ratios: %1</source>
+        <translation>En las relaciones de engrane: %1</translation>
+    </message>
+    <message>
+        <source>%1 = 0</source>
+        <translation>%1 = 0</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2</source>
+        <translation>El freno %1 retiene el eslabón %2</translation>
+    </message>
+    <message>
+        <source>Clutch %1 makes links %2 and %3 turn as one</source>
+        <translation>El embrague %1 hace girar juntos los eslabones %2 y %3</translation>
+    </message>
+    <message>
+        <source>The ratio is the speed of the first link over that of the second. Click to choose them.</source>
+        <translation>La relación es la velocidad del primer eslabón entre la del segundo. Haga clic para elegirlos.</translation>
+    </message>
+    <message>
+        <source>The ratio before over this one</source>
+        <translation>La relación anterior entre esta</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving</source>
+        <translation>Potencia extraída entre aportada, accionando la entrada</translation>
+    </message>
+    <message>
+        <source>The efficiency with all known torques reversed: the output drives</source>
+        <translation>El rendimiento con todos los momentos conocidos invertidos: acciona la salida</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed</source>
+        <translation>La mayor potencia que circula en un lazo, por cada vatio aportado</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>eslabones</translation>
+    </message>
+    <message>
+        <source>decimal</source>
+        <translation>decimal</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>η</source>
+        <translation>η</translation>
+    </message>
+    <message>
+        <source>η back</source>
+        <translation>η inv.</translation>
+    </message>
+    <message>
+        <source>circul.</source>
+        <translation>circul.</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>estado</translation>
+    </message>
+    <message>
+        <source> Eq. (%1)</source>
+        <translation> Ec. (%1)</translation>
+    </message>
+    <message>
+        <source>All gears on this link keep their teeth while other things change.</source>
+        <translation>Todas las ruedas de este eslabón conservan sus dientes mientras cambian otras cosas.</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Documento</translation>
+    </message>
+    <message>
+        <source>Select a link, a joint or a mesh to see and change what belongs to it.</source>
+        <translation>Seleccione un eslabón, un par o un engrane para ver y cambiar lo que le pertenece.</translation>
+    </message>
+    <message>
+        <source>Rename document</source>
+        <translation>Cambiar nombre del documento</translation>
+    </message>
+    <message>
+        <source>Delete removes them with their joints and meshes.</source>
+        <translation>Supr los elimina con sus pares y engranes.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Pares</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Ruedas</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches of this link</source>
+        <translation>Frenos y embragues de este eslabón</translation>
+    </message>
+    <message>
+        <source>Link 0, the ground</source>
+        <translation>Eslabón 0, el bastidor</translation>
+    </message>
+    <message>
+        <source>Makes this link the ground: it becomes 0, and the other labels follow.</source>
+        <translation>Hace de este eslabón el bastidor: pasa a ser 0, y las demás etiquetas siguen.</translation>
+    </message>
+    <message>
+        <source>Pin the axis</source>
+        <translation>Fijar el eje</translation>
+    </message>
+    <message>
+        <source>The axis keeps its place while other things change.</source>
+        <translation>El eje conserva su lugar mientras cambian otras cosas.</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Desplazamiento</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Invertir</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head: the arrow turns round, and the speed changes its sign.</source>
+        <translation>Intercambiar cola y cabeza: la flecha se da la vuelta y la velocidad cambia de signo.</translation>
+    </message>
+    <message>
+        <source>Flip joint</source>
+        <translation>Invertir par</translation>
+    </message>
+    <message>
+        <source>Move bearing</source>
+        <translation>Mover cojinete</translation>
+    </message>
+    <message>
+        <source>The joint turns back no farther than this from the reference pose, in degrees: 0 or less. Empty: no limit.</source>
+        <translation>El par no gira hacia atrás más que esto desde la posición de referencia, en grados: 0 o menos. Vacío: sin límite.</translation>
+    </message>
+    <message>
+        <source>The joint turns on no farther than this from the reference pose, in degrees: 0 or more. Empty: no limit.</source>
+        <translation>El par no gira hacia delante más que esto desde la posición de referencia, en grados: 0 o más. Vacío: sin límite.</translation>
+    </message>
+    <message>
+        <source>Limit joint</source>
+        <translation>Limitar par</translation>
+    </message>
+    <message>
+        <source>Limits, deg</source>
+        <translation>Límites, grados</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Eje nuevo</translation>
+    </message>
+    <message>
+        <source>Change axis</source>
+        <translation>Cambiar de eje</translation>
+    </message>
+    <message>
+        <source>Move axis</source>
+        <translation>Mover eje</translation>
+    </message>
+    <message>
+        <source>Turn axis</source>
+        <translation>Girar eje</translation>
+    </message>
+    <message>
+        <source>new axis</source>
+        <translation>eje nuevo</translation>
+    </message>
+    <message>
+        <source>%1 turning joints</source>
+        <translation>%1 pares de revolución</translation>
+    </message>
+    <message>
+        <source>Turning joint %1: %2 → %3</source>
+        <translation>Par de revolución %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The axis is pinned.</source>
+        <translation>El eje está fijado.</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>cola</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>módulo</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its module while other things change.</source>
+        <translation>El engrane conserva su módulo mientras cambian otras cosas.</translation>
+    </message>
+    <message>
+        <source>This train has more than %1 meshes: axes and other wheels do not follow a change of teeth by themselves.</source>
+        <translation>Este tren tiene más de %1 engranes: los ejes y otras ruedas no siguen por sí mismos un cambio de dientes.</translation>
+    </message>
+    <message>
+        <source>from the geometry</source>
+        <translation>de la geometría</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>interior</translation>
+    </message>
+    <message>
+        <source>bevel</source>
+        <translation>cónico</translation>
+    </message>
+    <message>
+        <source>Teeth of gear %1</source>
+        <translation>Dientes de la rueda %1</translation>
+    </message>
+    <message>
+        <source>Teeth, tail</source>
+        <translation>Dientes, cola</translation>
+    </message>
+    <message>
+        <source>Teeth, head</source>
+        <translation>Dientes, cabeza</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Relación</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Módulo</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Pitch point</source>
+        <translation>Punto primitivo</translation>
+    </message>
+    <message>
+        <source>gear %1</source>
+        <translation>rueda %1</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Fijado</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head with their teeth: the arrow turns round.</source>
+        <translation>Intercambiar cola y cabeza con sus dientes: la flecha se da la vuelta.</translation>
+    </message>
+    <message>
+        <source>Change module</source>
+        <translation>Cambiar módulo</translation>
+    </message>
+    <message>
+        <source>Move pitch point</source>
+        <translation>Mover punto primitivo</translation>
+    </message>
+    <message>
+        <source>Flip mesh</source>
+        <translation>Invertir engrane</translation>
+    </message>
+    <message>
+        <source>Change teeth</source>
+        <translation>Cambiar dientes</translation>
+    </message>
+    <message>
+        <source>%1 gear meshes</source>
+        <translation>%1 engranes</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1: %2 → %3</source>
+        <translation>Engrane %1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The module is pinned.</source>
+        <translation>El módulo está fijado.</translation>
+    </message>
+    <message>
+        <source>The gears have no places yet: see Problems.</source>
+        <translation>Las ruedas no tienen lugar todavía: vea Problemas.</translation>
+    </message>
+    <message>
+        <source>They are of several kinds. Select elements of one kind to change them together.</source>
+        <translation>Son de varios tipos. Seleccione elementos de un tipo para cambiarlos juntos.</translation>
+    </message>
+    <message>
+        <source>Release all couplings</source>
+        <translation>Liberar todos los acoplamientos</translation>
+    </message>
+    <message>
+        <source>Fixes it; Ctrl+Z undoes that</source>
+        <translation>Lo arregla; Ctrl+Z lo deshace</translation>
+    </message>
+    <message>
+        <source>+ Brake</source>
+        <translation>+ Freno</translation>
+    </message>
+    <message>
+        <source>Hold a link against the ground: the selected one, or choose</source>
+        <translation>Retener un eslabón contra el bastidor: el seleccionado, o elegir</translation>
+    </message>
+    <message>
+        <source>+ Clutch</source>
+        <translation>+ Embrague</translation>
+    </message>
+    <message>
+        <source>Make two links turn as one: the two selected, or choose</source>
+        <translation>Hacer girar juntos dos eslabones: los dos seleccionados, o elegir</translation>
+    </message>
+    <message>
+        <source>+ State</source>
+        <translation>+ Estado</translation>
+    </message>
+    <message>
+        <source>A new row: what is engaged together</source>
+        <translation>Una fila nueva: lo que se activa junto</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Liberar todo</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on (Ctrl+B)</source>
+        <translation>Liberar todos los frenos y embragues; el movimiento sigue (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a link and add a brake, or two links and add a clutch; then add states that engage them.</source>
+        <translation>Una caja de cambios tiene frenos, que retienen un eslabón, y embragues, que hacen girar juntos dos. Seleccione un eslabón y añada un freno, o dos eslabones y añada un embrague; luego añada estados que los activen.</translation>
+    </message>
+    <message>
+        <source>Shift table</source>
+        <translation>Tabla de cambios</translation>
+    </message>
+    <message>
+        <source>Rename state</source>
+        <translation>Cambiar nombre del estado</translation>
+    </message>
+    <message>
+        <source>Rename coupling</source>
+        <translation>Cambiar nombre del acoplamiento</translation>
+    </message>
+    <message>
+        <source>Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.</source>
+        <translation>Haga clic en un estado para activarlo, en una letra para activar o liberar un acoplamiento, en un punto para cambiar un estado.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for 1 N m at the drive.</source>
+        <translation>Momentos en N m, para 1 N m en la entrada.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, under the loads of the document.</source>
+        <translation>Momentos en N m, con las cargas del documento.</translation>
+    </message>
+    <message>
+        <source>Click a letter to engage or release; add a state, then click its dots.</source>
+        <translation>Haga clic en una letra para activar o liberar; añada un estado y haga clic en sus puntos.</translation>
+    </message>
+    <message>
+        <source>Add brake</source>
+        <translation>Añadir freno</translation>
+    </message>
+    <message>
+        <source>Add clutch</source>
+        <translation>Añadir embrague</translation>
+    </message>
+    <message>
+        <source>Link %1 with</source>
+        <translation>Eslabón %1 con</translation>
+    </message>
+    <message>
+        <source>Add state</source>
+        <translation>Añadir estado</translation>
+    </message>
+    <message>
+        <source>Engage state %1</source>
+        <translation>Activar el estado %1</translation>
+    </message>
+    <message>
+        <source>Put %1 into the state</source>
+        <translation>Poner %1 en el estado</translation>
+    </message>
+    <message>
+        <source>Take %1 out of the state</source>
+        <translation>Quitar %1 del estado</translation>
+    </message>
+    <message>
+        <source>Choose drive</source>
+        <translation>Elegir el motriz</translation>
+    </message>
+    <message>
+        <source>Choose driven</source>
+        <translation>Elegir el conducido</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Motriz</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Conducido</translation>
+    </message>
+    <message>
+        <source>Drive of all states</source>
+        <translation>Motriz de todos los estados</translation>
+    </message>
+    <message>
+        <source>Driven of all states</source>
+        <translation>Conducido de todos los estados</translation>
+    </message>
+    <message>
+        <source>Engage</source>
+        <translation>Activar</translation>
+    </message>
+    <message>
+        <source>Delete state</source>
+        <translation>Eliminar estado</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Copiar tabla</translation>
+    </message>
+    <message>
+        <source>Export table as CSV…</source>
+        <translation>Exportar tabla como CSV…</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Liberar</translation>
+    </message>
+    <message>
+        <source>Delete coupling</source>
+        <translation>Eliminar acoplamiento</translation>
+    </message>
+    <message>
+        <source>No joint is driven yet. Choose the input tool (I), then click a turning joint.</source>
+        <translation>Todavía no hay ningún par accionado. Elija la herramienta de entrada (I) y haga clic en un par de revolución.</translation>
+    </message>
+    <message>
+        <source>Show more: %1 of %2 inputs are listed</source>
+        <translation>Mostrar más: se muestran %1 de %2 entradas</translation>
+    </message>
+    <message>
+        <source>link %1 held</source>
+        <translation>eslabón %1 retenido</translation>
+    </message>
+    <message>
+        <source>links %1 and %2 as one</source>
+        <translation>eslabones %1 y %2 como uno</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Engaged: %1</source>
+        <translation>Activado: %1</translation>
+    </message>
+    <message>
+        <source>Engaged: state %1, with %2</source>
+        <translation>Activado: estado %1, con %2</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>Velocidad del par %1: con qué rapidez gira el eslabón %2 respecto al %3. Positiva: en torno a la dirección del eje, por la regla de la mano derecha.</translation>
+    </message>
+    <message>
+        <source>Colour of link %1</source>
+        <translation>Color del eslabón %1</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>Velocidad del par %1</translation>
+    </message>
+    <message>
+        <source>Drive another joint instead; the motion stays as it is</source>
+        <translation>Accionar otro par en su lugar; el movimiento no cambia</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet</source>
+        <translation>Todavía no hay nada resuelto</translation>
+    </message>
+    <message>
+        <source>Joint %1 instead of %2</source>
+        <translation>Par %1 en lugar de %2</translation>
+    </message>
+    <message>
+        <source>Joint %1 never turns</source>
+        <translation>El par %1 nunca gira</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not depend on %2; it could replace %3</source>
+        <translation>El par %1 no depende de %2; podría sustituir a %3</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> o </translation>
+    </message>
+    <message>
+        <source>Choose inputs</source>
+        <translation>Elegir entradas</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive yet. Draw a turning joint: T, then drag.</source>
+        <translation>Todavía no hay nada que accionar. Dibuje un par de revolución: T y arrastrar.</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive: the mechanism has no degree of freedom.</source>
+        <translation>No hay nada que accionar: el mecanismo no tiene ningún grado de libertad.</translation>
+    </message>
+    <message>
+        <source>Drive joint %1</source>
+        <translation>Accionar el par %1</translation>
+    </message>
+    <message>
+        <source>Drive joints %1</source>
+        <translation>Accionar los pares %1</translation>
+    </message>
+    <message>
+        <source>Set speed</source>
+        <translation>Fijar velocidad</translation>
+    </message>
+    <message>
+        <source>Side wheels</source>
+        <translation>Planetarios</translation>
+    </message>
+    <message>
+        <source>Pinions&apos; teeth</source>
+        <translation>Dientes de los satélites</translation>
+    </message>
+    <message>
+        <source>Pinions</source>
+        <translation>Satélites</translation>
+    </message>
+    <message>
+        <source>Small sun</source>
+        <translation>Solar pequeño</translation>
+    </message>
+    <message>
+        <source>Large sun</source>
+        <translation>Solar grande</translation>
+    </message>
+    <message>
+        <source>Short planet</source>
+        <translation>Satélite corto</translation>
+    </message>
+    <message>
+        <source>Long planet</source>
+        <translation>Satélite largo</translation>
+    </message>
+    <message>
+        <source>Pairs of planets</source>
+        <translation>Pares de satélites</translation>
+    </message>
+    <message>
+        <source>Suns</source>
+        <translation>Solares</translation>
+    </message>
+    <message>
+        <source>Planets&apos; teeth</source>
+        <translation>Dientes de los satélites</translation>
+    </message>
+    <message>
+        <source>Planets a set</source>
+        <translation>Satélites por tren</translation>
+    </message>
+    <message>
+        <source>Bend shaft</source>
+        <translation>Eje de flexión</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Flexión</translation>
+    </message>
+    <message>
+        <source>Roll shaft</source>
+        <translation>Eje de giro</translation>
+    </message>
+    <message>
+        <source>Idler</source>
+        <translation>Intermedia</translation>
+    </message>
+    <message>
+        <source>Idler&apos;s pinion</source>
+        <translation>Piñón de la intermedia</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Insert a set</source>
+        <translation>Insertar un tren</translation>
+    </message>
+    <message>
+        <source>Planetary set</source>
+        <translation>Tren epicicloidal</translation>
+    </message>
+    <message>
+        <source>Reverted train</source>
+        <translation>Tren recurrente</translation>
+    </message>
+    <message>
+        <source>Bevel differential</source>
+        <translation>Diferencial cónico</translation>
+    </message>
+    <message>
+        <source>Ravigneaux set</source>
+        <translation>Tren Ravigneaux</translation>
+    </message>
+    <message>
+        <source>Simpson set</source>
+        <translation>Tren Simpson</translation>
+    </message>
+    <message>
+        <source>Bevel wrist</source>
+        <translation>Muñeca cónica</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 joints, %3 meshes</source>
+        <translation>%1 eslabones, %2 pares, %3 engranes</translation>
+    </message>
+    <message>
+        <source>; %1 couplings and %2 states</source>
+        <translation>; %1 acoplamientos y %2 estados</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+    <message>
+        <source>%1 with %2, axis %3</source>
+        <translation>%1 con %2, eje %3</translation>
+    </message>
+    <message>
+        <source>link </source>
+        <translation>eslabón </translation>
+    </message>
+    <message>
+        <source>%1 teeth in mesh %2 with %3</source>
+        <translation>%1 dientes en el engrane %2 con %3</translation>
+    </message>
+    <message>
+        <source>brake </source>
+        <translation>freno </translation>
+    </message>
+    <message>
+        <source>clutch </source>
+        <translation>embrague </translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 con %2</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>decimales</translation>
+    </message>
+    <message>
+        <source>fractions</source>
+        <translation>fracciones</translation>
+    </message>
+    <message>
+        <source>symbols</source>
+        <translation>símbolos</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matriz</translation>
+    </message>
+    <message>
+        <source>Export the matrix with its labels to a CSV file</source>
+        <translation>Exportar la matriz con sus etiquetas a un archivo CSV</translation>
+    </message>
+    <message>
+        <source>zeros ·</source>
+        <translation>ceros ·</translation>
+    </message>
+    <message>
+        <source>Show zeros as faint dots, or as 0</source>
+        <translation>Mostrar los ceros como puntos tenues, o como 0</translation>
+    </message>
+    <message>
+        <source>zeros 0</source>
+        <translation>ceros 0</translation>
+    </message>
+    <message>
+        <source>Copy ▾</source>
+        <translation>Copiar ▾</translation>
+    </message>
+    <message>
+        <source>Copy the matrix with its labels</source>
+        <translation>Copiar la matriz con sus etiquetas</translation>
+    </message>
+    <message>
+        <source>Table (TSV)</source>
+        <translation>Tabla (TSV)</translation>
+    </message>
+    <message>
+        <source>A matrix of %1 entries is too large to be copied. Export it as CSV.</source>
+        <translation>Una matriz de %1 entradas es demasiado grande para copiarla. Expórtela como CSV.</translation>
+    </message>
+    <message>
+        <source>How the entries are shown: decimals, fractions or symbols</source>
+        <translation>Cómo se muestran las entradas: decimales, fracciones o símbolos</translation>
+    </message>
+    <message>
+        <source>The equations are too many to be written out.</source>
+        <translation>Las ecuaciones son demasiadas para escribirlas.</translation>
+    </message>
+    <message>
+        <source>The matrices appear as soon as the mechanism is analysed.</source>
+        <translation>Las matrices aparecen en cuanto se analiza el mecanismo.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click.</source>
+        <translation>Dibuje el primer eslabón: L y clic.</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: T, then drag from a link to another.</source>
+        <translation>Dibuje un par de revolución: T y arrastrar de un eslabón a otro.</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: G, then drag from a gear to the one it drives.</source>
+        <translation>Dibuje un engrane: G y arrastrar de una rueda a la que acciona.</translation>
+    </message>
+    <message>
+        <source>In %1; a length with another unit, such as 1/2 in or 2.5 cm, is converted.</source>
+        <translation>En %1; una longitud con otra unidad, como 1/2 in o 2,5 cm, se convierte.</translation>
+    </message>
+    <message>
+        <source>Type a whole number from %1 to %2.</source>
+        <translation>Escriba un número entero de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
+        <translation>Escriba un número como 12, 0,5 o 22/7, o una longitud como 1/2 in.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7.</source>
+        <translation>Escriba un número como 12, 0,5 o 22/7.</translation>
+    </message>
+    <message>
+        <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
+        <translation>Sin problemas. Cada eslabón está unido al bastidor, y los pares de revolución forman un árbol generador.</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Show the problems of the open document again</source>
+        <translation>Mostrar de nuevo los problemas del documento abierto</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 problema</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 problemas</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2. The document that was open stays open.</source>
+        <translation>No se pudo abrir %1: %2. El documento que estaba abierto sigue abierto.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fijar</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Soltar</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Coefficients as formulas in the gear ratios, or as fractions</source>
+        <translation>Coeficientes como fórmulas en las relaciones de engrane, o como fracciones</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
+        <translation>Relativas: par a par. Absolutas: los vectores de velocidad angular de los eslabones.</translation>
+    </message>
+    <message>
+        <source>The unit of the speeds, or the member they are taken as ratio to</source>
+        <translation>La unidad de las velocidades, o el miembro al que se refieren</translation>
+    </message>
+    <message>
+        <source>Read the motors ▾</source>
+        <translation>Leer los motores ▾</translation>
+    </message>
+    <message>
+        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
+        <translation>Indicar las velocidades de un eslabón respecto a su propia cadena de pares, y leer las de los motores</translation>
+    </message>
+    <message>
+        <source>absolute speeds</source>
+        <translation>velocidades absolutas</translation>
+    </message>
+    <message>
+        <source>relative speeds</source>
+        <translation>velocidades relativas</translation>
+    </message>
+    <message>
+        <source>ratio to %1</source>
+        <translation>relación respecto a %1</translation>
+    </message>
+    <message>
+        <source>rpm, turns a minute</source>
+        <translation>rpm, vueltas por minuto</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1 (link %2)</source>
+        <translation>Relación respecto al par %1 (eslabón %2)</translation>
+    </message>
+    <message>
+        <source>%1 more joints: select one to find it here</source>
+        <translation>%1 pares más: seleccione uno para encontrarlo aquí</translation>
+    </message>
+    <message>
+        <source>Give the joints of link %1: %2</source>
+        <translation>Dar los pares del eslabón %1: %2</translation>
+    </message>
+    <message>
+        <source> (they are not independent)</source>
+        <translation> (no son independientes)</translation>
+    </message>
+    <message>
+        <source>%1 more links: select one to find it here</source>
+        <translation>%1 eslabones más: seleccione uno para encontrarlo aquí</translation>
+    </message>
+    <message>
+        <source>Every link turns on the ground</source>
+        <translation>Cada eslabón gira en el bastidor</translation>
+    </message>
+    <message>
+        <source>formulas</source>
+        <translation>fórmulas</translation>
+    </message>
+    <message>
+        <source>… (%1 in all)</source>
+        <translation>… (%1 en total)</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s each.</source>
+        <translation>No hay ningún par accionado: %1 como entrada, a 1 rad/s cada uno.</translation>
+    </message>
+    <message>
+        <source>the set of joints %1</source>
+        <translation>el conjunto de pares %1</translation>
+    </message>
+    <message>
+        <source>The two methods differ at %1 joints. Please report this document.</source>
+        <translation>Los dos métodos difieren en %1 pares. Comunique este documento, por favor.</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly</source>
+        <translation>Método de matroides = método del grafo T–T, exacto</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
+        <translation>Método de matroides = método del grafo T–T, exacto, en los %1 pares</translation>
+    </message>
+    <message>
+        <source>Solving exactly, by both methods …</source>
+        <translation>Resolviendo exactamente, con ambos métodos …</translation>
+    </message>
+    <message>
+        <source>The results appear as soon as the mechanism is analysed.</source>
+        <translation>Los resultados aparecen en cuanto se analiza el mecanismo.</translation>
+    </message>
+    <message>
+        <source>Rates appear when the first turning joint is drawn.</source>
+        <translation>Las velocidades aparecen cuando se dibuja el primer par de revolución.</translation>
+    </message>
+    <message>
+        <source>Every joint is an input: there is nothing left to solve for.</source>
+        <translation>Todos los pares son entradas: no queda nada que resolver.</translation>
+    </message>
+    <message>
+        <source>Ratio wanted</source>
+        <translation>Relación deseada</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>solar</translation>
+    </message>
+    <message>
+        <source>planet</source>
+        <translation>satélite</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>corona</translation>
+    </message>
+    <message>
+        <source>sun to carrier, ring held</source>
+        <translation>solar a portasatélites, corona retenida</translation>
+    </message>
+    <message>
+        <source>ring to carrier, sun held</source>
+        <translation>corona a portasatélites, solar retenido</translation>
+    </message>
+    <message>
+        <source>sun to ring, carrier held</source>
+        <translation>solar a corona, portasatélites retenido</translation>
+    </message>
+    <message>
+        <source>carrier to sun, ring held</source>
+        <translation>portasatélites a solar, corona retenida</translation>
+    </message>
+    <message>
+        <source>carrier to ring, sun held</source>
+        <translation>portasatélites a corona, solar retenido</translation>
+    </message>
+    <message>
+        <source>ring to sun, carrier held</source>
+        <translation>corona a solar, portasatélites retenido</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>De, a</translation>
+    </message>
+    <message>
+        <source>Planets</source>
+        <translation>Satélites</translation>
+    </message>
+    <message>
+        <source>Fewest teeth</source>
+        <translation>Mínimo de dientes</translation>
+    </message>
+    <message>
+        <source>Most teeth</source>
+        <translation>Máximo de dientes</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>primera</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>segunda</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <translation>tercera</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <translation>cuarta</translation>
+    </message>
+    <message>
+        <source>Print preview</source>
+        <translation>Vista previa de impresión</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2: %3</source>
+        <translation>Página %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>The drawing on a page of its own</source>
+        <translation>El dibujo en una página propia</translation>
+    </message>
+    <message>
+        <source>Derivation with its matrices</source>
+        <translation>Deducción con sus matrices</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step</source>
+        <translation>Ambos métodos paso a paso</translation>
+    </message>
+    <message>
+        <source>Page setup…</source>
+        <translation>Configurar página…</translation>
+    </message>
+    <message>
+        <source>Size and orientation of the paper</source>
+        <translation>Tamaño y orientación del papel</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Choose a printer, or a PDF file</source>
+        <translation>Elegir una impresora, o un archivo PDF</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>The page that is shown</source>
+        <translation>La página que se muestra</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> de %1</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>No hay nada elegido.</translation>
+    </message>
+    <message>
+        <source>There is no such page to print.</source>
+        <translation>No hay tal página para imprimir.</translation>
+    </message>
+    <message>
+        <source>The printer could not be opened.</source>
+        <translation>No se pudo abrir la impresora.</translation>
+    </message>
+    <message>
+        <source>The printer stopped at page %1.</source>
+        <translation>La impresora se detuvo en la página %1.</translation>
+    </message>
+    <message>
+        <source>Printing was stopped.</source>
+        <translation>Se detuvo la impresión.</translation>
+    </message>
+    <message>
+        <source>The printer reported an error.</source>
+        <translation>La impresora comunicó un error.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept: no file can be written beside the document or in %1.</source>
+        <translation>No se pueden conservar los cambios sin guardar: no se puede escribir ningún archivo junto al documento ni en %1.</translation>
+    </message>
+    <message>
+        <source>The schematic is still being laid out. Try again in a moment.</source>
+        <translation>El esquema se está ordenando todavía. Inténtelo de nuevo en un momento.</translation>
+    </message>
+    <message>
+        <source>Finding places for %1 links …</source>
+        <translation>Buscando lugar para %1 eslabones …</translation>
+    </message>
+    <message>
+        <source>The schematic shows up to %1 links; this train has %2. Digraph and T–T graph show all of them</source>
+        <translation>El esquema muestra hasta %1 eslabones; este tren tiene %2. El dígrafo y el grafo T–T los muestran todos</translation>
+    </message>
+    <message>
+        <source>Draw the first shaft: L, then drag</source>
+        <translation>Dibuje el primer eje: L y arrastrar</translation>
+    </message>
+    <message>
+        <source>No turning joint ties a link to the ground yet. Draw a shaft: L, then drag</source>
+        <translation>Todavía ningún par de revolución une un eslabón al bastidor. Dibuje un eje: L y arrastrar</translation>
+    </message>
+    <message>
+        <source>Move axis %1</source>
+        <translation>Mover el eje %1</translation>
+    </message>
+    <message>
+        <source>%1. Alt places freely, Esc puts back</source>
+        <translation>%1. Alt coloca libremente, Esc devuelve</translation>
+    </message>
+    <message>
+        <source>Axis %1 is %2 from axis %3, module %4</source>
+        <translation>El eje %1 está a %2 del eje %3, módulo %4</translation>
+    </message>
+    <message>
+        <source>Module %1, teeth as they are</source>
+        <translation>Módulo %1, dientes como están</translation>
+    </message>
+    <message>
+        <source>%1 : %2 teeth, %3 apart, %4 off</source>
+        <translation>%1 : %2 dientes, separación %3, desviación %4</translation>
+    </message>
+    <message>
+        <source>%1. Choose tooth counts instead, or Esc</source>
+        <translation>%1. Elija números de dientes en su lugar, o Esc</translation>
+    </message>
+    <message>
+        <source>Draw shaft</source>
+        <translation>Dibujar eje</translation>
+    </message>
+    <message>
+        <source>Draw gear mesh</source>
+        <translation>Dibujar engrane</translation>
+    </message>
+    <message>
+        <source>Turning joint %1</source>
+        <translation>Par de revolución %1</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1</source>
+        <translation>Engrane %1</translation>
+    </message>
+    <message>
+        <source>Search a command or a term  Ctrl+K</source>
+        <translation>Buscar orden o término  Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term (Ctrl+K)</source>
+        <translation>Encontrar una orden, un elemento o un término (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>No command or term matches “%1”.</source>
+        <translation>Ninguna orden ni término coincide con «%1».</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>elemento</translation>
+    </message>
+    <message>
+        <source>term</source>
+        <translation>término</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>orden</translation>
+    </message>
+    <message>
+        <source>Enter selects and shows it.</source>
+        <translation>Intro lo selecciona y lo muestra.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ecuación (%1) del artículo.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Type to search on; Esc closes.</source>
+        <translation>Escriba para seguir buscando; Esc cierra.</translation>
+    </message>
+    <message>
+        <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
+        <translation>Eje: arrastrar a lo largo de un eje, o en un área vacía para uno nuevo</translation>
+    </message>
+    <message>
+        <source>Shaft: release where it ends. Esc cancels</source>
+        <translation>Eje: soltar donde termina. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Carried shaft: drag from the link that carries it to its place</source>
+        <translation>Eje llevado: arrastrar del eslabón que lo lleva a su lugar</translation>
+    </message>
+    <message>
+        <source>Carried shaft: release at the place of its axis. Esc cancels</source>
+        <translation>Eje llevado: soltar en el lugar de su eje. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a shaft to the one it drives</source>
+        <translation>Engrane: arrastrar de un eje al que acciona</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels</source>
+        <translation>Engrane: soltar en el otro eje, o más allá para una corona. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Input: click a turning joint, or the link it carries, to drive it or not</source>
+        <translation>Entrada: clic en un par de revolución, o en el eslabón que lleva, para accionarlo o no</translation>
+    </message>
+    <message>
+        <source>Drag to move the sheet</source>
+        <translation>Arrastrar para mover la hoja</translation>
+    </message>
+    <message>
+        <source>Alt places freely. Esc puts back</source>
+        <translation>Alt coloca libremente. Esc devuelve</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
+        <translation>Clic para seleccionar, arrastrar un eje para moverlo. El programa dispone el dibujo</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a gear to the gear it drives</source>
+        <translation>Engrane: arrastrar de una rueda a la que acciona</translation>
+    </message>
+    <message>
+        <source>Turning joint: drag from a link to the link it carries</source>
+        <translation>Par de revolución: arrastrar de un eslabón al que lleva</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the second gear. Esc cancels</source>
+        <translation>Engrane: soltar en la segunda rueda. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Turning joint: release on the link that is carried. Esc cancels</source>
+        <translation>Par de revolución: soltar en el eslabón llevado. Esc cancela</translation>
+    </message>
+    <message>
+        <source>Release to select what is inside</source>
+        <translation>Soltar para seleccionar lo que hay dentro</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to move, drag on an empty area to select several</source>
+        <translation>Clic para seleccionar, arrastrar para mover, arrastrar en un área vacía para seleccionar varios</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Eslabón</translation>
+    </message>
+    <message>
+        <source>Turning joint</source>
+        <translation>Par de revolución</translation>
+    </message>
+    <message>
+        <source>Gear mesh</source>
+        <translation>Engrane</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Link: click on an empty area</source>
+        <translation>Eslabón: clic en un área vacía</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform &quot;%1&quot; has no windows with OpenGL.</source>
+        <translation>La plataforma «%1» de Qt no tiene ventanas con OpenGL.</translation>
+    </message>
+    <message>
+        <source>This display offers no OpenGL 3.3.</source>
+        <translation>Esta pantalla no ofrece OpenGL 3.3.</translation>
+    </message>
+    <message>
+        <source>x, y, z</source>
+        <translation>x, y, z</translation>
+    </message>
+    <message>
+        <source>Coordinates beside the magnitudes of links and points</source>
+        <translation>Coordenadas junto a las magnitudes de eslabones y puntos</translation>
+    </message>
+    <message>
+        <source>Save what is plotted as CSV</source>
+        <translation>Guardar como CSV lo que se representa</translation>
+    </message>
+    <message>
+        <source>Select joints or links; trace points in the 3D view.</source>
+        <translation>Seleccione pares o eslabones; trace puntos en la vista 3D.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: the speeds appear here when the mechanism has valid inputs.</source>
+        <translation>Todavía no se mueve nada: las velocidades aparecen aquí cuando el mecanismo tiene entradas válidas.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom in time; Ctrl+wheel: in value; drag: move; click: go there; double click: all</source>
+        <translation>Rueda: zoom en el tiempo; Ctrl+rueda: en el valor; arrastrar: mover; clic: ir ahí; doble clic: todo</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>tiempo, s</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>a los %1 s</translation>
+    </message>
+    <message>
+        <source>One step back (,)</source>
+        <translation>Un paso atrás (,)</translation>
+    </message>
+    <message>
+        <source>One step on (.)</source>
+        <translation>Un paso adelante (.)</translation>
+    </message>
+    <message>
+        <source>Speed and direction</source>
+        <translation>Velocidad y sentido</translation>
+    </message>
+    <message>
+        <source>Torques ×</source>
+        <translation>Momentos ×</translation>
+    </message>
+    <message>
+        <source>The motion that the torques of Dynamics cause is shown. Click to let the inputs run at their speeds again</source>
+        <translation>Se muestra el movimiento que causan los momentos de Dinámica. Haga clic para que las entradas vuelvan a girar a sus velocidades</translation>
+    </message>
+    <message>
+        <source>Backwards</source>
+        <translation>Hacia atrás</translation>
+    </message>
+    <message>
+        <source>Drag through the motion that the torques cause</source>
+        <translation>Arrastrar por el movimiento que causan los momentos</translation>
+    </message>
+    <message>
+        <source>Drag through one period of the motion</source>
+        <translation>Arrastrar por un periodo del movimiento</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pausa (Espacio)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Reproducir (Espacio)</translation>
+    </message>
+    <message>
+        <source>%1 s (%2 … %3)</source>
+        <translation>%1 s (%2 … %3)</translation>
+    </message>
+    <message>
+        <source>%1 s / %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Cut square to %1</source>
+        <translation>Corte perpendicular a %1</translation>
+    </message>
+    <message>
+        <source>Where the train is cut</source>
+        <translation>Dónde se corta el tren</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>Take away the other half</source>
+        <translation>Quitar la otra mitad</translation>
+    </message>
+    <message>
+        <source>Exploded view</source>
+        <translation>Vista explosionada</translation>
+    </message>
+    <message>
+        <source>How far the parts are moved apart along their axes</source>
+        <translation>Cuánto se separan las piezas a lo largo de sus ejes</translation>
+    </message>
+    <message>
+        <source>Picture of the train</source>
+        <translation>Imagen del tren</translation>
+    </message>
+    <message>
+        <source>Software 3D</source>
+        <translation>3D por software</translation>
+    </message>
+    <message>
+        <source>%1 Painted by the processor (%2): finer when nothing moves.</source>
+        <translation>%1 Pintado por el procesador (%2): más fino cuando nada se mueve.</translation>
+    </message>
+    <message>
+        <source>All of the train in the view (F)</source>
+        <translation>Todo el tren en la vista (F)</translation>
+    </message>
+    <message>
+        <source>Iso</source>
+        <translation>Iso</translation>
+    </message>
+    <message>
+        <source>Isometric (0)</source>
+        <translation>Isométrica (0)</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>From the front: x to the right, z up (1)</source>
+        <translation>De frente: x a la derecha, z arriba (1)</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>From the right: y to the right, z up (2)</source>
+        <translation>Desde la derecha: y a la derecha, z arriba (2)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>From above: x to the right, y up (3)</source>
+        <translation>Desde arriba: x a la derecha, y arriba (3)</translation>
+    </message>
+    <message>
+        <source>Cut the train open (S)</source>
+        <translation>Cortar el tren (S)</translation>
+    </message>
+    <message>
+        <source>What is shown, and how</source>
+        <translation>Qué se muestra, y cómo</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1.</source>
+        <translation>Límite alcanzado: %1.</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1. The motion turns round.</source>
+        <translation>Límite alcanzado: %1. El movimiento da la vuelta.</translation>
+    </message>
+    <message>
+        <source>Nothing to turn yet: place axes and give the meshes their teeth.</source>
+        <translation>Todavía no hay nada que girar: coloque ejes y dé dientes a los engranes.</translation>
+    </message>
+    <message>
+        <source>The point travels %1 %2 in %3 s.</source>
+        <translation>El punto recorre %1 %2 en %3 s.</translation>
+    </message>
+    <message>
+        <source>not asked (GEARGRAPH_3D is set)</source>
+        <translation>no preguntado (GEARGRAPH_3D está definida)</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>el bastidor</translation>
+    </message>
+    <message>
+        <source>The gears are being made …</source>
+        <translation>Se están creando las ruedas …</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Sombreado</translation>
+    </message>
+    <message>
+        <source>Lines, hidden ones left out</source>
+        <translation>Líneas, sin las ocultas</translation>
+    </message>
+    <message>
+        <source>All edges</source>
+        <translation>Todas las aristas</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Eslabones</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Barra de escala</translation>
+    </message>
+    <message>
+        <source>Pitch circles and cones</source>
+        <translation>Círculos y conos primitivos</translation>
+    </message>
+    <message>
+        <source>Pitch points</source>
+        <translation>Puntos primitivos</translation>
+    </message>
+    <message>
+        <source>Instantaneous axes</source>
+        <translation>Ejes instantáneos</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Velocidades</translation>
+    </message>
+    <message>
+        <source>Forces under the loads</source>
+        <translation>Fuerzas bajo las cargas</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Orbit; Shift pans, Ctrl zooms (Blender)</source>
+        <translation>Orbitar; Mayús desplaza, Ctrl hace zoom (Blender)</translation>
+    </message>
+    <message>
+        <source>Pan; Shift orbits, Ctrl zooms (FreeCAD)</source>
+        <translation>Desplazar; Mayús orbita, Ctrl hace zoom (FreeCAD)</translation>
+    </message>
+    <message>
+        <source>Orbit; Ctrl pans, Shift zooms (SolidWorks)</source>
+        <translation>Orbitar; Ctrl desplaza, Mayús hace zoom (SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Botón central</translation>
+    </message>
+    <message>
+        <source>Stop riding along</source>
+        <translation>Dejar de seguir</translation>
+    </message>
+    <message>
+        <source>Show all parts</source>
+        <translation>Mostrar todas las piezas</translation>
+    </message>
+    <message>
+        <source>Save the traced path as CSV…</source>
+        <translation>Guardar la trayectoria trazada como CSV…</translation>
+    </message>
+    <message>
+        <source>Clear traced paths</source>
+        <translation>Borrar las trayectorias trazadas</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Desde atrás</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Desde la izquierda</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Desde abajo</translation>
+    </message>
+    <message>
+        <source>Dim what is not selected</source>
+        <translation>Atenuar lo no seleccionado</translation>
+    </message>
+    <message>
+        <source>Follow %1</source>
+        <translation>Seguir %1</translation>
+    </message>
+    <message>
+        <source>Look along its axis</source>
+        <translation>Mirar a lo largo de su eje</translation>
+    </message>
+    <message>
+        <source>Trace this point</source>
+        <translation>Trazar este punto</translation>
+    </message>
+    <message>
+        <source>Hide it</source>
+        <translation>Ocultarla</translation>
+    </message>
+    <message>
+        <source>Hide all others</source>
+        <translation>Ocultar todas las demás</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn the train. Ctrl turns it alone by hand</source>
+        <translation>Arrastre la pieza para girar el tren. Ctrl la gira sola, a mano</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn it by hand</source>
+        <translation>Arrastre la pieza para girarla a mano</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: the train moves as its torques make it</source>
+        <translation>Arrastrar orbita: el tren se mueve como lo llevan sus momentos</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: this part does not turn</source>
+        <translation>Arrastrar orbita: esta pieza no gira</translation>
+    </message>
+    <message>
+        <source>Drag to orbit, with Shift to pan; the wheel zooms</source>
+        <translation>Arrastrar orbita, con Mayús desplaza; la rueda hace zoom</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>The language of the system, where the program speaks it</source>
+        <translation>El idioma del sistema, si el programa lo habla</translation>
+    </message>
+    <message>
+        <source>The language can be changed when the export is finished.</source>
+        <translation>El idioma se puede cambiar cuando termine la exportación.</translation>
+    </message>
+</context>
+</TS>

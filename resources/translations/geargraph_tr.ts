@@ -1,0 +1,4853 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="tr" sourcelanguage="en">
+<context>
+    <name>GearGraph</name>
+    <message>
+        <source>at</source>
+        <comment>A turning joint, by its label, or a link on which a load or a balance acts from outside.</comment>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <comment>The link beyond the joint, seen from the ground.</comment>
+        <translation>dönüş</translation>
+    </message>
+    <message>
+        <source>carried by</source>
+        <comment>What puts a torque in: a load that is given, a balance that is found, or nothing: a free joint.</comment>
+        <translation>taşıyan</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <comment>A brake or clutch that is engaged.</comment>
+        <translation>eleman</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <comment>The link that a brake holds; the two links that a clutch joins, the torque acts on the first one.</comment>
+        <translation>tutar</translation>
+    </message>
+    <message>
+        <source>about</source>
+        <comment>The axis that the torque is about, the first one on the way to the ground.</comment>
+        <translation>etrafında</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <comment>The gear mesh, by its label.</comment>
+        <translation>dişli çifti</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <comment>The link of the tail&apos;s gear.</comment>
+        <translation>kuyruk</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <comment>The link of the head&apos;s gear.</comment>
+        <translation>baş</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <comment>The link that holds both gears&apos; axes, from which the mesh is seen.</comment>
+        <translation>taşıyıcı</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <comment>The gear that delivers the power to the teeth, seen from the carrier.</comment>
+        <translation>tahrik eder</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <comment>The turning joint, whose bearing holds its head on its tail.</comment>
+        <translation>mafsal</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <comment>A mesh, a joint, an engaged coupling, a load or a balance.</comment>
+        <translation>öğe</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <comment>The link that it acts on.</comment>
+        <translation>uzuv</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <comment>The shafts of the loop.</comment>
+        <translation>uzuvlar</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <comment>The meshes of the gear sets of the loop.</comment>
+        <translation>kavraşır</translation>
+    </message>
+    <message>
+        <source>the ground does not move</source>
+        <translation>sabit uzuv hareket etmez</translation>
+    </message>
+    <message>
+        <source>no turning joint carries it yet</source>
+        <translation>henüz onu taşıyan döner mafsal yok</translation>
+    </message>
+    <message>
+        <source>several turning joints: click one</source>
+        <translation>birkaç döner mafsal var: birine tıklayın</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 öğe</translation>
+    </message>
+    <message>
+        <source>link %1</source>
+        <translation>%1 uzvu</translation>
+    </message>
+    <message>
+        <source>turning joint %1</source>
+        <translation>%1 döner mafsalı</translation>
+    </message>
+    <message>
+        <source>gear mesh %1</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>%1 ekseni</translation>
+    </message>
+    <message>
+        <source>brake %1</source>
+        <translation>%1 freni</translation>
+    </message>
+    <message>
+        <source>clutch %1</source>
+        <translation>%1 kavraması</translation>
+    </message>
+    <message>
+        <source> from link %1 to link %2</source>
+        <translation> %1 uzvundan %2 uzvuna</translation>
+    </message>
+    <message>
+        <source>: holds link %1 while it is engaged</source>
+        <translation>: devredeyken %1 uzvunu tutar</translation>
+    </message>
+    <message>
+        <source>: links %1 turn as one while it is engaged</source>
+        <translation>: devredeyken %1 uzuvları birlikte döner</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> ve </translation>
+    </message>
+    <message>
+        <source>, axis %1</source>
+        <translation>, %1 ekseni</translation>
+    </message>
+    <message>
+        <source>, driven</source>
+        <translation>, tahrikli</translation>
+    </message>
+    <message>
+        <source>, %1 : %2 teeth</source>
+        <translation>, %1 : %2 diş</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 elemanını ayır</translation>
+    </message>
+    <message>
+        <source>Engage %1</source>
+        <translation>%1 elemanını devreye al</translation>
+    </message>
+    <message>
+        <source>Take %1 off</source>
+        <translation>%1 elemanını kaldır</translation>
+    </message>
+    <message>
+        <source>Hold it with a brake</source>
+        <translation>Frenle tut</translation>
+    </message>
+    <message>
+        <source>Connect it to another link with a clutch</source>
+        <translation>Kavrama ile başka bir uzva bağla</translation>
+    </message>
+    <message>
+        <source>select two links</source>
+        <translation>iki uzuv seçin</translation>
+    </message>
+    <message>
+        <source>Connect %1 and %2 with a clutch</source>
+        <translation>%1 ve %2 uzuvlarını kavrama ile bağla</translation>
+    </message>
+    <message>
+        <source>hold the link with a brake</source>
+        <translation>uzvu frenle tutun</translation>
+    </message>
+    <message>
+        <source>Move gear %1 to the other side of the apex</source>
+        <translation>%1 dişlisini koni tepesinin öbür yanına taşı</translation>
+    </message>
+    <message>
+        <source>Make it external</source>
+        <translation>Dış dişli yap</translation>
+    </message>
+    <message>
+        <source>Make it internal</source>
+        <translation>İç dişli yap</translation>
+    </message>
+    <message>
+        <source>Pin the module</source>
+        <translation>Modülü sabitle</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Stop driving it</source>
+        <translation>Tahriki kaldır</translation>
+    </message>
+    <message>
+        <source>Drive it</source>
+        <translation>Tahrik et</translation>
+    </message>
+    <message>
+        <source>Make it the ground</source>
+        <translation>Sabit uzuv yap</translation>
+    </message>
+    <message>
+        <source>it is the ground</source>
+        <translation>bu sabit uzuvdur</translation>
+    </message>
+    <message>
+        <source>Attach a gear</source>
+        <translation>Dişli ekle</translation>
+    </message>
+    <message>
+        <source>Pin the teeth of its gears</source>
+        <translation>Dişlilerinin diş sayılarını sabitle</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>the ground cannot be deleted</source>
+        <translation>sabit uzuv silinemez</translation>
+    </message>
+    <message>
+        <source>Axis %1 pinned</source>
+        <translation>%1 ekseni sabitlendi</translation>
+    </message>
+    <message>
+        <source>only turning joints can be driven</source>
+        <translation>yalnızca döner mafsallar tahrik edilebilir</translation>
+    </message>
+    <message>
+        <source>Flip the arrow</source>
+        <translation>Oku ters çevir</translation>
+    </message>
+    <message>
+        <source>Delete with its joints</source>
+        <translation>Mafsallarıyla birlikte sil</translation>
+    </message>
+    <message>
+        <source>New link here</source>
+        <translation>Buraya yeni uzuv</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tümünü seç</translation>
+    </message>
+    <message>
+        <source>Tidy the drawing</source>
+        <translation>Çizimi düzenle</translation>
+    </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>henüz bir şey çizilmedi</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Sığdır</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Kaldır</translation>
+    </message>
+    <message>
+        <source>Cycle C%1:</source>
+        <translation>C%1 çevrimi:</translation>
+    </message>
+    <message>
+        <source>Digraph</source>
+        <translation>Yönlü graf</translation>
+    </message>
+    <message>
+        <source>Laying out %1 links</source>
+        <translation>%1 uzuv yerleştiriliyor</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1.</source>
+        <translation>Dişli eklenemiyor: %1.</translation>
+    </message>
+    <message>
+        <source>Select one turning joint or link to load it.</source>
+        <translation>Yüklemek için bir döner mafsal veya uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>The ground takes any load: select a moving link.</source>
+        <translation>Sabit uzuv her yükü taşır: hareketli bir uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>Loads act in turning joints and on links.</source>
+        <translation>Yükler döner mafsallara ve uzuvlara etkir.</translation>
+    </message>
+    <message>
+        <source>10 Nm</source>
+        <translation>10 Nm</translation>
+    </message>
+    <message>
+        <source>Torque that acts here</source>
+        <translation>Buraya etkiyen tork</translation>
+    </message>
+    <message>
+        <source>Remove load</source>
+        <translation>Yükü kaldır</translation>
+    </message>
+    <message>
+        <source>A torque is a number with its unit: 10 Nm, 500 Nmm, 1/2 kNm</source>
+        <translation>Tork, birimli bir sayıdır: 10 Nm, 500 Nmm, 1/2 kNm</translation>
+    </message>
+    <message>
+        <source>Set load</source>
+        <translation>Yükü belirle</translation>
+    </message>
+    <message>
+        <source>Add load</source>
+        <translation>Yük ekle</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 sil</translation>
+    </message>
+    <message>
+        <source>Flip %1</source>
+        <translation>%1 ters çevir</translation>
+    </message>
+    <message>
+        <source>Cannot be driven: %1</source>
+        <translation>Tahrik edilemez: %1</translation>
+    </message>
+    <message>
+        <source>Drive or release</source>
+        <translation>Tahriki aç veya kapat</translation>
+    </message>
+    <message>
+        <source>Rename link</source>
+        <translation>Uzvu yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>No gear can be attached: %1</source>
+        <translation>Dişli eklenemiyor: %1</translation>
+    </message>
+    <message>
+        <source>Attach gear to %1</source>
+        <translation>%1 uzvuna dişli ekle</translation>
+    </message>
+    <message>
+        <source>Make ground</source>
+        <translation>Sabit uzuv yap</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>%1 sabitle</translation>
+    </message>
+    <message>
+        <source>Unpin %1</source>
+        <translation>%1 serbest bırak</translation>
+    </message>
+    <message>
+        <source>Change kind</source>
+        <translation>Türü değiştir</translation>
+    </message>
+    <message>
+        <source>Move gear to the other side</source>
+        <translation>Dişliyi öbür yana taşı</translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>%1 tut</translation>
+    </message>
+    <message>
+        <source>Connect links</source>
+        <translation>Uzuvları bağla</translation>
+    </message>
+    <message>
+        <source>Take off %1</source>
+        <translation>%1 kaldır</translation>
+    </message>
+    <message>
+        <source>%1:  %2,  transfer vertex %3</source>
+        <translation>%1:  %2,  aktarma düğümü %3</translation>
+    </message>
+    <message>
+        <source>The drawn pose does not tell the sign of its terminal equation.</source>
+        <translation>Çizilen konum uç denkleminin işaretini belirlemiyor.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click</source>
+        <translation>İlk uzvu çizin: L, sonra tıklayın</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Ad</translation>
+    </message>
+    <message>
+        <source>Name of the link</source>
+        <translation>Uzvun adı</translation>
+    </message>
+    <message>
+        <source>Move link</source>
+        <translation>Uzvu taşı</translation>
+    </message>
+    <message>
+        <source>Move links</source>
+        <translation>Uzuvları taşı</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Az kaydır</translation>
+    </message>
+    <message>
+        <source>Add link</source>
+        <translation>Uzuv ekle</translation>
+    </message>
+    <message>
+        <source>Add gear mesh</source>
+        <translation>Dişli çifti ekle</translation>
+    </message>
+    <message>
+        <source>Add turning joint</source>
+        <translation>Döner mafsal ekle</translation>
+    </message>
+    <message>
+        <source>T-T graph</source>
+        <translation>T-T grafı</translation>
+    </message>
+    <message>
+        <source>The T–T graph is still being laid out. Try again in a moment.</source>
+        <translation>T–T grafı hâlâ yerleştiriliyor. Biraz sonra yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>No tree yet: turning joints have to tie every link to the ground and close no loop.</source>
+        <translation>Henüz ağaç yok: döner mafsallar her uzvu sabit uzva bağlamalı ve çevrim kapatmamalıdır.</translation>
+    </message>
+    <message>
+        <source>Then the dotted meshes get their transfer vertices.</source>
+        <translation>O zaman noktalı dişli çiftleri aktarma düğümlerini alır.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Ve %1 tane daha.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex of %1</source>
+        <translation>%1 için aktarma düğümü</translation>
+    </message>
+    <message>
+        <source>Branch %1 on level %2</source>
+        <translation>%2 düzeyinde %1 dalı</translation>
+    </message>
+    <message>
+        <source>It has no transfer vertex.</source>
+        <translation>Aktarma düğümü yok.</translation>
+    </message>
+    <message>
+        <source>Tidy the T-T graph</source>
+        <translation>T-T grafını düzenle</translation>
+    </message>
+    <message>
+        <source>The derivation could not be worked out: %1</source>
+        <translation>Türetim yapılamadı: %1</translation>
+    </message>
+    <message>
+        <source>The derivation appears here, both methods step by step.</source>
+        <translation>Türetim burada, iki yöntemle adım adım görünür.</translation>
+    </message>
+    <message>
+        <source>The sections of the derivation</source>
+        <translation>Türetimin bölümleri</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Write the derivation as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Türetimi web sayfası, PDF, LaTeX veya Markdown olarak yaz</translation>
+    </message>
+    <message>
+        <source>The derivation is being worked out…</source>
+        <translation>Türetim hazırlanıyor…</translation>
+    </message>
+    <message>
+        <source>Copy equation as LaTeX</source>
+        <translation>Denklemi LaTeX olarak kopyala</translation>
+    </message>
+    <message>
+        <source>Copy text</source>
+        <translation>Metni kopyala</translation>
+    </message>
+    <message>
+        <source>Copy all as LaTeX</source>
+        <translation>Tümünü LaTeX olarak kopyala</translation>
+    </message>
+    <message>
+        <source>Copy all as Markdown</source>
+        <translation>Tümünü Markdown olarak kopyala</translation>
+    </message>
+    <message>
+        <source>Before the first step</source>
+        <translation>İlk adımdan önce</translation>
+    </message>
+    <message>
+        <source>%1 (saved)</source>
+        <translation>%1 (kaydedildi)</translation>
+    </message>
+    <message>
+        <source>%1, shown now</source>
+        <translation>%1, şimdi gösterilen</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, geri alındı</translation>
+    </message>
+    <message>
+        <source>The dynamics could not be worked out: %1</source>
+        <translation>Dinamik hesaplanamadı: %1</translation>
+    </message>
+    <message>
+        <source>Masses</source>
+        <translation>Kütleler</translation>
+    </message>
+    <message>
+        <source>Mass and moments of inertia of every link, density and gravity</source>
+        <translation>Her uzvun kütlesi ve atalet momentleri, yoğunluk ve yerçekimi</translation>
+    </message>
+    <message>
+        <source>Inertia at the motors</source>
+        <translation>Motorlardaki atalet</translation>
+    </message>
+    <message>
+        <source>How much of the inertia that each motor feels every link makes up (reflected inertia)</source>
+        <translation>Her motorun hissettiği atalette her uzvun payı (indirgenmiş atalet)</translation>
+    </message>
+    <message>
+        <source>Equation of motion</source>
+        <translation>Hareket denklemi</translation>
+    </message>
+    <message>
+        <source>Generalised inertia, Coriolis and centrifugal torques, weight and loads in the inputs</source>
+        <translation>Girişlerde genelleştirilmiş atalet, Coriolis ve merkezkaç torkları, ağırlık ve yükler</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Hareket</translation>
+    </message>
+    <message>
+        <source>The motion that torques of the motors cause: simulated and played</source>
+        <translation>Motor torklarının oluşturduğu hareket: benzetilir ve oynatılır</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopyala</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Tabloyu hesap tablosu için kopyala</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Export the table, or the simulated motion, to a CSV file</source>
+        <translation>Tabloyu veya benzetilen hareketi CSV dosyasına aktar</translation>
+    </message>
+    <message>
+        <source>Masses and motion appear here as soon as the mechanism is analysed.</source>
+        <translation>Mekanizma çözümlenince kütleler ve hareket burada görünür.</translation>
+    </message>
+    <message>
+        <source>A motion of the inputs moves no mass: state masses of its links, or give its wheels teeth.</source>
+        <translation>Girişlerin hareketi hiçbir kütleyi hareket ettirmiyor: uzuvlara kütle veya dişlilere diş sayısı verin.</translation>
+    </message>
+    <message>
+        <source>At the moment that the 3D view shows.</source>
+        <translation>3B görünümün gösterdiği anda.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy yet</source>
+        <translation>Henüz kopyalanacak bir şey yok</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet</source>
+        <translation>Henüz dışa aktarılacak bir şey yok</translation>
+    </message>
+    <message>
+        <source>masses.csv</source>
+        <translation>kutleler.csv</translation>
+    </message>
+    <message>
+        <source>reflected-inertia.csv</source>
+        <translation>indirgenmis-atalet.csv</translation>
+    </message>
+    <message>
+        <source>equation-of-motion.csv</source>
+        <translation>hareket-denklemi.csv</translation>
+    </message>
+    <message>
+        <source>motion.csv</source>
+        <translation>hareket.csv</translation>
+    </message>
+    <message>
+        <source>M: the generalised inertia of the inputs. h: what motors have to give at constant speeds, for Coriolis and centrifugal forces and for weight. τ: torques of the motors. ℓ: what the loads contribute.</source>
+        <translation>M: girişlerin genelleştirilmiş ataleti. h: sabit hızda motorların Coriolis ve merkezkaç kuvvetleri ile ağırlık için vermesi gereken. τ: motor torkları. ℓ: yüklerin katkısı.</translation>
+    </message>
+    <message>
+        <source>joint %1</source>
+        <translation>%1 mafsalı</translation>
+    </message>
+    <message>
+        <source>Link %1: %2 kg m² at %3, %4 % of all.</source>
+        <translation>%1 uzvu: %3 için %2 kg m², toplamın %4 %&apos;si.</translation>
+    </message>
+    <message>
+        <source>moves no mass</source>
+        <translation>kütle hareket ettirmiyor</translation>
+    </message>
+    <message>
+        <source>%1 kg m²</source>
+        <translation>%1 kg m²</translation>
+    </message>
+    <message>
+        <source>The inertia that each link has at the motor while the other inputs stand still: for a link that turns about one axis its moment of inertia times the square of its ratio.</source>
+        <translation>Öbür girişler dururken her uzvun motordaki ataleti: tek eksen etrafında dönen bir uzuv için atalet momenti çarpı oranının karesi.</translation>
+    </message>
+    <message>
+        <source>Double-click, or press F2, to state it; empty it to leave it to the solids.</source>
+        <translation>Belirtmek için çift tıklayın veya F2&apos;ye basın; katılardan hesaplanması için boş bırakın.</translation>
+    </message>
+    <message>
+        <source>Mass, kg</source>
+        <translation>Kütle, kg</translation>
+    </message>
+    <message>
+        <source>A mass is at least 0 kg.</source>
+        <translation>Kütle en az 0 kg&apos;dır.</translation>
+    </message>
+    <message>
+        <source>Masses of the links</source>
+        <translation>Uzuvların kütleleri</translation>
+    </message>
+    <message>
+        <source>The density of all solids, kg/m³; empty: that of steel</source>
+        <translation>Bütün katıların yoğunluğu, kg/m³; boş: çelik</translation>
+    </message>
+    <message>
+        <source>Density, kg/m³</source>
+        <translation>Yoğunluk, kg/m³</translation>
+    </message>
+    <message>
+        <source>%1, steel</source>
+        <translation>%1, çelik</translation>
+    </message>
+    <message>
+        <source>The acceleration of free fall in the base frame, m/s²: x, y, z</source>
+        <translation>Temel eksen takımında yerçekimi ivmesi, m/s²: x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Yerçekimi, m/s²</translation>
+    </message>
+    <message>
+        <source>A density is above 0.</source>
+        <translation>Yoğunluk 0&apos;dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>Set density</source>
+        <translation>Yoğunluğu belirle</translation>
+    </message>
+    <message>
+        <source>Set gravity</source>
+        <translation>Yerçekimini belirle</translation>
+    </message>
+    <message>
+        <source>Set mass</source>
+        <translation>Kütleyi belirle</translation>
+    </message>
+    <message>
+        <source>The motion could not be followed: %1</source>
+        <translation>Hareket izlenemedi: %1</translation>
+    </message>
+    <message>
+        <source>How much of the motion is followed</source>
+        <translation>Hareketin ne kadarının izlendiği</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Hızlar</translation>
+    </message>
+    <message>
+        <source>Speeds of the inputs, and of the joints that are selected, over time</source>
+        <translation>Girişlerin ve seçili mafsalların zamana göre hızları</translation>
+    </message>
+    <message>
+        <source>Torques</source>
+        <translation>Torklar</translation>
+    </message>
+    <message>
+        <source>Torques of the motors over time</source>
+        <translation>Motor torkları, zamana göre</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Enerji</translation>
+    </message>
+    <message>
+        <source>Kinetic and potential energy, the work of motors and loads, and their balance, over time</source>
+        <translation>Kinetik ve potansiyel enerji, motorların ve yüklerin işi ve dengesi, zamana göre</translation>
+    </message>
+    <message>
+        <source>Play in 3D</source>
+        <translation>3B&apos;de oynat</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Durdur</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Benzet</translation>
+    </message>
+    <message>
+        <source>End the motion where it is now</source>
+        <translation>Hareketi burada bitir</translation>
+    </message>
+    <message>
+        <source>Follow the motion that these torques, the loads and weight cause</source>
+        <translation>Bu torkların, yüklerin ve ağırlığın oluşturduğu hareketi izle</translation>
+    </message>
+    <message>
+        <source>There is nothing to move yet</source>
+        <translation>Henüz hareket edecek bir şey yok</translation>
+    </message>
+    <message>
+        <source>Show this motion in the 3D view instead of that of the input speeds</source>
+        <translation>3B görünümde giriş hızlarınınki yerine bu hareketi göster</translation>
+    </message>
+    <message>
+        <source>Simulate a motion first</source>
+        <translation>Önce bir hareket benzetin</translation>
+    </message>
+    <message>
+        <source>Give the motors their torques, then Simulate: speeds, torques and energy appear here.</source>
+        <translation>Motorlara torklarını verin, sonra Benzet&apos;e basın: hızlar, torklar ve enerji burada görünür.</translation>
+    </message>
+    <message>
+        <source>The motion is being followed …</source>
+        <translation>Hareket izleniyor …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Durduruldu.</translation>
+    </message>
+    <message>
+        <source>After %1 s: kinetic energy %2 J, potential %3 J, work of motors and loads %4 J; they balance but for %5 J.</source>
+        <translation>%1 s sonra: kinetik enerji %2 J, potansiyel %3 J, motorların ve yüklerin işi %4 J; denge farkı %5 J.</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>giriş</translation>
+    </message>
+    <message>
+        <source>The joint that the motor drives.</source>
+        <translation>Motorun tahrik ettiği mafsal.</translation>
+    </message>
+    <message>
+        <source>T, N m</source>
+        <translation>T, N m</translation>
+    </message>
+    <message>
+        <source>The torque of the motor at rest, by the tail of its joint on the head.</source>
+        <translation>Motorun dururken torku, mafsalın kuyruğundan başına.</translation>
+    </message>
+    <message>
+        <source>d, N m s</source>
+        <translation>d, N m s</translation>
+    </message>
+    <message>
+        <source>How much torque the motor loses for each rad/s of its joint: with the torque at rest over the no-load speed it is a direct-current motor at constant voltage.</source>
+        <translation>Mafsalın her rad/s&apos;si için motorun yitirdiği tork: durma torku bölü boşta hız ile sabit gerilimli bir doğru akım motorudur.</translation>
+    </message>
+    <message>
+        <source>from, °</source>
+        <translation>baş., °</translation>
+    </message>
+    <message>
+        <source>The angle of the joint at the start, from the reference pose.</source>
+        <translation>Başlangıçta mafsalın referans konumdan açısı.</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>The speed of the joint at the start.</source>
+        <translation>Mafsalın başlangıçtaki hızı.</translation>
+    </message>
+    <message>
+        <source>How long the motion is followed, in seconds.</source>
+        <translation>Hareketin saniye olarak ne kadar izleneceği.</translation>
+    </message>
+    <message>
+        <source>for, s</source>
+        <translation>süre, s</translation>
+    </message>
+    <message>
+        <source>The time is %1 s to %2 s.</source>
+        <translation>Süre %1 s ile %2 s arasıdır.</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>%1 mafsalı</translation>
+    </message>
+    <message>
+        <source>Torque of the motor of joint %1, N m</source>
+        <translation>%1 mafsalının motor torku, N m</translation>
+    </message>
+    <message>
+        <source>Torque that the motor of joint %1 loses for each rad/s, N m s</source>
+        <translation>%1 mafsalı motorunun her rad/s için yitirdiği tork, N m s</translation>
+    </message>
+    <message>
+        <source>Angle of joint %1 at the start, degrees</source>
+        <translation>%1 mafsalının başlangıç açısı, derece</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1 at the start, rad/s</source>
+        <translation>%1 mafsalının başlangıç hızı, rad/s</translation>
+    </message>
+    <message>
+        <source>It is at least 0 N m s.</source>
+        <translation>En az 0 N m s&apos;dir.</translation>
+    </message>
+    <message>
+        <source>Torque, rate and power in every turning joint, and of what acts on links</source>
+        <translation>Her döner mafsalda ve uzuvlara etkiyenlerde tork, hız ve güç</translation>
+    </message>
+    <message>
+        <source>Torques of the brakes and clutches that are engaged</source>
+        <translation>Devredeki fren ve kavramaların torkları</translation>
+    </message>
+    <message>
+        <source>Torques on the gears of every mesh, tooth forces, and the power that it passes</source>
+        <translation>Her dişli çiftinin dişlilerindeki torklar, diş kuvvetleri ve ilettiği güç</translation>
+    </message>
+    <message>
+        <source>What holds each link in its turning joint: force and moment</source>
+        <translation>Her uzvu döner mafsalında tutan: kuvvet ve moment</translation>
+    </message>
+    <message>
+        <source>What every element delivers to each of its links, seen from the ground</source>
+        <translation>Her öğenin sabit uzuvdan bakıldığında uzuvlarının her birine verdiği</translation>
+    </message>
+    <message>
+        <source>Power that goes round in loops, beside what goes through the train</source>
+        <translation>Dişli takımından geçenin yanında çevrimlerde dolaşan güç</translation>
+    </message>
+    <message>
+        <source>Torques of the couplings and efficiency in every state of the gearbox</source>
+        <translation>Şanzımanın her durumunda fren ve kavrama torkları ile verim</translation>
+    </message>
+    <message>
+        <source>The torques could not be worked out: %1</source>
+        <translation>Torklar hesaplanamadı: %1</translation>
+    </message>
+    <message>
+        <source>The state whose brakes and clutches are engaged</source>
+        <translation>Fren ve kavramaları devrede olan durum</translation>
+    </message>
+    <message>
+        <source>Export the table with its units to a CSV file</source>
+        <translation>Tabloyu birimleriyle CSV dosyasına aktar</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kuvvetler</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>yok</translation>
+    </message>
+    <message>
+        <source>An efficiency is above 0 and at most 1.</source>
+        <translation>Verim 0&apos;dan büyük ve en çok 1&apos;dir.</translation>
+    </message>
+    <message>
+        <source>η of a mesh</source>
+        <translation>bir dişli çiftinin η&apos;sı</translation>
+    </message>
+    <message>
+        <source>The efficiency of meshes that state none: the power that a mesh delivers over what it takes, seen from its carrier. Empty: they lose nothing.</source>
+        <translation>Kendi verimi verilmemiş dişli çiftlerinin verimi: taşıyıcıdan bakıldığında verilen güç bölü alınan güç. Boş: kayıpsız.</translation>
+    </message>
+    <message>
+        <source>fed, W</source>
+        <translation>verilen, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances feed into the train.</source>
+        <translation>Yüklerin ve dengelerin dişli takımına verdiği güç.</translation>
+    </message>
+    <message>
+        <source>taken, W</source>
+        <translation>alınan, W</translation>
+    </message>
+    <message>
+        <source>The power that loads and balances take from the train.</source>
+        <translation>Yüklerin ve dengelerin dişli takımından aldığı güç.</translation>
+    </message>
+    <message>
+        <source>lost, W</source>
+        <translation>kayıp, W</translation>
+    </message>
+    <message>
+        <source>What the meshes lose: fed less taken.</source>
+        <translation>Dişli çiftlerinin yitirdiği: verilen eksi alınan.</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>verim</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed.</source>
+        <translation>Alınan güç bölü verilen güç.</translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation>geri</translation>
+    </message>
+    <message>
+        <source>The efficiency of the same motion with all known torques reversed: the output drives.</source>
+        <translation>Bilinen bütün torklar ters çevrildiğinde aynı hareketin verimi: çıkış tahrik eder.</translation>
+    </message>
+    <message>
+        <source>latent ratio</source>
+        <translation>gizli güç oranı</translation>
+    </message>
+    <message>
+        <source>What all meshes pass, seen from their carriers, over the power fed: the losses are about this many times those of one mesh.</source>
+        <translation>Bütün dişli çiftlerinin taşıyıcılarından görülen gücü bölü verilen güç: kayıplar tek çiftinkinin yaklaşık bu katıdır.</translation>
+    </message>
+    <message>
+        <source>circulating, W</source>
+        <translation>dolaşan, W</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop of shafts and gear sets.</source>
+        <translation>Millerden ve dişli takımlarından oluşan bir çevrimde dolaşan en büyük güç.</translation>
+    </message>
+    <message>
+        <source>Share by stiffness</source>
+        <translation>Rijitliğe göre paylaştır</translation>
+    </message>
+    <message>
+        <source>Meshes that share a load in unknown parts: assume that all teeth are equally stiff, without clearance, on rigid bodies</source>
+        <translation>Bir yükü bilinmeyen paylarla taşıyan dişli çiftleri: bütün dişleri eşit rijitlikte, boşluksuz ve rijit cisimler üzerinde kabul et</translation>
+    </message>
+    <message>
+        <source>as engaged</source>
+        <translation>devredeki gibi</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>%1 durumu</translation>
+    </message>
+    <message>
+        <source>Torques and forces appear here as soon as the mechanism is analysed.</source>
+        <translation>Mekanizma çözümlenince torklar ve kuvvetler burada görünür.</translation>
+    </message>
+    <message>
+        <source>Draw turning joints and gear meshes: their torques appear here.</source>
+        <translation>Döner mafsallar ve dişli çiftleri çizin: torkları burada görünür.</translation>
+    </message>
+    <message>
+        <source>There is no equilibrium: the reason is below.</source>
+        <translation>Denge yok: nedeni aşağıda.</translation>
+    </message>
+    <message>
+        <source>No brake or clutch is engaged: engage one in Gearbox, or choose a state.</source>
+        <translation>Devrede fren veya kavrama yok: Şanzıman&apos;da birini devreye alın veya bir durum seçin.</translation>
+    </message>
+    <message>
+        <source>Forces need a unit of length whose size is known.</source>
+        <translation>Kuvvetler, büyüklüğü bilinen bir uzunluk birimi gerektirir.</translation>
+    </message>
+    <message>
+        <source>No power flows.</source>
+        <translation>Güç akışı yok.</translation>
+    </message>
+    <message>
+        <source>Without a motion there is no power.</source>
+        <translation>Hareket yoksa güç de yoktur.</translation>
+    </message>
+    <message>
+        <source>No power circulates.</source>
+        <translation>Dolaşan güç yok.</translation>
+    </message>
+    <message>
+        <source>Loops are found where every link but the planets turns on the ground.</source>
+        <translation>Çevrimler, gezegenler dışında her uzuv sabit uzuvda döndüğünde bulunur.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>Gösterilecek bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Matroid = T–T graph method, exactly</source>
+        <translation>Matroid = T–T grafı yöntemi, tam olarak</translation>
+    </message>
+    <message>
+        <source>The two methods do not agree</source>
+        <translation>İki yöntem uyuşmuyor</translation>
+    </message>
+    <message>
+        <source>locks itself</source>
+        <translation>kendini kilitler</translation>
+    </message>
+    <message>
+        <source>No load acts yet. Select a joint or a link, then + Load.</source>
+        <translation>Henüz yük yok. Bir mafsal veya uzuv seçin, sonra + Yük.</translation>
+    </message>
+    <message>
+        <source>+ Load</source>
+        <translation>+ Yük</translation>
+    </message>
+    <message>
+        <source>A torque of 1 N m on the selected joint or link, or choose one</source>
+        <translation>Seçili mafsala veya uzva 1 N m tork, ya da seçin</translation>
+    </message>
+    <message>
+        <source>Found at ▾</source>
+        <translation>Bulunacak yer ▾</translation>
+    </message>
+    <message>
+        <source>Balances: where torques are found that hold the loads. By itself the program takes the inputs that bear no load of their own.</source>
+        <translation>Dengeler: yükleri tutan torkların bulunduğu yerler. Program kendiliğinden, yükü olmayan girişleri alır.</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>N mm</source>
+        <translation>N mm</translation>
+    </message>
+    <message>
+        <source>kN m</source>
+        <translation>kN m</translation>
+    </message>
+    <message>
+        <source>The unit of the torques in this list; the document keeps N m</source>
+        <translation>Bu listedeki torkların birimi; belge N m&apos;yi korur</translation>
+    </message>
+    <message>
+        <source>F on %1</source>
+        <translation>%1 üzerinde F</translation>
+    </message>
+    <message>
+        <source>T in %1</source>
+        <translation>%1 içinde T</translation>
+    </message>
+    <message>
+        <source>T on %1 about %2</source>
+        <translation>%2 etrafında %1 üzerinde T</translation>
+    </message>
+    <message>
+        <source>T on %1</source>
+        <translation>%1 üzerinde T</translation>
+    </message>
+    <message>
+        <source>A force from outside on the link, N, in the base frame, at (%1) of the reference pose.</source>
+        <translation>Uzva dıştan etkiyen kuvvet, N, temel eksen takımında, referans konumun (%1) noktasında.</translation>
+    </message>
+    <message>
+        <source>A torque that the joint&apos;s tail exerts on its head, about the direction of its axis; the head exerts the opposite one on the tail.</source>
+        <translation>Mafsal kuyruğunun başına, eksen yönü etrafında uyguladığı tork; baş da kuyruğa tersini uygular.</translation>
+    </message>
+    <message>
+        <source>A torque from outside on the link; the ground takes the reaction. Without an axis it is about the link&apos;s first axis on the way to the ground.</source>
+        <translation>Uzva dıştan etkiyen tork; tepkisini sabit uzuv alır. Eksen verilmezse uzvun sabit uzva giden yoldaki ilk ekseni etrafındadır.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 loads are listed</source>
+        <translation>%2 yükten %1 tanesi listelendi</translation>
+    </message>
+    <message>
+        <source>Remove this load</source>
+        <translation>Bu yükü kaldır</translation>
+    </message>
+    <message>
+        <source>Torque in a joint</source>
+        <translation>Mafsalda tork</translation>
+    </message>
+    <message>
+        <source>Torque on a link</source>
+        <translation>Uzuvda tork</translation>
+    </message>
+    <message>
+        <source>Inputs without a load</source>
+        <translation>Yüksüz girişler</translation>
+    </message>
+    <message>
+        <source>Choose balances</source>
+        <translation>Dengeleri seç</translation>
+    </message>
+    <message>
+        <source>Select in the drawing, or type: 8, 10</source>
+        <translation>Çizimde seçin veya yazın: 8, 10</translation>
+    </message>
+    <message>
+        <source>A whole number, a fraction such as −2/3, or a decimal</source>
+        <translation>Tam sayı, −2/3 gibi kesir veya ondalık sayı</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Başla</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Dersler</translation>
+    </message>
+    <message>
+        <source>From one gear pair to the robot</source>
+        <translation>Tek dişli çiftinden robota</translation>
+    </message>
+    <message>
+        <source>Open a lesson file…</source>
+        <translation>Ders dosyası aç…</translation>
+    </message>
+    <message>
+        <source>A lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Kendi dersiniz: dosya her kaydedildiğinde yeniden yüklenir</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 dk</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 / %2 puan</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>adım %1 / %2</translation>
+    </message>
+    <message>
+        <source>Afterwards you can %1.</source>
+        <translation>Sonunda şunu yapabilirsiniz: %1.</translation>
+    </message>
+    <message>
+        <source>%1 lessons, %2 min. %3 done, about %4 min to go.</source>
+        <translation>%1 ders, %2 dk. %3 bitti, yaklaşık %4 dk kaldı.</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Tekrarla</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Sürdür</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps done</source>
+        <translation>%2 adımdan %1 tanesi bitti</translation>
+    </message>
+    <message>
+        <source>‹ Back</source>
+        <translation>‹ Geri</translation>
+    </message>
+    <message>
+        <source>The step before (Alt+Left)</source>
+        <translation>Önceki adım (Alt+Sol)</translation>
+    </message>
+    <message>
+        <source>Skip ›</source>
+        <translation>Atla ›</translation>
+    </message>
+    <message>
+        <source>The next step (Alt+Right)</source>
+        <translation>Sonraki adım (Alt+Sağ)</translation>
+    </message>
+    <message>
+        <source>‹ Course</source>
+        <translation>‹ Kurs</translation>
+    </message>
+    <message>
+        <source>All lessons, with your progress</source>
+        <translation>İlerlemenizle birlikte bütün dersler</translation>
+    </message>
+    <message>
+        <source>2 points for a step that is right at once, 1 after a hint or a correction; the score never falls</source>
+        <translation>İlk seferde doğru adıma 2, ipucu veya düzeltmeden sonra 1 puan; puan hiç düşmez</translation>
+    </message>
+    <message>
+        <source>H&amp;int</source>
+        <translation>İ&amp;pucu</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule, then the first half</source>
+        <translation>Nereye bakılacağı, sonra kural, sonra ilk yarısı</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Göster</translation>
+    </message>
+    <message>
+        <source>The answer; the step then gives no points</source>
+        <translation>Yanıt; o zaman adım puan vermez</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Denetle</translation>
+    </message>
+    <message>
+        <source>Check the answer (Return)</source>
+        <translation>Yanıtı denetle (Enter)</translation>
+    </message>
+    <message>
+        <source>Begin the step</source>
+        <translation>Adıma başla</translation>
+    </message>
+    <message>
+        <source>Right. %1</source>
+        <translation>Doğru. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) are wrong: look at those that are framed.</source>
+        <translation>
+            <numerusform>%n alan yanlış: çerçevelilere bakın.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This is not right. A hint tells where to look.</source>
+        <translation>Bu doğru değil. Bir ipucu nereye bakacağınızı söyler.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Gösterildi: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 min</source>
+        <translation>%1, %2 dk</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Adım %1 / %2</translation>
+    </message>
+    <message>
+        <source>Score %1 of %2</source>
+        <translation>Puan %1 / %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Bitir</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>İleri</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Yeniden dene</translation>
+    </message>
+    <message>
+        <source>Where to look, then the rule: hint %1 of %2</source>
+        <translation>Nereye bakılacağı, sonra kural: ipucu %1 / %2</translation>
+    </message>
+    <message>
+        <source>There are no more hints in this step.</source>
+        <translation>Bu adımda başka ipucu yok.</translation>
+    </message>
+    <message>
+        <source>A drawing can be right in many ways: take a hint.</source>
+        <translation>Bir çizim birçok biçimde doğru olabilir: ipucu alın.</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Bu ilk adımdır.</translation>
+    </message>
+    <message>
+        <source>Next lesson ›</source>
+        <translation>Sonraki ders ›</translation>
+    </message>
+    <message>
+        <source>Next ›</source>
+        <translation>İleri ›</translation>
+    </message>
+    <message>
+        <source>Leave ›</source>
+        <translation>Çık ›</translation>
+    </message>
+    <message>
+        <source>About GearGraph</source>
+        <translation>GearGraph hakkında</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Draw, analyse and see geared mechanisms by the matroid and the T–T graph methods (Amirinezhad and Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;MIT licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;GearGraph %1&lt;/b&gt;&lt;p&gt;Dişli mekanizmaları matroid ve T–T grafı yöntemleriyle çizin, çözümleyin ve görün (Amirinezhad ve Uyguroğlu, 2014).&lt;/p&gt;&lt;p&gt;MIT lisansı.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>Ayrıntıları kopyala</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopyalandı</translation>
+    </message>
+    <message>
+        <source>Crash report</source>
+        <translation>Çökme raporu</translation>
+    </message>
+    <message>
+        <source>GearGraph crashed on %1. A report says where in the program; it names neither documents nor what is in them.</source>
+        <translation>GearGraph %1 tarihinde çöktü. Bir rapor programın neresinde olduğunu söyler; belgeleri veya içeriklerini yazmaz.</translation>
+    </message>
+    <message>
+        <source>Show report</source>
+        <translation>Raporu göster</translation>
+    </message>
+    <message>
+        <source>Read it, and decide then</source>
+        <translation>Önce okuyun, sonra karar verin</translation>
+    </message>
+    <message>
+        <source>For a message to the developers</source>
+        <translation>Geliştiricilere ileti için</translation>
+    </message>
+    <message>
+        <source>The crash report was copied.</source>
+        <translation>Çökme raporu kopyalandı.</translation>
+    </message>
+    <message>
+        <source>For good</source>
+        <translation>Kalıcı olarak</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Sonra</translation>
+    </message>
+    <message>
+        <source>It will be offered again</source>
+        <translation>Yeniden önerilecek</translation>
+    </message>
+    <message>
+        <source>Comma</source>
+        <translation>Virgül</translation>
+    </message>
+    <message>
+        <source>Semicolon</source>
+        <translation>Noktalı virgül</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Sekme</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Nokta</translation>
+    </message>
+    <message>
+        <source>Labels of rows and columns</source>
+        <translation>Satır ve sütun etiketleri</translation>
+    </message>
+    <message>
+        <source>Byte order mark</source>
+        <translation>Bayt sırası imi (BOM)</translation>
+    </message>
+    <message>
+        <source>Export %1 as CSV</source>
+        <translation>%1 matrisini CSV olarak dışa aktar</translation>
+    </message>
+    <message>
+        <source>What parts the columns</source>
+        <translation>Sütunları ayıran</translation>
+    </message>
+    <message>
+        <source>Numbers with a decimal comma are quoted where commas part the columns</source>
+        <translation>Sütunlar virgülle ayrılıyorsa ondalık virgüllü sayılar tırnak içine alınır</translation>
+    </message>
+    <message>
+        <source>Without them the file holds the entries alone</source>
+        <translation>Onlarsız dosyada yalnız öğeler bulunur</translation>
+    </message>
+    <message>
+        <source>Begins the file with a mark by which spreadsheet programs know UTF-8</source>
+        <translation>Dosyayı, hesap tablosu programlarının UTF-8&apos;i tanıdığı bir imle başlatır</translation>
+    </message>
+    <message>
+        <source>Columns parted by</source>
+        <translation>Sütun ayırıcı</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Ondalık işareti</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 okunuyor …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links: %1</source>
+        <translation>Panoda uzuv yok: %1</translation>
+    </message>
+    <message>
+        <source>Select links to copy; the ground stays where it is.</source>
+        <translation>Kopyalanacak uzuvları seçin; sabit uzuv yerinde kalır.</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>%1 kopyalandı</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 uzuv</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 uzuv</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Kes</translation>
+    </message>
+    <message>
+        <source>The clipboard is empty.</source>
+        <translation>Pano boş.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no links.</source>
+        <translation>Panoda uzuv yok.</translation>
+    </message>
+    <message>
+        <source>What the clipboard holds is too large to be a mechanism.</source>
+        <translation>Panodaki, mekanizma olamayacak kadar büyük.</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Yapıştır</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Çoğalt</translation>
+    </message>
+    <message>
+        <source>Pasted as it was drawn in %1: check the lengths, which count in %2 here.</source>
+        <translation>%1 biriminde çizildiği gibi yapıştırıldı: burada %2 olarak sayılan uzunlukları denetleyin.</translation>
+    </message>
+    <message>
+        <source>Make %1 planets</source>
+        <translation>%1 gezegen yap</translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <translation>%1 yerleştir</translation>
+    </message>
+    <message>
+        <source>Exporting %1.</source>
+        <translation>%1 dışa aktarılıyor.</translation>
+    </message>
+    <message>
+        <source>Give up this export; nothing is written</source>
+        <translation>Bu dışa aktarmayı bırak; hiçbir şey yazılmaz</translation>
+    </message>
+    <message>
+        <source>Exporting %1: %2 of %3 pictures.</source>
+        <translation>%1 dışa aktarılıyor: %3 resimden %2.</translation>
+    </message>
+    <message>
+        <source>The export of %1 was stopped; nothing was written.</source>
+        <translation>%1 dışa aktarımı durduruldu; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+        <source>GearGraph documents (*.geargraph);;All files (*)</source>
+        <translation>GearGraph belgeleri (*.geargraph);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Geçmiş</translation>
+    </message>
+    <message>
+        <source>Steps of the history</source>
+        <translation>Geçmişin adımları</translation>
+    </message>
+    <message>
+        <source>A click on a step, or Return, goes there. Steps below it can be repeated until something else is drawn.</source>
+        <translation>Bir adıma tıklama veya Enter oraya gider. Aşağıdaki adımlar, başka bir şey çizilene dek yinelenebilir.</translation>
+    </message>
+    <message>
+        <source>The gears appear here. Draw the first link: L, then click.</source>
+        <translation>Dişliler burada görünür. İlk uzvu çizin: L, sonra tıklayın.</translation>
+    </message>
+    <message>
+        <source>The gears appear when the turning joints tie every link to the ground and close no loop.</source>
+        <translation>Dişliler, döner mafsallar her uzvu sabit uzva bağlayıp çevrim kapatmadığında görünür.</translation>
+    </message>
+    <message>
+        <source>The 3D view shows trains of up to %1 links; this one has %2.</source>
+        <translation>3B görünüm en çok %1 uzuvlu takımları gösterir; bunda %2 uzuv var.</translation>
+    </message>
+    <message>
+        <source>The gears appear when a mesh joins two of the links: G, then drag.</source>
+        <translation>Dişliler, bir dişli çifti iki uzvu birleştirince görünür: G, sonra sürükleyin.</translation>
+    </message>
+    <message>
+        <source>T–T graph</source>
+        <translation>T–T grafı</translation>
+    </message>
+    <message>
+        <source>Schematic</source>
+        <translation>Şema</translation>
+    </message>
+    <message>
+        <source>The views could not be updated: %1.</source>
+        <translation>Görünümler yenilenemedi: %1.</translation>
+    </message>
+    <message>
+        <source>Shown as before the last changes. %1</source>
+        <translation>Son değişikliklerden önceki gibi gösteriliyor. %1</translation>
+    </message>
+    <message>
+        <source>This matrix needs a mechanism without errors.</source>
+        <translation>Bu matris hatasız bir mekanizma gerektirir.</translation>
+    </message>
+    <message>
+        <source>This matrix needs the turning joints to be a spanning tree.</source>
+        <translation>Bu matris için döner mafsallar kapsayan ağaç oluşturmalıdır.</translation>
+    </message>
+    <message>
+        <source> (read-only)</source>
+        <translation> (salt okunur)</translation>
+    </message>
+    <message>
+        <source>Notices</source>
+        <translation>Bildirimler</translation>
+    </message>
+    <message>
+        <source>1 of %1</source>
+        <translation>1 / %1</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation>Resim için yeterli bellek yok.</translation>
+    </message>
+    <message>
+        <source>Of this size:</source>
+        <translation>Bu boyutta:</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Saydam arka plan</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Koyu üzerine açık</translation>
+    </message>
+    <message>
+        <source>Fit everything into the picture</source>
+        <translation>Her şeyi resme sığdır</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Resmi dışa aktar</translation>
+    </message>
+    <message>
+        <source>SVG, lines and text</source>
+        <translation>SVG, çizgiler ve metin</translation>
+    </message>
+    <message>
+        <source>PDF, lines and text</source>
+        <translation>PDF, çizgiler ve metin</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, pikseller</translation>
+    </message>
+    <message>
+        <source>PNG, a folder of pictures</source>
+        <translation>PNG, bir resim klasörü</translation>
+    </message>
+    <message>
+        <source>GLB, the solids in their present pose</source>
+        <translation>GLB, katılar şimdiki konumlarında</translation>
+    </message>
+    <message>
+        <source>Without it the picture is as large as the drawing.</source>
+        <translation>Bu seçilmezse resim çizim kadar büyüktür.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Görünüm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Dosya</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Boyut</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Canlandırma</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arka plan</translation>
+    </message>
+    <message>
+        <source>None: one picture</source>
+        <translation>Yok: tek resim</translation>
+    </message>
+    <message>
+        <source>Turntable: once round</source>
+        <translation>Döner tabla: tam tur</translation>
+    </message>
+    <message>
+        <source>Motion: one period</source>
+        <translation>Hareket: bir periyot</translation>
+    </message>
+    <message>
+        <source>A minute where the motion has no period</source>
+        <translation>Hareketin periyodu yoksa bir dakika</translation>
+    </message>
+    <message>
+        <source> pictures</source>
+        <translation> resim</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> / saniye</translation>
+    </message>
+    <message>
+        <source>The 3D view is made of pixels.</source>
+        <translation>3B görünüm piksellerden oluşur.</translation>
+    </message>
+    <message>
+        <source>Only the 3D view has it.</source>
+        <translation>Yalnızca 3B görünümde vardır.</translation>
+    </message>
+    <message>
+        <source>Export pictures into the new folder</source>
+        <translation>Resimleri yeni klasöre aktar</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Klasörler (*)</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tüm dosyalar</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to export.</source>
+        <translation>3B görünüm boş: dışa aktarılacak bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Copied the drawing as a picture</source>
+        <translation>Çizim resim olarak kopyalandı</translation>
+    </message>
+    <message>
+        <source>The 3D view is empty: there is nothing to copy.</source>
+        <translation>3B görünüm boş: kopyalanacak bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Copied the 3D view as a picture</source>
+        <translation>3B görünüm resim olarak kopyalandı</translation>
+    </message>
+    <message>
+        <source>Sent to the printer</source>
+        <translation>Yazıcıya gönderildi</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 dışa aktarıldı</translation>
+    </message>
+    <message>
+        <source>How fast the motion is shown; a double click is 1.0×</source>
+        <translation>Hareketin gösterilme hızı; çift tıklama 1,0× yapar</translation>
+    </message>
+    <message>
+        <source>Speed of the motion</source>
+        <translation>Hareketin hızı</translation>
+    </message>
+    <message>
+        <source>Pause the motion (Space)</source>
+        <translation>Hareketi duraklat (Boşluk)</translation>
+    </message>
+    <message>
+        <source>Play the motion (Space)</source>
+        <translation>Hareketi oynat (Boşluk)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Duraklat</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Oynat</translation>
+    </message>
+    <message>
+        <source>Power flows under loads: add one in Forces.</source>
+        <translation>Güç yük altında akar: Kuvvetler&apos;de bir yük ekleyin.</translation>
+    </message>
+    <message>
+        <source>The loads are not in balance: Forces names what is missing.</source>
+        <translation>Yükler dengede değil: eksik olan Kuvvetler&apos;de yazıyor.</translation>
+    </message>
+    <message>
+        <source>The ground</source>
+        <translation>Sabit uzuv</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>%1 uzvu</translation>
+    </message>
+    <message>
+        <source>Link %1, %2</source>
+        <translation>%1 uzvu, %2</translation>
+    </message>
+    <message>
+        <source>Esc or F11 ends the presentation, Space plays.  Alt+1, Alt+2, … show and hide panels.</source>
+        <translation>Esc veya F11 sunumu bitirir, Boşluk oynatır.  Alt+1, Alt+2, … panelleri gösterir ve gizler.</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Son kullanılanlar</translation>
+    </message>
+    <message>
+        <source>No file has been opened yet</source>
+        <translation>Henüz dosya açılmadı</translation>
+    </message>
+    <message>
+        <source>There is nothing drawn to derive anything for.</source>
+        <translation>Türetim yapılacak bir çizim yok.</translation>
+    </message>
+    <message>
+        <source>A derivation of more than %1 links is not written: it would be too long to read.</source>
+        <translation>%1 uzuvdan fazlası için türetim yazılmaz: okunamayacak kadar uzun olurdu.</translation>
+    </message>
+    <message>
+        <source>Export derivation</source>
+        <translation>Türetimi dışa aktar</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</source>
+        <translation>Web sayfası (*.html);;PDF (*.pdf);;LaTeX (*.tex);;Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out. Try again in a moment.</source>
+        <translation>Çözüm hâlâ hesaplanıyor. Biraz sonra yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>The export was stopped.</source>
+        <translation>Dışa aktarma durduruldu.</translation>
+    </message>
+    <message>
+        <source>Export handout</source>
+        <translation>Ders notunu dışa aktar</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Web sayfası (*.html)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>about x, °</source>
+        <translation>x etrafında, °</translation>
+    </message>
+    <message>
+        <source>about y, °</source>
+        <translation>y etrafında, °</translation>
+    </message>
+    <message>
+        <source>about z, °</source>
+        <translation>z etrafında, °</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Ölçek</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Ekle…</translation>
+    </message>
+    <message>
+        <source>Another STL, OBJ, PLY or GLB file</source>
+        <translation>Başka bir STL, OBJ, PLY veya GLB dosyası</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Kaldır</translation>
+    </message>
+    <message>
+        <source>Lengths in the document&apos;s unit. A file is turned about x, then y, then z, and moved, in the drawn pose; it then moves with its link.</source>
+        <translation>Uzunluklar belgenin birimindedir. Dosya, çizilen konumda x, sonra y, sonra z etrafında döndürülüp taşınır; sonra uzvuyla birlikte hareket eder.</translation>
+    </message>
+    <message>
+        <source>3D files of link %1</source>
+        <translation>%1 uzvunun 3B dosyaları</translation>
+    </message>
+    <message>
+        <source>Place a 3D file</source>
+        <translation>3B dosya yerleştir</translation>
+    </message>
+    <message>
+        <source>3D file</source>
+        <translation>3B dosya</translation>
+    </message>
+    <message>
+        <source>3D files (*.stl *.obj *.ply *.glb);;All files (*)</source>
+        <translation>3B dosyalar (*.stl *.obj *.ply *.glb);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Wear a 3D file</source>
+        <translation>3B dosya tak</translation>
+    </message>
+    <message>
+        <source>Take off a 3D file</source>
+        <translation>3B dosyayı çıkar</translation>
+    </message>
+    <message>
+        <source>In a drawing</source>
+        <translation>Çizimde</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>Oynat, duraklat</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Boşluk</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Sayfayı kaydır</translation>
+    </message>
+    <message>
+        <source>Space or middle button, and drag</source>
+        <translation>Boşluk veya orta düğme ile sürükleme</translation>
+    </message>
+    <message>
+        <source>Zoom at the mouse</source>
+        <translation>Farenin olduğu yerde yakınlaştır</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Tekerlek</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Fit what is selected</source>
+        <translation>Seçileni sığdır</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Nudge; finer</source>
+        <translation>Az kaydır; daha ince</translation>
+    </message>
+    <message>
+        <source>Arrow keys; with Shift</source>
+        <translation>Ok tuşları; Shift ile</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Seçime ekle</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl, and click</source>
+        <translation>Shift veya Ctrl ile tıklama</translation>
+    </message>
+    <message>
+        <source>Drag without snapping</source>
+        <translation>Yakalamadan sürükle</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Rename in place</source>
+        <translation>Yerinde yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Çift tıklama</translation>
+    </message>
+    <message>
+        <source>Next, last element; besides</source>
+        <translation>Sonraki, önceki öğe; seçime ek</translation>
+    </message>
+    <message>
+        <source>Page down, up; with Shift</source>
+        <translation>Page Down, Up; Shift ile</translation>
+    </message>
+    <message>
+        <source>The nearest element that way</source>
+        <translation>O yöndeki en yakın öğe</translation>
+    </message>
+    <message>
+        <source>Ctrl and arrow key</source>
+        <translation>Ctrl ve ok tuşu</translation>
+    </message>
+    <message>
+        <source>As a click on the element</source>
+        <translation>Öğeye tıklama gibi</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Give up, deselect, back to Select</source>
+        <translation>Vazgeç, seçimi kaldır, Seç&apos;e dön</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>3B görünümde</translation>
+    </message>
+    <message>
+        <source>Step back, step on</source>
+        <translation>Adım geri, adım ileri</translation>
+    </message>
+    <message>
+        <source>Comma, point</source>
+        <translation>Virgül, nokta</translation>
+    </message>
+    <message>
+        <source>F, Home</source>
+        <translation>F, Home</translation>
+    </message>
+    <message>
+        <source>Isometric, front, right, top</source>
+        <translation>İzometrik, ön, sağ, üst</translation>
+    </message>
+    <message>
+        <source>0, 1, 2, 3</source>
+        <translation>0, 1, 2, 3</translation>
+    </message>
+    <message>
+        <source>Turn the train</source>
+        <translation>Dişli takımını döndür</translation>
+    </message>
+    <message>
+        <source>Drag a gear</source>
+        <translation>Bir dişliyi sürükleme</translation>
+    </message>
+    <message>
+        <source>Turn a part by hand</source>
+        <translation>Bir parçayı elle döndür</translation>
+    </message>
+    <message>
+        <source>Ctrl, and drag</source>
+        <translation>Ctrl ile sürükleme</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Çevresinde dön</translation>
+    </message>
+    <message>
+        <source>Drag elsewhere, arrow keys</source>
+        <translation>Başka yerde sürükleme, ok tuşları</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Kaydır</translation>
+    </message>
+    <message>
+        <source>Shift with drag or arrow keys</source>
+        <translation>Shift ile sürükleme veya ok tuşları</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Yakınlaştır</translation>
+    </message>
+    <message>
+        <source>Wheel, + and −</source>
+        <translation>Tekerlek, + ve −</translation>
+    </message>
+    <message>
+        <source>Next, last link</source>
+        <translation>Sonraki, önceki uzuv</translation>
+    </message>
+    <message>
+        <source>Page down, Page up</source>
+        <translation>Page Down, Page Up</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Klavye kısayolları</translation>
+    </message>
+    <message>
+        <source>New mechanism</source>
+        <translation>Yeni mekanizma</translation>
+    </message>
+    <message>
+        <source>An empty sheet with the ground on it</source>
+        <translation>Üzerinde sabit uzuv olan boş sayfa</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Aç…</translation>
+    </message>
+    <message>
+        <source>Open a document; it can be dropped on the window, too</source>
+        <translation>Belge aç; pencerenin üzerine de bırakılabilir</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Son kullanılanlar</translation>
+    </message>
+    <message>
+        <source>Documents that you open or save are listed here.</source>
+        <translation>Açtığınız veya kaydettiğiniz belgeler burada listelenir.</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Örnekler</translation>
+    </message>
+    <message>
+        <source>n %1</source>
+        <translation>n %1</translation>
+    </message>
+    <message>
+        <source>t %1</source>
+        <translation>t %1</translation>
+    </message>
+    <message>
+        <source>c %1</source>
+        <translation>c %1</translation>
+    </message>
+    <message>
+        <source>rank –</source>
+        <translation>rank –</translation>
+    </message>
+    <message>
+        <source>DOF –</source>
+        <translation>SD –</translation>
+    </message>
+    <message>
+        <source>rank %1</source>
+        <translation>rank %1</translation>
+    </message>
+    <message>
+        <source>DOF %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source>rank %1 + %2</source>
+        <translation>rank %1 + %2</translation>
+    </message>
+    <message>
+        <source>DOF %1 (engaged: %2)</source>
+        <translation>SD %1 (devrede: %2)</translation>
+    </message>
+    <message>
+        <source>Select, move, and change what is drawn</source>
+        <translation>Çizileni seç, taşı ve değiştir</translation>
+    </message>
+    <message>
+        <source>Draw links: click on an empty place</source>
+        <translation>Uzuv çiz: boş yere tıklayın</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: drag from a link to the link it carries</source>
+        <translation>Döner mafsal çiz: bir uzuvdan taşıdığı uzva sürükleyin</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: drag from a gear to the one it drives</source>
+        <translation>Dişli çifti çiz: bir dişliden tahrik ettiğine sürükleyin</translation>
+    </message>
+    <message>
+        <source>Drive a joint: click a turning joint or the link it carries</source>
+        <translation>Mafsal tahrik et: döner mafsala veya taşıdığı uzva tıklayın</translation>
+    </message>
+    <message>
+        <source>Move the sheet; the middle mouse button does so with any tool</source>
+        <translation>Sayfayı kaydır; orta fare düğmesi her araçta bunu yapar</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Yeni</translation>
+    </message>
+    <message>
+        <source>A document with the ground and nothing else</source>
+        <translation>Yalnız sabit uzvu olan belge</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Yeni &amp;pencere</translation>
+    </message>
+    <message>
+        <source>Another window with an empty document</source>
+        <translation>Boş belgeli başka bir pencere</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>&amp;Başlangıç sayfası</translation>
+    </message>
+    <message>
+        <source>New document, recent documents and examples</source>
+        <translation>Yeni belge, son belgeler ve örnekler</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Aç…</translation>
+    </message>
+    <message>
+        <source>Open a document</source>
+        <translation>Belge aç</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Kaydet</translation>
+    </message>
+    <message>
+        <source>Save the document</source>
+        <translation>Belgeyi kaydet</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>&amp;Farklı kaydet…</translation>
+    </message>
+    <message>
+        <source>Save the document under another name</source>
+        <translation>Belgeyi başka adla kaydet</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>&amp;Dosyaya dön</translation>
+    </message>
+    <message>
+        <source>Reload the file; this can be undone</source>
+        <translation>Dosyayı yeniden yükle; geri alınabilir</translation>
+    </message>
+    <message>
+        <source>Reopen w&amp;indows at start</source>
+        <translation>Açılışta pencereleri y&amp;eniden aç</translation>
+    </message>
+    <message>
+        <source>Open the documents of the last time when the program starts without one</source>
+        <translation>Program belgesiz başlarsa son kullanımın belgelerini aç</translation>
+    </message>
+    <message>
+        <source>&amp;Export matrix as CSV…</source>
+        <translation>&amp;Matrisi CSV olarak dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Export the matrix that is shown, with its labels</source>
+        <translation>Gösterilen matrisi etiketleriyle dışa aktar</translation>
+    </message>
+    <message>
+        <source>Export pict&amp;ure…</source>
+        <translation>Resm&amp;i dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Export a drawing as SVG, PDF or PNG, or the 3D view as PNG</source>
+        <translation>Bir çizimi SVG, PDF veya PNG, ya da 3B görünümü PNG olarak dışa aktar</translation>
+    </message>
+    <message>
+        <source>Export &amp;derivation…</source>
+        <translation>&amp;Türetimi dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism, as a web page, PDF, LaTeX or Markdown</source>
+        <translation>Bu mekanizma için iki yöntem adım adım; web sayfası, PDF, LaTeX veya Markdown olarak</translation>
+    </message>
+    <message>
+        <source>Export &amp;handout…</source>
+        <translation>Ders &amp;notunu dışa aktar…</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
+        <translation>Her tarayıcı için, telefonda ve ağsız da açılan tek sayfa: çizimler, matrisler, çözüm, türetim ve girişleri hareket eden 3B takım</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Ya&amp;zdır…</translation>
+    </message>
+    <message>
+        <source>Print the drawings and the derivation, or look at the pages first</source>
+        <translation>Çizimleri ve türetimi yazdır, ya da önce sayfalara bak</translation>
+    </message>
+    <message>
+        <source>Show the &amp;derivation</source>
+        <translation>&amp;Türetimi göster</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism</source>
+        <translation>Bu mekanizma için iki yöntem adım adım</translation>
+    </message>
+    <message>
+        <source>&amp;Compare the methods</source>
+        <translation>Yöntemleri &amp;karşılaştır</translation>
+    </message>
+    <message>
+        <source>Both methods side by side, counted for this mechanism</source>
+        <translation>Bu mekanizma için sayılmış iki yöntem yan yana</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons…</source>
+        <translation>&amp;Dersler…</translation>
+    </message>
+    <message>
+        <source>A course from one gear pair to the robot, with tasks that are checked; in a window of its own</source>
+        <translation>Tek dişli çiftinden robota, denetlenen ödevlerle bir kurs; kendi penceresinde</translation>
+    </message>
+    <message>
+        <source>Open a lesson &amp;file…</source>
+        <translation>Ders d&amp;osyası aç…</translation>
+    </message>
+    <message>
+        <source>Preview a lesson of your own: it is reloaded whenever the file is saved</source>
+        <translation>Kendi dersinizin önizlemesi: dosya her kaydedildiğinde yeniden yüklenir</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>Pen&amp;cereyi kapat</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Bu pencereyi kapat</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Çık</translation>
+    </message>
+    <message>
+        <source>Close all windows</source>
+        <translation>Bütün pencereleri kapat</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Geri al</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Geri al</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Yinele</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Yinele</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>Geç&amp;miş…</translation>
+    </message>
+    <message>
+        <source>All steps as a list; a click goes to any of them</source>
+        <translation>Bütün adımlar liste olarak; bir tıklama herhangi birine gider</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>K&amp;es</translation>
+    </message>
+    <message>
+        <source>Copy what is selected, and delete it</source>
+        <translation>Seçileni kopyala ve sil</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopyala</translation>
+    </message>
+    <message>
+        <source>Copy the selected links with the joints and meshes between them</source>
+        <translation>Seçili uzuvları aralarındaki mafsal ve dişli çiftleriyle kopyala</translation>
+    </message>
+    <message>
+        <source>Copy as p&amp;icture</source>
+        <translation>Re&amp;sim olarak kopyala</translation>
+    </message>
+    <message>
+        <source>Copy the drawing in front, or the 3D view where it has the focus, as SVG and PNG</source>
+        <translation>Öndeki çizimi, ya da odaktaysa 3B görünümü, SVG ve PNG olarak kopyala</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Ya&amp;pıştır</translation>
+    </message>
+    <message>
+        <source>Insert what was copied, in this window or in another</source>
+        <translation>Bu pencerede veya başkasında kopyalananı ekle</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>Ç&amp;oğalt</translation>
+    </message>
+    <message>
+        <source>A copy of the selection in the drawing</source>
+        <translation>Seçimin çizimde bir kopyası</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Si&amp;l</translation>
+    </message>
+    <message>
+        <source>Delete what is selected, and what needs it</source>
+        <translation>Seçileni ve ona gereksinenleri sil</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Yeni&amp;den adlandır</translation>
+    </message>
+    <message>
+        <source>Rename the selected link</source>
+        <translation>Seçili uzvu yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Tümünü seç</translation>
+    </message>
+    <message>
+        <source>Select everything</source>
+        <translation>Her şeyi seç</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>Ters çe&amp;vir</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head of the selected arrows</source>
+        <translation>Seçili okların kuyruk ve başını değiştir</translation>
+    </message>
+    <message>
+        <source>Make &amp;ground</source>
+        <translation>Sa&amp;bit uzuv yap</translation>
+    </message>
+    <message>
+        <source>Makes the selected link the ground</source>
+        <translation>Seçili uzvu sabit uzuv yapar</translation>
+    </message>
+    <message>
+        <source>&amp;Attach a gear</source>
+        <translation>Dişli &amp;ekle</translation>
+    </message>
+    <message>
+        <source>A new gear in mesh with the selected one, on the same carrier</source>
+        <translation>Seçiliyle kavraşan yeni dişli, aynı taşıyıcı üzerinde</translation>
+    </message>
+    <message>
+        <source>Dri&amp;ve</source>
+        <translation>Tah&amp;rik et</translation>
+    </message>
+    <message>
+        <source>Drive the selected joints, or stop driving them</source>
+        <translation>Seçili mafsalları tahrik et veya tahrikini kaldır</translation>
+    </message>
+    <message>
+        <source>Hold with a &amp;brake</source>
+        <translation>&amp;Frenle tut</translation>
+    </message>
+    <message>
+        <source>Engage the brake of the selected link, a new one where it has none, or release it</source>
+        <translation>Seçili uzvun frenini, yoksa yeni bir freni devreye al, ya da ayır</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Yük…</translation>
+    </message>
+    <message>
+        <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
+        <translation>Seçili mafsalda veya uzuvda tork: 10 Nm yazın, boş bırakmak kaldırır</translation>
+    </message>
+    <message>
+        <source>&amp;Release brakes and clutches</source>
+        <translation>Fren ve &amp;kavramaları ayır</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on</source>
+        <translation>Bütün fren ve kavramaları ayır; hareket sürer</translation>
+    </message>
+    <message>
+        <source>&amp;Insert set…</source>
+        <translation>Takım yer&amp;leştir…</translation>
+    </message>
+    <message>
+        <source>A whole planetary, Ravigneaux or Simpson set, a differential, a reverted train, a wrist</source>
+        <translation>Bütün bir planet, Ravigneaux veya Simpson takımı, diferansiyel, geri dönüşlü takım, bilek</translation>
+    </message>
+    <message>
+        <source>%1 planets</source>
+        <translation>%1 gezegen</translation>
+    </message>
+    <message>
+        <source>Copies of the selected planet, equally spaced, %1 in all</source>
+        <translation>Seçili gezegenin eşit aralıklı kopyaları, toplam %1</translation>
+    </message>
+    <message>
+        <source>&amp;Tidy the drawing</source>
+        <translation>Çizimi &amp;düzenle</translation>
+    </message>
+    <message>
+        <source>Lay the digraph out anew</source>
+        <translation>Yönlü grafı yeniden yerleştir</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Sığdır</translation>
+    </message>
+    <message>
+        <source>Show all of the drawing</source>
+        <translation>Bütün çizimi göster</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Yakın&amp;laştır</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Daha büyük</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>U&amp;zaklaştır</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Daha küçük</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;selection</source>
+        <translation>Se&amp;çimi sığdır</translation>
+    </message>
+    <message>
+        <source>Show all that is selected</source>
+        <translation>Seçilenlerin hepsini göster</translation>
+    </message>
+    <message>
+        <source>&amp;Presentation</source>
+        <translation>Su&amp;num</translation>
+    </message>
+    <message>
+        <source>Full screen, large type, the drawing and the panels that were chosen</source>
+        <translation>Tam ekran, büyük yazı, çizim ve seçilen paneller</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;grid</source>
+        <translation>Iz&amp;garaya yakala</translation>
+    </message>
+    <message>
+        <source>Nodes keep to a grid; Alt suspends it</source>
+        <translation>Düğümler ızgaraya uyar; Alt bunu askıya alır</translation>
+    </message>
+    <message>
+        <source>Po&amp;wer flow</source>
+        <translation>G&amp;üç akışı</translation>
+    </message>
+    <message>
+        <source>Bands in digraph and schematic show where the power of the loads goes</source>
+        <translation>Yönlü graf ve şemadaki bantlar yüklerin gücünün nereye gittiğini gösterir</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>Ye&amp;rleşimi sıfırla</translation>
+    </message>
+    <message>
+        <source>All panels back to their places</source>
+        <translation>Bütün paneller yerlerine</translation>
+    </message>
+    <message>
+        <source>Look &amp;up a term…</source>
+        <translation>T&amp;erime bak…</translation>
+    </message>
+    <message>
+        <source>The definition of a technical term</source>
+        <translation>Bir teknik terimin tanımı</translation>
+    </message>
+    <message>
+        <source>&amp;Search…</source>
+        <translation>&amp;Ara…</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term</source>
+        <translation>Komut, öğe veya terim bul</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Klavye kısayolları</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>Bütün tuşlar tek sayfada</translation>
+    </message>
+    <message>
+        <source>&amp;About GearGraph</source>
+        <translation>GearGraph &amp;hakkında</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Bu programın ne olduğu</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>&amp;Sistem gibi</translation>
+    </message>
+    <message>
+        <source>Light or dark as the system is</source>
+        <translation>Sistem gibi açık veya koyu</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Açık</translation>
+    </message>
+    <message>
+        <source>Dark on light</source>
+        <translation>Açık üzerine koyu</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Koyu</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Yüksek karşıtlık</translation>
+    </message>
+    <message>
+        <source>Light on black</source>
+        <translation>Siyah üzerine açık</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%%1</translation>
+    </message>
+    <message>
+        <source>Words of the window at %1 % of their size</source>
+        <translation>Pencere yazıları boyutlarının %%1&apos;i kadar</translation>
+    </message>
+    <message>
+        <source>3D on &amp;half the width</source>
+        <translation>3B yar&amp;ı genişlikte</translation>
+    </message>
+    <message>
+        <source>The 3D view as wide as the drawing</source>
+        <translation>3B görünüm çizim kadar geniş</translation>
+    </message>
+    <message>
+        <source>&amp;Play	Space</source>
+        <translation>&amp;Oynat<byte value="x9"/>Boşluk</translation>
+    </message>
+    <message>
+        <source>Start or stop the motion (Space)</source>
+        <translation>Hareketi başlat veya durdur (Boşluk)</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;start</source>
+        <translation>&amp;Başa dön</translation>
+    </message>
+    <message>
+        <source>The time goes back to 0</source>
+        <translation>Zaman 0&apos;a döner</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Daha hızlı</translation>
+    </message>
+    <message>
+        <source>The motion is shown faster</source>
+        <translation>Hareket daha hızlı gösterilir</translation>
+    </message>
+    <message>
+        <source>Slo&amp;wer</source>
+        <translation>Daha &amp;yavaş</translation>
+    </message>
+    <message>
+        <source>The motion is shown more slowly</source>
+        <translation>Hareket daha yavaş gösterilir</translation>
+    </message>
+    <message>
+        <source>&amp;Normal speed</source>
+        <translation>&amp;Normal hız</translation>
+    </message>
+    <message>
+        <source>A second of the motion takes a second</source>
+        <translation>Hareketin bir saniyesi bir saniye sürer</translation>
+    </message>
+    <message>
+        <source>&amp;Backwards</source>
+        <translation>&amp;Geriye</translation>
+    </message>
+    <message>
+        <source>The motion runs back in time</source>
+        <translation>Hareket zamanda geri gider</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Araçlar</translation>
+    </message>
+    <message>
+        <source>&amp;Pause	Space</source>
+        <translation>&amp;Duraklat<byte value="x9"/>Boşluk</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Dosya</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xample</source>
+        <translation>Ö&amp;rnek aç</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>D&amp;üzen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Görünüm</translation>
+    </message>
+    <message>
+        <source>Power seen fro&amp;m</source>
+        <translation>Gücün görüldüğü y&amp;er</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>T&amp;ype size</source>
+        <translation>Yazı &amp;boyu</translation>
+    </message>
+    <message>
+        <source>&amp;Mechanism</source>
+        <translation>&amp;Mekanizma</translation>
+    </message>
+    <message>
+        <source>&amp;Planets like the selected one</source>
+        <translation>Seçili gibi ge&amp;zegenler</translation>
+    </message>
+    <message>
+        <source>M&amp;otion</source>
+        <translation>&amp;Hareket</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>Öğ&amp;ren</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Yardım</translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation>Hiçbir şey seçili değil.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Geri al: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Yinele: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Geri alınacak bir şey yok.</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>Yinelenecek bir şey yok.</translation>
+    </message>
+    <message>
+        <source>There is one ground in every document.</source>
+        <translation>Her belgede bir sabit uzuv vardır.</translation>
+    </message>
+    <message>
+        <source>The ground cannot be deleted.</source>
+        <translation>Sabit uzuv silinemez.</translation>
+    </message>
+    <message>
+        <source>Select one link to rename it.</source>
+        <translation>Yeniden adlandırmak için bir uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>Select a joint or a mesh to turn its arrow round.</source>
+        <translation>Okunu ters çevirmek için bir mafsal veya dişli çifti seçin.</translation>
+    </message>
+    <message>
+        <source>Select a turning joint, or the link it carries.</source>
+        <translation>Bir döner mafsal veya taşıdığı uzvu seçin.</translation>
+    </message>
+    <message>
+        <source>The ground does not move.</source>
+        <translation>Sabit uzuv hareket etmez.</translation>
+    </message>
+    <message>
+        <source>Select one link to hold it.</source>
+        <translation>Tutmak için bir uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>No brake and no clutch is engaged.</source>
+        <translation>Devrede fren ve kavrama yok.</translation>
+    </message>
+    <message>
+        <source>Select one planet.</source>
+        <translation>Bir gezegen dişli seçin.</translation>
+    </message>
+    <message>
+        <source>Select the link that the gear should mesh with.</source>
+        <translation>Dişlinin kavraşacağı uzvu seçin.</translation>
+    </message>
+    <message>
+        <source>This link is the ground already.</source>
+        <translation>Bu uzuv zaten sabit.</translation>
+    </message>
+    <message>
+        <source>Select one link to make it the ground.</source>
+        <translation>Sabit uzuv yapmak için bir uzuv seçin.</translation>
+    </message>
+    <message>
+        <source>There is no link to lay out yet.</source>
+        <translation>Henüz yerleştirilecek uzuv yok.</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3B</translation>
+    </message>
+    <message>
+        <source>The solution is still being worked out.</source>
+        <translation>Çözüm hâlâ hesaplanıyor.</translation>
+    </message>
+    <message>
+        <source>Matrices</source>
+        <translation>Matrisler</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Sorunlar</translation>
+    </message>
+    <message>
+        <source>Inputs and results</source>
+        <translation>Girişler ve sonuçlar</translation>
+    </message>
+    <message>
+        <source>Gearbox</source>
+        <translation>Şanzıman</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Özellikler</translation>
+    </message>
+    <message>
+        <source>Derivation</source>
+        <translation>Türetim</translation>
+    </message>
+    <message>
+        <source>Dynamics</source>
+        <translation>Dinamik</translation>
+    </message>
+    <message>
+        <source>Problems %1</source>
+        <translation>Sorunlar %1</translation>
+    </message>
+    <message>
+        <source>Export matrix</source>
+        <translation>Matrisi dışa aktar</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv);;All files (*)</source>
+        <translation>CSV dosyaları (*.csv);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Export table</source>
+        <translation>Tabloyu dışa aktar</translation>
+    </message>
+    <message>
+        <source>Save the traced path</source>
+        <translation>Çizilen yörüngeyi kaydet</translation>
+    </message>
+    <message>
+        <source>path.csv</source>
+        <translation>yorunge.csv</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 kaydedildi</translation>
+    </message>
+    <message>
+        <source>Save the speeds</source>
+        <translation>Hızları kaydet</translation>
+    </message>
+    <message>
+        <source>speeds.csv</source>
+        <translation>hizlar.csv</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2</source>
+        <translation>%1 açılamadı: %2</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Adsız</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Aç</translation>
+    </message>
+    <message>
+        <source>This window is not connected to others.</source>
+        <translation>Bu pencere başkalarına bağlı değil.</translation>
+    </message>
+    <message>
+        <source>A lesson&apos;s drawing is not kept: copy what you need into another window.</source>
+        <translation>Dersin çizimi saklanmaz: gerekeni başka bir pencereye kopyalayın.</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed since it was saved.</source>
+        <translation>Kaydedildiğinden beri değişiklik yok.</translation>
+    </message>
+    <message>
+        <source>The document has no file yet.</source>
+        <translation>Belgenin henüz dosyası yok.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier run are in %1, which cannot be read.</source>
+        <translation>Önceki bir çalışmanın kaydedilmemiş değişiklikleri, okunamayan %1 dosyasında.</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>a document that was never saved (%1)</source>
+        <translation>hiç kaydedilmemiş bir belge (%1)</translation>
+    </message>
+    <message>
+        <source>1 edit</source>
+        <translation>1 değişiklik</translation>
+    </message>
+    <message>
+        <source>%1 edits</source>
+        <translation>%1 değişiklik</translation>
+    </message>
+    <message>
+        <source>GearGraph ended with unsaved changes of %1: %2 after it was last saved, the last at %3 (%4).</source>
+        <translation>GearGraph, %1 için kaydedilmemiş değişikliklerle kapandı: son kayıttan sonra %2, sonuncusu %3 (%4).</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Geri yükle</translation>
+    </message>
+    <message>
+        <source>Open them as unsaved changes, which can be undone</source>
+        <translation>Geri alınabilen, kaydedilmemiş değişiklikler olarak aç</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>At</translation>
+    </message>
+    <message>
+        <source>Delete them for good</source>
+        <translation>Kalıcı olarak sil</translation>
+    </message>
+    <message>
+        <source>They stay where they are and will be offered again</source>
+        <translation>Yerlerinde kalır ve yeniden önerilirler</translation>
+    </message>
+    <message>
+        <source>Restore unsaved changes</source>
+        <translation>Kaydedilmemiş değişiklikleri geri yükle</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, satır %2: %3</translation>
+    </message>
+    <message>
+        <source>Lesson %1 of %2</source>
+        <translation>Ders %1 / %2</translation>
+    </message>
+    <message>
+        <source>Open a lesson file</source>
+        <translation>Ders dosyası aç</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Dersler (*.json)</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Önizleme</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Ders</translation>
+    </message>
+    <message>
+        <source>This panel holds the answer: it opens when the step is right or shown.</source>
+        <translation>Bu panelde yanıt var: adım doğru olunca veya gösterilince açılır.</translation>
+    </message>
+    <message>
+        <source>The derivation holds the answer: it opens when the step is right or shown.</source>
+        <translation>Türetimde yanıt var: adım doğru olunca veya gösterilince açılır.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it.</source>
+        <translation>%1 kaydedilmedi: başka bir program onu değiştirdi.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved. %2</source>
+        <translation>%1 kaydedilmedi. %2</translation>
+    </message>
+    <message>
+        <source>Save it once more</source>
+        <translation>Bir daha kaydet</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Farklı kaydet…</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>Başka bir adla kaydet</translation>
+    </message>
+    <message>
+        <source>The document stays open, with its changes</source>
+        <translation>Belge değişiklikleriyle açık kalır</translation>
+    </message>
+    <message>
+        <source>untitled.geargraph</source>
+        <translation>adsiz.geargraph</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Farklı kaydet</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 zaten var. Değiştirilsin mi?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Kaydedilmemiş değişiklikler</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1 first?</source>
+        <translation>%1 üzerindeki değişiklikler önce kaydedilsin mi?</translation>
+    </message>
+    <message>
+        <source>Revert to the file</source>
+        <translation>Dosyaya dön</translation>
+    </message>
+    <message>
+        <source>it can no longer be read</source>
+        <translation>artık okunamıyor</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: another program has changed it (%2). Reloading can be undone.</source>
+        <translation>%1 kaydedilmedi: başka bir program onu değiştirdi (%2). Yeniden yükleme geri alınabilir.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2. Your own changes are not saved; reloading can be undone.</source>
+        <translation>Başka bir program %1 dosyasını değiştirdi: %2. Kendi değişiklikleriniz kaydedilmedi; yeniden yükleme geri alınabilir.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1: %2.</source>
+        <translation>Başka bir program %1 dosyasını değiştirdi: %2.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Yeniden yükle</translation>
+    </message>
+    <message>
+        <source>Load the contents of the file</source>
+        <translation>Dosyanın içeriğini yükle</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Üzerine yaz</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document over it</source>
+        <translation>Bu pencerenin belgesini üzerine kaydet</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>İkisini de koru</translation>
+    </message>
+    <message>
+        <source>Save this window&apos;s document under another name</source>
+        <translation>Bu pencerenin belgesini başka adla kaydet</translation>
+    </message>
+    <message>
+        <source>Saving will ask again</source>
+        <translation>Kaydederken yeniden sorulur</translation>
+    </message>
+    <message>
+        <source>Another program has moved or deleted %1.</source>
+        <translation>Başka bir program %1 dosyasını taşıdı veya sildi.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Yeniden kaydet</translation>
+    </message>
+    <message>
+        <source>Write it where it was</source>
+        <translation>Bulunduğu yere yaz</translation>
+    </message>
+    <message>
+        <source>The document stays open</source>
+        <translation>Belge açık kalır</translation>
+    </message>
+    <message>
+        <source>%1 is open in this window already.</source>
+        <translation>%1 bu pencerede zaten açık.</translation>
+    </message>
+    <message>
+        <source>Not opened again: %1</source>
+        <translation>Yeniden açılmadı: %1</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window of GearGraph. Here it is read-only.</source>
+        <translation>%1 başka bir GearGraph penceresinde açık. Burada salt okunur.</translation>
+    </message>
+    <message>
+        <source>Show that window</source>
+        <translation>O pencereyi göster</translation>
+    </message>
+    <message>
+        <source>And close this one if nothing is changed in it</source>
+        <translation>Bunda değişiklik yoksa bunu kapat</translation>
+    </message>
+    <message>
+        <source>Read-only</source>
+        <translation>Salt okunur</translation>
+    </message>
+    <message>
+        <source>Look at it here; changes can be saved under another name</source>
+        <translation>Burada bakın; değişiklikler başka adla kaydedilebilir</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2 is open in another window of GearGraph.</source>
+        <translation>%1 kaydedilmedi: %2 başka bir GearGraph penceresinde açık.</translation>
+    </message>
+    <message>
+        <source>%1 is not open in another window any more. This one writes to it now.</source>
+        <translation>%1 artık başka bir pencerede açık değil. Şimdi bu pencere ona yazıyor.</translation>
+    </message>
+    <message>
+        <source>The other window with %1 does not answer.</source>
+        <translation>%1 dosyasının açık olduğu öbür pencere yanıt vermiyor.</translation>
+    </message>
+    <message>
+        <source>Saving %1 was interrupted, so the file may be damaged. What was to be saved is in %2.</source>
+        <translation>%1 kaydı yarıda kesildi, dosya bozulmuş olabilir. Kaydedilecek olan %2 içinde.</translation>
+    </message>
+    <message>
+        <source>Open the copy</source>
+        <translation>Kopyayı aç</translation>
+    </message>
+    <message>
+        <source>Delete the copy</source>
+        <translation>Kopyayı sil</translation>
+    </message>
+    <message>
+        <source>The file is as it should be</source>
+        <translation>Dosya olması gerektiği gibi</translation>
+    </message>
+    <message>
+        <source>Attached 3D files…</source>
+        <translation>Takılı 3B dosyalar…</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>satır %1, sütun %2</translation>
+    </message>
+    <message>
+        <source>Code: %1</source>
+        <translation>Kod: %1</translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> ve %1 tane daha</translation>
+    </message>
+    <message>
+        <source>No other joint turns with joint %1.</source>
+        <translation>%1 mafsalıyla dönen başka mafsal yok.</translation>
+    </message>
+    <message>
+        <source>Joint %1 commands %2.</source>
+        <translation>%1 mafsalı şunları belirler: %2.</translation>
+    </message>
+    <message>
+        <source>Joints %1 turn together, at a fixed ratio.</source>
+        <translation>%1 mafsalları sabit oranla birlikte döner.</translation>
+    </message>
+    <message>
+        <source>Never turning: %1.</source>
+        <translation>Hiç dönmeyenler: %1.</translation>
+    </message>
+    <message>
+        <source>%1 about %2</source>
+        <translation>%2 etrafında %1</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>duruyor</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>uzuv</translation>
+    </message>
+    <message>
+        <source>absolute speed</source>
+        <translation>mutlak hız</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>dev/dk</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>oran</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>%1 için</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>şimdi</translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation>%1 rad/s</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>mafsal</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>kilitli</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 serbest</translation>
+    </message>
+    <message>
+        <source>linkage</source>
+        <translation>bağıntı</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>duruyor</translation>
+    </message>
+    <message>
+        <source>tumbles</source>
+        <translation>yalpalıyor</translation>
+    </message>
+    <message>
+        <source>%1 engaged</source>
+        <translation>%1 devrede</translation>
+    </message>
+    <message>
+        <source>%1 released</source>
+        <translation>%1 ayrıldı</translation>
+    </message>
+    <message>
+        <source>Several couplings share the load in proportions that stiffness and clearance decide.</source>
+        <translation>Birkaç eleman yükü, rijitlik ve boşluğun belirlediği oranlarda paylaşır.</translation>
+    </message>
+    <message>
+        <source>Brake %1 bears %2 N m, its torque on link %3</source>
+        <translation>%1 freni %2 N m taşır, %3 uzvuna torku</translation>
+    </message>
+    <message>
+        <source>Clutch %1 bears %2 N m, its torque on link %3 from link %4</source>
+        <translation>%1 kavraması %2 N m taşır, %4 uzvundan %3 uzvuna torku</translation>
+    </message>
+    <message>
+        <source>In the gear ratios: %1</source>
+        <translation>Dişli oranlarıyla: %1</translation>
+    </message>
+    <message>
+        <source>%1 = 0</source>
+        <translation>%1 = 0</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Brake %1 holds link %2</source>
+        <translation>%1 freni %2 uzvunu tutar</translation>
+    </message>
+    <message>
+        <source>Clutch %1 makes links %2 and %3 turn as one</source>
+        <translation>%1 kavraması %2 ve %3 uzuvlarını birlikte döndürür</translation>
+    </message>
+    <message>
+        <source>The ratio is the speed of the first link over that of the second. Click to choose them.</source>
+        <translation>Oran, ilk uzvun hızının ikincininkine bölümüdür. Seçmek için tıklayın.</translation>
+    </message>
+    <message>
+        <source>The ratio before over this one</source>
+        <translation>Önceki oran bölü bu oran</translation>
+    </message>
+    <message>
+        <source>Power taken over power fed, with the drive driving</source>
+        <translation>Giriş tahrik ederken alınan güç bölü verilen güç</translation>
+    </message>
+    <message>
+        <source>The efficiency with all known torques reversed: the output drives</source>
+        <translation>Bilinen bütün torklar ters çevrildiğinde verim: çıkış tahrik eder</translation>
+    </message>
+    <message>
+        <source>The greatest power that goes round in a loop, for each watt that is fed</source>
+        <translation>Verilen her watt için bir çevrimde dolaşan en büyük güç</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>uzuvlar</translation>
+    </message>
+    <message>
+        <source>decimal</source>
+        <translation>ondalık</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>basamak</translation>
+    </message>
+    <message>
+        <source>η</source>
+        <translation>η</translation>
+    </message>
+    <message>
+        <source>η back</source>
+        <translation>η geri</translation>
+    </message>
+    <message>
+        <source>circul.</source>
+        <translation>dolaşan</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>durum</translation>
+    </message>
+    <message>
+        <source> Eq. (%1)</source>
+        <translation> Denk. (%1)</translation>
+    </message>
+    <message>
+        <source>All gears on this link keep their teeth while other things change.</source>
+        <translation>Başka şeyler değişirken bu uzuvdaki bütün dişliler diş sayılarını korur.</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Belge</translation>
+    </message>
+    <message>
+        <source>Select a link, a joint or a mesh to see and change what belongs to it.</source>
+        <translation>Özelliklerini görmek ve değiştirmek için bir uzuv, mafsal veya dişli çifti seçin.</translation>
+    </message>
+    <message>
+        <source>Rename document</source>
+        <translation>Belgeyi yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Delete removes them with their joints and meshes.</source>
+        <translation>Del onları mafsalları ve dişli çiftleriyle birlikte siler.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Mafsallar</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Dişliler</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Fren ve kavramalar</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches of this link</source>
+        <translation>Bu uzvun fren ve kavramaları</translation>
+    </message>
+    <message>
+        <source>Link 0, the ground</source>
+        <translation>0 uzvu, sabit uzuv</translation>
+    </message>
+    <message>
+        <source>Makes this link the ground: it becomes 0, and the other labels follow.</source>
+        <translation>Bu uzvu sabit uzuv yapar: 0 olur, öbür etiketler izler.</translation>
+    </message>
+    <message>
+        <source>Pin the axis</source>
+        <translation>Ekseni sabitle</translation>
+    </message>
+    <message>
+        <source>The axis keeps its place while other things change.</source>
+        <translation>Başka şeyler değişirken eksen yerini korur.</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>birkaç</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eksen</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Yön</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Öteleme</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Ters çevir</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head: the arrow turns round, and the speed changes its sign.</source>
+        <translation>Kuyruk ve başı değiştir: ok döner, hız işaret değiştirir.</translation>
+    </message>
+    <message>
+        <source>Flip joint</source>
+        <translation>Mafsalı ters çevir</translation>
+    </message>
+    <message>
+        <source>Move bearing</source>
+        <translation>Yatağı taşı</translation>
+    </message>
+    <message>
+        <source>The joint turns back no farther than this from the reference pose, in degrees: 0 or less. Empty: no limit.</source>
+        <translation>Mafsal referans konumdan bundan fazla geri dönmez, derece: 0 veya az. Boş: sınır yok.</translation>
+    </message>
+    <message>
+        <source>The joint turns on no farther than this from the reference pose, in degrees: 0 or more. Empty: no limit.</source>
+        <translation>Mafsal referans konumdan bundan fazla ileri dönmez, derece: 0 veya çok. Boş: sınır yok.</translation>
+    </message>
+    <message>
+        <source>Limit joint</source>
+        <translation>Mafsalı sınırla</translation>
+    </message>
+    <message>
+        <source>Limits, deg</source>
+        <translation>Sınırlar, derece</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Yeni eksen</translation>
+    </message>
+    <message>
+        <source>Change axis</source>
+        <translation>Ekseni değiştir</translation>
+    </message>
+    <message>
+        <source>Move axis</source>
+        <translation>Ekseni taşı</translation>
+    </message>
+    <message>
+        <source>Turn axis</source>
+        <translation>Ekseni döndür</translation>
+    </message>
+    <message>
+        <source>new axis</source>
+        <translation>yeni eksen</translation>
+    </message>
+    <message>
+        <source>%1 turning joints</source>
+        <translation>%1 döner mafsal</translation>
+    </message>
+    <message>
+        <source>Turning joint %1: %2 → %3</source>
+        <translation>%1 döner mafsalı: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The axis is pinned.</source>
+        <translation>Eksen sabitlenmiş.</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>kuyruk</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>baş</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>modül</translation>
+    </message>
+    <message>
+        <source>The mesh keeps its module while other things change.</source>
+        <translation>Başka şeyler değişirken dişli çifti modülünü korur.</translation>
+    </message>
+    <message>
+        <source>This train has more than %1 meshes: axes and other wheels do not follow a change of teeth by themselves.</source>
+        <translation>Bu takımda %1&apos;den çok dişli çifti var: eksenler ve öbür dişliler diş değişikliğini kendiliğinden izlemez.</translation>
+    </message>
+    <message>
+        <source>from the geometry</source>
+        <translation>geometriden</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>dış</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>iç</translation>
+    </message>
+    <message>
+        <source>bevel</source>
+        <translation>konik</translation>
+    </message>
+    <message>
+        <source>Teeth of gear %1</source>
+        <translation>%1 dişlisinin diş sayısı</translation>
+    </message>
+    <message>
+        <source>Teeth, tail</source>
+        <translation>Diş, kuyruk</translation>
+    </message>
+    <message>
+        <source>Teeth, head</source>
+        <translation>Diş, baş</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Oran</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modül</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>Pitch point</source>
+        <translation>Hatve noktası</translation>
+    </message>
+    <message>
+        <source>gear %1</source>
+        <translation>%1 dişlisi</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Sabit</translation>
+    </message>
+    <message>
+        <source>Exchange tail and head with their teeth: the arrow turns round.</source>
+        <translation>Kuyruk ve başı dişleriyle değiştir: ok döner.</translation>
+    </message>
+    <message>
+        <source>Change module</source>
+        <translation>Modülü değiştir</translation>
+    </message>
+    <message>
+        <source>Move pitch point</source>
+        <translation>Hatve noktasını taşı</translation>
+    </message>
+    <message>
+        <source>Flip mesh</source>
+        <translation>Dişli çiftini ters çevir</translation>
+    </message>
+    <message>
+        <source>Change teeth</source>
+        <translation>Dişleri değiştir</translation>
+    </message>
+    <message>
+        <source>%1 gear meshes</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1: %2 → %3</source>
+        <translation>%1 dişli çifti: %2 → %3</translation>
+    </message>
+    <message>
+        <source>The module is pinned.</source>
+        <translation>Modül sabitlenmiş.</translation>
+    </message>
+    <message>
+        <source>The gears have no places yet: see Problems.</source>
+        <translation>Dişlilerin henüz yeri yok: Sorunlar&apos;a bakın.</translation>
+    </message>
+    <message>
+        <source>They are of several kinds. Select elements of one kind to change them together.</source>
+        <translation>Türleri farklı. Birlikte değiştirmek için aynı türden öğeler seçin.</translation>
+    </message>
+    <message>
+        <source>Release all couplings</source>
+        <translation>Bütün fren ve kavramaları ayır</translation>
+    </message>
+    <message>
+        <source>Fixes it; Ctrl+Z undoes that</source>
+        <translation>Düzeltir; Ctrl+Z geri alır</translation>
+    </message>
+    <message>
+        <source>+ Brake</source>
+        <translation>+ Fren</translation>
+    </message>
+    <message>
+        <source>Hold a link against the ground: the selected one, or choose</source>
+        <translation>Bir uzvu sabit uzva karşı tut: seçiliyi, ya da seçin</translation>
+    </message>
+    <message>
+        <source>+ Clutch</source>
+        <translation>+ Kavrama</translation>
+    </message>
+    <message>
+        <source>Make two links turn as one: the two selected, or choose</source>
+        <translation>İki uzvu birlikte döndür: seçili ikisini, ya da seçin</translation>
+    </message>
+    <message>
+        <source>+ State</source>
+        <translation>+ Durum</translation>
+    </message>
+    <message>
+        <source>A new row: what is engaged together</source>
+        <translation>Yeni satır: birlikte devreye alınanlar</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Tümünü ayır</translation>
+    </message>
+    <message>
+        <source>Release every brake and clutch; the motion goes on (Ctrl+B)</source>
+        <translation>Bütün fren ve kavramaları ayır; hareket sürer (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>A gearbox has brakes, which hold a link, and clutches, which make two links turn as one. Select a link and add a brake, or two links and add a clutch; then add states that engage them.</source>
+        <translation>Bir şanzımanda uzuv tutan frenler ve iki uzvu birlikte döndüren kavramalar vardır. Bir uzuv seçip fren, iki uzuv seçip kavrama ekleyin; sonra bunları devreye alan durumlar ekleyin.</translation>
+    </message>
+    <message>
+        <source>Shift table</source>
+        <translation>Vites tablosu</translation>
+    </message>
+    <message>
+        <source>Rename state</source>
+        <translation>Durumu yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Rename coupling</source>
+        <translation>Elemanı yeniden adlandır</translation>
+    </message>
+    <message>
+        <source>Click a state to engage it, a letter to engage or release one coupling, a dot to change a state.</source>
+        <translation>Devreye almak için bir duruma, bir elemanı açıp kapamak için harfe, durumu değiştirmek için noktaya tıklayın.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, for 1 N m at the drive.</source>
+        <translation>Torklar N m, girişte 1 N m için.</translation>
+    </message>
+    <message>
+        <source>Torques in N m, under the loads of the document.</source>
+        <translation>Torklar N m, belgedeki yükler altında.</translation>
+    </message>
+    <message>
+        <source>Click a letter to engage or release; add a state, then click its dots.</source>
+        <translation>Devreye almak veya ayırmak için harfe tıklayın; durum ekleyin, sonra noktalarına tıklayın.</translation>
+    </message>
+    <message>
+        <source>Add brake</source>
+        <translation>Fren ekle</translation>
+    </message>
+    <message>
+        <source>Add clutch</source>
+        <translation>Kavrama ekle</translation>
+    </message>
+    <message>
+        <source>Link %1 with</source>
+        <translation>%1 uzvu ile</translation>
+    </message>
+    <message>
+        <source>Add state</source>
+        <translation>Durum ekle</translation>
+    </message>
+    <message>
+        <source>Engage state %1</source>
+        <translation>%1 durumunu devreye al</translation>
+    </message>
+    <message>
+        <source>Put %1 into the state</source>
+        <translation>%1 elemanını duruma koy</translation>
+    </message>
+    <message>
+        <source>Take %1 out of the state</source>
+        <translation>%1 elemanını durumdan çıkar</translation>
+    </message>
+    <message>
+        <source>Choose drive</source>
+        <translation>Girişi seç</translation>
+    </message>
+    <message>
+        <source>Choose driven</source>
+        <translation>Çıkışı seç</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Giriş</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Çıkış</translation>
+    </message>
+    <message>
+        <source>Drive of all states</source>
+        <translation>Bütün durumların girişi</translation>
+    </message>
+    <message>
+        <source>Driven of all states</source>
+        <translation>Bütün durumların çıkışı</translation>
+    </message>
+    <message>
+        <source>Engage</source>
+        <translation>Devreye al</translation>
+    </message>
+    <message>
+        <source>Delete state</source>
+        <translation>Durumu sil</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabloyu kopyala</translation>
+    </message>
+    <message>
+        <source>Export table as CSV…</source>
+        <translation>Tabloyu CSV olarak dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Ayır</translation>
+    </message>
+    <message>
+        <source>Delete coupling</source>
+        <translation>Elemanı sil</translation>
+    </message>
+    <message>
+        <source>No joint is driven yet. Choose the input tool (I), then click a turning joint.</source>
+        <translation>Henüz tahrikli mafsal yok. Giriş aracını (I) seçin, sonra bir döner mafsala tıklayın.</translation>
+    </message>
+    <message>
+        <source>Show more: %1 of %2 inputs are listed</source>
+        <translation>Daha çok göster: %2 girişten %1 tanesi listelendi</translation>
+    </message>
+    <message>
+        <source>link %1 held</source>
+        <translation>%1 uzvu tutulu</translation>
+    </message>
+    <message>
+        <source>links %1 and %2 as one</source>
+        <translation>%1 ve %2 uzuvları tek parça</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Engaged: %1</source>
+        <translation>Devrede: %1</translation>
+    </message>
+    <message>
+        <source>Engaged: state %1, with %2</source>
+        <translation>Devrede: %1 durumu, %2 ile</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1: how fast link %2 turns relative to link %3. Positive: about the direction of the axis, by the right-hand rule.</source>
+        <translation>%1 mafsalının hızı: %2 uzvunun %3 uzvuna göre dönüşü. Pozitif: sağ el kuralıyla eksen yönü etrafında.</translation>
+    </message>
+    <message>
+        <source>Colour of link %1</source>
+        <translation>%1 uzvunun rengi</translation>
+    </message>
+    <message>
+        <source>Speed of joint %1</source>
+        <translation>%1 mafsalının hızı</translation>
+    </message>
+    <message>
+        <source>Drive another joint instead; the motion stays as it is</source>
+        <translation>Yerine başka bir mafsalı tahrik et; hareket aynı kalır</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet</source>
+        <translation>Henüz bir şey çözülmedi</translation>
+    </message>
+    <message>
+        <source>Joint %1 instead of %2</source>
+        <translation>%2 yerine %1 mafsalı</translation>
+    </message>
+    <message>
+        <source>Joint %1 never turns</source>
+        <translation>%1 mafsalı hiç dönmez</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not depend on %2; it could replace %3</source>
+        <translation>%1 mafsalı %2 mafsalına bağlı değil; %3 yerine geçebilir</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> veya </translation>
+    </message>
+    <message>
+        <source>Choose inputs</source>
+        <translation>Girişleri seç</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive yet. Draw a turning joint: T, then drag.</source>
+        <translation>Henüz tahrik edilecek bir şey yok. Döner mafsal çizin: T, sonra sürükleyin.</translation>
+    </message>
+    <message>
+        <source>There is nothing to drive: the mechanism has no degree of freedom.</source>
+        <translation>Tahrik edilecek bir şey yok: mekanizmanın serbestlik derecesi yok.</translation>
+    </message>
+    <message>
+        <source>Drive joint %1</source>
+        <translation>%1 mafsalını tahrik et</translation>
+    </message>
+    <message>
+        <source>Drive joints %1</source>
+        <translation>%1 mafsallarını tahrik et</translation>
+    </message>
+    <message>
+        <source>Set speed</source>
+        <translation>Hızı belirle</translation>
+    </message>
+    <message>
+        <source>Side wheels</source>
+        <translation>Yan dişliler</translation>
+    </message>
+    <message>
+        <source>Pinions&apos; teeth</source>
+        <translation>Pinyonların dişleri</translation>
+    </message>
+    <message>
+        <source>Pinions</source>
+        <translation>Pinyonlar</translation>
+    </message>
+    <message>
+        <source>Small sun</source>
+        <translation>Küçük güneş</translation>
+    </message>
+    <message>
+        <source>Large sun</source>
+        <translation>Büyük güneş</translation>
+    </message>
+    <message>
+        <source>Short planet</source>
+        <translation>Kısa gezegen</translation>
+    </message>
+    <message>
+        <source>Long planet</source>
+        <translation>Uzun gezegen</translation>
+    </message>
+    <message>
+        <source>Pairs of planets</source>
+        <translation>Gezegen çiftleri</translation>
+    </message>
+    <message>
+        <source>Suns</source>
+        <translation>Güneş dişliler</translation>
+    </message>
+    <message>
+        <source>Planets&apos; teeth</source>
+        <translation>Gezegenlerin dişleri</translation>
+    </message>
+    <message>
+        <source>Planets a set</source>
+        <translation>Takım başına gezegen</translation>
+    </message>
+    <message>
+        <source>Bend shaft</source>
+        <translation>Bükme mili</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Bükme</translation>
+    </message>
+    <message>
+        <source>Roll shaft</source>
+        <translation>Yuvarlanma mili</translation>
+    </message>
+    <message>
+        <source>Idler</source>
+        <translation>Ara dişli</translation>
+    </message>
+    <message>
+        <source>Idler&apos;s pinion</source>
+        <translation>Ara dişli pinyonu</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Takım</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Yerleştir</translation>
+    </message>
+    <message>
+        <source>Insert a set</source>
+        <translation>Takım yerleştir</translation>
+    </message>
+    <message>
+        <source>Planetary set</source>
+        <translation>Planet dişli takımı</translation>
+    </message>
+    <message>
+        <source>Reverted train</source>
+        <translation>Geri dönüşlü dişli takımı</translation>
+    </message>
+    <message>
+        <source>Bevel differential</source>
+        <translation>Konik diferansiyel</translation>
+    </message>
+    <message>
+        <source>Ravigneaux set</source>
+        <translation>Ravigneaux takımı</translation>
+    </message>
+    <message>
+        <source>Simpson set</source>
+        <translation>Simpson takımı</translation>
+    </message>
+    <message>
+        <source>Bevel wrist</source>
+        <translation>Konik dişli bilek</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Kapat</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 joints, %3 meshes</source>
+        <translation>%1 uzuv, %2 mafsal, %3 dişli çifti</translation>
+    </message>
+    <message>
+        <source>; %1 couplings and %2 states</source>
+        <translation>; %1 fren/kavrama ve %2 durum</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>ve %1 tane daha</translation>
+    </message>
+    <message>
+        <source>%1 with %2, axis %3</source>
+        <translation>%1, %2 ile, %3 ekseni</translation>
+    </message>
+    <message>
+        <source>link </source>
+        <translation>uzuv </translation>
+    </message>
+    <message>
+        <source>%1 teeth in mesh %2 with %3</source>
+        <translation>%1 diş, %2 dişli çiftinde, %3 ile</translation>
+    </message>
+    <message>
+        <source>brake </source>
+        <translation>fren </translation>
+    </message>
+    <message>
+        <source>clutch </source>
+        <translation>kavrama </translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1, %2 ile</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>ondalık</translation>
+    </message>
+    <message>
+        <source>fractions</source>
+        <translation>kesirler</translation>
+    </message>
+    <message>
+        <source>symbols</source>
+        <translation>simgeler</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matris</translation>
+    </message>
+    <message>
+        <source>Export the matrix with its labels to a CSV file</source>
+        <translation>Matrisi etiketleriyle CSV dosyasına aktar</translation>
+    </message>
+    <message>
+        <source>zeros ·</source>
+        <translation>sıfırlar ·</translation>
+    </message>
+    <message>
+        <source>Show zeros as faint dots, or as 0</source>
+        <translation>Sıfırları soluk nokta veya 0 olarak göster</translation>
+    </message>
+    <message>
+        <source>zeros 0</source>
+        <translation>sıfırlar 0</translation>
+    </message>
+    <message>
+        <source>Copy ▾</source>
+        <translation>Kopyala ▾</translation>
+    </message>
+    <message>
+        <source>Copy the matrix with its labels</source>
+        <translation>Matrisi etiketleriyle kopyala</translation>
+    </message>
+    <message>
+        <source>Table (TSV)</source>
+        <translation>Tablo (TSV)</translation>
+    </message>
+    <message>
+        <source>A matrix of %1 entries is too large to be copied. Export it as CSV.</source>
+        <translation>%1 öğeli matris kopyalanamayacak kadar büyük. CSV olarak dışa aktarın.</translation>
+    </message>
+    <message>
+        <source>How the entries are shown: decimals, fractions or symbols</source>
+        <translation>Öğelerin gösterimi: ondalık, kesir veya simge</translation>
+    </message>
+    <message>
+        <source>The equations are too many to be written out.</source>
+        <translation>Denklemler yazılamayacak kadar çok.</translation>
+    </message>
+    <message>
+        <source>The matrices appear as soon as the mechanism is analysed.</source>
+        <translation>Mekanizma çözümlenince matrisler görünür.</translation>
+    </message>
+    <message>
+        <source>Draw the first link: L, then click.</source>
+        <translation>İlk uzvu çizin: L, sonra tıklayın.</translation>
+    </message>
+    <message>
+        <source>Draw a turning joint: T, then drag from a link to another.</source>
+        <translation>Döner mafsal çizin: T, sonra bir uzuvdan öbürüne sürükleyin.</translation>
+    </message>
+    <message>
+        <source>Draw a gear mesh: G, then drag from a gear to the one it drives.</source>
+        <translation>Dişli çifti çizin: G, sonra bir dişliden tahrik ettiğine sürükleyin.</translation>
+    </message>
+    <message>
+        <source>In %1; a length with another unit, such as 1/2 in or 2.5 cm, is converted.</source>
+        <translation>%1 biriminde; 1/2 in veya 2,5 cm gibi başka birimli uzunluk çevrilir.</translation>
+    </message>
+    <message>
+        <source>Type a whole number from %1 to %2.</source>
+        <translation>%1 ile %2 arasında bir tam sayı yazın.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7, or a length such as 1/2 in.</source>
+        <translation>12, 0,5 veya 22/7 gibi bir sayı ya da 1/2 in gibi bir uzunluk yazın.</translation>
+    </message>
+    <message>
+        <source>Type a number such as 12, 0.5 or 22/7.</source>
+        <translation>12, 0,5 veya 22/7 gibi bir sayı yazın.</translation>
+    </message>
+    <message>
+        <source>No problems. Every link is tied to the ground, and the turning joints make a spanning tree.</source>
+        <translation>Sorun yok. Her uzuv sabit uzva bağlı ve döner mafsallar kapsayan ağaç oluşturuyor.</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Kapat</translation>
+    </message>
+    <message>
+        <source>Show the problems of the open document again</source>
+        <translation>Açık belgenin sorunlarını yeniden göster</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 sorun</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 sorun</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2. The document that was open stays open.</source>
+        <translation>%1 açılamadı: %2. Açık olan belge açık kalır.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Sabitle</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Serbest bırak</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>oto</translation>
+    </message>
+    <message>
+        <source>Coefficients as formulas in the gear ratios, or as fractions</source>
+        <translation>Katsayılar dişli oranlarıyla formül veya kesir olarak</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Sonuçlar</translation>
+    </message>
+    <message>
+        <source>Relative: joint by joint. Absolute: the angular velocity vectors of the links.</source>
+        <translation>Bağıl: mafsal mafsal. Mutlak: uzuvların açısal hız vektörleri.</translation>
+    </message>
+    <message>
+        <source>The unit of the speeds, or the member they are taken as ratio to</source>
+        <translation>Hızların birimi veya oranlandıkları öğe</translation>
+    </message>
+    <message>
+        <source>Read the motors ▾</source>
+        <translation>Motorları oku ▾</translation>
+    </message>
+    <message>
+        <source>Enter the speeds of a link relative to its own chain of joints, and read those of the motors</source>
+        <translation>Bir uzvun kendi mafsal zincirine göre hızlarını girin ve motorlarınkini okuyun</translation>
+    </message>
+    <message>
+        <source>absolute speeds</source>
+        <translation>mutlak hızlar</translation>
+    </message>
+    <message>
+        <source>relative speeds</source>
+        <translation>bağıl hızlar</translation>
+    </message>
+    <message>
+        <source>ratio to %1</source>
+        <translation>%1 için oran</translation>
+    </message>
+    <message>
+        <source>rpm, turns a minute</source>
+        <translation>dev/dk, dakikadaki devir</translation>
+    </message>
+    <message>
+        <source>Ratio to joint %1 (link %2)</source>
+        <translation>%1 mafsalına oran (%2 uzvu)</translation>
+    </message>
+    <message>
+        <source>%1 more joints: select one to find it here</source>
+        <translation>%1 mafsal daha: burada bulmak için birini seçin</translation>
+    </message>
+    <message>
+        <source>Give the joints of link %1: %2</source>
+        <translation>%1 uzvunun mafsallarını ver: %2</translation>
+    </message>
+    <message>
+        <source> (they are not independent)</source>
+        <translation> (bağımsız değiller)</translation>
+    </message>
+    <message>
+        <source>%1 more links: select one to find it here</source>
+        <translation>%1 uzuv daha: burada bulmak için birini seçin</translation>
+    </message>
+    <message>
+        <source>Every link turns on the ground</source>
+        <translation>Her uzuv sabit uzuvda dönüyor</translation>
+    </message>
+    <message>
+        <source>formulas</source>
+        <translation>formüller</translation>
+    </message>
+    <message>
+        <source>… (%1 in all)</source>
+        <translation>… (toplam %1)</translation>
+    </message>
+    <message>
+        <source>No joint is driven: %1 as input, at 1 rad/s each.</source>
+        <translation>Tahrikli mafsal yok: %1 giriş, her biri 1 rad/s.</translation>
+    </message>
+    <message>
+        <source>the set of joints %1</source>
+        <translation>%1 mafsal kümesi</translation>
+    </message>
+    <message>
+        <source>The two methods differ at %1 joints. Please report this document.</source>
+        <translation>İki yöntem %1 mafsalda farklı. Lütfen bu belgeyi bildirin.</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly</source>
+        <translation>Matroid yöntemi = T–T grafı yöntemi, tam olarak</translation>
+    </message>
+    <message>
+        <source>Matroid method = T–T graph method, exactly, for all %1 joints</source>
+        <translation>Matroid yöntemi = T–T grafı yöntemi, %1 mafsalın hepsi için tam olarak</translation>
+    </message>
+    <message>
+        <source>Solving exactly, by both methods …</source>
+        <translation>İki yöntemle tam olarak çözülüyor …</translation>
+    </message>
+    <message>
+        <source>The results appear as soon as the mechanism is analysed.</source>
+        <translation>Mekanizma çözümlenince sonuçlar görünür.</translation>
+    </message>
+    <message>
+        <source>Rates appear when the first turning joint is drawn.</source>
+        <translation>İlk döner mafsal çizilince hızlar görünür.</translation>
+    </message>
+    <message>
+        <source>Every joint is an input: there is nothing left to solve for.</source>
+        <translation>Her mafsal giriş: çözülecek bir şey kalmadı.</translation>
+    </message>
+    <message>
+        <source>Ratio wanted</source>
+        <translation>İstenen oran</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>hata</translation>
+    </message>
+    <message>
+        <source>sun</source>
+        <translation>güneş</translation>
+    </message>
+    <message>
+        <source>planet</source>
+        <translation>gezegen</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>çember</translation>
+    </message>
+    <message>
+        <source>sun to carrier, ring held</source>
+        <translation>güneşten taşıyıcıya, çember tutulu</translation>
+    </message>
+    <message>
+        <source>ring to carrier, sun held</source>
+        <translation>çemberden taşıyıcıya, güneş tutulu</translation>
+    </message>
+    <message>
+        <source>sun to ring, carrier held</source>
+        <translation>güneşten çembere, taşıyıcı tutulu</translation>
+    </message>
+    <message>
+        <source>carrier to sun, ring held</source>
+        <translation>taşıyıcıdan güneşe, çember tutulu</translation>
+    </message>
+    <message>
+        <source>carrier to ring, sun held</source>
+        <translation>taşıyıcıdan çembere, güneş tutulu</translation>
+    </message>
+    <message>
+        <source>ring to sun, carrier held</source>
+        <translation>çemberden güneşe, taşıyıcı tutulu</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>Nereden, nereye</translation>
+    </message>
+    <message>
+        <source>Planets</source>
+        <translation>Gezegenler</translation>
+    </message>
+    <message>
+        <source>Fewest teeth</source>
+        <translation>En az diş</translation>
+    </message>
+    <message>
+        <source>Most teeth</source>
+        <translation>En çok diş</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>birinci</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>ikinci</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <translation>üçüncü</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <translation>dördüncü</translation>
+    </message>
+    <message>
+        <source>Print preview</source>
+        <translation>Baskı önizleme</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2: %3</source>
+        <translation>Sayfa %1 / %2: %3</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Yazdır</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Ne</translation>
+    </message>
+    <message>
+        <source>The drawing on a page of its own</source>
+        <translation>Çizim kendi sayfasında</translation>
+    </message>
+    <message>
+        <source>Derivation with its matrices</source>
+        <translation>Matrisleriyle türetim</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step</source>
+        <translation>İki yöntem adım adım</translation>
+    </message>
+    <message>
+        <source>Page setup…</source>
+        <translation>Sayfa yapısı…</translation>
+    </message>
+    <message>
+        <source>Size and orientation of the paper</source>
+        <translation>Kâğıt boyutu ve yönü</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Yazdır…</translation>
+    </message>
+    <message>
+        <source>Choose a printer, or a PDF file</source>
+        <translation>Yazıcı veya PDF dosyası seç</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Sayfa</translation>
+    </message>
+    <message>
+        <source>The page that is shown</source>
+        <translation>Gösterilen sayfa</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> / %1</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>Hiçbir şey seçilmedi.</translation>
+    </message>
+    <message>
+        <source>There is no such page to print.</source>
+        <translation>Yazdırılacak böyle bir sayfa yok.</translation>
+    </message>
+    <message>
+        <source>The printer could not be opened.</source>
+        <translation>Yazıcı açılamadı.</translation>
+    </message>
+    <message>
+        <source>The printer stopped at page %1.</source>
+        <translation>Yazıcı %1. sayfada durdu.</translation>
+    </message>
+    <message>
+        <source>Printing was stopped.</source>
+        <translation>Yazdırma durduruldu.</translation>
+    </message>
+    <message>
+        <source>The printer reported an error.</source>
+        <translation>Yazıcı hata bildirdi.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept: no file can be written beside the document or in %1.</source>
+        <translation>Kaydedilmemiş değişiklikler saklanamıyor: ne belgenin yanına ne de %1 içine dosya yazılabiliyor.</translation>
+    </message>
+    <message>
+        <source>The schematic is still being laid out. Try again in a moment.</source>
+        <translation>Şema hâlâ yerleştiriliyor. Biraz sonra yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>Finding places for %1 links …</source>
+        <translation>%1 uzva yer bulunuyor …</translation>
+    </message>
+    <message>
+        <source>The schematic shows up to %1 links; this train has %2. Digraph and T–T graph show all of them</source>
+        <translation>Şema en çok %1 uzuv gösterir; bu takımda %2 var. Yönlü graf ve T–T grafı hepsini gösterir</translation>
+    </message>
+    <message>
+        <source>Draw the first shaft: L, then drag</source>
+        <translation>İlk mili çizin: L, sonra sürükleyin</translation>
+    </message>
+    <message>
+        <source>No turning joint ties a link to the ground yet. Draw a shaft: L, then drag</source>
+        <translation>Henüz bir uzvu sabit uzva bağlayan döner mafsal yok. Bir mil çizin: L, sonra sürükleyin</translation>
+    </message>
+    <message>
+        <source>Move axis %1</source>
+        <translation>%1 eksenini taşı</translation>
+    </message>
+    <message>
+        <source>%1. Alt places freely, Esc puts back</source>
+        <translation>%1. Alt serbest yerleştirir, Esc geri koyar</translation>
+    </message>
+    <message>
+        <source>Axis %1 is %2 from axis %3, module %4</source>
+        <translation>%1 ekseni %3 ekseninden %2 uzakta, modül %4</translation>
+    </message>
+    <message>
+        <source>Module %1, teeth as they are</source>
+        <translation>Modül %1, dişler aynı</translation>
+    </message>
+    <message>
+        <source>%1 : %2 teeth, %3 apart, %4 off</source>
+        <translation>%1 : %2 diş, aralık %3, sapma %4</translation>
+    </message>
+    <message>
+        <source>%1. Choose tooth counts instead, or Esc</source>
+        <translation>%1. Yerine diş sayıları seçin, ya da Esc</translation>
+    </message>
+    <message>
+        <source>Draw shaft</source>
+        <translation>Mil çiz</translation>
+    </message>
+    <message>
+        <source>Draw gear mesh</source>
+        <translation>Dişli çifti çiz</translation>
+    </message>
+    <message>
+        <source>Turning joint %1</source>
+        <translation>%1 döner mafsalı</translation>
+    </message>
+    <message>
+        <source>Gear mesh %1</source>
+        <translation>%1 dişli çifti</translation>
+    </message>
+    <message>
+        <source>Search a command or a term  Ctrl+K</source>
+        <translation>Komut veya terim ara  Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Find a command, an element or a term (Ctrl+K)</source>
+        <translation>Komut, öğe veya terim bul (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Ara</translation>
+    </message>
+    <message>
+        <source>No command or term matches “%1”.</source>
+        <translation>“%1” ile eşleşen komut veya terim yok.</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>öğe</translation>
+    </message>
+    <message>
+        <source>term</source>
+        <translation>terim</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>komut</translation>
+    </message>
+    <message>
+        <source>Enter selects and shows it.</source>
+        <translation>Enter seçer ve gösterir.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Makalenin (%1) denklemi.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Type to search on; Esc closes.</source>
+        <translation>Aramayı sürdürmek için yazın; Esc kapatır.</translation>
+    </message>
+    <message>
+        <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
+        <translation>Mil: bir eksen boyunca, yeni eksen için boş alanda sürükleyin</translation>
+    </message>
+    <message>
+        <source>Shaft: release where it ends. Esc cancels</source>
+        <translation>Mil: bittiği yerde bırakın. Esc vazgeçer</translation>
+    </message>
+    <message>
+        <source>Carried shaft: drag from the link that carries it to its place</source>
+        <translation>Taşınan mil: taşıyan uzuvdan yerine sürükleyin</translation>
+    </message>
+    <message>
+        <source>Carried shaft: release at the place of its axis. Esc cancels</source>
+        <translation>Taşınan mil: ekseninin yerinde bırakın. Esc vazgeçer</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a shaft to the one it drives</source>
+        <translation>Dişli çifti: bir milden tahrik ettiğine sürükleyin</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the other shaft, or beyond it for a ring. Esc cancels</source>
+        <translation>Dişli çifti: öbür milin üzerinde, çember için ötesinde bırakın. Esc vazgeçer</translation>
+    </message>
+    <message>
+        <source>Input: click a turning joint, or the link it carries, to drive it or not</source>
+        <translation>Giriş: tahrik etmek veya etmemek için döner mafsala ya da taşıdığı uzva tıklayın</translation>
+    </message>
+    <message>
+        <source>Drag to move the sheet</source>
+        <translation>Sayfayı kaydırmak için sürükleyin</translation>
+    </message>
+    <message>
+        <source>Alt places freely. Esc puts back</source>
+        <translation>Alt serbest yerleştirir. Esc geri koyar</translation>
+    </message>
+    <message>
+        <source>Click to select, drag an axis to move it. The program lays the drawing out</source>
+        <translation>Seçmek için tıklayın, taşımak için ekseni sürükleyin. Çizimi program yerleştirir</translation>
+    </message>
+    <message>
+        <source>Gear mesh: drag from a gear to the gear it drives</source>
+        <translation>Dişli çifti: bir dişliden tahrik ettiği dişliye sürükleyin</translation>
+    </message>
+    <message>
+        <source>Turning joint: drag from a link to the link it carries</source>
+        <translation>Döner mafsal: bir uzuvdan taşıdığı uzva sürükleyin</translation>
+    </message>
+    <message>
+        <source>Gear mesh: release on the second gear. Esc cancels</source>
+        <translation>Dişli çifti: ikinci dişlide bırakın. Esc vazgeçer</translation>
+    </message>
+    <message>
+        <source>Turning joint: release on the link that is carried. Esc cancels</source>
+        <translation>Döner mafsal: taşınan uzuvda bırakın. Esc vazgeçer</translation>
+    </message>
+    <message>
+        <source>Release to select what is inside</source>
+        <translation>İçindekileri seçmek için bırakın</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to move, drag on an empty area to select several</source>
+        <translation>Seçmek için tıklayın, taşımak için sürükleyin, birkaçını seçmek için boş alanda sürükleyin</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seç</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Uzuv</translation>
+    </message>
+    <message>
+        <source>Turning joint</source>
+        <translation>Döner mafsal</translation>
+    </message>
+    <message>
+        <source>Gear mesh</source>
+        <translation>Dişli çifti</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Giriş</translation>
+    </message>
+    <message>
+        <source>Link: click on an empty area</source>
+        <translation>Uzuv: boş alana tıklayın</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform &quot;%1&quot; has no windows with OpenGL.</source>
+        <translation>Qt&apos;nin &quot;%1&quot; platformunda OpenGL pencereleri yok.</translation>
+    </message>
+    <message>
+        <source>This display offers no OpenGL 3.3.</source>
+        <translation>Bu ekranda OpenGL 3.3 yok.</translation>
+    </message>
+    <message>
+        <source>x, y, z</source>
+        <translation>x, y, z</translation>
+    </message>
+    <message>
+        <source>Coordinates beside the magnitudes of links and points</source>
+        <translation>Uzuv ve nokta büyüklüklerinin yanında koordinatlar</translation>
+    </message>
+    <message>
+        <source>Save what is plotted as CSV</source>
+        <translation>Çizileni CSV olarak kaydet</translation>
+    </message>
+    <message>
+        <source>Select joints or links; trace points in the 3D view.</source>
+        <translation>Mafsal veya uzuv seçin; 3B görünümde noktaların izini çizdirin.</translation>
+    </message>
+    <message>
+        <source>Nothing moves yet: the speeds appear here when the mechanism has valid inputs.</source>
+        <translation>Henüz hareket yok: mekanizmanın geçerli girişleri olunca hızlar burada görünür.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom in time; Ctrl+wheel: in value; drag: move; click: go there; double click: all</source>
+        <translation>Tekerlek: zamanda yakınlaştır; Ctrl+tekerlek: değerde; sürükle: kaydır; tıkla: oraya git; çift tıkla: tümü</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>zaman, s</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>%1 s anında</translation>
+    </message>
+    <message>
+        <source>One step back (,)</source>
+        <translation>Bir adım geri (,)</translation>
+    </message>
+    <message>
+        <source>One step on (.)</source>
+        <translation>Bir adım ileri (.)</translation>
+    </message>
+    <message>
+        <source>Speed and direction</source>
+        <translation>Hız ve yön</translation>
+    </message>
+    <message>
+        <source>Torques ×</source>
+        <translation>Torklar ×</translation>
+    </message>
+    <message>
+        <source>The motion that the torques of Dynamics cause is shown. Click to let the inputs run at their speeds again</source>
+        <translation>Dinamik torklarının oluşturduğu hareket gösteriliyor. Girişlerin yeniden kendi hızlarıyla dönmesi için tıklayın</translation>
+    </message>
+    <message>
+        <source>Backwards</source>
+        <translation>Geriye</translation>
+    </message>
+    <message>
+        <source>Drag through the motion that the torques cause</source>
+        <translation>Torkların oluşturduğu hareket boyunca sürükleyin</translation>
+    </message>
+    <message>
+        <source>Drag through one period of the motion</source>
+        <translation>Hareketin bir periyodu boyunca sürükleyin</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Duraklat (Boşluk)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Oynat (Boşluk)</translation>
+    </message>
+    <message>
+        <source>%1 s (%2 … %3)</source>
+        <translation>%1 s (%2 … %3)</translation>
+    </message>
+    <message>
+        <source>%1 s / %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Kesit</translation>
+    </message>
+    <message>
+        <source>Cut square to %1</source>
+        <translation>%1 yönüne dik kesit</translation>
+    </message>
+    <message>
+        <source>Where the train is cut</source>
+        <translation>Takımın kesildiği yer</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Döndür</translation>
+    </message>
+    <message>
+        <source>Take away the other half</source>
+        <translation>Öbür yarıyı kaldır</translation>
+    </message>
+    <message>
+        <source>Exploded view</source>
+        <translation>Patlatılmış görünüş</translation>
+    </message>
+    <message>
+        <source>How far the parts are moved apart along their axes</source>
+        <translation>Parçaların eksenleri boyunca ne kadar ayrıldığı</translation>
+    </message>
+    <message>
+        <source>Picture of the train</source>
+        <translation>Dişli takımının resmi</translation>
+    </message>
+    <message>
+        <source>Software 3D</source>
+        <translation>Yazılımsal 3B</translation>
+    </message>
+    <message>
+        <source>%1 Painted by the processor (%2): finer when nothing moves.</source>
+        <translation>%1 İşlemci çiziyor (%2): hareket yokken daha ince.</translation>
+    </message>
+    <message>
+        <source>All of the train in the view (F)</source>
+        <translation>Bütün takım görünümde (F)</translation>
+    </message>
+    <message>
+        <source>Iso</source>
+        <translation>İzo</translation>
+    </message>
+    <message>
+        <source>Isometric (0)</source>
+        <translation>İzometrik (0)</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Ön</translation>
+    </message>
+    <message>
+        <source>From the front: x to the right, z up (1)</source>
+        <translation>Önden: x sağa, z yukarı (1)</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Sağ</translation>
+    </message>
+    <message>
+        <source>From the right: y to the right, z up (2)</source>
+        <translation>Sağdan: y sağa, z yukarı (2)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Üst</translation>
+    </message>
+    <message>
+        <source>From above: x to the right, y up (3)</source>
+        <translation>Üstten: x sağa, y yukarı (3)</translation>
+    </message>
+    <message>
+        <source>Cut the train open (S)</source>
+        <translation>Takımı kesip aç (S)</translation>
+    </message>
+    <message>
+        <source>What is shown, and how</source>
+        <translation>Ne gösterilir ve nasıl</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1.</source>
+        <translation>Sınıra ulaşıldı: %1.</translation>
+    </message>
+    <message>
+        <source>Limit reached: %1. The motion turns round.</source>
+        <translation>Sınıra ulaşıldı: %1. Hareket yön değiştirir.</translation>
+    </message>
+    <message>
+        <source>Nothing to turn yet: place axes and give the meshes their teeth.</source>
+        <translation>Henüz döndürülecek bir şey yok: eksenleri yerleştirin ve dişli çiftlerine diş sayısı verin.</translation>
+    </message>
+    <message>
+        <source>The point travels %1 %2 in %3 s.</source>
+        <translation>Nokta %3 s içinde %1 %2 yol alır.</translation>
+    </message>
+    <message>
+        <source>not asked (GEARGRAPH_3D is set)</source>
+        <translation>sorulmadı (GEARGRAPH_3D ayarlı)</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>sabit uzuv</translation>
+    </message>
+    <message>
+        <source>The gears are being made …</source>
+        <translation>Dişliler oluşturuluyor …</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Gölgeli</translation>
+    </message>
+    <message>
+        <source>Lines, hidden ones left out</source>
+        <translation>Çizgiler, gizliler olmadan</translation>
+    </message>
+    <message>
+        <source>All edges</source>
+        <translation>Bütün kenarlar</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketler</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Uzuvlar</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Eksenler</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Ölçek çubuğu</translation>
+    </message>
+    <message>
+        <source>Pitch circles and cones</source>
+        <translation>Hatve daireleri ve konileri</translation>
+    </message>
+    <message>
+        <source>Pitch points</source>
+        <translation>Hatve noktaları</translation>
+    </message>
+    <message>
+        <source>Instantaneous axes</source>
+        <translation>Ani dönme eksenleri</translation>
+    </message>
+    <message>
+        <source>Velocities</source>
+        <translation>Hızlar</translation>
+    </message>
+    <message>
+        <source>Forces under the loads</source>
+        <translation>Yükler altındaki kuvvetler</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Göster</translation>
+    </message>
+    <message>
+        <source>Orbit; Shift pans, Ctrl zooms (Blender)</source>
+        <translation>Çevresinde dön; Shift kaydırır, Ctrl yakınlaştırır (Blender)</translation>
+    </message>
+    <message>
+        <source>Pan; Shift orbits, Ctrl zooms (FreeCAD)</source>
+        <translation>Kaydır; Shift çevresinde döndürür, Ctrl yakınlaştırır (FreeCAD)</translation>
+    </message>
+    <message>
+        <source>Orbit; Ctrl pans, Shift zooms (SolidWorks)</source>
+        <translation>Çevresinde dön; Ctrl kaydırır, Shift yakınlaştırır (SolidWorks)</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Orta düğme</translation>
+    </message>
+    <message>
+        <source>Stop riding along</source>
+        <translation>Birlikte gitmeyi bırak</translation>
+    </message>
+    <message>
+        <source>Show all parts</source>
+        <translation>Bütün parçaları göster</translation>
+    </message>
+    <message>
+        <source>Save the traced path as CSV…</source>
+        <translation>Çizilen yörüngeyi CSV olarak kaydet…</translation>
+    </message>
+    <message>
+        <source>Clear traced paths</source>
+        <translation>Çizilen yörüngeleri sil</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Arkadan</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Soldan</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Alttan</translation>
+    </message>
+    <message>
+        <source>Dim what is not selected</source>
+        <translation>Seçilmeyenleri soluklaştır</translation>
+    </message>
+    <message>
+        <source>Follow %1</source>
+        <translation>%1 öğesini izle</translation>
+    </message>
+    <message>
+        <source>Look along its axis</source>
+        <translation>Ekseni boyunca bak</translation>
+    </message>
+    <message>
+        <source>Trace this point</source>
+        <translation>Bu noktanın izini çiz</translation>
+    </message>
+    <message>
+        <source>Hide it</source>
+        <translation>Gizle</translation>
+    </message>
+    <message>
+        <source>Hide all others</source>
+        <translation>Öbürlerinin hepsini gizle</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn the train. Ctrl turns it alone by hand</source>
+        <translation>Takımı döndürmek için parçayı sürükleyin. Ctrl yalnız onu elle döndürür</translation>
+    </message>
+    <message>
+        <source>Drag the part to turn it by hand</source>
+        <translation>Elle döndürmek için parçayı sürükleyin</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: the train moves as its torques make it</source>
+        <translation>Sürükleme çevresinde döndürür: takım torklarının götürdüğü gibi hareket eder</translation>
+    </message>
+    <message>
+        <source>Drag to orbit: this part does not turn</source>
+        <translation>Sürükleme çevresinde döndürür: bu parça dönmez</translation>
+    </message>
+    <message>
+        <source>Drag to orbit, with Shift to pan; the wheel zooms</source>
+        <translation>Sürükleme çevresinde döndürür, Shift ile kaydırır; tekerlek yakınlaştırır</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>&amp;Dil</translation>
+    </message>
+    <message>
+        <source>The language of the system, where the program speaks it</source>
+        <translation>Program konuşuyorsa sistemin dili</translation>
+    </message>
+    <message>
+        <source>The language can be changed when the export is finished.</source>
+        <translation>Dil, dışa aktarma bitince değiştirilebilir.</translation>
+    </message>
+</context>
+</TS>
