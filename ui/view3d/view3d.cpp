@@ -43,7 +43,8 @@ class View3D::Private {
   void place(QWidget* canvas);
   void tellWhatPaints(bool isSoftware, const QString& why);
   [[nodiscard]] QWidget* canvas() const { return gl != nullptr ? static_cast<QWidget*>(gl) : image; }
-  QToolButton* addButton(const QString& text, const QString& tip, const std::function<void()>& act);
+  QToolButton* addButton(const char* name, const QString& text, const QString& tip,
+                         const std::function<void()>& act);
   void makeButtons();
   void makeMoreButton();
   void placeStrip();
@@ -133,10 +134,10 @@ void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
   painter->adjustSize();
 }
 
-QToolButton* View3D::Private::addButton(const QString& text, const QString& tip,
+QToolButton* View3D::Private::addButton(const char* name, const QString& text, const QString& tip,
                                         const std::function<void()>& act) {
   auto* button = new QToolButton(buttons);
-  button->setObjectName("view3d" + text);
+  button->setObjectName(QLatin1String(name));
   button->setText(text);
   button->setToolTip(tip);
   button->setAutoRaise(true);
@@ -153,15 +154,15 @@ void View3D::Private::makeButtons() {
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  addButton(tr("Fit"), tr("All of the train in the view (F)"), [this] { q->fit(); });
-  addButton(tr("Iso"), tr("Isometric (0)"), [this] { q->showFrom(StandardView::isometric); });
-  addButton(tr("Front"), tr("From the front: x to the right, z up (1)"),
+  addButton("view3dFit", tr("Fit"), tr("All of the train in the view (F)"), [this] { q->fit(); });
+  addButton("view3dIso", tr("Iso"), tr("Isometric (0)"), [this] { q->showFrom(StandardView::isometric); });
+  addButton("view3dFront", tr("Front"), tr("From the front: x to the right, z up (1)"),
             [this] { q->showFrom(StandardView::front); });
-  addButton(tr("Right"), tr("From the right: y to the right, z up (2)"),
+  addButton("view3dRight", tr("Right"), tr("From the right: y to the right, z up (2)"),
             [this] { q->showFrom(StandardView::right); });
-  addButton(tr("Top"), tr("From above: x to the right, y up (3)"),
+  addButton("view3dTop", tr("Top"), tr("From above: x to the right, y up (3)"),
             [this] { q->showFrom(StandardView::top); });
-  QToolButton* section = addButton(tr("Section"), tr("Cut the train open (S)"), [this] {
+  QToolButton* section = addButton("view3dSection", tr("Section"), tr("Cut the train open (S)"), [this] {
     ViewOptions options = viewer.options();
     options.section = options.section ? std::nullopt : std::optional(SectionChoice{});
     viewer.setOptions(options);
@@ -172,8 +173,7 @@ void View3D::Private::makeButtons() {
 
 // The menu is made when it opens: it shows what holds then.
 void View3D::Private::makeMoreButton() {
-  QToolButton* more = addButton(QStringLiteral("⋯"), tr("What is shown, and how"), [] {});
-  more->setObjectName("view3dMore");
+  QToolButton* more = addButton("view3dMore", QStringLiteral("⋯"), tr("What is shown, and how"), [] {});
   auto* menu = new QMenu(more);
   menu->setToolTipsVisible(true);
   connect(menu, &QMenu::aboutToShow, q, [this, menu] {
