@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "ui/languages/languages.h"
+
 namespace geargraph {
 namespace {
 
@@ -45,7 +47,11 @@ CommandLine readCommandLine(const QStringList& arguments) {
   const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Light on dark."));
   const QCommandLineOption light(QStringLiteral("light"), QStringLiteral("Dark on light."));
   const QCommandLineOption contrast(QStringLiteral("high-contrast"), QStringLiteral("Light on black."));
-  parser.addOptions({screenshot, size, drawing, dark, light, contrast});
+  const QCommandLineOption language(
+      QStringLiteral("language"),
+      QStringLiteral("Language of the window: en, de, tr or es. Screenshots are English without it."),
+      QStringLiteral("code"));
+  parser.addOptions({screenshot, size, drawing, dark, light, contrast, language});
   parser.addPositionalArgument(QStringLiteral("documents"),
                                QStringLiteral("Documents to open, a window each."),
                                QStringLiteral("[documents…]"));
@@ -58,6 +64,14 @@ CommandLine readCommandLine(const QStringList& arguments) {
   if (parser.isSet(dark)) line.theme = Theme::dark;
   if (parser.isSet(light)) line.theme = Theme::light;
   if (parser.isSet(contrast)) line.theme = Theme::highContrast;
+  if (parser.isSet(language)) {
+    const auto& known = languageCodes();
+    line.language = parser.value(language);
+    if (std::find(known.begin(), known.end(), *line.language) == known.end()) {
+      qCritical("--language wants en, de, tr or es, not %s.", qPrintable(*line.language));
+      ::exit(2);
+    }
+  }
   if (parser.isSet(size)) {
     line.size = sizeFrom(parser.value(size));
     if (!line.size) {

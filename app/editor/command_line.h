@@ -15,6 +15,7 @@ struct CommandLine {
   std::optional<QString> drawing;     ///< of a screenshot: the drawing in front
   std::optional<Theme> theme;
   std::optional<QSize> size;
+  std::optional<QString> language;  ///< one of languageCodes()
 };
 
 /// Help or version are asked for, which needs no display. @pre the words are those of main

@@ -5,6 +5,7 @@
 #include "app/editor/screenshot.h"
 #include "ui/crash/action_recorder.h"
 #include "ui/crash/crash_handler.h"
+#include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/start_page.h"
@@ -26,6 +27,9 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(GEARGRAPH_VERSION));
 
   const CommandLine line = readCommandLine(QApplication::arguments());
+  const QString usual = line.screenshot ? QStringLiteral("en") : savedLanguage();
+  const QString language = line.language.value_or(usual);
+  useLanguage(language.isEmpty() ? systemLanguage() : language);
   applyTheme(application, line.theme.value_or(line.screenshot ? Theme::light : savedTheme()));
 
   if (line.screenshot) return screenshot(line);

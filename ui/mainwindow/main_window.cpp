@@ -67,12 +67,15 @@ QString whyNoGears(const AnalysisSnapshot& snapshot) {
 
 }  // namespace
 
-MainWindow::MainWindow(QWidget* parent)
+MainWindow::MainWindow(QWidget* parent) : MainWindow(new Workbench, parent) {}
+
+MainWindow::MainWindow(Workbench* workbench, QWidget* parent)
     : QMainWindow(parent),
-      m_workbench(new Workbench(this)),
+      m_workbench(workbench),
       m_document(&m_workbench->document()),
       m_selection(&m_workbench->selection()),
       m_actions(std::make_unique<WindowActions>(this)) {
+  m_workbench->setParent(this);
   installDrawingAccessibility();
   installStageAccessibility();
   setObjectName(QStringLiteral("mainWindow"));

@@ -70,6 +70,10 @@ class MainWindow : public QMainWindow {
 
  public:
   explicit MainWindow(QWidget* parent = nullptr);
+  /// Built anew in the place of a window, in the language that is now in use: with its document and history,
+  /// selection, layout, drawing, tool, camera and moment of the motion; not shown yet. The former one is
+  /// hidden, and to be deleted when control returns to the event loop.
+  [[nodiscard]] static std::unique_ptr<MainWindow> inPlaceOf(MainWindow& former);
   ~MainWindow() override;
 
   [[nodiscard]] Workbench& workbench() { return *m_workbench; }
@@ -134,6 +138,8 @@ class MainWindow : public QMainWindow {
   void closed();
   /// A lesson is to be played in a window of its own.
   void lessonWanted(const std::shared_ptr<const Lesson>& lesson, const QString& place, const QString& file);
+  /// All windows are to be in this language; empty: the system's.
+  void languageWanted(const QString& code);
 
  protected:
   bool event(QEvent* event) override;
@@ -143,6 +149,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  MainWindow(Workbench* workbench, QWidget* parent);
   void makeDrawings();
   void addDrawing(DrawingView* drawing, const char* name, const QString& title, const QString& tip);
   void onDrawingChosen();
@@ -181,6 +188,7 @@ class MainWindow : public QMainWindow {
   void showElement(const ElementId& element);
   void chooseTheme(const std::optional<Theme>& theme);
   void chooseTypeScale(double scale);
+  void addLanguages(QMenu& menu);
   void showView3DOnHalf();
   void onStage(const StagePtr& stage);
   void onSelectionChanged();
@@ -199,6 +207,7 @@ class MainWindow : public QMainWindow {
   void playNextLesson();
   void playLessonNamed(const QString& id);
   void setAnswersOpen(bool isOpen);
+  void goOnWithLesson(const MainWindow& former);
 
   Workbench* m_workbench;
   Document* m_document;    ///< the workbench's

@@ -55,7 +55,7 @@ void WindowActions::makeTools() {
   };
   tools = new QActionGroup(m_window);
   for (const ToolLook& look : looks) {
-    const QString name = QString::fromUtf8(toolName(look.kind).data(), qsizetype(toolName(look.kind).size()));
+    const QString name = words(std::string(toolName(look.kind)).c_str());
     const QChar key = QLatin1Char(toolKey(look.kind));
     QAction* action = make("", name, look.tip, {QKeySequence(QString(key))}, QLatin1String(look.icon));
     action->setObjectName(QStringLiteral("tool.") + QLatin1String(look.icon));
@@ -80,13 +80,13 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   saveAs = make("file.saveAs", words("Save &as…"), words("Save the document under another name"),
                 {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
   revert = make("file.revert", words("Re&vert"), words("Reload the file; this can be undone"), {});
-  restoreSession = make("file.restoreSession", words("Reopen windows at sta&rt"),
+  restoreSession = make("file.restoreSession", words("Reopen w&indows at start"),
                         words("Open the documents of the last time when the program starts without one"), {});
   restoreSession->setCheckable(true);
   exportMatrix = make("file.exportCsv", words("&Export matrix as CSV…"),
                       words("Export the matrix that is shown, with its labels"),
                       {QKeySequence(QStringLiteral("Ctrl+E"))});
-  exportPicture = make("file.exportPicture", words("Export &picture…"),
+  exportPicture = make("file.exportPicture", words("Export pict&ure…"),
                        words("Export a drawing as SVG, PDF or PNG, or the 3D view as PNG"),
                        {QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   exportDerivation = make(
@@ -135,7 +135,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
            {QKeySequence(QStringLiteral("Ctrl+Shift+C"))});
   paste = make("edit.paste", words("&Paste"), words("Insert what was copied, in this window or in another"),
                {QKeySequence::Paste});
-  duplicate = make("edit.duplicate", words("D&uplicate"), words("A copy of the selection in the drawing"),
+  duplicate = make("edit.duplicate", words("Dup&licate"), words("A copy of the selection in the drawing"),
                    {QKeySequence(QStringLiteral("Ctrl+D"))});
   remove = make("edit.delete", words("&Delete"), words("Delete what is selected, and what needs it"),
                 {QKeySequence(Qt::Key_Delete)}, QStringLiteral("delete"));
@@ -190,13 +190,13 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
   grid = make("view.grid", words("Snap to the &grid"), words("Nodes keep to a grid; Alt suspends it"),
               {QKeySequence(QStringLiteral("#"))});
   grid->setCheckable(true);
-  powerFlow = make("view.powerFlow", words("Power fl&ow"),
+  powerFlow = make("view.powerFlow", words("Po&wer flow"),
                    words("Bands in digraph and schematic show where the power of the loads goes"),
                    {QKeySequence(QStringLiteral("Ctrl+Shift+F"))});
   powerFlow->setCheckable(true);
   resetLayout = make("view.reset", words("&Reset the layout"), words("All panels back to their places"), {});
   makeMotion();
-  lookUp = make("learn.lookUp", words("&Look up a term…"), words("The definition of a technical term"), {});
+  lookUp = make("learn.lookUp", words("Look &up a term…"), words("The definition of a technical term"), {});
   search = make("help.search", words("&Search…"),
                 words("Find a command, an element, a term or a page of the manual"),
                 {QKeySequence(QStringLiteral("Ctrl+K"))});

@@ -14,6 +14,7 @@
 #include "core/presentation/report/report.h"
 #include "ui/canvas/digraph_view.h"
 #include "ui/derivation/derivation_panel.h"
+#include "ui/languages/languages.h"
 #include "ui/mainwindow/about_dialog.h"
 #include "ui/mainwindow/document_files.h"
 #include "ui/mainwindow/edit_commands.h"
@@ -40,6 +41,14 @@
 #include "ui/view3d/view3d.h"
 
 namespace geargraph::inline mainwindow {
+namespace {
+
+/// Only English begins such a name with a small letter: "Undo add link", "Rückgängig: Glied hinzufügen".
+QString inSentence(const QString& edit) {
+  return currentLanguage() == QLatin1String("en") ? edit.toLower() : edit;
+}
+
+}  // namespace
 
 void MainWindow::makeMenus() {
   const WindowActions& a = *m_actions;
@@ -86,6 +95,7 @@ void MainWindow::makeMenus() {
   QMenu* theme = view->addMenu(tr("&Theme"));
   theme->addActions({a.asSystem, a.light, a.dark, a.highContrast});
   view->addMenu(tr("T&ype size"))->addActions(a.typeSizes->actions());
+  addLanguages(*view->addMenu(tr("La&nguage")));
   view->addActions({a.half3d, a.presentation});
 
   QMenu* mechanism = menu(tr("&Mechanism"));
@@ -252,8 +262,8 @@ void MainWindow::renewActions() {
   const QString nothing = tr("Nothing is selected.");
   m_files->renewActions(a);
 
-  a.undo->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText().toLower()) : tr("&Undo"));
-  a.redo->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText().toLower()) : tr("&Redo"));
+  a.undo->setText(stack.canUndo() ? tr("&Undo %1").arg(inSentence(stack.undoText())) : tr("&Undo"));
+  a.redo->setText(stack.canRedo() ? tr("&Redo %1").arg(inSentence(stack.redoText())) : tr("&Redo"));
   WindowActions::setAvailable(a.undo, stack.canUndo(), tr("There is nothing to undo."));
   WindowActions::setAvailable(a.redo, stack.canRedo(), tr("There is nothing to redo."));
   const bool onlyGround = selected.size() == 1 && selected.contains(ground);

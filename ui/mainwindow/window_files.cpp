@@ -205,6 +205,25 @@ void WindowFiles::join(Windows* windows, const QString& recoveryFolder) {
   emit joined();
 }
 
+void WindowFiles::takeOver(WindowFiles& former) {
+  m_windows = former.m_windows;
+  m_recoveryFolder = former.m_recoveryFolder;
+  m_example = former.m_example;
+  m_onDisk = former.m_onDisk;
+  m_lessonTitle = former.m_lessonTitle;
+  m_autosave = std::move(former.m_autosave);
+  if (m_autosave) connect(m_autosave.get(), &Autosave::failed, this, &WindowFiles::refused);
+  const bool isForeign = former.m_watch.isForeign();
+  former.m_watch.watch({});
+  m_watch.watch(m_document->filePath());
+  if (m_windows != nullptr) m_windows->documents().release(&former);
+  former.m_windows = nullptr;
+  claim(m_document->filePath());
+  if (isForeign) onForeignChange();
+  emit joined();
+  emit titleChanged();
+}
+
 void WindowFiles::offerLeftBehind() {
   if (m_windows == nullptr) return;
   for (auto& side : leftBehindOf(m_document->filePath(), m_recoveryFolder)) offer(std::move(side));

@@ -99,6 +99,9 @@ class WindowFiles : public QObject {
 
   /// From now on the window is one of several, and unsaved changes are kept in side files.
   void join(Windows* windows, const QString& recoveryFolder);
+  /// Goes on where the files of a window left off that this one is built in place of: its file, side file and
+  /// watch.
+  void takeOver(WindowFiles& former);
   /// The document is a lesson's: it has this title, no file and no side file, is given up without a question,
   /// and nothing is opened in its place.
   void keepNothing(const QString& title);

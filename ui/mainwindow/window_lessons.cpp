@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
 #include <array>
 
 #include "core/foundations/files/file.h"
@@ -145,6 +146,18 @@ void MainWindow::playNextLesson() {
       return playLesson(lessonOfCourse(next), placeInCourse(next), QString());
   }
   showCourse();
+}
+
+/// From its step on: the lesson begins the step anew.
+void MainWindow::goOnWithLesson(const MainWindow& former) {
+  const auto& lesson = former.m_lesson->lesson();
+  const auto& lessons = course();
+  const auto found =
+      std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& each) { return each.id == lesson->id; });
+  const bool isOfCourse = found != lessons.end() && former.m_lessonFile.isEmpty();
+  playLesson(lesson,
+             isOfCourse ? placeInCourse(static_cast<std::size_t>(found - lessons.begin())) : tr("Preview"),
+             former.m_lessonFile);
 }
 
 /// Views that hold the answer of a step are closed until it is right or shown, and say so.

@@ -10,8 +10,10 @@
 #include <algorithm>
 
 #include "core/foundations/files/file_identity.h"
+#include "ui/languages/languages.h"
 #include "ui/mainwindow/crash_offer.h"
 #include "ui/mainwindow/document_files.h"
+#include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/recent_files.h"
 #include "ui/mainwindow/status_line.h"
@@ -78,11 +80,45 @@ MainWindow& WindowSet::add() {
   window.restoreLayout();
   if (active != nullptr) window.move(active->pos() + QPoint(kCascade, kCascade));
   window.files().join(this, m_folder);
+  connectTo(window);
+  m_lookSoon->start();
+  return window;
+}
+
+void WindowSet::connectTo(MainWindow& window) {
   connect(&window, &MainWindow::closed, this, [this, &window] { onClosed(&window); });
   connect(&window.files(), &WindowFiles::sourceChanged, this, &WindowSet::remember);
   connect(&window, &MainWindow::lessonWanted, this, &WindowSet::openLesson);
+  connect(&window, &MainWindow::languageWanted, this, &WindowSet::chooseLanguage);
+}
+
+/// Texts are set where widgets are made, so each window is built anew in its place.
+void WindowSet::chooseLanguage(const QString& code) {
+  for (const auto& window : m_windows) {
+    if (window->exportJobs().isBusy())
+      return window->statusLine().showRefusal(tr("The language can be changed when the export is finished."));
+  }
+  saveLanguage(code);
+  const QString wanted = code.isEmpty() ? systemLanguage() : code;
+  if (wanted == currentLanguage()) return;
+  useLanguage(wanted);
+  for (std::size_t i = 0; i < m_windows.size(); ++i) {
+    const bool wasActive = m_windows[i]->isActiveWindow();
+    const bool wasVisible = m_windows[i]->isVisible();
+    const auto place = m_windows.begin() + static_cast<std::ptrdiff_t>(i);
+    MainWindow* const former = place->release();
+    former->deleteLater();   // it is the one that asks
+    m_windows.erase(place);  // first, so that its file is not held twice
+    auto renewed = MainWindow::inPlaceOf(*former);
+    MainWindow& window = *renewed;
+    m_windows.insert(m_windows.begin() + static_cast<std::ptrdiff_t>(i), std::move(renewed));
+    m_layouts[&window] = m_layouts[former];
+    m_layouts.erase(former);
+    connectTo(window);
+    window.setVisible(wasVisible);
+    if (wasActive) window.activateWindow();
+  }
   m_lookSoon->start();
-  return window;
 }
 
 MainWindow& WindowSet::openNew() {

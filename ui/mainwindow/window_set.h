@@ -52,6 +52,8 @@ class WindowSet : public QObject, public WindowFiles::Windows {
 
  private:
   MainWindow& add();
+  void connectTo(MainWindow& window);
+  void chooseLanguage(const QString& code);
   bool reopenSession();
   void offerLeftBehind();
   void onClosed(MainWindow* window);

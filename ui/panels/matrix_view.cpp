@@ -100,6 +100,7 @@ class EntryDelegate : public QStyledItemDelegate {
 
 MatrixView::MatrixView(MatrixModel* model, Selection* selection, QWidget* parent)
     : QTableView(parent), m_model(model), m_selection(selection) {
+  setLayoutDirection(Qt::LeftToRight);  // mathematics is, in every language
   setModel(model);
   setItemDelegate(new EntryDelegate(this));
   setShowGrid(false);

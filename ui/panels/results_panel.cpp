@@ -98,6 +98,8 @@ ResultsPanel::ResultsPanel(Selection* selection, QWidget* parent)
 }
 
 void ResultsPanel::makeTable() {
+  // Mathematics is read so in every language.
+  for (QTableView* table : {m_table, m_links}) table->setLayoutDirection(Qt::LeftToRight);
   m_table->setModel(m_model);
   m_table->setObjectName(QStringLiteral("resultsTable"));
   m_table->setAccessibleName(tr("Results"));

@@ -14,15 +14,24 @@ std::filesystem::path folderOf(const Document& document) {
 
 }  // namespace
 
-Workbench::Workbench(QObject* parent)
+Workbench::Workbench(QObject* parent) : Workbench(new Document, new Selection, parent) {}
+
+Workbench::Workbench(Workbench& former, QObject* parent)
+    : Workbench(former.m_document, former.m_selection, parent) {
+  disconnect(m_document, nullptr, &former, nullptr);
+}
+
+Workbench::Workbench(Document* document, Selection* selection, QObject* parent)
     : QObject(parent),
-      m_document(new Document(this)),
-      m_selection(new Selection(this)),
+      m_document(document),
+      m_selection(selection),
       m_analysis(new AnalysisService(
           this, [this](const SnapshotPtr& snapshot) { m_stages->requestStage(snapshot); })),
       m_stages(new StageService(this)),
       m_forces(new ForcesService(this)),
       m_motionCheck(new MotionCheckService(this)) {
+  m_document->setParent(this);
+  m_selection->setParent(this);
   connect(m_document, &Document::changed, this, &Workbench::request);  // before the views hear of it
   m_analysis->onAnswer(this, [this](const SnapshotPtr& snapshot) {
     m_forces->follow(snapshot);

@@ -17,6 +17,10 @@ class Workbench final : public QObject {
 
  public:
   explicit Workbench(QObject* parent = nullptr);
+  /// Goes on with the document and the selection of a window that is built anew, history and all; what
+  /// follows from the document is worked out again. The former one follows it no longer, and must go before
+  /// this one.
+  Workbench(Workbench& former, QObject* parent);
   ~Workbench() override;
 
   [[nodiscard]] Document& document() { return *m_document; }
@@ -32,6 +36,8 @@ class Workbench final : public QObject {
   [[nodiscard]] bool isUpToDate() const;
 
  private:
+  Workbench(Document* document, Selection* selection, QObject* parent);
+
   Document* m_document;
   Selection* m_selection;
   AnalysisService* m_analysis;

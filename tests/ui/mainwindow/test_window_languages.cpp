@@ -1,0 +1,175 @@
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QTabWidget>
+#include <QTest>
+#include <QToolBar>
+#include <set>
+
+#include "tests/ui/mainwindow/file_windows.h"
+#include "ui/canvas/drawing_view.h"
+#include "ui/languages/languages.h"
+#include "ui/mainwindow/window_files.h"
+#include "ui/panels/matrices_panel.h"
+#include "ui/panels/matrix_view.h"
+
+namespace geargraph {
+namespace {
+
+/// Menus in which two entries have one mnemonic, as "View: &Fit, Pre&fer".
+QStringList clashesIn(const QList<QAction*>& entries, const QString& of) {
+  QStringList clashes;
+  QMap<QChar, QString> taken;
+  for (const QAction* entry : entries) {
+    if (entry->isSeparator()) continue;
+    const QString text = entry->text();
+    for (qsizetype at = text.indexOf(QLatin1Char('&')); at >= 0 && at + 1 < text.size();
+         at = text.indexOf(QLatin1Char('&'), at + 2)) {
+      const QChar key = text[at + 1].toLower();
+      if (taken.contains(key)) clashes << QStringLiteral("%1: %2, %3").arg(of, taken[key], text);
+      taken[key] = text;
+    }
+    if (entry->menu() != nullptr) clashes << clashesIn(entry->menu()->actions(), text);
+  }
+  return clashes;
+}
+
+}  // namespace
+
+/// The window in other languages, chosen while it runs.
+class WindowLanguagesTest : public QObject, protected test::FileWindows {
+  Q_OBJECT
+
+  void choose(const QString& code) const {
+    auto* action = first().findChild<QAction*>(QStringLiteral("view.language.") + code);
+    QVERIFY(action != nullptr);
+    action->trigger();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  [[nodiscard]] QStringList menuTitles() const {
+    QStringList titles;
+    for (const QAction* menu : first().menuBar()->actions()) titles << menu->text();
+    return titles;
+  }
+
+ private slots:
+  void initTestCase() { setUpWindows(); }
+  void init() {
+    useLanguage(QStringLiteral("en"));
+    makeFolder();
+  }
+  void cleanup() {
+    set.reset();
+    QApplication::setLayoutDirection(Qt::LeftToRight);
+    useLanguage(QStringLiteral("en"));
+  }
+
+  void aLanguageIsChosenWhileTheWindowRuns() {
+    set->start({written(QStringLiteral("a.geargraph"), 2)});
+    addLink(first());
+    first().showDrawing(QStringLiteral("schematic"));
+    first().actions().tool[static_cast<std::size_t>(ToolKind::gearMesh)]->trigger();
+    first().selection().select({first().document().mechanism()->links[1].id});
+    first().findChild<QDockWidget*>(QStringLiteral("dock.matrices"))->hide();
+    const MechanismPtr before = first().document().mechanism();
+
+    choose(QStringLiteral("de"));
+    QCOMPARE(set->windows().size(), std::size_t{1});
+    QVERIFY(first().isVisible());
+    QCOMPARE(menuTitles().first(), QStringLiteral("&Datei"));
+    QCOMPARE(first().document().mechanism(), before);
+    QVERIFY(first().document().isModified());
+    QCOMPARE(first().drawing().objectName(), QStringLiteral("schematic"));
+    QVERIFY(first().actions().tool[static_cast<std::size_t>(ToolKind::gearMesh)]->isChecked());
+    QCOMPARE(first().drawing().tool(), ToolKind::gearMesh);
+    QCOMPARE(first().selection().selected().size(), std::size_t{1});
+    QVERIFY(first().findChild<QDockWidget*>(QStringLiteral("dock.matrices"))->isHidden());
+    QVERIFY(first().files().source().endsWith(QLatin1String("a.geargraph")));
+    QVERIFY(!first().files().isReadOnly());
+    QTRY_VERIFY(first().isSettled());  // the views of the new window have their answers
+    QVERIFY(first().analysis().snapshot() != nullptr);
+
+    first().actions().undo->trigger();
+    QVERIFY(!first().document().isModified());
+    first().actions().redo->trigger();
+    QVERIFY(first().saveDocument(first().files().source()));
+
+    choose(QStringLiteral("en"));
+    QCOMPARE(menuTitles().first(), QStringLiteral("&File"));
+    QVERIFY(first().document().undoStack().canUndo());
+  }
+
+  void theChoiceIsRemembered() {
+    set->start({});
+    choose(QStringLiteral("tr"));
+    QCOMPARE(savedLanguage(), QStringLiteral("tr"));
+    QVERIFY(first().findChild<QAction*>(QStringLiteral("view.language.tr"))->isChecked());
+    choose(QString());
+    QCOMPARE(savedLanguage(), QString());
+    QCOMPARE(currentLanguage(), systemLanguage());
+  }
+
+  void numbersAndPaperFollowTheLanguage() {
+    useLanguage(QStringLiteral("de"));
+    QCOMPARE(QLocale().decimalPoint(), QStringLiteral(","));
+    QCOMPARE(QLocale().measurementSystem(), QLocale::MetricSystem);  // A4
+    useLanguage(QStringLiteral("en"));
+    QCOMPARE(QLocale().decimalPoint(), QStringLiteral("."));
+  }
+
+  void filesAreTheSameInEveryLanguage() {
+    const QString english = written(QStringLiteral("en.geargraph"), 3);
+    useLanguage(QStringLiteral("de"));
+    const QString german = written(QStringLiteral("de.geargraph"), 3);
+    QFile one(english);
+    QFile other(german);
+    QVERIFY(one.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly));
+    QCOMPARE(one.readAll(), other.readAll());
+  }
+
+  void mnemonicsAreDistinctInEveryMenu_data() {
+    QTest::addColumn<QString>("code");
+    for (const QString& code : languageCodes()) QTest::newRow(qPrintable(code)) << code;
+  }
+  void mnemonicsAreDistinctInEveryMenu() {
+    QFETCH(const QString, code);
+    useLanguage(code);
+    const MainWindow window;
+    const QStringList clashes = clashesIn(window.menuBar()->actions(), QStringLiteral("menu bar"));
+    QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
+  }
+
+  /// On the smallest screen that is supported every control of the tool bar is shown, in every language.
+  void theWindowFitsInEveryLanguage_data() { mnemonicsAreDistinctInEveryMenu_data(); }
+  void theWindowFitsInEveryLanguage() {
+    QFETCH(const QString, code);
+    useLanguage(code);
+    MainWindow window;
+    window.resize(1280, 720);
+    window.show();
+    QCOMPARE(window.size(), QSize(1280, 720));
+    for (const char* name : {"qt_toolbar_ext_button", "qt_menubar_ext_button"}) {
+      for (const QWidget* extension : window.findChildren<QWidget*>(QLatin1String(name)))
+        QVERIFY2(!extension->isVisible(), name);
+    }
+  }
+
+  void itIsMirroredFromRightToLeft() {
+    QApplication::setLayoutDirection(Qt::RightToLeft);
+    MainWindow window;
+    window.resize(1366, 768);
+    window.show();
+    const auto menus = window.menuBar()->actions();
+    QVERIFY(window.menuBar()->actionGeometry(menus.first()).left() >
+            window.menuBar()->actionGeometry(menus.last()).right());
+    const auto* bar = window.findChild<QToolBar*>(QStringLiteral("toolBar"));
+    const auto tools = window.actions().tools->actions();
+    QVERIFY(bar->widgetForAction(tools[0])->x() > bar->widgetForAction(tools[1])->x());
+    // Formulas and matrices are read from left to right everywhere.
+    QCOMPARE(window.matrices().view().layoutDirection(), Qt::LeftToRight);
+  }
+};
+
+}  // namespace geargraph
+
+QTEST_MAIN(geargraph::WindowLanguagesTest)
+#include "test_window_languages.moc"
