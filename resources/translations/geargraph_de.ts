@@ -4850,5 +4850,285 @@
         <source>The language can be changed when the export is finished.</source>
         <translation>Die Sprache kann gewechselt werden, wenn der Export beendet ist.</translation>
     </message>
+    <message>
+        <source>Moving links</source>
+        <translation>Bewegte Glieder</translation>
+    </message>
+    <message>
+        <source>The number of links without the ground. They bear the labels 1 to n; the ground is 0.</source>
+        <translation>Anzahl der Glieder ohne das Gestell. Sie tragen die Nummern 1 bis n; das Gestell ist 0.</translation>
+    </message>
+    <message>
+        <source>Turning joints</source>
+        <translation>Drehgelenke</translation>
+    </message>
+    <message>
+        <source>The number of turning pairs. They bear the labels n+1 to n+t. As a spanning tree they are as many as the moving links.</source>
+        <translation>Anzahl der Drehgelenke. Sie tragen die Nummern n+1 bis n+t. Als Spannbaum sind es so viele wie bewegte Glieder.</translation>
+    </message>
+    <message>
+        <source>Gear meshes</source>
+        <translation>Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>The number of gear pairs. They bear the labels n+t+1 to n+t+c. Each closes one cycle of the basis.</source>
+        <translation>Anzahl der Zahnradpaare. Sie tragen die Nummern n+t+1 bis n+t+c. Jedes schließt einen Zyklus der Basis.</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rang</translation>
+    </message>
+    <message>
+        <source>The number of independent equations that the meshes put on the turning joints: the rank r of the coefficient matrix P.</source>
+        <translation>Anzahl der unabhängigen Gleichungen, die die Zahneingriffe den Drehgelenken auferlegen: der Rang r der Koeffizientenmatrix P.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Freiheitsgrad</translation>
+    </message>
+    <message>
+        <source>How many joints have to be driven so that the motion of all others follows: E = t − r.</source>
+        <translation>Wie viele Gelenke angetrieben werden müssen, damit die Bewegung aller anderen folgt: E = t − r.</translation>
+    </message>
+    <message>
+        <source>Incidence matrix</source>
+        <translation>Inzidenzmatrix</translation>
+    </message>
+    <message>
+        <source>A row for each link and a column for each joint and mesh: 1 where its arrow ends, −1 where it begins.</source>
+        <translation>Eine Zeile je Glied und eine Spalte je Gelenk und Zahneingriff: 1, wo sein Pfeil endet, −1, wo er beginnt.</translation>
+    </message>
+    <message>
+        <source>Reduced incidence matrix</source>
+        <translation>Reduzierte Inzidenzmatrix</translation>
+    </message>
+    <message>
+        <source>The incidence matrix without the ground&apos;s row, so that its rows are independent. G holds the turning joints, G* the meshes.</source>
+        <translation>Die Inzidenzmatrix ohne die Zeile des Gestells, sodass ihre Zeilen unabhängig sind. G enthält die Drehgelenke, G* die Zahneingriffe.</translation>
+    </message>
+    <message>
+        <source>Path matrix</source>
+        <translation>Wegmatrix</translation>
+    </message>
+    <message>
+        <source>A column for each link tells its walk through the tree to the ground: 1 where the walk runs along a joint, −1 where it runs against it.</source>
+        <translation>Eine Spalte je Glied beschreibt seinen Weg durch den Baum zum Gestell: 1, wo der Weg mit einem Gelenk läuft, −1, wo er dagegen läuft.</translation>
+    </message>
+    <message>
+        <source>Spanning-tree matrix</source>
+        <translation>Spannbaummatrix</translation>
+    </message>
+    <message>
+        <source>A row for each mesh tells which turning joints its cycle runs along (1) or against (−1): T = G*ᵀ Zᵀ.</source>
+        <translation>Eine Zeile je Zahneingriff sagt, mit welchen Drehgelenken (1) oder gegen welche (−1) sein Zyklus läuft: T = G*ᵀ Zᵀ.</translation>
+    </message>
+    <message>
+        <source>Cycle-basis matrix</source>
+        <translation>Zyklenbasismatrix</translation>
+    </message>
+    <message>
+        <source>A row for each cycle that a mesh closes: T holds its turning joints, the unit matrix U its mesh.</source>
+        <translation>Eine Zeile je Zyklus, den ein Zahneingriff schließt: T enthält seine Drehgelenke, die Einheitsmatrix U seinen Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>Fundamental cutset matrix</source>
+        <translation>Fundamentalschnittmatrix</translation>
+    </message>
+    <message>
+        <source>A row for each turning joint tells which edges join the two halves that the tree falls into without it.</source>
+        <translation>Eine Zeile je Drehgelenk sagt, welche Kanten die beiden Hälften verbinden, in die der Baum ohne das Gelenk zerfällt.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: a node for each link, a solid arrow for each turning joint, a dashed arrow for each gear mesh.</source>
+        <translation>Der Mechanismus als gerichteter Graph: ein Knoten je Glied, ein durchgezogener Pfeil je Drehgelenk, ein gestrichelter je Zahneingriff.</translation>
+    </message>
+    <message>
+        <source>Functional schematic</source>
+        <translation>Getriebeschema</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, with the symbols of ISO 3952: axes dash-dotted, shafts as thick lines, bearings as bars about them, gears as pitch lines, the frame hatched.</source>
+        <translation>Der Mechanismus im Schnitt, mit den Symbolen der ISO 3952: Achsen strichpunktiert, Wellen als dicke Linien, Lager als Balken um sie, Zahnräder als Wälzlinien, das Gestell schraffiert.</translation>
+    </message>
+    <message>
+        <source>A rigid body: a gear, a carrier arm, a shaft, or several of them in one.</source>
+        <translation>Ein starrer Körper: ein Zahnrad, ein Steg, eine Welle oder mehrere davon in einem.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>The fixed link. All others are connected to it by turning joints.</source>
+        <translation>Das feste Glied. Alle anderen sind durch Drehgelenke mit ihm verbunden.</translation>
+    </message>
+    <message>
+        <source>Two links that turn relative to each other about an axis. Positive speed turns the head about the axis&apos; direction relative to the tail.</source>
+        <translation>Zwei Glieder, die sich gegeneinander um eine Achse drehen. Eine positive Drehzahl dreht die Spitze gegen den Fuß um die Richtung der Achse.</translation>
+    </message>
+    <message>
+        <source>Two toothed wheels that roll on each other at a pitch point.</source>
+        <translation>Zwei Zahnräder, die in einem Wälzpunkt aufeinander abrollen.</translation>
+    </message>
+    <message>
+        <source>A turning joint that a motor drives at a speed of its own. There are as many as degrees of freedom.</source>
+        <translation>Ein Drehgelenk, das ein Motor mit eigener Drehzahl antreibt. Es gibt so viele, wie der Freiheitsgrad beträgt.</translation>
+    </message>
+    <message>
+        <source>The line that turning joints turn about, the level of the T–T graph. Joints that stay coaxial share one.</source>
+        <translation>Die Gerade, um die sich Drehgelenke drehen, die Ebene des T–T-Graphen. Gelenke, die koaxial bleiben, teilen sich eine.</translation>
+    </message>
+    <message>
+        <source>Point of the axis</source>
+        <translation>Punkt der Achse</translation>
+    </message>
+    <message>
+        <source>A point that the axis goes through in the reference pose. Without it the axis is placed from the tooth counts.</source>
+        <translation>Ein Punkt, durch den die Achse in der Bezugslage geht. Ohne ihn wird die Achse nach den Zähnezahlen platziert.</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Richtung der Achse</translation>
+    </message>
+    <message>
+        <source>The direction of the axis in the reference pose, of any length but 0. Positive speed turns about it by the right-hand rule.</source>
+        <translation>Die Richtung der Achse in der Bezugslage, von beliebiger Länge außer 0. Eine positive Drehzahl dreht nach der Rechte-Hand-Regel um sie.</translation>
+    </message>
+    <message>
+        <source>Where along the axis the bearing is drawn, from the axis&apos; point.</source>
+        <translation>Wo entlang der Achse das Lager gezeichnet wird, vom Punkt der Achse aus.</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>Gelenkgrenzen</translation>
+    </message>
+    <message>
+        <source>How far the joint may turn from the reference pose, both ways, in degrees.</source>
+        <translation>Wie weit sich das Gelenk aus der Bezugslage drehen darf, in beide Richtungen, in Grad.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>The whole number of teeth of a wheel. Pitch diameters are proportional to it.</source>
+        <translation>Die ganze Zahl der Zähne eines Rads. Wälzkreisdurchmesser sind ihr proportional.</translation>
+    </message>
+    <message>
+        <source>The pitch diameter of a wheel over its teeth, one for both wheels of a mesh; of bevels at the large end. Another module moves the axes and changes no ratio.</source>
+        <translation>Wälzkreisdurchmesser eines Rads durch seine Zähnezahl, gleich für beide Räder eines Zahneingriffs; bei Kegelrädern am großen Ende. Ein anderer Modul verschiebt die Achsen und ändert keine Übersetzung.</translation>
+    </message>
+    <message>
+        <source>Kind of mesh</source>
+        <translation>Art des Zahneingriffs</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
+        <translation>Außen, innen (ein Rad ist ein Hohlrad) oder Kegelräder (die Achsen schneiden sich). Ohne Angabe folgt sie aus der Geometrie.</translation>
+    </message>
+    <message>
+        <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
+        <translation>Wo sich die beiden Wälzflächen in der Bezugslage berühren. Ohne Angabe folgt der Punkt aus Achsen und Zähnezahlen.</translation>
+    </message>
+    <message>
+        <source>Gear ratio</source>
+        <translation>Übersetzung</translation>
+    </message>
+    <message>
+        <source>The teeth of the mesh&apos;s tail over those of its head.</source>
+        <translation>Zähnezahl am Fuß des Zahneingriffs durch die an seiner Spitze.</translation>
+    </message>
+    <message>
+        <source>Spanning tree</source>
+        <translation>Spannbaum</translation>
+    </message>
+    <message>
+        <source>The turning joints, if they tie every link to the ground and close no loop.</source>
+        <translation>Die Drehgelenke, wenn sie jedes Glied mit dem Gestell verbinden und keine Schleife schließen.</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>A mesh and the path through the tree that leads back from its head to its tail.</source>
+        <translation>Ein Zahneingriff und der Weg durch den Baum, der von seiner Spitze zu seinem Fuß zurückführt.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s number of a link, joint or mesh. It follows from the order of the elements.</source>
+        <translation>Nummer eines Glieds, Gelenks oder Zahneingriffs nach dem Aufsatz. Sie folgt aus der Reihenfolge der Elemente.</translation>
+    </message>
+    <message>
+        <source>Screw</source>
+        <translation>Schraube</translation>
+    </message>
+    <message>
+        <source>A joint&apos;s axis as seen from a pitch point: its unit direction (L M N) and its moment (P Q R), the velocity that the point gets for one unit of speed.</source>
+        <translation>Die Achse eines Gelenks, von einem Wälzpunkt aus gesehen: ihre Einheitsrichtung (L M N) und ihr Moment (P Q R), die Geschwindigkeit, die der Punkt für eine Einheit der Drehzahl erhält.</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix</source>
+        <translation>Koeffizientenmatrix</translation>
+    </message>
+    <message>
+        <source>A row for each mesh: the moment of each joint of its cycle about the pitch point, times T. P θ̇ = 0 holds for every motion; divided by the head&apos;s radius a row holds only ratios and ones.</source>
+        <translation>Eine Zeile je Zahneingriff: das Moment jedes Gelenks seines Zyklus um den Wälzpunkt, mal T. P θ̇ = 0 gilt für jede Bewegung; durch den Radius der Spitze geteilt enthält eine Zeile nur Übersetzungen und Einsen.</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>Lösung</translation>
+    </message>
+    <message>
+        <source>The rate of every other joint for one unit of each input: minus the inverse of P&apos;s output part times its input part.</source>
+        <translation>Die Drehzahl jedes anderen Gelenks für eine Einheit jedes Antriebs: minus die Inverse des Abtriebsteils von P mal seinen Antriebsteil.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad: a node for each link, a branch of the tree for each turning joint with the level it turns on, and for each gear mesh two chords, from its gears to their carrier arm. An arrow from i to k carries the velocity of link i relative to link k.</source>
+        <translation>Der Mechanismus nach Tsai und Tokad: ein Knoten je Glied, ein Zweig des Baums je Drehgelenk mit der Ebene, auf der es dreht, und je Zahneingriff zwei Sehnen von seinen Rädern zu ihrem Steg. Ein Pfeil von i nach k trägt die Drehzahl von Glied i gegen Glied k.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>The axis that a branch of the T–T graph turns about. Joints that stay coaxial in every motion are on one level.</source>
+        <translation>Die Achse, um die ein Zweig des T–T-Graphen dreht. Gelenke, die in jeder Bewegung koaxial bleiben, liegen auf einer Ebene.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex</source>
+        <translation>Transferknoten</translation>
+    </message>
+    <message>
+        <source>The carrier arm of a gear mesh: the node on the walk from gear to gear through the tree where the level changes.</source>
+        <translation>Der Steg eines Zahneingriffs: der Knoten auf dem Weg von Rad zu Rad durch den Baum, an dem die Ebene wechselt.</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Sehne</translation>
+    </message>
+    <message>
+        <source>A thin line from a gear of a mesh to its transfer vertex. The two chords of a mesh bear the same number of primes. Chords are no part of the tree: each closes one f-circuit.</source>
+        <translation>Eine dünne Linie von einem Rad eines Zahneingriffs zu seinem Transferknoten. Die beiden Sehnen eines Zahneingriffs tragen gleich viele Striche. Sehnen gehören nicht zum Baum: Jede schließt einen Fundamentalkreis.</translation>
+    </message>
+    <message>
+        <source>Terminal equation</source>
+        <translation>Klemmengleichung</translation>
+    </message>
+    <message>
+        <source>The relation between the two chords of a mesh: the velocity of gear i relative to the carrier arm is that of gear j times ± N(j) / N(i), plus where both gears turn the same way, seen from the arm.</source>
+        <translation>Die Beziehung zwischen den beiden Sehnen eines Zahneingriffs: Die Drehzahl von Rad i gegen den Steg ist die von Rad j mal ± N(j) / N(i), plus, wenn sich beide Räder vom Steg aus gesehen gleichsinnig drehen.</translation>
+    </message>
+    <message>
+        <source>f-circuit</source>
+        <translation>Fundamentalkreis</translation>
+    </message>
+    <message>
+        <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
+        <translation>Eine Sehne und die Zweige zwischen ihren beiden Enden: Die Drehzahl der Sehne ist die Summe der ihren, mit Vorzeichen nach ihrer Richtung. Die Gln. (31) bis (38) sind die des Aufsatzes.</translation>
+    </message>
 </context>
 </TS>

@@ -4850,5 +4850,285 @@
         <source>The language can be changed when the export is finished.</source>
         <translation>El idioma se puede cambiar cuando termine la exportación.</translation>
     </message>
+    <message>
+        <source>Moving links</source>
+        <translation>Eslabones móviles</translation>
+    </message>
+    <message>
+        <source>The number of links without the ground. They bear the labels 1 to n; the ground is 0.</source>
+        <translation>El número de eslabones sin el bastidor. Llevan las etiquetas 1 a n; el bastidor es 0.</translation>
+    </message>
+    <message>
+        <source>Turning joints</source>
+        <translation>Pares de revolución</translation>
+    </message>
+    <message>
+        <source>The number of turning pairs. They bear the labels n+1 to n+t. As a spanning tree they are as many as the moving links.</source>
+        <translation>El número de pares de revolución. Llevan las etiquetas n+1 a n+t. Como árbol generador son tantos como los eslabones móviles.</translation>
+    </message>
+    <message>
+        <source>Gear meshes</source>
+        <translation>Engranes</translation>
+    </message>
+    <message>
+        <source>The number of gear pairs. They bear the labels n+t+1 to n+t+c. Each closes one cycle of the basis.</source>
+        <translation>El número de pares de engranajes. Llevan las etiquetas n+t+1 a n+t+c. Cada uno cierra un ciclo de la base.</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rango</translation>
+    </message>
+    <message>
+        <source>The number of independent equations that the meshes put on the turning joints: the rank r of the coefficient matrix P.</source>
+        <translation>El número de ecuaciones independientes que los engranes imponen a los pares de revolución: el rango r de la matriz de coeficientes P.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Grados de libertad</translation>
+    </message>
+    <message>
+        <source>How many joints have to be driven so that the motion of all others follows: E = t − r.</source>
+        <translation>Cuántos pares hay que accionar para que quede determinado el movimiento de todos los demás: E = t − r.</translation>
+    </message>
+    <message>
+        <source>Incidence matrix</source>
+        <translation>Matriz de incidencia</translation>
+    </message>
+    <message>
+        <source>A row for each link and a column for each joint and mesh: 1 where its arrow ends, −1 where it begins.</source>
+        <translation>Una fila por eslabón y una columna por par y engrane: 1 donde termina su flecha, −1 donde empieza.</translation>
+    </message>
+    <message>
+        <source>Reduced incidence matrix</source>
+        <translation>Matriz de incidencia reducida</translation>
+    </message>
+    <message>
+        <source>The incidence matrix without the ground&apos;s row, so that its rows are independent. G holds the turning joints, G* the meshes.</source>
+        <translation>La matriz de incidencia sin la fila del bastidor, de modo que sus filas son independientes. G contiene los pares de revolución, G* los engranes.</translation>
+    </message>
+    <message>
+        <source>Path matrix</source>
+        <translation>Matriz de caminos</translation>
+    </message>
+    <message>
+        <source>A column for each link tells its walk through the tree to the ground: 1 where the walk runs along a joint, −1 where it runs against it.</source>
+        <translation>Una columna por eslabón describe su camino por el árbol hasta el bastidor: 1 donde el camino sigue un par, −1 donde va en contra.</translation>
+    </message>
+    <message>
+        <source>Spanning-tree matrix</source>
+        <translation>Matriz del árbol generador</translation>
+    </message>
+    <message>
+        <source>A row for each mesh tells which turning joints its cycle runs along (1) or against (−1): T = G*ᵀ Zᵀ.</source>
+        <translation>Una fila por engrane dice qué pares de revolución recorre su ciclo a favor (1) o en contra (−1): T = G*ᵀ Zᵀ.</translation>
+    </message>
+    <message>
+        <source>Cycle-basis matrix</source>
+        <translation>Matriz de la base de ciclos</translation>
+    </message>
+    <message>
+        <source>A row for each cycle that a mesh closes: T holds its turning joints, the unit matrix U its mesh.</source>
+        <translation>Una fila por cada ciclo que cierra un engrane: T contiene sus pares de revolución, la matriz unidad U su engrane.</translation>
+    </message>
+    <message>
+        <source>Fundamental cutset matrix</source>
+        <translation>Matriz de cortes fundamentales</translation>
+    </message>
+    <message>
+        <source>A row for each turning joint tells which edges join the two halves that the tree falls into without it.</source>
+        <translation>Una fila por par de revolución dice qué aristas unen las dos mitades en que se divide el árbol sin él.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: a node for each link, a solid arrow for each turning joint, a dashed arrow for each gear mesh.</source>
+        <translation>El mecanismo como grafo dirigido: un nodo por eslabón, una flecha continua por par de revolución, una discontinua por engrane.</translation>
+    </message>
+    <message>
+        <source>Functional schematic</source>
+        <translation>Esquema funcional</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, with the symbols of ISO 3952: axes dash-dotted, shafts as thick lines, bearings as bars about them, gears as pitch lines, the frame hatched.</source>
+        <translation>El mecanismo en sección, con los símbolos de ISO 3952: ejes geométricos de trazo y punto, árboles como líneas gruesas, cojinetes como barras a su alrededor, ruedas como líneas primitivas, el bastidor rayado.</translation>
+    </message>
+    <message>
+        <source>A rigid body: a gear, a carrier arm, a shaft, or several of them in one.</source>
+        <translation>Un cuerpo rígido: una rueda, un brazo portasatélites, un árbol, o varios de ellos en uno.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Bastidor</translation>
+    </message>
+    <message>
+        <source>The fixed link. All others are connected to it by turning joints.</source>
+        <translation>El eslabón fijo. Todos los demás están unidos a él por pares de revolución.</translation>
+    </message>
+    <message>
+        <source>Two links that turn relative to each other about an axis. Positive speed turns the head about the axis&apos; direction relative to the tail.</source>
+        <translation>Dos eslabones que giran uno respecto al otro en torno a un eje. Una velocidad positiva gira la cabeza respecto a la cola en torno a la dirección del eje.</translation>
+    </message>
+    <message>
+        <source>Two toothed wheels that roll on each other at a pitch point.</source>
+        <translation>Dos ruedas dentadas que ruedan una sobre otra en un punto primitivo.</translation>
+    </message>
+    <message>
+        <source>A turning joint that a motor drives at a speed of its own. There are as many as degrees of freedom.</source>
+        <translation>Un par de revolución que un motor acciona a una velocidad propia. Hay tantos como grados de libertad.</translation>
+    </message>
+    <message>
+        <source>The line that turning joints turn about, the level of the T–T graph. Joints that stay coaxial share one.</source>
+        <translation>La recta en torno a la que giran los pares de revolución, el nivel del grafo T–T. Los pares que siguen coaxiales comparten uno.</translation>
+    </message>
+    <message>
+        <source>Point of the axis</source>
+        <translation>Punto del eje</translation>
+    </message>
+    <message>
+        <source>A point that the axis goes through in the reference pose. Without it the axis is placed from the tooth counts.</source>
+        <translation>Un punto por el que pasa el eje en la posición de referencia. Sin él, el eje se coloca según los números de dientes.</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Dirección del eje</translation>
+    </message>
+    <message>
+        <source>The direction of the axis in the reference pose, of any length but 0. Positive speed turns about it by the right-hand rule.</source>
+        <translation>La dirección del eje en la posición de referencia, de cualquier longitud menos 0. Una velocidad positiva gira en torno a ella por la regla de la mano derecha.</translation>
+    </message>
+    <message>
+        <source>Where along the axis the bearing is drawn, from the axis&apos; point.</source>
+        <translation>Dónde se dibuja el cojinete a lo largo del eje, desde el punto del eje.</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>Límites del par</translation>
+    </message>
+    <message>
+        <source>How far the joint may turn from the reference pose, both ways, in degrees.</source>
+        <translation>Cuánto puede girar el par desde la posición de referencia, en ambos sentidos, en grados.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dientes</translation>
+    </message>
+    <message>
+        <source>The whole number of teeth of a wheel. Pitch diameters are proportional to it.</source>
+        <translation>El número entero de dientes de una rueda. Los diámetros primitivos son proporcionales a él.</translation>
+    </message>
+    <message>
+        <source>The pitch diameter of a wheel over its teeth, one for both wheels of a mesh; of bevels at the large end. Another module moves the axes and changes no ratio.</source>
+        <translation>El diámetro primitivo de una rueda entre sus dientes, el mismo para ambas ruedas de un engrane; en las cónicas, en el extremo grande. Otro módulo mueve los ejes y no cambia ninguna relación.</translation>
+    </message>
+    <message>
+        <source>Kind of mesh</source>
+        <translation>Tipo de engrane</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
+        <translation>Exterior, interior (una rueda es una corona) o cónico (los ejes se cortan). Sin indicarlo, lo dice la geometría.</translation>
+    </message>
+    <message>
+        <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
+        <translation>Donde se tocan las dos superficies primitivas en la posición de referencia. Sin indicarlo, el punto se deduce de los ejes y los dientes.</translation>
+    </message>
+    <message>
+        <source>Gear ratio</source>
+        <translation>Relación de engrane</translation>
+    </message>
+    <message>
+        <source>The teeth of the mesh&apos;s tail over those of its head.</source>
+        <translation>Los dientes de la cola del engrane entre los de su cabeza.</translation>
+    </message>
+    <message>
+        <source>Spanning tree</source>
+        <translation>Árbol generador</translation>
+    </message>
+    <message>
+        <source>The turning joints, if they tie every link to the ground and close no loop.</source>
+        <translation>Los pares de revolución, si unen cada eslabón al bastidor sin cerrar ningún lazo.</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>A mesh and the path through the tree that leads back from its head to its tail.</source>
+        <translation>Un engrane y el camino por el árbol que vuelve de su cabeza a su cola.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s number of a link, joint or mesh. It follows from the order of the elements.</source>
+        <translation>El número del artículo para un eslabón, par o engrane. Se deduce del orden de los elementos.</translation>
+    </message>
+    <message>
+        <source>Screw</source>
+        <translation>Tornillo</translation>
+    </message>
+    <message>
+        <source>A joint&apos;s axis as seen from a pitch point: its unit direction (L M N) and its moment (P Q R), the velocity that the point gets for one unit of speed.</source>
+        <translation>El eje de un par visto desde un punto primitivo: su dirección unitaria (L M N) y su momento (P Q R), la velocidad que recibe el punto por una unidad de velocidad.</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix</source>
+        <translation>Matriz de coeficientes</translation>
+    </message>
+    <message>
+        <source>A row for each mesh: the moment of each joint of its cycle about the pitch point, times T. P θ̇ = 0 holds for every motion; divided by the head&apos;s radius a row holds only ratios and ones.</source>
+        <translation>Una fila por engrane: el momento de cada par de su ciclo respecto al punto primitivo, por T. P θ̇ = 0 vale para todo movimiento; dividida por el radio de la cabeza, una fila solo contiene relaciones y unos.</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>Solución</translation>
+    </message>
+    <message>
+        <source>The rate of every other joint for one unit of each input: minus the inverse of P&apos;s output part times its input part.</source>
+        <translation>La velocidad de cada otro par por una unidad de cada entrada: menos la inversa de la parte de salida de P por su parte de entrada.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad: a node for each link, a branch of the tree for each turning joint with the level it turns on, and for each gear mesh two chords, from its gears to their carrier arm. An arrow from i to k carries the velocity of link i relative to link k.</source>
+        <translation>El mecanismo según Tsai y Tokad: un nodo por eslabón, una rama del árbol por par de revolución con el nivel en que gira, y por engrane dos cuerdas, de sus ruedas a su brazo portasatélites. Una flecha de i a k lleva la velocidad del eslabón i respecto al eslabón k.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>The axis that a branch of the T–T graph turns about. Joints that stay coaxial in every motion are on one level.</source>
+        <translation>El eje en torno al que gira una rama del grafo T–T. Los pares que siguen coaxiales en todo movimiento están en un nivel.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex</source>
+        <translation>Vértice de transferencia</translation>
+    </message>
+    <message>
+        <source>The carrier arm of a gear mesh: the node on the walk from gear to gear through the tree where the level changes.</source>
+        <translation>El brazo portasatélites de un engrane: el nodo, en el camino de rueda a rueda por el árbol, donde cambia el nivel.</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Cuerda</translation>
+    </message>
+    <message>
+        <source>A thin line from a gear of a mesh to its transfer vertex. The two chords of a mesh bear the same number of primes. Chords are no part of the tree: each closes one f-circuit.</source>
+        <translation>Una línea fina de una rueda de un engrane a su vértice de transferencia. Las dos cuerdas de un engrane llevan el mismo número de primas. Las cuerdas no son parte del árbol: cada una cierra un circuito f.</translation>
+    </message>
+    <message>
+        <source>Terminal equation</source>
+        <translation>Ecuación terminal</translation>
+    </message>
+    <message>
+        <source>The relation between the two chords of a mesh: the velocity of gear i relative to the carrier arm is that of gear j times ± N(j) / N(i), plus where both gears turn the same way, seen from the arm.</source>
+        <translation>La relación entre las dos cuerdas de un engrane: la velocidad de la rueda i respecto al brazo portasatélites es la de la rueda j por ± N(j) / N(i), más si ambas ruedas giran en el mismo sentido, vistas desde el brazo.</translation>
+    </message>
+    <message>
+        <source>f-circuit</source>
+        <translation>Circuito f</translation>
+    </message>
+    <message>
+        <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
+        <translation>Una cuerda y las ramas entre sus dos extremos: la velocidad de la cuerda es la suma de las suyas, con signos según su dirección. Las ecs. (31) a (38) son las del artículo.</translation>
+    </message>
 </context>
 </TS>

@@ -4849,5 +4849,285 @@
         <source>The language can be changed when the export is finished.</source>
         <translation>Dil, dışa aktarma bitince değiştirilebilir.</translation>
     </message>
+    <message>
+        <source>Moving links</source>
+        <translation>Hareketli uzuvlar</translation>
+    </message>
+    <message>
+        <source>The number of links without the ground. They bear the labels 1 to n; the ground is 0.</source>
+        <translation>Sabit uzuv dışındaki uzuvların sayısı. Etiketleri 1&apos;den n&apos;ye; sabit uzuv 0&apos;dır.</translation>
+    </message>
+    <message>
+        <source>Turning joints</source>
+        <translation>Döner mafsallar</translation>
+    </message>
+    <message>
+        <source>The number of turning pairs. They bear the labels n+1 to n+t. As a spanning tree they are as many as the moving links.</source>
+        <translation>Döner mafsalların sayısı. Etiketleri n+1&apos;den n+t&apos;ye. Kapsayan ağaç olarak hareketli uzuvlar kadardırlar.</translation>
+    </message>
+    <message>
+        <source>Gear meshes</source>
+        <translation>Dişli çiftleri</translation>
+    </message>
+    <message>
+        <source>The number of gear pairs. They bear the labels n+t+1 to n+t+c. Each closes one cycle of the basis.</source>
+        <translation>Dişli çiftlerinin sayısı. Etiketleri n+t+1&apos;den n+t+c&apos;ye. Her biri tabanın bir çevrimini kapatır.</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>Rank</translation>
+    </message>
+    <message>
+        <source>The number of independent equations that the meshes put on the turning joints: the rank r of the coefficient matrix P.</source>
+        <translation>Dişli çiftlerinin döner mafsallara koyduğu bağımsız denklemlerin sayısı: P katsayı matrisinin rankı r.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Serbestlik derecesi</translation>
+    </message>
+    <message>
+        <source>How many joints have to be driven so that the motion of all others follows: E = t − r.</source>
+        <translation>Öbürlerinin hareketinin belirlenmesi için kaç mafsalın tahrik edilmesi gerektiği: E = t − r.</translation>
+    </message>
+    <message>
+        <source>Incidence matrix</source>
+        <translation>Bağlantı matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each link and a column for each joint and mesh: 1 where its arrow ends, −1 where it begins.</source>
+        <translation>Her uzuv için bir satır, her mafsal ve dişli çifti için bir sütun: okunun bittiği yerde 1, başladığı yerde −1.</translation>
+    </message>
+    <message>
+        <source>Reduced incidence matrix</source>
+        <translation>İndirgenmiş bağlantı matrisi</translation>
+    </message>
+    <message>
+        <source>The incidence matrix without the ground&apos;s row, so that its rows are independent. G holds the turning joints, G* the meshes.</source>
+        <translation>Satırları bağımsız olsun diye sabit uzvun satırı çıkarılmış bağlantı matrisi. G döner mafsalları, G* dişli çiftlerini içerir.</translation>
+    </message>
+    <message>
+        <source>Path matrix</source>
+        <translation>Yol matrisi</translation>
+    </message>
+    <message>
+        <source>A column for each link tells its walk through the tree to the ground: 1 where the walk runs along a joint, −1 where it runs against it.</source>
+        <translation>Her uzuv için bir sütun, ağaç üzerinden sabit uzva giden yolu anlatır: yol bir mafsalla aynı yöndeyse 1, tersse −1.</translation>
+    </message>
+    <message>
+        <source>Spanning-tree matrix</source>
+        <translation>Kapsayan ağaç matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each mesh tells which turning joints its cycle runs along (1) or against (−1): T = G*ᵀ Zᵀ.</source>
+        <translation>Her dişli çifti için bir satır, çevriminin hangi döner mafsallarla (1) veya onlara ters (−1) gittiğini söyler: T = G*ᵀ Zᵀ.</translation>
+    </message>
+    <message>
+        <source>Cycle-basis matrix</source>
+        <translation>Çevrim tabanı matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each cycle that a mesh closes: T holds its turning joints, the unit matrix U its mesh.</source>
+        <translation>Bir dişli çiftinin kapattığı her çevrim için bir satır: T döner mafsallarını, U birim matrisi dişli çiftini içerir.</translation>
+    </message>
+    <message>
+        <source>Fundamental cutset matrix</source>
+        <translation>Temel kesitleme matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each turning joint tells which edges join the two halves that the tree falls into without it.</source>
+        <translation>Her döner mafsal için bir satır, o olmadan ağacın ayrıldığı iki yarıyı hangi kenarların birleştirdiğini söyler.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: a node for each link, a solid arrow for each turning joint, a dashed arrow for each gear mesh.</source>
+        <translation>Yönlü graf olarak mekanizma: her uzuv bir düğüm, her döner mafsal düz bir ok, her dişli çifti kesikli bir ok.</translation>
+    </message>
+    <message>
+        <source>Functional schematic</source>
+        <translation>İşlevsel şema</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, with the symbols of ISO 3952: axes dash-dotted, shafts as thick lines, bearings as bars about them, gears as pitch lines, the frame hatched.</source>
+        <translation>Kesit olarak mekanizma, ISO 3952 simgeleriyle: eksenler noktalı kesik, miller kalın çizgi, yataklar çevrelerinde çubuk, dişliler hatve çizgisi, gövde taralı.</translation>
+    </message>
+    <message>
+        <source>A rigid body: a gear, a carrier arm, a shaft, or several of them in one.</source>
+        <translation>Rijit bir cisim: dişli, taşıyıcı kol, mil, veya bunların birkaçı bir arada.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Sabit uzuv</translation>
+    </message>
+    <message>
+        <source>The fixed link. All others are connected to it by turning joints.</source>
+        <translation>Sabit olan uzuv. Öbürlerinin hepsi ona döner mafsallarla bağlıdır.</translation>
+    </message>
+    <message>
+        <source>Two links that turn relative to each other about an axis. Positive speed turns the head about the axis&apos; direction relative to the tail.</source>
+        <translation>Bir eksen etrafında birbirine göre dönen iki uzuv. Pozitif hız, başı kuyruğa göre eksen yönü etrafında döndürür.</translation>
+    </message>
+    <message>
+        <source>Two toothed wheels that roll on each other at a pitch point.</source>
+        <translation>Bir hatve noktasında birbiri üzerinde yuvarlanan iki dişli.</translation>
+    </message>
+    <message>
+        <source>A turning joint that a motor drives at a speed of its own. There are as many as degrees of freedom.</source>
+        <translation>Bir motorun kendi hızıyla tahrik ettiği döner mafsal. Serbestlik derecesi kadardırlar.</translation>
+    </message>
+    <message>
+        <source>The line that turning joints turn about, the level of the T–T graph. Joints that stay coaxial share one.</source>
+        <translation>Döner mafsalların etrafında döndüğü doğru, T–T grafının düzeyi. Eş eksenli kalan mafsallar birini paylaşır.</translation>
+    </message>
+    <message>
+        <source>Point of the axis</source>
+        <translation>Eksenin noktası</translation>
+    </message>
+    <message>
+        <source>A point that the axis goes through in the reference pose. Without it the axis is placed from the tooth counts.</source>
+        <translation>Referans konumda eksenin geçtiği bir nokta. Verilmezse eksen diş sayılarından yerleştirilir.</translation>
+    </message>
+    <message>
+        <source>Direction of the axis</source>
+        <translation>Eksenin yönü</translation>
+    </message>
+    <message>
+        <source>The direction of the axis in the reference pose, of any length but 0. Positive speed turns about it by the right-hand rule.</source>
+        <translation>Referans konumda eksenin yönü, 0 dışında her uzunlukta. Pozitif hız onun etrafında sağ el kuralıyla döner.</translation>
+    </message>
+    <message>
+        <source>Where along the axis the bearing is drawn, from the axis&apos; point.</source>
+        <translation>Yatağın eksen boyunca, eksenin noktasından ölçülerek çizildiği yer.</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>Mafsal sınırları</translation>
+    </message>
+    <message>
+        <source>How far the joint may turn from the reference pose, both ways, in degrees.</source>
+        <translation>Mafsalın referans konumdan iki yöne ne kadar dönebileceği, derece.</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Diş</translation>
+    </message>
+    <message>
+        <source>The whole number of teeth of a wheel. Pitch diameters are proportional to it.</source>
+        <translation>Bir dişlinin tam sayı olan diş sayısı. Hatve çapları onunla orantılıdır.</translation>
+    </message>
+    <message>
+        <source>The pitch diameter of a wheel over its teeth, one for both wheels of a mesh; of bevels at the large end. Another module moves the axes and changes no ratio.</source>
+        <translation>Bir dişlinin hatve çapı bölü diş sayısı, çiftin iki dişlisi için aynı; koniklerde büyük uçta. Başka bir modül eksenleri taşır, oranları değiştirmez.</translation>
+    </message>
+    <message>
+        <source>Kind of mesh</source>
+        <translation>Dişli çiftinin türü</translation>
+    </message>
+    <message>
+        <source>External, internal (one wheel is a ring) or bevel (the axes meet). Without it the geometry tells.</source>
+        <translation>Dış, iç (bir dişli çemberdir) veya konik (eksenler kesişir). Verilmezse geometri belirler.</translation>
+    </message>
+    <message>
+        <source>Where the two pitch surfaces touch in the reference pose. Without it the point follows from axes and teeth.</source>
+        <translation>Referans konumda iki hatve yüzeyinin değdiği yer. Verilmezse nokta eksenlerden ve dişlerden bulunur.</translation>
+    </message>
+    <message>
+        <source>Gear ratio</source>
+        <translation>Dişli oranı</translation>
+    </message>
+    <message>
+        <source>The teeth of the mesh&apos;s tail over those of its head.</source>
+        <translation>Dişli çiftinin kuyruğundaki diş sayısı bölü başındaki.</translation>
+    </message>
+    <message>
+        <source>Spanning tree</source>
+        <translation>Kapsayan ağaç</translation>
+    </message>
+    <message>
+        <source>The turning joints, if they tie every link to the ground and close no loop.</source>
+        <translation>Her uzvu sabit uzva bağlayıp çevrim kapatmayan döner mafsallar.</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Çevrim</translation>
+    </message>
+    <message>
+        <source>A mesh and the path through the tree that leads back from its head to its tail.</source>
+        <translation>Bir dişli çifti ve ağaç üzerinden başından kuyruğuna geri dönen yol.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiket</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s number of a link, joint or mesh. It follows from the order of the elements.</source>
+        <translation>Makalede bir uzvun, mafsalın veya dişli çiftinin numarası. Öğelerin sırasından gelir.</translation>
+    </message>
+    <message>
+        <source>Screw</source>
+        <translation>Vida</translation>
+    </message>
+    <message>
+        <source>A joint&apos;s axis as seen from a pitch point: its unit direction (L M N) and its moment (P Q R), the velocity that the point gets for one unit of speed.</source>
+        <translation>Bir mafsalın bir hatve noktasından görülen ekseni: birim yönü (L M N) ve momenti (P Q R), yani birim hız için noktanın aldığı hız.</translation>
+    </message>
+    <message>
+        <source>Coefficient matrix</source>
+        <translation>Katsayı matrisi</translation>
+    </message>
+    <message>
+        <source>A row for each mesh: the moment of each joint of its cycle about the pitch point, times T. P θ̇ = 0 holds for every motion; divided by the head&apos;s radius a row holds only ratios and ones.</source>
+        <translation>Her dişli çifti için bir satır: çevrimindeki her mafsalın hatve noktası etrafındaki momenti çarpı T. Her hareket için P θ̇ = 0; başın yarıçapına bölünen satırda yalnız oranlar ve birler kalır.</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>Çözüm</translation>
+    </message>
+    <message>
+        <source>The rate of every other joint for one unit of each input: minus the inverse of P&apos;s output part times its input part.</source>
+        <translation>Her girişin bir birimi için öbür mafsalların her birinin hızı: eksi P&apos;nin çıkış bölümünün tersi çarpı giriş bölümü.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad: a node for each link, a branch of the tree for each turning joint with the level it turns on, and for each gear mesh two chords, from its gears to their carrier arm. An arrow from i to k carries the velocity of link i relative to link k.</source>
+        <translation>Tsai ve Tokad&apos;a göre mekanizma: her uzuv bir düğüm, her döner mafsal üzerinde döndüğü düzeyle bir ağaç dalı, her dişli çifti için dişlilerinden taşıyıcı kollarına iki kiriş. i&apos;den k&apos;ye ok, i uzvunun k uzvuna göre hızını taşır.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Düzey</translation>
+    </message>
+    <message>
+        <source>The axis that a branch of the T–T graph turns about. Joints that stay coaxial in every motion are on one level.</source>
+        <translation>T–T grafının bir dalının etrafında döndüğü eksen. Her harekette eş eksenli kalan mafsallar aynı düzeydedir.</translation>
+    </message>
+    <message>
+        <source>Transfer vertex</source>
+        <translation>Aktarma düğümü</translation>
+    </message>
+    <message>
+        <source>The carrier arm of a gear mesh: the node on the walk from gear to gear through the tree where the level changes.</source>
+        <translation>Bir dişli çiftinin taşıyıcı kolu: ağaç üzerinden dişliden dişliye giderken düzeyin değiştiği düğüm.</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Kiriş</translation>
+    </message>
+    <message>
+        <source>A thin line from a gear of a mesh to its transfer vertex. The two chords of a mesh bear the same number of primes. Chords are no part of the tree: each closes one f-circuit.</source>
+        <translation>Bir çiftin bir dişlisinden aktarma düğümüne ince çizgi. Bir çiftin iki kirişi aynı sayıda üs imi taşır. Kirişler ağaçtan değildir: her biri bir f-devresi kapatır.</translation>
+    </message>
+    <message>
+        <source>Terminal equation</source>
+        <translation>Uç denklemi</translation>
+    </message>
+    <message>
+        <source>The relation between the two chords of a mesh: the velocity of gear i relative to the carrier arm is that of gear j times ± N(j) / N(i), plus where both gears turn the same way, seen from the arm.</source>
+        <translation>Bir dişli çiftinin iki kirişi arasındaki bağıntı: i dişlisinin taşıyıcı kola göre hızı, j dişlisininki çarpı ± N(j) / N(i); koldan bakıldığında ikisi aynı yönde dönüyorsa artı.</translation>
+    </message>
+    <message>
+        <source>f-circuit</source>
+        <translation>f-devresi</translation>
+    </message>
+    <message>
+        <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
+        <translation>Bir kiriş ve iki ucu arasındaki dallar: kirişin hızı, yönlerine göre işaretlerle onlarınkinin toplamıdır. (31)–(38) denklemleri makalenindir.</translation>
+    </message>
 </context>
 </TS>

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "core/foundations/base/words.h"
+
 namespace geargraph::inline models {
 
 QString shownText(std::string_view text) {
@@ -10,10 +12,10 @@ QString shownText(std::string_view text) {
 
 QString tipOf(Term term) {
   const Definition& definition = definitionOf(term);
-  QString head = shownText(definition.name).toHtmlEscaped();
+  QString head = shownText(translated(definition.name)).toHtmlEscaped();
   if (!definition.symbol.empty()) head += QStringLiteral(" ") + shownText(definition.symbol).toHtmlEscaped();
   QString tip = QStringLiteral("<p style='white-space:normal'><b>%1</b><br>%2")
-                    .arg(head, shownText(definition.text).toHtmlEscaped());
+                    .arg(head, shownText(translated(definition.text)).toHtmlEscaped());
   if (definition.equation > 0) {
     tip += QCoreApplication::translate("geargraph::tipOf", " Eq. (%1)").arg(definition.equation);
   }

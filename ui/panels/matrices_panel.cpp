@@ -14,6 +14,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "core/teaching/derivation/matrix_text.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/matrix_view.h"
@@ -271,8 +272,8 @@ void MatricesPanel::explain(const QModelIndex& index) {
   }
   const auto quantity = m_model->quantityKind();
   const Definition& definition = definitionOf(quantity ? termOf(*quantity) : termOf(m_model->kind()));
-  m_cardTitle->setText(shownText(definition.name));
-  m_cardText->setText(shownText(definition.text) +
+  m_cardTitle->setText(shownText(base::translated(definition.name)));
+  m_cardText->setText(shownText(base::translated(definition.text)) +
                       (definition.equation > 0 ? tr(" Eq. (%1)").arg(definition.equation) : QString()));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/foundations/base/words.h"
 #include "core/presentation/manual/manual.h"
 #include "ui/search/everyday_words.h"
 #include "ui/search/word_match.h"
@@ -96,7 +97,7 @@ std::vector<SearchEntry> termEntries() {
   std::vector<SearchEntry> entries;
   for (const Definition& definition : glossary()) {
     SearchEntry entry;
-    entry.title = shown(definition.name);
+    entry.title = shown(translated(definition.name));
     entry.side = shown(definition.symbol);
     entry.haystack = foldedText(entry.title + QLatin1Char(' ') + entry.side);
     entry.term = definition.term;

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "ui/search/word_match.h"
 
 namespace geargraph::inline search {
@@ -24,8 +25,7 @@ QString detailOf(const SearchEntry& entry) {
   if (entry.action != nullptr) return entry.action->toolTip().remove(QLatin1Char('&'));
   if (!entry.page.isEmpty()) return entry.summary;
   if (!entry.term) return SearchModel::tr("Enter selects and shows it.");
-  const std::string_view text = definitionOf(*entry.term).text;
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+  return QString::fromStdString(translated(definitionOf(*entry.term).text));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "core/foundations/base/words.h"
 #include "ui/theme/application_theme.h"
 
 namespace geargraph::inline search {
@@ -134,7 +135,8 @@ void SearchPopup::showDefinition(Term term) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
   };
   QString text = QStringLiteral("<h3>%1 &nbsp; %2</h3><p>%3</p>")
-                     .arg(shown(definition.name), shown(definition.symbol), shown(definition.text));
+                     .arg(shown(translated(definition.name)), shown(definition.symbol),
+                          shown(translated(definition.text)));
   if (definition.equation > 0) text += tr("<p>Equation (%1) of the paper.</p>").arg(definition.equation);
   m_definition->setText(text);
   m_pages->setCurrentWidget(m_definition);

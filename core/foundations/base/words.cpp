@@ -26,6 +26,10 @@ std::string translated(const char* text) {
   return lookedUp(text, -1);
 }
 
+std::string translated(std::string_view text) {
+  return lookedUp(std::string(text).c_str(), -1);
+}
+
 std::string translated(const char* text, int n) {
   std::string form = lookedUp(text, n);
   if (const auto place = form.find("%n"); place != std::string::npos)

@@ -15,6 +15,8 @@ constexpr const char* toTranslate(const char* text) {
 /// marks it for extraction, too (the target "translations"). Never for names that files or scripts read. Safe
 /// on all threads.
 [[nodiscard]] std::string translated(const char* text);
+/// A text that toTranslate() has marked elsewhere.
+[[nodiscard]] std::string translated(std::string_view text);
 /// In the plural form of `n`, which also takes the place of "%n". English: the literal with its "(s)" is for
 /// translators; give both forms by the catalogue or choose between two texts.
 [[nodiscard]] std::string translated(const char* text, int n);

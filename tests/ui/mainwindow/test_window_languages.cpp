@@ -9,6 +9,7 @@
 #include "ui/canvas/drawing_view.h"
 #include "ui/languages/languages.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/models/term_tips.h"
 #include "ui/panels/matrices_panel.h"
 #include "ui/panels/matrix_view.h"
 
@@ -92,6 +93,8 @@ class WindowLanguagesTest : public QObject, protected test::FileWindows {
     QVERIFY(!first().document().isModified());
     first().actions().redo->trigger();
     QVERIFY(first().saveDocument(first().files().source()));
+
+    QVERIFY(tipOf(Term::pathMatrix).contains(QStringLiteral("Wegmatrix")));  // core's words
 
     choose(QStringLiteral("en"));
     QCOMPARE(menuTitles().first(), QStringLiteral("&File"));
