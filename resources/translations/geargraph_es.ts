@@ -4620,7 +4620,7 @@
     </message>
     <message>
         <source>Software 3D</source>
-        <translation>3D por software</translation>
+        <translation>3D software</translation>
     </message>
     <message>
         <source>%1 Painted by the processor (%2): finer when nothing moves.</source>

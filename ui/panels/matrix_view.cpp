@@ -40,6 +40,7 @@ class EntryDelegate : public QStyledItemDelegate {
   explicit EntryDelegate(MatrixView* view) : QStyledItemDelegate(view), m_view(view) {}
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->setLayoutDirection(Qt::LeftToRight);  // a minus sign stands before its number
     const Theme theme = themeOf(option.palette);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);

@@ -39,6 +39,7 @@ ResultsDelegate::ResultsDelegate(Selection* selection, QObject* parent)
 
 void ResultsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                             const QModelIndex& index) const {
+  painter->setLayoutDirection(Qt::LeftToRight);  // a minus sign stands before its number
   const auto* model = static_cast<const ResultsModel*>(index.model());
   const Theme theme = themeOf(option.palette);
   const ElementId joint = model->outputAt(index.row());
@@ -117,6 +118,7 @@ LinkSpeedsDelegate::LinkSpeedsDelegate(Selection* selection, QObject* parent)
 
 void LinkSpeedsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index) const {
+  painter->setLayoutDirection(Qt::LeftToRight);  // a minus sign stands before its number
   const auto* model = static_cast<const LinkSpeedsModel*>(index.model());
   const Theme theme = themeOf(option.palette);
   const ElementId link = model->linkAt(index.row());

@@ -42,6 +42,7 @@ void paintRunning(QPainter& painter, const QPointF& at, Theme theme) {
 
 void StatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) const {
+  painter->setLayoutDirection(Qt::LeftToRight);  // a minus sign stands before its number
   const auto* model = static_cast<const StatesModel*>(index.model());
   const Theme theme = themeOf(option.palette);
   const QRectF cell(option.rect);
