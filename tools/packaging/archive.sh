@@ -25,11 +25,16 @@ find_libraries_at() {
 starter() {
   cat >"$folder/$1" <<'SCRIPT'
 #!/bin/sh
-# Starts the program with the plugins, and where the system has none, the fonts and keyboards of this folder.
+# Starts the program with the plugins, and where the system has none, the fonts and keyboards of this folder. Without any driver of
+# OpenGL for windows, Qt would abort when it asks the display for them; 3D is painted beside the window then.
 here=$(dirname "$(readlink -f "$0")")
 export GVBINDIR="$here/lib/graphviz"
 [ -e /etc/fonts/fonts.conf ] || export FONTCONFIG_FILE="$here/share/fonts.conf"
 [ -d /usr/share/X11/xkb ] || export XKB_CONFIG_ROOT="$here/share/xkb"
+export PATH="$PATH:/sbin:/usr/sbin"
+if [ -z "$QT_XCB_GL_INTEGRATION" ] && command -v ldconfig >/dev/null && ! ldconfig -p | grep -q libGLX_; then
+  export QT_XCB_GL_INTEGRATION=none
+fi
 exec "$here/bin/$(basename "$0")" "$@"
 SCRIPT
   chmod 755 "$folder/$1"
