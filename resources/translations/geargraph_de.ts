@@ -2219,10 +2219,6 @@
         <translation>H&amp;andout exportieren …</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
-        <translation>Eine Seite für jeden Browser, auch am Telefon und ohne Netz: Zeichnungen, Matrizen, Lösung, Herleitung und das Getriebe in 3D mit beweglichen Antrieben</translation>
-    </message>
-    <message>
         <source>&amp;Print…</source>
         <translation>&amp;Drucken …</translation>
     </message>
@@ -2407,10 +2403,6 @@
         <translation>Die Bremse des ausgewählten Glieds schließen, wo es keine hat eine neue, oder sie lösen</translation>
     </message>
     <message>
-        <source>&amp;Load…</source>
-        <translation>&amp;Last …</translation>
-    </message>
-    <message>
         <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
         <translation>Ein Moment im ausgewählten Gelenk oder am ausgewählten Glied: 10 Nm eingeben, nichts entfernt es</translation>
     </message>
@@ -2523,10 +2515,6 @@
         <translation>&amp;Suchen …</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term</source>
-        <translation>Einen Befehl, ein Element oder einen Begriff finden</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>&amp;Tastenkürzel</translation>
     </message>
@@ -2588,7 +2576,7 @@
     </message>
     <message>
         <source>&amp;Play	Space</source>
-        <translation>&amp;Abspielen<byte value="x9"/>Leertaste</translation>
+        <translation>&amp;Abspielen	Leertaste</translation>
     </message>
     <message>
         <source>Start or stop the motion (Space)</source>
@@ -2640,7 +2628,7 @@
     </message>
     <message>
         <source>&amp;Pause	Space</source>
-        <translation>&amp;Anhalten<byte value="x9"/>Leertaste</translation>
+        <translation>&amp;Anhalten	Leertaste</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -4367,10 +4355,6 @@
         <translation>Befehl oder Begriff suchen  Strg+K</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term (Ctrl+K)</source>
-        <translation>Einen Befehl, ein Element oder einen Begriff finden (Strg+K)</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>Suchen</translation>
     </message>
@@ -4397,10 +4381,6 @@
     <message>
         <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Gleichung (%1) des Aufsatzes.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Type to search on; Esc closes.</source>
-        <translation>Tippen, um weiterzusuchen; Esc schließt.</translation>
     </message>
     <message>
         <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
@@ -5129,6 +5109,383 @@
     <message>
         <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
         <translation>Eine Sehne und die Zweige zwischen ihren beiden Enden: Die Drehzahl der Sehne ist die Summe der ihren, mit Vorzeichen nach ihrer Richtung. Die Gln. (31) bis (38) sind die des Aufsatzes.</translation>
+    </message>
+    <message>
+        <source>
+Drag to change the load; W types it</source>
+        <translation>
+Ziehen ändert die Last; W tippt sie ein</translation>
+    </message>
+    <message>
+        <source>%1 N m. %2</source>
+        <translation>%1 N m. %2</translation>
+    </message>
+    <message>
+        <source>What is plotted</source>
+        <translation>Was aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>torques that hold the loads</source>
+        <translation>Momente, die die Lasten halten</translation>
+    </message>
+    <message>
+        <source>What it is plotted over; all else stays as it is</source>
+        <translation>Worüber aufgetragen wird; alles andere bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>What it is plotted over</source>
+        <translation>Worüber aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>The efficiency could not be followed: %1</source>
+        <translation>Der Wirkungsgrad ließ sich nicht verfolgen: %1</translation>
+    </message>
+    <message>
+        <source>A plot needs loads that are held, one way to hold them, and a motion.</source>
+        <translation>Ein Diagramm braucht Lasten, die gehalten werden, genau eine Art, sie zu halten, und eine Bewegung.</translation>
+    </message>
+    <message>
+        <source>torque, N m</source>
+        <translation>Moment, N m</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>Plot of the efficiency</source>
+        <translation>Diagramm des Wirkungsgrads</translation>
+    </message>
+    <message>
+        <source>The pointer, or the left and right arrow keys, read the values</source>
+        <translation>Der Mauszeiger oder die Pfeiltasten links und rechts lesen die Werte ab</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
+        <translation>T: Moment in einem Gelenk; M: Moment eines Zahneingriffs auf den Teil jenseits des Gelenks; beide um die Achse des Gelenks. Was das Gelenk abschneidet und was hinüberführt, leuchtet in allen Ansichten auf.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
+        <translation>Wirkungsgrad und Momente über dem Verhältnis zweier Drehzahlen oder über dem Wirkungsgrad der Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Inhalt des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Zurück (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Vor (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>Find in the manual  Ctrl+F</source>
+        <translation>Im Handbuch suchen  Ctrl+F</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Return goes to the next place, through all pages (Ctrl+F)</source>
+        <translation>Die Eingabetaste geht zur nächsten Stelle, durch alle Seiten (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Manual: %1</source>
+        <translation>Handbuch: %1</translation>
+    </message>
+    <message>
+        <source>This is the first page that you opened.</source>
+        <translation>Das ist die erste Seite, die Sie geöffnet haben.</translation>
+    </message>
+    <message>
+        <source>This is the last page that you opened.</source>
+        <translation>Das ist die letzte Seite, die Sie geöffnet haben.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour shows it again (Esc)</source>
+        <translation>Hilfe &gt; Rundgang zeigt ihn wieder (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The part before (Left)</source>
+        <translation>Der vorige Teil (Links)</translation>
+    </message>
+    <message>
+        <source>This is the beginning.</source>
+        <translation>Das ist der Anfang.</translation>
+    </message>
+    <message>
+        <source>To the window (Return)</source>
+        <translation>Zum Fenster (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>The next part (Right)</source>
+        <translation>Der nächste Teil (Rechts)</translation>
+    </message>
+    <message>
+        <source>F1 opens the page of the manual.</source>
+        <translation>F1 öffnet die Seite des Handbuchs.</translation>
+    </message>
+    <message>
+        <source>A lesson is played in this window: take the tour in another one.</source>
+        <translation>In diesem Fenster läuft eine Lektion: Machen Sie den Rundgang in einem anderen.</translation>
+    </message>
+    <message>
+        <source>Web page with exercises (*.html)</source>
+        <translation>Webseite mit Aufgaben (*.html)</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism: export it without exercises.</source>
+        <translation>Zu diesem Mechanismus lässt sich nichts fragen: Exportieren Sie ihn ohne Aufgaben.</translation>
+    </message>
+    <message>
+        <source>Load a joint or a link: drag for its torque, or click and type 10 Nm; where one is selected, its torque is typed at once</source>
+        <translation>Ein Gelenk oder Glied belasten: Ziehen gibt das Moment, oder anklicken und 10 Nm eintippen; ist eines ausgewählt, tippt man sein Moment gleich ein</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
+        <translation>Eine Seite für jeden Browser, auch auf dem Telefon und ohne Netz: Zeichnungen, Matrizen, Lösung, Herleitung und das Getriebe in 3D, mit Antrieben, die sich bewegen, und auf Wunsch mit Aufgaben</translation>
+    </message>
+    <message>
+        <source>T&amp;orque…</source>
+        <translation>Dreh&amp;moment …</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual</source>
+        <translation>Einen Befehl, ein Element, einen Begriff oder eine Seite des Handbuchs finden</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>The page of the manual about what has the focus</source>
+        <translation>Die Seite des Handbuchs zu dem, was den Fokus hat</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this</source>
+        <translation>Was ist &amp;das?</translation>
+    </message>
+    <message>
+        <source>Then click something to learn what it is for</source>
+        <translation>Klicken Sie dann etwas an, um zu erfahren, wozu es dient</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>The parts of the window in two minutes</source>
+        <translation>Die Teile des Fensters in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>There is no command %1 in this window.</source>
+        <translation>In diesem Fenster gibt es keinen Befehl %1.</translation>
+    </message>
+    <message>
+        <source>Welcome to GearGraph</source>
+        <translation>Willkommen bei GearGraph</translation>
+    </message>
+    <message>
+        <source>Gear trains as graphs, as equations, and in motion. The tour shows the parts of the window with a robot as example; it takes two minutes. Help &gt; Tour repeats it.</source>
+        <translation>Getriebe als Graphen, als Gleichungen und in Bewegung. Der Rundgang zeigt die Teile des Fensters am Beispiel eines Roboters; er dauert zwei Minuten. Hilfe &gt; Rundgang wiederholt ihn.</translation>
+    </message>
+    <message>
+        <source>Draw links, joints and meshes</source>
+        <translation>Glieder, Gelenke und Zahneingriffe zeichnen</translation>
+    </message>
+    <message>
+        <source>Each circle is a link, each solid arrow a turning joint, each dashed arrow a pair of gears. Press L and click for a link, T or G and drag from one link to another. Everything can be undone.</source>
+        <translation>Jeder Kreis ist ein Glied, jeder durchgezogene Pfeil ein Drehgelenk, jeder gestrichelte ein Zahnradpaar. Drücken Sie L und klicken Sie für ein Glied, T oder G und ziehen Sie von einem Glied zum anderen. Alles lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>The Matroid method</source>
+        <translation>Das Matroid-Verfahren</translation>
+    </message>
+    <message>
+        <source>The matrices follow from the drawing at once. Rest the mouse on an entry to have it explained; the arrow that it stands for lights up. Each row of C is the cycle that a mesh closes.</source>
+        <translation>Die Matrizen folgen der Zeichnung sofort. Halten Sie die Maus über einen Eintrag, um ihn erklärt zu bekommen; der Pfeil, für den er steht, leuchtet auf. Jede Zeile von C ist der Zyklus, den ein Zahneingriff schließt.</translation>
+    </message>
+    <message>
+        <source>The T–T graph method</source>
+        <translation>Das T–T-Graph-Verfahren</translation>
+    </message>
+    <message>
+        <source>The same mechanism by the second method: levels on the branches, two chords for each mesh, carrier arms with a second ring. Select a mesh to see its equations. Both methods give the same speeds.</source>
+        <translation>Derselbe Mechanismus mit dem zweiten Verfahren: Ebenen an den Zweigen, zwei Sehnen je Zahneingriff, Stege mit einem zweiten Ring. Wählen Sie einen Zahneingriff aus, um seine Gleichungen zu sehen. Beide Verfahren liefern dieselben Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>The gears in motion</source>
+        <translation>Die Zahnräder in Bewegung</translation>
+    </message>
+    <message>
+        <source>Space plays. Drag a gear to turn the train by hand, drag elsewhere to look from another side. Section cuts it open.</source>
+        <translation>Die Leertaste spielt ab. Ziehen Sie an einem Zahnrad, um das Getriebe von Hand zu drehen, und daneben, um es von einer anderen Seite zu sehen. Schnitt schneidet es auf.</translation>
+    </message>
+    <message>
+        <source>Motors and speeds</source>
+        <translation>Motoren und Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>The sliders set the speeds of the motors. Below are the speeds of all other joints: as formulas in the gear ratios, and as they are now.</source>
+        <translation>Die Schieber stellen die Geschwindigkeiten der Motoren ein. Darunter stehen die Geschwindigkeiten aller anderen Gelenke: als Formeln in den Übersetzungen und als Werte von jetzt.</translation>
+    </message>
+    <message>
+        <source>When something is wrong</source>
+        <translation>Wenn etwas nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Problems says what is wrong, where, and what to do. A click on a line shows the place, and many lines bring a button that mends it.</source>
+        <translation>Probleme zeigt, was falsch ist, wo, und was zu tun ist. Ein Klick auf eine Zeile zeigt die Stelle, und viele Zeilen bieten eine Schaltfläche, die es behebt.</translation>
+    </message>
+    <message>
+        <source>Learn, and find anything</source>
+        <translation>Lernen und alles finden</translation>
+    </message>
+    <message>
+        <source>Learn &gt; Lessons is a course from one gear pair to this robot. Ctrl+K finds commands, terms and pages of the manual. F1 opens the page about what you are working with.</source>
+        <translation>Lernen &gt; Lektionen ist ein Kurs vom einzelnen Radpaar bis zu diesem Roboter. Ctrl+K findet Befehle, Begriffe und Seiten des Handbuchs. F1 öffnet die Seite zu dem, womit Sie gerade arbeiten.</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual (Ctrl+K)</source>
+        <translation>Einen Befehl, ein Element, einen Begriff oder eine Seite des Handbuchs finden (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>F1 shows it with a picture and its lesson. Type to search on; Esc closes.</source>
+        <translation>F1 zeigt ihn mit Bild und Lektion. Weitertippen sucht weiter; Esc schließt.</translation>
+    </message>
+    <message>
+        <source>Load: drag from a turning joint or a link for its torque, or click it and type 10 Nm</source>
+        <translation>Last: von einem Drehgelenk oder Glied aus ziehen gibt das Moment, oder anklicken und 10 Nm eintippen</translation>
+    </message>
+    <message>
+        <source>Load: to the right or upwards is more; Alt: tenths. Esc puts back</source>
+        <translation>Last: nach rechts oder oben ist mehr; Alt: Zehntel. Esc stellt zurück</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Alle Matrizen des Matroid-Verfahrens. Halten Sie die Maus über einen Eintrag, um ihn erklärt zu bekommen.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Was am Mechanismus falsch ist und wie man es behebt.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Die Zahnräder in Bewegung. Am Rad ziehen dreht das Getriebe, daneben ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Die Geschwindigkeiten der Motoren, und wie schnell sich jedes Gelenk mit ihnen dreht.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Bremsen und Kupplungen, was geschlossen ist, und die Schaltzustände eines Getriebes.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Zähne, Achsen und Namen dessen, was ausgewählt ist.</translation>
+    </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Geschwindigkeiten über eine Periode der Bewegung.</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Beide Verfahren Schritt für Schritt, für diesen Mechanismus.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Lasten und die Momente, Kräfte und Leistungen, die sie hervorrufen.</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Massen, die Trägheit an jedem Motor, und die Bewegung, die Momente hervorrufen.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Eine Lektion: was gefragt ist, Ihre Antwort, Hinweise, und der Grund, wo sie falsch ist.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
+        <translation>Der Mechanismus als gerichteter Graph: Glieder als Kreise, Drehgelenke als durchgezogene, Zahneingriffe als gestrichelte Pfeile.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad, with levels, chords and transfer vertices.</source>
+        <translation>Der Mechanismus nach Tsai und Tokad, mit Ebenen, Sehnen und Transferknoten.</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
+        <translation>Der Mechanismus im Schnitt, wie in Lehrbüchern. Auch hier lässt sich zeichnen.</translation>
+    </message>
+    <message>
+        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
+        <translation>Der Mechanismus, auf drei Arten gezeichnet; ein Klick auf einen Reiter wählt eine davon.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Werkzeuge zum Zeichnen, Rückgängig und Wiederholen, die Bewegung und das Suchfeld.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Was über die Datei dieses Fensters zu wissen ist.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Einen Mechanismus beginnen, oder ein zuletzt verwendetes Dokument oder ein Beispiel öffnen.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Was das Werkzeug als Nächstes erwartet, und die Zahlen des Mechanismus.</translation>
     </message>
 </context>
 </TS>

@@ -2219,10 +2219,6 @@
         <translation>Exportar &amp;folleto…</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
-        <translation>Una página para cualquier navegador, también en un teléfono y sin red: dibujos, matrices, solución, deducción y el tren en 3D, con entradas que se mueven</translation>
-    </message>
-    <message>
         <source>&amp;Print…</source>
         <translation>Im&amp;primir…</translation>
     </message>
@@ -2407,10 +2403,6 @@
         <translation>Activar el freno del eslabón seleccionado, uno nuevo si no tiene, o liberarlo</translation>
     </message>
     <message>
-        <source>&amp;Load…</source>
-        <translation>Car&amp;ga…</translation>
-    </message>
-    <message>
         <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
         <translation>Un momento en el par o eslabón seleccionado: escriba 10 Nm; vacío lo quita</translation>
     </message>
@@ -2523,10 +2515,6 @@
         <translation>&amp;Buscar…</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term</source>
-        <translation>Encontrar una orden, un elemento o un término</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>A&amp;tajos de teclado</translation>
     </message>
@@ -2588,7 +2576,7 @@
     </message>
     <message>
         <source>&amp;Play	Space</source>
-        <translation>R&amp;eproducir<byte value="x9"/>Espacio</translation>
+        <translation>R&amp;eproducir	Espacio</translation>
     </message>
     <message>
         <source>Start or stop the motion (Space)</source>
@@ -2640,7 +2628,7 @@
     </message>
     <message>
         <source>&amp;Pause	Space</source>
-        <translation>&amp;Pausa<byte value="x9"/>Espacio</translation>
+        <translation>&amp;Pausa	Espacio</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -4367,10 +4355,6 @@
         <translation>Buscar orden o término  Ctrl+K</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term (Ctrl+K)</source>
-        <translation>Encontrar una orden, un elemento o un término (Ctrl+K)</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>Buscar</translation>
     </message>
@@ -4397,10 +4381,6 @@
     <message>
         <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Ecuación (%1) del artículo.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Type to search on; Esc closes.</source>
-        <translation>Escriba para seguir buscando; Esc cierra.</translation>
     </message>
     <message>
         <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
@@ -5129,6 +5109,383 @@
     <message>
         <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
         <translation>Una cuerda y las ramas entre sus dos extremos: la velocidad de la cuerda es la suma de las suyas, con signos según su dirección. Las ecs. (31) a (38) son las del artículo.</translation>
+    </message>
+    <message>
+        <source>
+Drag to change the load; W types it</source>
+        <translation>
+Arrastrar cambia la carga; W la escribe</translation>
+    </message>
+    <message>
+        <source>%1 N m. %2</source>
+        <translation>%1 N m. %2</translation>
+    </message>
+    <message>
+        <source>What is plotted</source>
+        <translation>Qué se representa</translation>
+    </message>
+    <message>
+        <source>torques that hold the loads</source>
+        <translation>momentos que sostienen las cargas</translation>
+    </message>
+    <message>
+        <source>What it is plotted over; all else stays as it is</source>
+        <translation>Respecto a qué se representa; todo lo demás queda como está</translation>
+    </message>
+    <message>
+        <source>What it is plotted over</source>
+        <translation>Respecto a qué se representa</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>sobre</translation>
+    </message>
+    <message>
+        <source>The efficiency could not be followed: %1</source>
+        <translation>No se pudo seguir el rendimiento: %1</translation>
+    </message>
+    <message>
+        <source>A plot needs loads that are held, one way to hold them, and a motion.</source>
+        <translation>Un gráfico necesita cargas sostenidas, una sola manera de sostenerlas y un movimiento.</translation>
+    </message>
+    <message>
+        <source>torque, N m</source>
+        <translation>momento, N m</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>hacia delante</translation>
+    </message>
+    <message>
+        <source>Plot of the efficiency</source>
+        <translation>Gráfico del rendimiento</translation>
+    </message>
+    <message>
+        <source>The pointer, or the left and right arrow keys, read the values</source>
+        <translation>El puntero o las flechas izquierda y derecha leen los valores</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
+        <translation>T: momento en un par; M: momento de un engrane sobre la parte más allá del par; ambos respecto al eje del par. Lo que el par separa y lo que cruza se ilumina en todas las vistas.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
+        <translation>Rendimiento y momentos sobre la razón de dos velocidades o sobre el rendimiento de los engranes</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Contenido del manual</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Atrás (Alt+Izquierda)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Adelante (Alt+Derecha)</translation>
+    </message>
+    <message>
+        <source>Find in the manual  Ctrl+F</source>
+        <translation>Buscar en el manual  Ctrl+F</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>Buscar en el manual</translation>
+    </message>
+    <message>
+        <source>Return goes to the next place, through all pages (Ctrl+F)</source>
+        <translation>Intro va al siguiente lugar, por todas las páginas (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Manual: %1</source>
+        <translation>Manual: %1</translation>
+    </message>
+    <message>
+        <source>This is the first page that you opened.</source>
+        <translation>Esta es la primera página que abrió.</translation>
+    </message>
+    <message>
+        <source>This is the last page that you opened.</source>
+        <translation>Esta es la última página que abrió.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>No se encontró</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour shows it again (Esc)</source>
+        <translation>Ayuda &gt; Recorrido lo muestra de nuevo (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>The part before (Left)</source>
+        <translation>La parte anterior (Izquierda)</translation>
+    </message>
+    <message>
+        <source>This is the beginning.</source>
+        <translation>Este es el comienzo.</translation>
+    </message>
+    <message>
+        <source>To the window (Return)</source>
+        <translation>A la ventana (Intro)</translation>
+    </message>
+    <message>
+        <source>The next part (Right)</source>
+        <translation>La parte siguiente (Derecha)</translation>
+    </message>
+    <message>
+        <source>F1 opens the page of the manual.</source>
+        <translation>F1 abre la página del manual.</translation>
+    </message>
+    <message>
+        <source>A lesson is played in this window: take the tour in another one.</source>
+        <translation>En esta ventana se sigue una lección: haga el recorrido en otra.</translation>
+    </message>
+    <message>
+        <source>Web page with exercises (*.html)</source>
+        <translation>Página web con ejercicios (*.html)</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism: export it without exercises.</source>
+        <translation>No se puede preguntar nada sobre este mecanismo: expórtelo sin ejercicios.</translation>
+    </message>
+    <message>
+        <source>Load a joint or a link: drag for its torque, or click and type 10 Nm; where one is selected, its torque is typed at once</source>
+        <translation>Cargar un par o un eslabón: arrastre para su momento, o haga clic y escriba 10 Nm; si hay uno seleccionado, su momento se escribe enseguida</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
+        <translation>Una página para cualquier navegador, también en el teléfono y sin red: dibujos, matrices, solución, deducción y el tren en 3D, con entradas que se mueven y, si lo elige, ejercicios</translation>
+    </message>
+    <message>
+        <source>T&amp;orque…</source>
+        <translation>Mo&amp;mento…</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual</source>
+        <translation>Encontrar una orden, un elemento, un término o una página del manual</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+    <message>
+        <source>The page of the manual about what has the focus</source>
+        <translation>La página del manual sobre lo que tiene el foco</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this</source>
+        <translation>¿&amp;Qué es esto?</translation>
+    </message>
+    <message>
+        <source>Then click something to learn what it is for</source>
+        <translation>Después haga clic en algo para saber para qué sirve</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Recorrido</translation>
+    </message>
+    <message>
+        <source>The parts of the window in two minutes</source>
+        <translation>Las partes de la ventana en dos minutos</translation>
+    </message>
+    <message>
+        <source>There is no command %1 in this window.</source>
+        <translation>No hay ninguna orden %1 en esta ventana.</translation>
+    </message>
+    <message>
+        <source>Welcome to GearGraph</source>
+        <translation>Bienvenido a GearGraph</translation>
+    </message>
+    <message>
+        <source>Gear trains as graphs, as equations, and in motion. The tour shows the parts of the window with a robot as example; it takes two minutes. Help &gt; Tour repeats it.</source>
+        <translation>Trenes de engranajes como grafos, como ecuaciones y en movimiento. El recorrido muestra las partes de la ventana con un robot como ejemplo; dura dos minutos. Ayuda &gt; Recorrido lo repite.</translation>
+    </message>
+    <message>
+        <source>Draw links, joints and meshes</source>
+        <translation>Dibuje eslabones, pares y engranes</translation>
+    </message>
+    <message>
+        <source>Each circle is a link, each solid arrow a turning joint, each dashed arrow a pair of gears. Press L and click for a link, T or G and drag from one link to another. Everything can be undone.</source>
+        <translation>Cada círculo es un eslabón, cada flecha continua un par de revolución, cada flecha discontinua un par de ruedas. Pulse L y haga clic para un eslabón, T o G y arrastre de un eslabón a otro. Todo se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>The Matroid method</source>
+        <translation>El método de matroides</translation>
+    </message>
+    <message>
+        <source>The matrices follow from the drawing at once. Rest the mouse on an entry to have it explained; the arrow that it stands for lights up. Each row of C is the cycle that a mesh closes.</source>
+        <translation>Las matrices siguen al dibujo enseguida. Deje el ratón sobre una entrada para que se explique; la flecha que representa se ilumina. Cada fila de C es el ciclo que cierra un engrane.</translation>
+    </message>
+    <message>
+        <source>The T–T graph method</source>
+        <translation>El método del grafo T–T</translation>
+    </message>
+    <message>
+        <source>The same mechanism by the second method: levels on the branches, two chords for each mesh, carrier arms with a second ring. Select a mesh to see its equations. Both methods give the same speeds.</source>
+        <translation>El mismo mecanismo por el segundo método: niveles en las ramas, dos cuerdas por engrane, portasatélites con un segundo anillo. Seleccione un engrane para ver sus ecuaciones. Ambos métodos dan las mismas velocidades.</translation>
+    </message>
+    <message>
+        <source>The gears in motion</source>
+        <translation>Las ruedas en movimiento</translation>
+    </message>
+    <message>
+        <source>Space plays. Drag a gear to turn the train by hand, drag elsewhere to look from another side. Section cuts it open.</source>
+        <translation>Espacio reproduce. Arrastre una rueda para girar el tren a mano, o fuera de ella para verlo desde otro lado. Sección lo corta.</translation>
+    </message>
+    <message>
+        <source>Motors and speeds</source>
+        <translation>Motores y velocidades</translation>
+    </message>
+    <message>
+        <source>The sliders set the speeds of the motors. Below are the speeds of all other joints: as formulas in the gear ratios, and as they are now.</source>
+        <translation>Los deslizadores fijan las velocidades de los motores. Debajo están las velocidades de los demás pares: como fórmulas en las relaciones y como son ahora.</translation>
+    </message>
+    <message>
+        <source>When something is wrong</source>
+        <translation>Cuando algo está mal</translation>
+    </message>
+    <message>
+        <source>Problems says what is wrong, where, and what to do. A click on a line shows the place, and many lines bring a button that mends it.</source>
+        <translation>Problemas indica qué está mal, dónde y qué hacer. Un clic en una línea muestra el lugar, y muchas líneas traen un botón que lo corrige.</translation>
+    </message>
+    <message>
+        <source>Learn, and find anything</source>
+        <translation>Aprender y encontrarlo todo</translation>
+    </message>
+    <message>
+        <source>Learn &gt; Lessons is a course from one gear pair to this robot. Ctrl+K finds commands, terms and pages of the manual. F1 opens the page about what you are working with.</source>
+        <translation>Aprender &gt; Lecciones es un curso desde un par de ruedas hasta este robot. Ctrl+K encuentra órdenes, términos y páginas del manual. F1 abre la página de aquello con lo que trabaja.</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual (Ctrl+K)</source>
+        <translation>Encontrar una orden, un elemento, un término o una página del manual (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>manual</translation>
+    </message>
+    <message>
+        <source>F1 shows it with a picture and its lesson. Type to search on; Esc closes.</source>
+        <translation>F1 lo muestra con una imagen y su lección. Escriba para seguir buscando; Esc cierra.</translation>
+    </message>
+    <message>
+        <source>Load: drag from a turning joint or a link for its torque, or click it and type 10 Nm</source>
+        <translation>Carga: arrastre desde un par de revolución o un eslabón para su momento, o haga clic y escriba 10 Nm</translation>
+    </message>
+    <message>
+        <source>Load: to the right or upwards is more; Alt: tenths. Esc puts back</source>
+        <translation>Carga: a la derecha o hacia arriba es más; Alt: décimas. Esc lo devuelve</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Carga</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Todas las matrices del método de matroides. Deje el ratón sobre una entrada para que se explique.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Qué está mal en el mecanismo y cómo corregirlo.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Las ruedas en movimiento. Arrastrar una rueda gira el tren; arrastrar fuera gira la vista.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Las velocidades de los motores y a qué velocidad gira cada par con ellos.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Frenos y embragues, qué está activo, y los estados de una caja de cambios.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Dientes, ejes y nombres de lo seleccionado.</translation>
+    </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Velocidades durante un periodo del movimiento.</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Ambos métodos, paso a paso, para este mecanismo.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Cargas y los momentos, fuerzas y potencias que causan.</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Masas, la inercia en cada motor y el movimiento que causan los momentos.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Una lección: lo que se pregunta, su respuesta, pistas y la razón si está mal.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
+        <translation>El mecanismo como grafo dirigido: eslabones como círculos, pares de revolución como flechas continuas, engranes como discontinuas.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad, with levels, chords and transfer vertices.</source>
+        <translation>El mecanismo según Tsai y Tokad, con niveles, cuerdas y vértices de transferencia.</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
+        <translation>El mecanismo en sección, como en los libros de texto. También aquí se puede dibujar.</translation>
+    </message>
+    <message>
+        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
+        <translation>El mecanismo dibujado de tres maneras; un clic en una pestaña elige una.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Herramientas de dibujo, deshacer y rehacer, el movimiento y el campo de búsqueda.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Lo que hay que saber del archivo de esta ventana.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Comience un mecanismo, o abra un documento reciente o un ejemplo.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Lo que la herramienta espera a continuación, y los números del mecanismo.</translation>
     </message>
 </context>
 </TS>

@@ -2218,10 +2218,6 @@
         <translation>Ders &amp;notunu dışa aktar…</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move</source>
-        <translation>Her tarayıcı için, telefonda ve ağsız da açılan tek sayfa: çizimler, matrisler, çözüm, türetim ve girişleri hareket eden 3B takım</translation>
-    </message>
-    <message>
         <source>&amp;Print…</source>
         <translation>Ya&amp;zdır…</translation>
     </message>
@@ -2406,10 +2402,6 @@
         <translation>Seçili uzvun frenini, yoksa yeni bir freni devreye al, ya da ayır</translation>
     </message>
     <message>
-        <source>&amp;Load…</source>
-        <translation>&amp;Yük…</translation>
-    </message>
-    <message>
         <source>A torque in the selected joint or on the selected link: type 10 Nm, nothing removes it</source>
         <translation>Seçili mafsalda veya uzuvda tork: 10 Nm yazın, boş bırakmak kaldırır</translation>
     </message>
@@ -2522,10 +2514,6 @@
         <translation>&amp;Ara…</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term</source>
-        <translation>Komut, öğe veya terim bul</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>&amp;Klavye kısayolları</translation>
     </message>
@@ -2587,7 +2575,7 @@
     </message>
     <message>
         <source>&amp;Play	Space</source>
-        <translation>&amp;Oynat<byte value="x9"/>Boşluk</translation>
+        <translation>&amp;Oynat	Boşluk</translation>
     </message>
     <message>
         <source>Start or stop the motion (Space)</source>
@@ -2639,7 +2627,7 @@
     </message>
     <message>
         <source>&amp;Pause	Space</source>
-        <translation>&amp;Duraklat<byte value="x9"/>Boşluk</translation>
+        <translation>&amp;Duraklat	Boşluk</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -4366,10 +4354,6 @@
         <translation>Komut veya terim ara  Ctrl+K</translation>
     </message>
     <message>
-        <source>Find a command, an element or a term (Ctrl+K)</source>
-        <translation>Komut, öğe veya terim bul (Ctrl+K)</translation>
-    </message>
-    <message>
         <source>Search</source>
         <translation>Ara</translation>
     </message>
@@ -4396,10 +4380,6 @@
     <message>
         <source>&lt;p&gt;Equation (%1) of the paper.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Makalenin (%1) denklemi.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Type to search on; Esc closes.</source>
-        <translation>Aramayı sürdürmek için yazın; Esc kapatır.</translation>
     </message>
     <message>
         <source>Shaft: drag along an axis, or on an empty area for a new axis</source>
@@ -5128,6 +5108,383 @@
     <message>
         <source>A chord and the branches between its two ends: the velocity of the chord is the sum of theirs, with signs by their direction. Eqs. (31) to (38) are the paper&apos;s.</source>
         <translation>Bir kiriş ve iki ucu arasındaki dallar: kirişin hızı, yönlerine göre işaretlerle onlarınkinin toplamıdır. (31)–(38) denklemleri makalenindir.</translation>
+    </message>
+    <message>
+        <source>
+Drag to change the load; W types it</source>
+        <translation>
+Sürüklemek yükü değiştirir; W ile yazılır</translation>
+    </message>
+    <message>
+        <source>%1 N m. %2</source>
+        <translation>%1 N m. %2</translation>
+    </message>
+    <message>
+        <source>What is plotted</source>
+        <translation>Ne çizilir</translation>
+    </message>
+    <message>
+        <source>torques that hold the loads</source>
+        <translation>yükleri tutan torklar</translation>
+    </message>
+    <message>
+        <source>What it is plotted over; all else stays as it is</source>
+        <translation>Neye göre çizilir; diğer her şey olduğu gibi kalır</translation>
+    </message>
+    <message>
+        <source>What it is plotted over</source>
+        <translation>Neye göre çizilir</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>göre</translation>
+    </message>
+    <message>
+        <source>The efficiency could not be followed: %1</source>
+        <translation>Verim izlenemedi: %1</translation>
+    </message>
+    <message>
+        <source>A plot needs loads that are held, one way to hold them, and a motion.</source>
+        <translation>Grafik için tutulan yükler, bunları tutmanın tek bir yolu ve bir hareket gerekir.</translation>
+    </message>
+    <message>
+        <source>torque, N m</source>
+        <translation>tork, N m</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>ileri</translation>
+    </message>
+    <message>
+        <source>Plot of the efficiency</source>
+        <translation>Verim grafiği</translation>
+    </message>
+    <message>
+        <source>The pointer, or the left and right arrow keys, read the values</source>
+        <translation>Değerleri fare imleci ya da sol ve sağ ok tuşları okur</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>T: torque in a joint; M: torque of a mesh on the part beyond the joint; both about the joint&apos;s axis. What the joint cuts off, and what crosses, is lit in all views.</source>
+        <translation>T: bir mafsaldaki tork; M: bir dişli çiftinin mafsalın ötesindeki parçaya torku; ikisi de mafsalın ekseni etrafında. Mafsalın ayırdığı parça ve karşıya geçenler tüm görünümlerde parlar.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Grafikler</translation>
+    </message>
+    <message>
+        <source>Efficiency and torques over the ratio of two speeds, or over the efficiency of the meshes</source>
+        <translation>İki hızın oranına ya da dişli çiftlerinin verimine göre verim ve torklar</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>El kitabı</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>El kitabının içindekiler</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Geri (Alt+Sol)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>İleri (Alt+Sağ)</translation>
+    </message>
+    <message>
+        <source>Find in the manual  Ctrl+F</source>
+        <translation>El kitabında bul  Ctrl+F</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>El kitabında bul</translation>
+    </message>
+    <message>
+        <source>Return goes to the next place, through all pages (Ctrl+F)</source>
+        <translation>Enter tüm sayfalarda sonraki yere gider (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Manual: %1</source>
+        <translation>El kitabı: %1</translation>
+    </message>
+    <message>
+        <source>This is the first page that you opened.</source>
+        <translation>Açtığınız ilk sayfa bu.</translation>
+    </message>
+    <message>
+        <source>This is the last page that you opened.</source>
+        <translation>Açtığınız son sayfa bu.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Bulunamadı</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Tur</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Atla</translation>
+    </message>
+    <message>
+        <source>Help &gt; Tour shows it again (Esc)</source>
+        <translation>Yardım &gt; Tur yeniden gösterir (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Geri</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>The part before (Left)</source>
+        <translation>Önceki bölüm (Sol)</translation>
+    </message>
+    <message>
+        <source>This is the beginning.</source>
+        <translation>Başlangıç burası.</translation>
+    </message>
+    <message>
+        <source>To the window (Return)</source>
+        <translation>Pencereye (Enter)</translation>
+    </message>
+    <message>
+        <source>The next part (Right)</source>
+        <translation>Sonraki bölüm (Sağ)</translation>
+    </message>
+    <message>
+        <source>F1 opens the page of the manual.</source>
+        <translation>F1 el kitabının sayfasını açar.</translation>
+    </message>
+    <message>
+        <source>A lesson is played in this window: take the tour in another one.</source>
+        <translation>Bu pencerede bir ders oynatılıyor: turu başka bir pencerede yapın.</translation>
+    </message>
+    <message>
+        <source>Web page with exercises (*.html)</source>
+        <translation>Alıştırmalı web sayfası (*.html)</translation>
+    </message>
+    <message>
+        <source>Nothing can be asked about this mechanism: export it without exercises.</source>
+        <translation>Bu mekanizma hakkında soru sorulamıyor: alıştırmasız dışa aktarın.</translation>
+    </message>
+    <message>
+        <source>Load a joint or a link: drag for its torque, or click and type 10 Nm; where one is selected, its torque is typed at once</source>
+        <translation>Bir mafsalı ya da uzvu yükleyin: torku için sürükleyin ya da tıklayıp 10 Nm yazın; biri seçiliyse torku hemen yazılır</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
+        <translation>Telefonda ve ağ olmadan da her tarayıcı için tek sayfa: çizimler, matrisler, çözüm, türetim ve hareketli girişleriyle 3B dişli takımı, isterseniz alıştırmalarla</translation>
+    </message>
+    <message>
+        <source>T&amp;orque…</source>
+        <translation>Tor&amp;k…</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual</source>
+        <translation>Bir komut, öğe, terim ya da el kitabı sayfası bul</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;El kitabı</translation>
+    </message>
+    <message>
+        <source>The page of the manual about what has the focus</source>
+        <translation>Odaktaki öğeyle ilgili el kitabı sayfası</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this</source>
+        <translation>Bu &amp;nedir?</translation>
+    </message>
+    <message>
+        <source>Then click something to learn what it is for</source>
+        <translation>Sonra ne işe yaradığını öğrenmek için bir şeye tıklayın</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Tur</translation>
+    </message>
+    <message>
+        <source>The parts of the window in two minutes</source>
+        <translation>İki dakikada pencerenin bölümleri</translation>
+    </message>
+    <message>
+        <source>There is no command %1 in this window.</source>
+        <translation>Bu pencerede %1 komutu yok.</translation>
+    </message>
+    <message>
+        <source>Welcome to GearGraph</source>
+        <translation>GearGraph&apos;a hoş geldiniz</translation>
+    </message>
+    <message>
+        <source>Gear trains as graphs, as equations, and in motion. The tour shows the parts of the window with a robot as example; it takes two minutes. Help &gt; Tour repeats it.</source>
+        <translation>Dişli takımları graf, denklem ve hareket olarak. Tur, pencerenin bölümlerini bir robot örneğiyle gösterir; iki dakika sürer. Yardım &gt; Tur yineler.</translation>
+    </message>
+    <message>
+        <source>Draw links, joints and meshes</source>
+        <translation>Uzuv, mafsal ve dişli çiftleri çizin</translation>
+    </message>
+    <message>
+        <source>Each circle is a link, each solid arrow a turning joint, each dashed arrow a pair of gears. Press L and click for a link, T or G and drag from one link to another. Everything can be undone.</source>
+        <translation>Her daire bir uzuv, her düz ok bir döner mafsal, her kesikli ok bir dişli çiftidir. Uzuv için L&apos;ye basıp tıklayın; T ya da G ile bir uzuvdan diğerine sürükleyin. Her şey geri alınabilir.</translation>
+    </message>
+    <message>
+        <source>The Matroid method</source>
+        <translation>Matroid yöntemi</translation>
+    </message>
+    <message>
+        <source>The matrices follow from the drawing at once. Rest the mouse on an entry to have it explained; the arrow that it stands for lights up. Each row of C is the cycle that a mesh closes.</source>
+        <translation>Matrisler çizimi hemen izler. Açıklaması için fareyi bir öğenin üzerinde tutun; karşılık geldiği ok parlar. C&apos;nin her satırı bir dişli çiftinin kapattığı çevrimdir.</translation>
+    </message>
+    <message>
+        <source>The T–T graph method</source>
+        <translation>T–T graf yöntemi</translation>
+    </message>
+    <message>
+        <source>The same mechanism by the second method: levels on the branches, two chords for each mesh, carrier arms with a second ring. Select a mesh to see its equations. Both methods give the same speeds.</source>
+        <translation>Aynı mekanizma ikinci yöntemle: dallarda düzeyler, her dişli çifti için iki kiriş, ikinci halkalı taşıyıcılar. Denklemlerini görmek için bir dişli çifti seçin. İki yöntem de aynı hızları verir.</translation>
+    </message>
+    <message>
+        <source>The gears in motion</source>
+        <translation>Dişliler hareket halinde</translation>
+    </message>
+    <message>
+        <source>Space plays. Drag a gear to turn the train by hand, drag elsewhere to look from another side. Section cuts it open.</source>
+        <translation>Boşluk tuşu oynatır. Takımı elle döndürmek için bir dişliyi, başka yandan bakmak için boş yeri sürükleyin. Kesit takımı keserek açar.</translation>
+    </message>
+    <message>
+        <source>Motors and speeds</source>
+        <translation>Motorlar ve hızlar</translation>
+    </message>
+    <message>
+        <source>The sliders set the speeds of the motors. Below are the speeds of all other joints: as formulas in the gear ratios, and as they are now.</source>
+        <translation>Kaydırıcılar motorların hızlarını ayarlar. Altında diğer tüm mafsalların hızları vardır: dişli oranlarıyla formül olarak ve şu anki değerleriyle.</translation>
+    </message>
+    <message>
+        <source>When something is wrong</source>
+        <translation>Bir şey yanlış olduğunda</translation>
+    </message>
+    <message>
+        <source>Problems says what is wrong, where, and what to do. A click on a line shows the place, and many lines bring a button that mends it.</source>
+        <translation>Sorunlar neyin, nerede yanlış olduğunu ve ne yapılacağını söyler. Satıra tıklamak yerini gösterir; birçok satırda düzelten bir düğme vardır.</translation>
+    </message>
+    <message>
+        <source>Learn, and find anything</source>
+        <translation>Öğrenin, her şeyi bulun</translation>
+    </message>
+    <message>
+        <source>Learn &gt; Lessons is a course from one gear pair to this robot. Ctrl+K finds commands, terms and pages of the manual. F1 opens the page about what you are working with.</source>
+        <translation>Öğren &gt; Dersler tek bir dişli çiftinden bu robota kadar bir kurstur. Ctrl+K komutları, terimleri ve el kitabının sayfalarını bulur. F1 üzerinde çalıştığınız şeyin sayfasını açar.</translation>
+    </message>
+    <message>
+        <source>Find a command, an element, a term or a page of the manual (Ctrl+K)</source>
+        <translation>Bir komut, öğe, terim ya da el kitabı sayfası bul (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>el kitabı</translation>
+    </message>
+    <message>
+        <source>F1 shows it with a picture and its lesson. Type to search on; Esc closes.</source>
+        <translation>F1 resmi ve dersiyle gösterir. Aramayı sürdürmek için yazın; Esc kapatır.</translation>
+    </message>
+    <message>
+        <source>Load: drag from a turning joint or a link for its torque, or click it and type 10 Nm</source>
+        <translation>Yük: torku için bir döner mafsaldan ya da uzuvdan sürükleyin ya da tıklayıp 10 Nm yazın</translation>
+    </message>
+    <message>
+        <source>Load: to the right or upwards is more; Alt: tenths. Esc puts back</source>
+        <translation>Yük: sağa ya da yukarı artırır; Alt: onda birler. Esc geri koyar</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Yük</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>Every matrix of the Matroid method. Rest the mouse on an entry to have it explained.</source>
+        <translation>Matroid yönteminin tüm matrisleri. Açıklaması için fareyi bir öğenin üzerinde tutun.</translation>
+    </message>
+    <message>
+        <source>What is wrong with the mechanism, and how to mend it.</source>
+        <translation>Mekanizmada neyin yanlış olduğu ve nasıl düzeltileceği.</translation>
+    </message>
+    <message>
+        <source>The gears in motion. Drag a gear to turn the train, drag elsewhere to orbit.</source>
+        <translation>Dişliler hareket halinde. Dişliyi sürüklemek takımı, boş yeri sürüklemek görünümü döndürür.</translation>
+    </message>
+    <message>
+        <source>The speeds of the motors, and how fast every joint turns with them.</source>
+        <translation>Motorların hızları ve her mafsalın onlarla ne kadar hızlı döndüğü.</translation>
+    </message>
+    <message>
+        <source>Brakes and clutches, what is engaged, and the states of a gearbox.</source>
+        <translation>Frenler ve kavramalar, neyin devrede olduğu ve bir şanzımanın durumları.</translation>
+    </message>
+    <message>
+        <source>Teeth, axes and names of what is selected.</source>
+        <translation>Seçili olanın dişleri, eksenleri ve adları.</translation>
+    </message>
+    <message>
+        <source>Speeds over one period of the motion.</source>
+        <translation>Hareketin bir periyodu boyunca hızlar.</translation>
+    </message>
+    <message>
+        <source>Both methods worked out step by step for this mechanism.</source>
+        <translation>Bu mekanizma için iki yöntem de adım adım.</translation>
+    </message>
+    <message>
+        <source>Loads, and the torques, forces and powers that they cause.</source>
+        <translation>Yükler ve yol açtıkları torklar, kuvvetler ve güçler.</translation>
+    </message>
+    <message>
+        <source>Masses, the inertia at each motor, and the motion that torques cause.</source>
+        <translation>Kütleler, her motordaki atalet ve torkların yol açtığı hareket.</translation>
+    </message>
+    <message>
+        <source>A lesson: what is asked, your answer, hints, and the reason where it is wrong.</source>
+        <translation>Bir ders: ne sorulduğu, yanıtınız, ipuçları ve yanlışsa nedeni.</translation>
+    </message>
+    <message>
+        <source>The mechanism as a directed graph: links as circles, turning joints as solid arrows, gear meshes as dashed ones.</source>
+        <translation>Yönlü graf olarak mekanizma: uzuvlar daire, döner mafsallar düz ok, dişli çiftleri kesikli ok.</translation>
+    </message>
+    <message>
+        <source>The mechanism after Tsai and Tokad, with levels, chords and transfer vertices.</source>
+        <translation>Tsai ve Tokad&apos;a göre mekanizma: düzeyler, kirişler ve aktarma düğümleri.</translation>
+    </message>
+    <message>
+        <source>The mechanism in section, as in textbooks. You can draw here, too.</source>
+        <translation>Ders kitaplarındaki gibi kesit olarak mekanizma. Burada da çizilebilir.</translation>
+    </message>
+    <message>
+        <source>The mechanism drawn in three ways; a click on a tab chooses one.</source>
+        <translation>Üç biçimde çizilmiş mekanizma; bir sekmeye tıklamak birini seçer.</translation>
+    </message>
+    <message>
+        <source>Tools for drawing, undo and redo, the motion, and the search field.</source>
+        <translation>Çizim araçları, geri al ve yinele, hareket ve arama alanı.</translation>
+    </message>
+    <message>
+        <source>What has to be known about the file of this window.</source>
+        <translation>Bu pencerenin dosyası hakkında bilinmesi gerekenler.</translation>
+    </message>
+    <message>
+        <source>Begin a mechanism, or open a recent document or an example.</source>
+        <translation>Bir mekanizmaya başlayın ya da son belgelerden veya örneklerden birini açın.</translation>
+    </message>
+    <message>
+        <source>What the tool expects next, and the counts of the mechanism.</source>
+        <translation>Aracın sırada ne beklediği ve mekanizmanın sayıları.</translation>
     </message>
 </context>
 </TS>
