@@ -136,8 +136,16 @@ class LessonsTest : public QObject {
   /// Any drawing that fulfils the conditions is right, and errors are named with their culprits.
   void drawingsAreJudgedByWhatTheyDo() {
     DrawTask task;
-    task.conditions = {{{Quantity::errors, ""}, "0", "0", "There is an error."},
-                       {{Quantity::outputRates, ""}, "-2/3", "-2/3", "The speed is another."}};
+    // Member by member: of braces with optional strings, GCC 12 warns that they may not be set.
+    const auto add = [&](Quantity quantity, const char* value, const char* reason) {
+      DrawingCondition& condition = task.conditions.emplace_back();
+      condition.quantity.quantity = quantity;
+      condition.least = value;
+      condition.most = value;
+      condition.reason = reason;
+    };
+    add(Quantity::errors, "0", "There is an error.");
+    add(Quantity::outputRates, "-2/3", "The speed is another.");
     task.rule = "So it is.";
     const auto check = [&](const Mechanism& drawing) {
       return checkDrawing(task, std::make_shared<const Mechanism>(drawing));
