@@ -61,6 +61,7 @@ constexpr Entry kEntries[] = {
     {"statusLine", "the-window#the-status-bar",
      QT_TRANSLATE_NOOP("HelpPages", "What the tool expects next, and the counts of the mechanism.")},
     {"courseDialog", "lessons-and-exercises#the-course", nullptr},
+    {"paperCheck", "lessons-and-exercises#check-your-own-matrices", nullptr},
     {"insertSet", "drawing#change-what-is-drawn", nullptr},
     {"printDialog", "exporting-and-printing", nullptr},
     {"pictureDialog", "exporting-and-printing", nullptr},

@@ -40,6 +40,9 @@ namespace geargraph::inline ui_lessons {
 class CourseDialog;
 class LessonPanel;
 }  // namespace geargraph::inline ui_lessons
+namespace geargraph::inline ui_paper_check {
+class PaperCheckDialog;
+}  // namespace geargraph::inline ui_paper_check
 namespace geargraph::inline ui_schematic {
 class SchematicView;
 }  // namespace geargraph::inline ui_schematic
@@ -126,6 +129,8 @@ class MainWindow : public QMainWindow {
   /// Null in windows that play no lesson.
   [[nodiscard]] LessonPanel* lesson() { return m_lesson; }
   void showCourse();
+  /// Compares matrices of the user's with those of the document, in a window beside it.
+  void showPaperCheck();
   [[nodiscard]] WindowHelp& help() { return *m_help; }
   [[nodiscard]] Presentation& presentation() { return *m_presentation; }
   /// Is everything shown as the document is now?
@@ -250,9 +255,10 @@ class MainWindow : public QMainWindow {
   EditCommands* m_commands = nullptr;
   WindowExports* m_exports = nullptr;
   WindowHelp* m_help = nullptr;
-  LessonPanel* m_lesson = nullptr;     ///< made with the first lesson
-  CourseDialog* m_course = nullptr;    ///< made when it is first wanted
-  FileWatch* m_lessonWatch = nullptr;  ///< of a preview
+  LessonPanel* m_lesson = nullptr;           ///< made with the first lesson
+  CourseDialog* m_course = nullptr;          ///< made when it is first wanted
+  PaperCheckDialog* m_paperCheck = nullptr;  ///< the same
+  FileWatch* m_lessonWatch = nullptr;        ///< of a preview
   QString m_lessonFile;
 };
 

@@ -112,6 +112,8 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
            words("A course from one gear pair to the robot, with tasks that are checked; in a window of "
                  "its own"),
            {});
+  checkPaper = make("learn.check", words("Check &my matrices…"),
+                    words("Matrices and equations that you have worked out, beside the derived ones"), {});
   lessonFile = make("learn.lessonFile", words("Open a lesson &file…"),
                     words("Preview a lesson of your own: it is reloaded whenever the file is saved"), {});
   close = make("file.close", words("&Close window"), words("Close this window"), {QKeySequence::Close});

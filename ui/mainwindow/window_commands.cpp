@@ -114,7 +114,7 @@ void MainWindow::makeMenus() {
   motion->addSeparator();
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-  menu(tr("&Learn"))->addActions({a.lessons, a.lessonFile, a.showDerivation, a.compareMethods, a.lookUp});
+  menu(tr("&Learn"))->addActions({a.lessons, a.lessonFile, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
   menu(tr("&Help"))->addActions({a.manual, a.whatsThis, a.tour, a.search, a.shortcuts, a.about});
 }
 
@@ -137,6 +137,7 @@ void MainWindow::wireActions() {
   });
   connect(a.lessons, &QAction::triggered, this, &MainWindow::showCourse);
   connect(a.lessonFile, &QAction::triggered, this, &MainWindow::chooseLessonFile);
+  connect(a.checkPaper, &QAction::triggered, this, &MainWindow::showPaperCheck);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::renewActions);

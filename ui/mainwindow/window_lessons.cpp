@@ -1,4 +1,5 @@
 // Lessons in a window of their own: the course, the lesson beside the drawing, and the preview for authors.
+// The check of matrices that the learner has worked out on paper.
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -16,6 +17,7 @@
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
 #include "ui/mainwindow/window_files.h"
+#include "ui/paper_check/paper_check_dialog.h"
 
 namespace geargraph::inline mainwindow {
 namespace {
@@ -68,6 +70,20 @@ void MainWindow::showCourse() {
   m_course->show();
   m_course->raise();
   m_course->activateWindow();
+}
+
+void MainWindow::showPaperCheck() {
+  if (m_paperCheck == nullptr) {
+    m_paperCheck = new PaperCheckDialog(m_selection, this);
+    const auto renew = [this] {
+      if (m_paperCheck->isVisible()) m_paperCheck->setMechanism(m_document->mechanism());
+    };
+    connect(m_document, &Document::changed, m_paperCheck, renew);
+  }
+  m_paperCheck->show();
+  m_paperCheck->setMechanism(m_document->mechanism());
+  m_paperCheck->raise();
+  m_paperCheck->activateWindow();
 }
 
 void MainWindow::chooseLessonFile() {

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QDialog>
+
+#include "ui/paper_check/paper_check_service.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPlainTextEdit;
+class QTableWidget;
+
+namespace geargraph::inline selection {
+class Selection;
+}  // namespace geargraph::inline selection
+
+namespace geargraph::inline ui_paper_check {
+
+/// Matrices and equations of the user's, typed, pasted or read from a file, beside the derived ones. The
+/// verdict follows the text and the document; where the text cannot be read, the last verdict stays, and the
+/// place is told. What is selected in the lists is selected in all views.
+class PaperCheckDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PaperCheckDialog(Selection* selection, QWidget* parent = nullptr);
+
+  /// What the text is compared with from now on.
+  void setMechanism(const MechanismPtr& mechanism);
+  void openFile(const QString& path);
+  /// The printed rows of Eq. (45) under the labels of Eq. (25): two rows are exchanged.
+  void showExample();
+
+  [[nodiscard]] QPlainTextEdit& text() { return *m_text; }
+  [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void askForFile();
+  void request();
+  void show(const PaperCheckAnswer& answer);
+  void showFault(const Diagnostic& fault);
+  void showMatrix(const MatrixVerdict& verdict);
+  void showEquations(const std::vector<EquationVerdict>& verdicts);
+  void paintEntries();
+  void addDifference(const PaperDifference& difference);
+  void setVerdict(const QString& text);
+  void markLine(int line);
+  void select(const std::vector<ElementId>& elements);
+  void clear();
+
+  Selection* m_selection;
+  PaperCheckService* m_service;
+  MechanismPtr m_mechanism;
+  PaperCheckAnswerPtr m_shown;  ///< the last one with a verdict
+  QPlainTextEdit* m_text;
+  QComboBox* m_kind;
+  QLabel* m_verdict;
+  QLabel* m_notes;
+  QTableWidget* m_yours;
+  QTableWidget* m_derived;
+  QListWidget* m_differences;
+};
+
+}  // namespace geargraph::inline ui_paper_check
