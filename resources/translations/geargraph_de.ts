@@ -5408,6 +5408,154 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <source>Load</source>
         <translation>Last</translation>
     </message>
+    <message>
+        <source>Check &amp;my matrices…</source>
+        <translation>&amp;Meine Matrizen prüfen …</translation>
+    </message>
+    <message>
+        <source>Matrices and equations that you have worked out, beside the derived ones</source>
+        <translation>Matrizen und Gleichungen, die Sie ausgearbeitet haben, neben den hergeleiteten</translation>
+    </message>
+    <message>
+        <source>Your matrix</source>
+        <translation>Ihre Matrix</translation>
+    </message>
+    <message>
+        <source>The derived matrix, in your order</source>
+        <translation>Die hergeleitete Matrix, in Ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Check my matrices</source>
+        <translation>Meine Matrizen prüfen</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations</source>
+        <translation>Ihre Matrix oder Gleichungen</translation>
+    </message>
+    <message>
+        <source>CSV, LaTeX, MATLAB, NumPy or plain text; equations, one a line</source>
+        <translation>CSV, LaTeX, MATLAB, NumPy oder einfacher Text; Gleichungen, je Zeile eine</translation>
+    </message>
+    <message>
+        <source>Type or paste a matrix or equations: CSV, LaTeX, MATLAB, NumPy, plain text</source>
+        <translation>Matrix oder Gleichungen eintippen oder einfügen: CSV, LaTeX, MATLAB, NumPy, einfacher Text</translation>
+    </message>
+    <message>
+        <source>Which matrix it is</source>
+        <translation>Welche Matrix es ist</translation>
+    </message>
+    <message>
+        <source>Which matrix it is; recognised by its name, size and entries</source>
+        <translation>Welche Matrix es ist; erkannt an Name, Größe und Einträgen</translation>
+    </message>
+    <message>
+        <source>Recognise the matrix</source>
+        <translation>Matrix erkennen</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Was abweicht</translation>
+    </message>
+    <message>
+        <source>Select one to see its entries, and its elements in the drawings</source>
+        <translation>Eine auswählen, um ihre Einträge zu sehen, und ihre Elemente in den Zeichnungen</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Read the matrix or the equations from a text file</source>
+        <translation>Die Matrix oder die Gleichungen aus einer Textdatei lesen</translation>
+    </message>
+    <message>
+        <source>Example of the paper</source>
+        <translation>Beispiel der Arbeit</translation>
+    </message>
+    <message>
+        <source>The rows of equation (45) under the labels of equation (25), for the robot of the paper</source>
+        <translation>Die Zeilen von Gleichung (45) unter den Bezeichnungen von Gleichung (25), für den Roboter der Arbeit</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Ihre</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Hergeleitet</translation>
+    </message>
+    <message>
+        <source>Open a matrix or equations</source>
+        <translation>Matrix oder Gleichungen öffnen</translation>
+    </message>
+    <message>
+        <source>Texts (*.csv *.tsv *.txt *.tex *.m *.py);;All files (*)</source>
+        <translation>Texte (*.csv *.tsv *.txt *.tex *.m *.py);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Matrices of at most %1 moving links are compared.</source>
+        <translation>Verglichen werden Matrizen von höchstens %1 beweglichen Gliedern.</translation>
+    </message>
+    <message>
+        <source>This text is longer than any matrix that is compared.</source>
+        <translation>Dieser Text ist länger als jede Matrix, die verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations against the derived ones</source>
+        <translation>Ihre Matrix oder Gleichungen im Vergleich mit den hergeleiteten</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ Richtig: %1</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1</source>
+        <translation>✗ Noch nicht richtig: %1</translation>
+    </message>
+    <message>
+        <source>? Only labels can tell: %1</source>
+        <translation>? Nur Bezeichnungen können es entscheiden: %1</translation>
+    </message>
+    <message>
+        <source>Derived: %1</source>
+        <translation>Hergeleitet: %1</translation>
+    </message>
+    <message>
+        <source>Yours: %1</source>
+        <translation>Ihre: %1</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>Gleichung</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>✓ All that is written is right</source>
+        <translation>✓ Alles Geschriebene ist richtig</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1 of %2</source>
+        <translation>✗ Noch nicht richtig: %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

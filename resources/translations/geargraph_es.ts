@@ -5408,6 +5408,154 @@ Arrastrar cambia la carga; W la escribe</translation>
         <source>Load</source>
         <translation>Carga</translation>
     </message>
+    <message>
+        <source>Check &amp;my matrices…</source>
+        <translation>Comprobar &amp;mis matrices…</translation>
+    </message>
+    <message>
+        <source>Matrices and equations that you have worked out, beside the derived ones</source>
+        <translation>Matrices y ecuaciones que ha obtenido, junto a las deducidas</translation>
+    </message>
+    <message>
+        <source>Your matrix</source>
+        <translation>Su matriz</translation>
+    </message>
+    <message>
+        <source>The derived matrix, in your order</source>
+        <translation>La matriz deducida, en su orden</translation>
+    </message>
+    <message>
+        <source>Check my matrices</source>
+        <translation>Comprobar mis matrices</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations</source>
+        <translation>Su matriz o sus ecuaciones</translation>
+    </message>
+    <message>
+        <source>CSV, LaTeX, MATLAB, NumPy or plain text; equations, one a line</source>
+        <translation>CSV, LaTeX, MATLAB, NumPy o texto sin formato; ecuaciones, una por línea</translation>
+    </message>
+    <message>
+        <source>Type or paste a matrix or equations: CSV, LaTeX, MATLAB, NumPy, plain text</source>
+        <translation>Escriba o pegue una matriz o ecuaciones: CSV, LaTeX, MATLAB, NumPy, texto sin formato</translation>
+    </message>
+    <message>
+        <source>Which matrix it is</source>
+        <translation>Qué matriz es</translation>
+    </message>
+    <message>
+        <source>Which matrix it is; recognised by its name, size and entries</source>
+        <translation>Qué matriz es; se reconoce por su nombre, tamaño y entradas</translation>
+    </message>
+    <message>
+        <source>Recognise the matrix</source>
+        <translation>Reconocer la matriz</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Qué difiere</translation>
+    </message>
+    <message>
+        <source>Select one to see its entries, and its elements in the drawings</source>
+        <translation>Seleccione una para ver sus entradas y sus elementos en los dibujos</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Abrir un archivo…</translation>
+    </message>
+    <message>
+        <source>Read the matrix or the equations from a text file</source>
+        <translation>Leer la matriz o las ecuaciones de un archivo de texto</translation>
+    </message>
+    <message>
+        <source>Example of the paper</source>
+        <translation>Ejemplo del artículo</translation>
+    </message>
+    <message>
+        <source>The rows of equation (45) under the labels of equation (25), for the robot of the paper</source>
+        <translation>Las filas de la ecuación (45) con las etiquetas de la ecuación (25), para el robot del artículo</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>La suya</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Deducida</translation>
+    </message>
+    <message>
+        <source>Open a matrix or equations</source>
+        <translation>Abrir una matriz o ecuaciones</translation>
+    </message>
+    <message>
+        <source>Texts (*.csv *.tsv *.txt *.tex *.m *.py);;All files (*)</source>
+        <translation>Textos (*.csv *.tsv *.txt *.tex *.m *.py);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Matrices of at most %1 moving links are compared.</source>
+        <translation>Se comparan matrices de hasta %1 eslabones móviles.</translation>
+    </message>
+    <message>
+        <source>This text is longer than any matrix that is compared.</source>
+        <translation>Este texto es más largo que cualquier matriz que se compara.</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations against the derived ones</source>
+        <translation>Su matriz o sus ecuaciones frente a las deducidas</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <translation>Línea %1, columna %2: %3</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ Correcto: %1</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1</source>
+        <translation>✗ Aún no es correcto: %1</translation>
+    </message>
+    <message>
+        <source>? Only labels can tell: %1</source>
+        <translation>? Solo las etiquetas pueden decidirlo: %1</translation>
+    </message>
+    <message>
+        <source>Derived: %1</source>
+        <translation>Deducida: %1</translation>
+    </message>
+    <message>
+        <source>Yours: %1</source>
+        <translation>La suya: %1</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>ecuación</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>correcta</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>incorrecta</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>✓ All that is written is right</source>
+        <translation>✓ Todo lo escrito es correcto</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1 of %2</source>
+        <translation>✗ Aún no son correctas: %1 de %2</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

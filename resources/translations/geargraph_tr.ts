@@ -5407,6 +5407,154 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <source>Load</source>
         <translation>Yük</translation>
     </message>
+    <message>
+        <source>Check &amp;my matrices…</source>
+        <translation>&amp;Matrislerimi denetle…</translation>
+    </message>
+    <message>
+        <source>Matrices and equations that you have worked out, beside the derived ones</source>
+        <translation>Çıkardığınız matrisler ve denklemler, türetilenlerin yanında</translation>
+    </message>
+    <message>
+        <source>Your matrix</source>
+        <translation>Sizin matrisiniz</translation>
+    </message>
+    <message>
+        <source>The derived matrix, in your order</source>
+        <translation>Türetilen matris, sizin sıranızla</translation>
+    </message>
+    <message>
+        <source>Check my matrices</source>
+        <translation>Matrislerimi denetle</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations</source>
+        <translation>Matrisiniz ya da denklemleriniz</translation>
+    </message>
+    <message>
+        <source>CSV, LaTeX, MATLAB, NumPy or plain text; equations, one a line</source>
+        <translation>CSV, LaTeX, MATLAB, NumPy ya da düz metin; denklemler, satır başına bir</translation>
+    </message>
+    <message>
+        <source>Type or paste a matrix or equations: CSV, LaTeX, MATLAB, NumPy, plain text</source>
+        <translation>Bir matris ya da denklemler yazın veya yapıştırın: CSV, LaTeX, MATLAB, NumPy, düz metin</translation>
+    </message>
+    <message>
+        <source>Which matrix it is</source>
+        <translation>Hangi matris olduğu</translation>
+    </message>
+    <message>
+        <source>Which matrix it is; recognised by its name, size and entries</source>
+        <translation>Hangi matris olduğu; adından, boyutundan ve öğelerinden tanınır</translation>
+    </message>
+    <message>
+        <source>Recognise the matrix</source>
+        <translation>Matrisi tanı</translation>
+    </message>
+    <message>
+        <source>What differs</source>
+        <translation>Farklı olanlar</translation>
+    </message>
+    <message>
+        <source>Select one to see its entries, and its elements in the drawings</source>
+        <translation>Öğelerini ve çizimlerdeki elemanlarını görmek için birini seçin</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Dosya aç…</translation>
+    </message>
+    <message>
+        <source>Read the matrix or the equations from a text file</source>
+        <translation>Matrisi ya da denklemleri bir metin dosyasından oku</translation>
+    </message>
+    <message>
+        <source>Example of the paper</source>
+        <translation>Makaledeki örnek</translation>
+    </message>
+    <message>
+        <source>The rows of equation (45) under the labels of equation (25), for the robot of the paper</source>
+        <translation>(45) denkleminin satırları (25) denkleminin etiketleri altında, makaledeki robot için</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Sizinki</translation>
+    </message>
+    <message>
+        <source>Derived</source>
+        <translation>Türetilen</translation>
+    </message>
+    <message>
+        <source>Open a matrix or equations</source>
+        <translation>Matris ya da denklem aç</translation>
+    </message>
+    <message>
+        <source>Texts (*.csv *.tsv *.txt *.tex *.m *.py);;All files (*)</source>
+        <translation>Metinler (*.csv *.tsv *.txt *.tex *.m *.py);;Tüm dosyalar (*)</translation>
+    </message>
+    <message>
+        <source>Matrices of at most %1 moving links are compared.</source>
+        <translation>En çok %1 hareketli uzvun matrisleri karşılaştırılır.</translation>
+    </message>
+    <message>
+        <source>This text is longer than any matrix that is compared.</source>
+        <translation>Bu metin karşılaştırılan her matristen uzun.</translation>
+    </message>
+    <message>
+        <source>Your matrix or equations against the derived ones</source>
+        <translation>Matrisiniz ya da denklemleriniz türetilenlere karşı</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <translation>Satır %1, sütun %2: %3</translation>
+    </message>
+    <message>
+        <source>✓ Right: %1</source>
+        <translation>✓ Doğru: %1</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1</source>
+        <translation>✗ Henüz doğru değil: %1</translation>
+    </message>
+    <message>
+        <source>? Only labels can tell: %1</source>
+        <translation>? Yalnızca etiketler belirleyebilir: %1</translation>
+    </message>
+    <message>
+        <source>Derived: %1</source>
+        <translation>Türetilen: %1</translation>
+    </message>
+    <message>
+        <source>Yours: %1</source>
+        <translation>Sizinki: %1</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>denklem</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>karar</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>doğru</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>yanlış</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>✓ All that is written is right</source>
+        <translation>✓ Yazılanların hepsi doğru</translation>
+    </message>
+    <message>
+        <source>✗ Not right yet: %1 of %2</source>
+        <translation>✗ Henüz doğru değil: %2 içinden %1</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

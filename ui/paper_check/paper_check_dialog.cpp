@@ -282,8 +282,8 @@ void PaperCheckDialog::showMatrix(const MatrixVerdict& verdict) {
 void PaperCheckDialog::showEquations(const std::vector<EquationVerdict>& verdicts) {
   const auto wrong = std::count_if(verdicts.begin(), verdicts.end(),
                                    [](const EquationVerdict& each) { return !each.isRight; });
-  setVerdict(wrong == 0 ? tr("✓ Right: %n equation(s)", nullptr, static_cast<int>(verdicts.size()))
-                        : tr("✗ %n equation(s) not right yet", nullptr, static_cast<int>(wrong)));
+  setVerdict(wrong == 0 ? tr("✓ All that is written is right")
+                        : tr("✗ Not right yet: %1 of %2").arg(wrong).arg(verdicts.size()));
   m_notes->hide();
   m_derived->clear();
   m_derived->setRowCount(0);
