@@ -155,7 +155,7 @@ PaperCheckDialog::PaperCheckDialog(Selection* selection, QWidget* parent)
   m_service->onAnswer(this, [this](const PaperCheckAnswerPtr& answer) {
     if (!answer->verdict) return showFault(answer->faults.front());
     m_shown = answer;
-    show(*answer);
+    showVerdict(*answer);
   });
   clear();
 }
@@ -216,7 +216,7 @@ void PaperCheckDialog::clear() {
   setVerdict(tr("Your matrix or equations against the derived ones"));
 }
 
-void PaperCheckDialog::show(const PaperCheckAnswer& answer) {
+void PaperCheckDialog::showVerdict(const PaperCheckAnswer& answer) {
   markLine(0);
   m_differences->clear();
   if (const auto* matrix = std::get_if<MatrixVerdict>(&*answer.verdict)) return showMatrix(*matrix);

@@ -40,7 +40,7 @@ class PaperCheckDialog : public QDialog {
  private:
   void askForFile();
   void request();
-  void show(const PaperCheckAnswer& answer);
+  void showVerdict(const PaperCheckAnswer& answer);
   void showFault(const Diagnostic& fault);
   void showMatrix(const MatrixVerdict& verdict);
   void showEquations(const std::vector<EquationVerdict>& verdicts);
