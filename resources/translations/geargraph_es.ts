@@ -4456,7 +4456,7 @@
     </message>
     <message>
         <source>Turning joint</source>
-        <translation>Par de revolución</translation>
+        <translation>Revolución</translation>
     </message>
     <message>
         <source>Gear mesh</source>

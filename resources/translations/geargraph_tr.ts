@@ -5285,7 +5285,7 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     </message>
     <message>
         <source>T&amp;orque…</source>
-        <translation>Tor&amp;k…</translation>
+        <translation>T&amp;ork…</translation>
     </message>
     <message>
         <source>Find a command, an element, a term or a page of the manual</source>

@@ -2,6 +2,7 @@
 #include "core/mechanism/model/load_edits.h"
 #include "core/mechanism/model/mass_edits.h"
 #include "tests/soak/edit_kind.h"
+#include "ui/canvas/element_commands.h"
 
 namespace geargraph::soak {
 namespace {
@@ -67,6 +68,11 @@ std::vector<EditKind> forceEdits() {
        [](Random& r) -> Reduce {
          return ofALoad(r, [](const Mechanism& before, int load) { return withoutLoad(before, load); });
        }},
+      kind<withTorque>(
+          "withTorque",
+          [](Random& r) {
+            return std::tuple{r.oneIn(2) ? ElementId(r.joint()) : ElementId(r.link()), r.number()};
+          }),
       kind<withBalances>("withBalances", [](Random& r) { return std::tuple{balances(r)}; }),
       kind<withMeshLosses>("withMeshLosses",
                            [](Random& r) {

@@ -114,7 +114,8 @@ void MainWindow::makeMenus() {
   motion->addSeparator();
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
-  menu(tr("&Learn"))->addActions({a.lessons, a.lessonFile, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
+  menu(tr("&Learn"))
+      ->addActions({a.lessons, a.lessonFile, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
   menu(tr("&Help"))->addActions({a.manual, a.whatsThis, a.tour, a.search, a.shortcuts, a.about});
 }
 
