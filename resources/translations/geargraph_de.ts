@@ -5281,10 +5281,6 @@ Ziehen ändert die Last; W tippt sie ein</translation>
         <translation>Ein Gelenk oder Glied belasten: Ziehen gibt das Moment, oder anklicken und 10 Nm eintippen; ist eines ausgewählt, tippt man sein Moment gleich ein</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
-        <translation>Eine Seite für jeden Browser, auch auf dem Telefon und ohne Netz: Zeichnungen, Matrizen, Lösung, Herleitung und das Getriebe in 3D, mit Antrieben, die sich bewegen, und auf Wunsch mit Aufgaben</translation>
-    </message>
-    <message>
         <source>T&amp;orque…</source>
         <translation>Dreh&amp;moment …</translation>
     </message>
@@ -5555,6 +5551,198 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>✗ Not right yet: %1 of %2</source>
         <translation>✗ Noch nicht richtig: %1 von %2</translation>
+    </message>
+    <message>
+        <source>How many questions of each kind are asked</source>
+        <translation>Wie viele Fragen jeder Art gestellt werden</translation>
+    </message>
+    <message>
+        <source>The same seed makes the same questions, here and on the command line</source>
+        <translation>Derselbe Startwert ergibt dieselben Fragen, hier und auf der Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Sheets that differ in their questions: one for each student, or one for all</source>
+        <translation>Blätter mit verschiedenen Fragen: eines für jeden oder eines für alle</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Export sheets…</source>
+        <translation>Blätter exportieren…</translation>
+    </message>
+    <message>
+        <source>Export handout…</source>
+        <translation>Handout exportieren…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism</source>
+        <translation>Fragen zu diesem Mechanismus</translation>
+    </message>
+    <message>
+        <source>Kinds of questions</source>
+        <translation>Arten von Fragen</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Of each kind</source>
+        <translation>Von jeder Art</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Choose every kind that the mechanism gives</source>
+        <translation>Jede Art wählen, die der Mechanismus hergibt</translation>
+    </message>
+    <message>
+        <source>Choose no kind, to begin with a few</source>
+        <translation>Keine Art wählen, um mit wenigen zu beginnen</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>For a class</source>
+        <translation>Für eine Klasse</translation>
+    </message>
+    <message>
+        <source>The heading of sheets and handouts</source>
+        <translation>Die Überschrift von Blättern und Handouts</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianten</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Webseite</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Sheets and solutions in this form</source>
+        <translation>Blätter und Lösungen in dieser Form</translation>
+    </message>
+    <message>
+        <source>Sheets as</source>
+        <translation>Blätter als</translation>
+    </message>
+    <message>
+        <source>Exercises are made of mechanisms of at most %1 moving links.</source>
+        <translation>Aufgaben entstehen aus Mechanismen mit höchstens %1 bewegten Gliedern.</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>Auf der Befehlszeile: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no such question: %1.</source>
+        <translation>Der Mechanismus gibt keine solche Frage her: %1.</translation>
+    </message>
+    <message>
+        <source>Choose a kind of question first.</source>
+        <translation>Wählen Sie zuerst eine Art von Fragen.</translation>
+    </message>
+    <message>
+        <source>A sheet has at most %1 questions.</source>
+        <translation>Ein Blatt hat höchstens %1 Fragen.</translation>
+    </message>
+    <message>
+        <source>Answer the questions in a window of their own, with hints and reasons</source>
+        <translation>Die Fragen in einem eigenen Fenster beantworten, mit Hinweisen und Begründungen</translation>
+    </message>
+    <message>
+        <source>At most %1 questions are practised at once.</source>
+        <translation>Höchstens %1 Fragen werden auf einmal geübt.</translation>
+    </message>
+    <message>
+        <source>Sheets, solutions and files for answers, which geargraph-cli exercises grade reads</source>
+        <translation>Blätter, Lösungen und Dateien für Antworten, die geargraph-cli exercises grade liest</translation>
+    </message>
+    <message>
+        <source>Choose a form of the sheets first.</source>
+        <translation>Wählen Sie zuerst eine Form der Blätter.</translation>
+    </message>
+    <message>
+        <source>The mechanism with these questions as one page for any browser, or for a learning platform</source>
+        <translation>Der Mechanismus mit diesen Fragen als eine Seite für jeden Browser oder für eine Lernplattform</translation>
+    </message>
+    <message>
+        <source>Other exercises ›</source>
+        <translation>Andere Aufgaben ›</translation>
+    </message>
+    <message>
+        <source>Package for learning platforms, SCORM 1.2 (*.zip)</source>
+        <translation>Paket für Lernplattformen, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Package with exercises, SCORM 1.2 (*.zip)</source>
+        <translation>Paket mit Aufgaben, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Folder in which the sheets&apos; folder is made</source>
+        <translation>Ordner, in dem der Ordner der Blätter angelegt wird</translation>
+    </message>
+    <message>
+        <source>%1 exercises %2</source>
+        <translation>%1 Aufgaben %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no sheet was written.</source>
+        <translation>„%1“ gibt es schon: Es wurde kein Blatt geschrieben.</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them; also as a package for learning platforms</source>
+        <translation>Eine Seite für jeden Browser, auch auf dem Telefon und ohne Netz: Zeichnungen, Matrizen, Lösung, Herleitung und das Getriebe in 3D, mit Antrieben, die sich bewegen, und auf Wunsch mit Aufgaben; auch als Paket für Lernplattformen</translation>
+    </message>
+    <message>
+        <source>&amp;Exercises…</source>
+        <translation>Auf&amp;gaben…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism, to practise, or as sheets and handouts for a class</source>
+        <translation>Fragen zu diesem Mechanismus, zum Üben oder als Blätter und Handouts für eine Klasse</translation>
+    </message>
+    <message>
+        <source>Questions: %1</source>
+        <translation>Fragen: %1</translation>
+    </message>
+    <message>
+        <source>‹ Exercises</source>
+        <translation>‹ Aufgaben</translation>
+    </message>
+    <message>
+        <source>Other questions, or another seed</source>
+        <translation>Andere Fragen oder ein anderer Startwert</translation>
     </message>
 </context>
 <context>

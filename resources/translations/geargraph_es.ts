@@ -5281,10 +5281,6 @@ Arrastrar cambia la carga; W la escribe</translation>
         <translation>Cargar un par o un eslabón: arrastre para su momento, o haga clic y escriba 10 Nm; si hay uno seleccionado, su momento se escribe enseguida</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
-        <translation>Una página para cualquier navegador, también en el teléfono y sin red: dibujos, matrices, solución, deducción y el tren en 3D, con entradas que se mueven y, si lo elige, ejercicios</translation>
-    </message>
-    <message>
         <source>T&amp;orque…</source>
         <translation>Mo&amp;mento…</translation>
     </message>
@@ -5555,6 +5551,198 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>✗ Not right yet: %1 of %2</source>
         <translation>✗ Aún no son correctas: %1 de %2</translation>
+    </message>
+    <message>
+        <source>How many questions of each kind are asked</source>
+        <translation>Cuántas preguntas de cada tipo se hacen</translation>
+    </message>
+    <message>
+        <source>The same seed makes the same questions, here and on the command line</source>
+        <translation>La misma semilla da las mismas preguntas, aquí y en la línea de órdenes</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Ejercicios</translation>
+    </message>
+    <message>
+        <source>Sheets that differ in their questions: one for each student, or one for all</source>
+        <translation>Hojas con preguntas distintas: una para cada estudiante o una para todos</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>Practicar</translation>
+    </message>
+    <message>
+        <source>Export sheets…</source>
+        <translation>Exportar hojas…</translation>
+    </message>
+    <message>
+        <source>Export handout…</source>
+        <translation>Exportar el folleto…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism</source>
+        <translation>Preguntas sobre este mecanismo</translation>
+    </message>
+    <message>
+        <source>Kinds of questions</source>
+        <translation>Tipos de preguntas</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Preguntas</translation>
+    </message>
+    <message>
+        <source>Of each kind</source>
+        <translation>De cada tipo</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semilla</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todos</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Choose every kind that the mechanism gives</source>
+        <translation>Elegir todos los tipos que permite el mecanismo</translation>
+    </message>
+    <message>
+        <source>Choose no kind, to begin with a few</source>
+        <translation>No elegir ningún tipo, para empezar con pocos</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Tipos</translation>
+    </message>
+    <message>
+        <source>For a class</source>
+        <translation>Para una clase</translation>
+    </message>
+    <message>
+        <source>The heading of sheets and handouts</source>
+        <translation>El título de las hojas y los folletos</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Variantes</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Página web</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Sheets and solutions in this form</source>
+        <translation>Hojas y soluciones en este formato</translation>
+    </message>
+    <message>
+        <source>Sheets as</source>
+        <translation>Hojas como</translation>
+    </message>
+    <message>
+        <source>Exercises are made of mechanisms of at most %1 moving links.</source>
+        <translation>Los ejercicios se hacen de mecanismos de %1 eslabones móviles como máximo.</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>En la línea de órdenes: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no such question: %1.</source>
+        <translation>El mecanismo no permite esta pregunta: %1.</translation>
+    </message>
+    <message>
+        <source>Choose a kind of question first.</source>
+        <translation>Elija primero un tipo de pregunta.</translation>
+    </message>
+    <message>
+        <source>A sheet has at most %1 questions.</source>
+        <translation>Una hoja tiene %1 preguntas como máximo.</translation>
+    </message>
+    <message>
+        <source>Answer the questions in a window of their own, with hints and reasons</source>
+        <translation>Responder las preguntas en una ventana propia, con pistas y razones</translation>
+    </message>
+    <message>
+        <source>At most %1 questions are practised at once.</source>
+        <translation>Se practican %1 preguntas a la vez como máximo.</translation>
+    </message>
+    <message>
+        <source>Sheets, solutions and files for answers, which geargraph-cli exercises grade reads</source>
+        <translation>Hojas, soluciones y archivos de respuestas, que lee geargraph-cli exercises grade</translation>
+    </message>
+    <message>
+        <source>Choose a form of the sheets first.</source>
+        <translation>Elija primero un formato de las hojas.</translation>
+    </message>
+    <message>
+        <source>The mechanism with these questions as one page for any browser, or for a learning platform</source>
+        <translation>El mecanismo con estas preguntas como una página para cualquier navegador o para una plataforma de aprendizaje</translation>
+    </message>
+    <message>
+        <source>Other exercises ›</source>
+        <translation>Otros ejercicios ›</translation>
+    </message>
+    <message>
+        <source>Package for learning platforms, SCORM 1.2 (*.zip)</source>
+        <translation>Paquete para plataformas de aprendizaje, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Package with exercises, SCORM 1.2 (*.zip)</source>
+        <translation>Paquete con ejercicios, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Folder in which the sheets&apos; folder is made</source>
+        <translation>Carpeta en la que se crea la carpeta de las hojas</translation>
+    </message>
+    <message>
+        <source>%1 exercises %2</source>
+        <translation>%1 ejercicios %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no sheet was written.</source>
+        <translation>«%1» ya existe: no se ha escrito ninguna hoja.</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them; also as a package for learning platforms</source>
+        <translation>Una página para cualquier navegador, también en el teléfono y sin red: dibujos, matrices, solución, deducción y el tren en 3D, con entradas que se mueven y, si lo elige, ejercicios; también como paquete para plataformas de aprendizaje</translation>
+    </message>
+    <message>
+        <source>&amp;Exercises…</source>
+        <translation>E&amp;jercicios…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism, to practise, or as sheets and handouts for a class</source>
+        <translation>Preguntas sobre este mecanismo, para practicar o como hojas y folletos para una clase</translation>
+    </message>
+    <message>
+        <source>Questions: %1</source>
+        <translation>Preguntas: %1</translation>
+    </message>
+    <message>
+        <source>‹ Exercises</source>
+        <translation>‹ Ejercicios</translation>
+    </message>
+    <message>
+        <source>Other questions, or another seed</source>
+        <translation>Otras preguntas u otra semilla</translation>
     </message>
 </context>
 <context>

@@ -5280,10 +5280,6 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
         <translation>Bir mafsalı ya da uzvu yükleyin: torku için sürükleyin ya da tıklayıp 10 Nm yazın; biri seçiliyse torku hemen yazılır</translation>
     </message>
     <message>
-        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them</source>
-        <translation>Telefonda ve ağ olmadan da her tarayıcı için tek sayfa: çizimler, matrisler, çözüm, türetim ve hareketli girişleriyle 3B dişli takımı, isterseniz alıştırmalarla</translation>
-    </message>
-    <message>
         <source>T&amp;orque…</source>
         <translation>T&amp;ork…</translation>
     </message>
@@ -5554,6 +5550,198 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>✗ Not right yet: %1 of %2</source>
         <translation>✗ Henüz doğru değil: %2 içinden %1</translation>
+    </message>
+    <message>
+        <source>How many questions of each kind are asked</source>
+        <translation>Her türden kaç soru sorulacağı</translation>
+    </message>
+    <message>
+        <source>The same seed makes the same questions, here and on the command line</source>
+        <translation>Aynı başlangıç değeri burada da komut satırında da aynı soruları verir</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Alıştırmalar</translation>
+    </message>
+    <message>
+        <source>Sheets that differ in their questions: one for each student, or one for all</source>
+        <translation>Soruları farklı kâğıtlar: her öğrenciye bir tane ya da herkese aynısı</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>Alıştırma yap</translation>
+    </message>
+    <message>
+        <source>Export sheets…</source>
+        <translation>Kâğıtları dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Export handout…</source>
+        <translation>Ders notunu dışa aktar…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism</source>
+        <translation>Bu mekanizma hakkında sorular</translation>
+    </message>
+    <message>
+        <source>Kinds of questions</source>
+        <translation>Soru türleri</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Sorular</translation>
+    </message>
+    <message>
+        <source>Of each kind</source>
+        <translation>Her türden</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Başlangıç değeri</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tümü</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Hiçbiri</translation>
+    </message>
+    <message>
+        <source>Choose every kind that the mechanism gives</source>
+        <translation>Mekanizmanın verdiği her türü seç</translation>
+    </message>
+    <message>
+        <source>Choose no kind, to begin with a few</source>
+        <translation>Birkaç taneyle başlamak için hiçbir türü seçme</translation>
+    </message>
+    <message>
+        <source>Kinds</source>
+        <translation>Türler</translation>
+    </message>
+    <message>
+        <source>For a class</source>
+        <translation>Bir sınıf için</translation>
+    </message>
+    <message>
+        <source>The heading of sheets and handouts</source>
+        <translation>Kâğıtların ve ders notlarının başlığı</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Başlık</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Çeşitler</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Web sayfası</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Sheets and solutions in this form</source>
+        <translation>Bu biçimde kâğıtlar ve çözümler</translation>
+    </message>
+    <message>
+        <source>Sheets as</source>
+        <translation>Kâğıt biçimi</translation>
+    </message>
+    <message>
+        <source>Exercises are made of mechanisms of at most %1 moving links.</source>
+        <translation>Alıştırmalar en çok %1 hareketli uzvu olan mekanizmalardan yapılır.</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>Komut satırında: %1</translation>
+    </message>
+    <message>
+        <source>The mechanism gives no such question: %1.</source>
+        <translation>Mekanizma böyle bir soru vermiyor: %1.</translation>
+    </message>
+    <message>
+        <source>Choose a kind of question first.</source>
+        <translation>Önce bir soru türü seçin.</translation>
+    </message>
+    <message>
+        <source>A sheet has at most %1 questions.</source>
+        <translation>Bir kâğıtta en çok %1 soru olur.</translation>
+    </message>
+    <message>
+        <source>Answer the questions in a window of their own, with hints and reasons</source>
+        <translation>Soruları ayrı bir pencerede, ipuçları ve gerekçelerle yanıtla</translation>
+    </message>
+    <message>
+        <source>At most %1 questions are practised at once.</source>
+        <translation>Bir seferde en çok %1 soru çalışılır.</translation>
+    </message>
+    <message>
+        <source>Sheets, solutions and files for answers, which geargraph-cli exercises grade reads</source>
+        <translation>Kâğıtlar, çözümler ve geargraph-cli exercises grade komutunun okuduğu yanıt dosyaları</translation>
+    </message>
+    <message>
+        <source>Choose a form of the sheets first.</source>
+        <translation>Önce kâğıtların biçimini seçin.</translation>
+    </message>
+    <message>
+        <source>The mechanism with these questions as one page for any browser, or for a learning platform</source>
+        <translation>Mekanizma bu sorularla birlikte, her tarayıcı ya da bir öğrenme platformu için tek sayfa</translation>
+    </message>
+    <message>
+        <source>Other exercises ›</source>
+        <translation>Başka alıştırmalar ›</translation>
+    </message>
+    <message>
+        <source>Package for learning platforms, SCORM 1.2 (*.zip)</source>
+        <translation>Öğrenme platformları için paket, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Package with exercises, SCORM 1.2 (*.zip)</source>
+        <translation>Alıştırmalı paket, SCORM 1.2 (*.zip)</translation>
+    </message>
+    <message>
+        <source>Folder in which the sheets&apos; folder is made</source>
+        <translation>Kâğıtların klasörünün oluşturulacağı klasör</translation>
+    </message>
+    <message>
+        <source>%1 exercises %2</source>
+        <translation>%1 alıştırmalar %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already: no sheet was written.</source>
+        <translation>&quot;%1&quot; zaten var: hiçbir kâğıt yazılmadı.</translation>
+    </message>
+    <message>
+        <source>One page for any browser, also on a phone and without a network: drawings, matrices, solution, derivation and the train in 3D, with inputs that move, and exercises if you choose them; also as a package for learning platforms</source>
+        <translation>Telefonda ve ağ olmadan da her tarayıcı için tek sayfa: çizimler, matrisler, çözüm, türetim ve hareketli girişleriyle 3B dişli takımı, isterseniz alıştırmalarla; öğrenme platformları için paket olarak da</translation>
+    </message>
+    <message>
+        <source>&amp;Exercises…</source>
+        <translation>&amp;Alıştırmalar…</translation>
+    </message>
+    <message>
+        <source>Questions about this mechanism, to practise, or as sheets and handouts for a class</source>
+        <translation>Bu mekanizma hakkında sorular: alıştırma için ya da bir sınıfa kâğıt ve ders notu olarak</translation>
+    </message>
+    <message>
+        <source>Questions: %1</source>
+        <translation>Sorular: %1</translation>
+    </message>
+    <message>
+        <source>‹ Exercises</source>
+        <translation>‹ Alıştırmalar</translation>
+    </message>
+    <message>
+        <source>Other questions, or another seed</source>
+        <translation>Başka sorular ya da başka bir başlangıç değeri</translation>
     </message>
 </context>
 <context>

@@ -62,6 +62,7 @@ constexpr Entry kEntries[] = {
      QT_TRANSLATE_NOOP("HelpPages", "What the tool expects next, and the counts of the mechanism.")},
     {"courseDialog", "lessons-and-exercises#the-course", nullptr},
     {"paperCheck", "lessons-and-exercises#check-your-own-matrices", nullptr},
+    {"exercisesDialog", "lessons-and-exercises#exercises", nullptr},
     {"insertSet", "drawing#change-what-is-drawn", nullptr},
     {"printDialog", "exporting-and-printing", nullptr},
     {"pictureDialog", "exporting-and-printing", nullptr},

@@ -120,15 +120,13 @@ QWidget* LessonPanel::makeHead() {
   layout->setContentsMargins(20, 8, 16, 0);
   layout->setSpacing(6);
   auto* top = new QHBoxLayout;
-  auto* course = new QToolButton(head);
-  course->setObjectName(QStringLiteral("lessonCourse"));
-  course->setText(tr("‹ Course"));
-  course->setToolTip(tr("All lessons, with your progress"));
-  course->setProperty("look", "flat");
-  connect(course, &QToolButton::clicked, this, &LessonPanel::courseWanted);
+  m_course = new QToolButton(head);
+  m_course->setObjectName(QStringLiteral("lessonCourse"));
+  m_course->setProperty("look", "flat");
+  connect(m_course, &QToolButton::clicked, this, &LessonPanel::courseWanted);
   m_placeLabel = new QLabel(head);
   m_placeLabel->setProperty("look", "hint");
-  top->addWidget(course);
+  top->addWidget(m_course);
   top->addStretch(1);
   top->addWidget(m_placeLabel);
   m_title = new QLabel(head);
@@ -357,7 +355,11 @@ void LessonPanel::setResult(const QString& text, bool isRight) {
 }
 
 void LessonPanel::renewHead() {
-  m_placeLabel->setText(tr("%1, %2 min").arg(m_place).arg(m_lesson->minutes));
+  m_course->setText(isPractice() ? tr("‹ Exercises") : tr("‹ Course"));
+  m_course->setToolTip(isPractice() ? tr("Other questions, or another seed")
+                                    : tr("All lessons, with your progress"));
+  m_placeLabel->setText(m_lesson->minutes > 0 ? tr("%1, %2 min").arg(m_place).arg(m_lesson->minutes)
+                                              : m_place);
   m_title->setText(QString::fromStdString(m_lesson->title));
   m_bar->setSteps(m_progress);
   const auto steps = static_cast<int>(m_lesson->steps.size());
@@ -384,8 +386,9 @@ void LessonPanel::renewButtons() {
                                              : tr("The answer; the step then gives no points"));
   m_back->setEnabled(m_progress.step > 0);
   m_back->setToolTip(m_progress.step > 0 ? tr("The step before (Alt+Left)") : tr("This is the first step."));
-  m_next->setText(isSolved ? (isLast ? tr("Next lesson ›") : tr("Next ›"))
-                           : (isLast ? tr("Leave ›") : tr("Skip ›")));
+  m_next->setText(
+      isSolved ? (isLast ? (isPractice() ? tr("Other exercises ›") : tr("Next lesson ›")) : tr("Next ›"))
+               : (isLast ? tr("Leave ›") : tr("Skip ›")));
 }
 
 /// The text as high as it is, up to half of the panel.

@@ -43,6 +43,8 @@ class LessonPanel : public QWidget {
   void goTo(int step);
 
   [[nodiscard]] const LessonPtr& lesson() const { return m_lesson; }
+  /// Questions of a sheet, not a lesson that somebody wrote.
+  [[nodiscard]] bool isPractice() const { return m_lesson->id.empty(); }
   [[nodiscard]] int step() const { return m_progress.step; }
   [[nodiscard]] State state() const { return m_state; }
   [[nodiscard]] const LessonProgress& progress() const { return m_progress; }
@@ -97,6 +99,7 @@ class LessonPanel : public QWidget {
   State m_state = State::loading;
   int m_hints = 0;      ///< that have been shown
   bool m_clean = true;  ///< no wrong answer and no hint in this step
+  QToolButton* m_course = nullptr;
   QLabel* m_placeLabel = nullptr;
   QLabel* m_title = nullptr;
   StepBar* m_bar = nullptr;

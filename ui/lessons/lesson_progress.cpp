@@ -25,9 +25,13 @@ int LessonProgress::doneSteps() const {
 }
 
 LessonProgress progressOf(const Lesson& lesson) {
-  const QSettings settings;
   LessonProgress progress;
   const int last = static_cast<int>(lesson.steps.size()) - 1;
+  if (lesson.id.empty()) {
+    progress.points.assign(lesson.steps.size(), kNotDone);
+    return progress;
+  }
+  const QSettings settings;
   progress.step = std::clamp(settings.value(keyOf(lesson, "step"), 0).toInt(), 0, last);
   const QStringList kept = settings.value(keyOf(lesson, "points")).toStringList();
   for (qsizetype i = 0; i <= last; ++i) {
@@ -39,6 +43,7 @@ LessonProgress progressOf(const Lesson& lesson) {
 }
 
 void saveProgress(const Lesson& lesson, const LessonProgress& progress) {
+  if (lesson.id.empty()) return;
   QSettings settings;
   QStringList points;
   for (const int each : progress.points) points << QString::number(each);

@@ -9,7 +9,7 @@ namespace geargraph::inline ui_lessons {
 constexpr int kStepPoints = 2;  ///< for a step that is right at the first check, without a hint
 constexpr int kNotDone = -1;
 
-/// How far a learner has come in a lesson; kept in the settings under the lesson's id.
+/// How far a learner has come in a lesson; kept in the settings under the lesson's id, if it has one.
 struct LessonProgress {
   int step = 0;             ///< where it is taken up
   std::vector<int> points;  ///< by step; kNotDone: not worked on yet

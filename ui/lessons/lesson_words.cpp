@@ -44,7 +44,7 @@ SetReportPtr stepText(const std::string& title, const std::string& text, const s
   Report report;
   report.title = title;
   report.blocks.emplace_back(ReportHeading{2, title});
-  report.blocks.emplace_back(ReportParagraph{wordsOf(text)});
+  if (!text.empty()) report.blocks.emplace_back(ReportParagraph{wordsOf(text)});
   addFormula(report, formula, equation);
   report.blocks.emplace_back(ReportHeading{2, task});
   report.blocks.emplace_back(ReportParagraph{wordsOf(prompt)});

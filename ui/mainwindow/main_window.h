@@ -40,6 +40,9 @@ namespace geargraph::inline ui_lessons {
 class CourseDialog;
 class LessonPanel;
 }  // namespace geargraph::inline ui_lessons
+namespace geargraph::inline ui_exercises {
+class ExercisesDialog;
+}  // namespace geargraph::inline ui_exercises
 namespace geargraph::inline ui_paper_check {
 class PaperCheckDialog;
 }  // namespace geargraph::inline ui_paper_check
@@ -129,6 +132,8 @@ class MainWindow : public QMainWindow {
   /// Null in windows that play no lesson.
   [[nodiscard]] LessonPanel* lesson() { return m_lesson; }
   void showCourse();
+  /// Questions about the document, to be practised or exported, in a window beside it.
+  void showExercises();
   /// Compares matrices of the user's with those of the document, in a window beside it.
   void showPaperCheck();
   [[nodiscard]] WindowHelp& help() { return *m_help; }
@@ -257,6 +262,7 @@ class MainWindow : public QMainWindow {
   WindowHelp* m_help = nullptr;
   LessonPanel* m_lesson = nullptr;           ///< made with the first lesson
   CourseDialog* m_course = nullptr;          ///< made when it is first wanted
+  ExercisesDialog* m_exercises = nullptr;    ///< the same
   PaperCheckDialog* m_paperCheck = nullptr;  ///< the same
   FileWatch* m_lessonWatch = nullptr;        ///< of a preview
   QString m_lessonFile;

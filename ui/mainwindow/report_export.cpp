@@ -1,6 +1,7 @@
 // File > Export derivation: both methods worked out, as a web page, PDF, LaTeX or Markdown. File > Export
-// handout: the same as one page with the train in three dimensions and inputs that move.
+// handout: the same as one page with the train in three dimensions and inputs that move. Sheets of exercises.
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -9,6 +10,7 @@
 #include "core/presentation/pages/report_pdf.h"
 #include "core/presentation/report/report.h"
 #include "core/presentation/results/handout_train.h"
+#include "core/presentation/results/scorm_package.h"
 #include "ui/canvas/drawing_view.h"
 #include "ui/mainwindow/export_jobs.h"
 #include "ui/mainwindow/window_exports.h"
@@ -36,16 +38,18 @@ QString writingError(const QString& path, const std::string& bytes) {
   return error ? QString::fromStdString(error->message) : QString();
 }
 
-/// A question of every kind that the mechanism gives, as `geargraph-cli exercises make` asks them; none where
-/// it gives none.
-std::optional<HandoutExercises> exercisesFor(const Mechanism& mechanism) {
+/// The first variant of a plan; without kinds a question of every kind that the mechanism gives, as
+/// `geargraph-cli exercises make` asks them; none where it gives none.
+std::optional<HandoutExercises> exercisesFor(const Mechanism& mechanism, SheetPlan plan) {
   if (mechanism.n() > kMostExerciseLinks) return std::nullopt;
   const ExerciseSource source(mechanism);
-  SheetPlan plan;
-  plan.title = "Exercises";
-  plan.kinds = offeredKinds(source);
+  if (plan.kinds.empty()) plan.kinds = offeredKinds(source);
   if (plan.kinds.empty()) return std::nullopt;
   return handoutExercises(source, plan, 1);
+}
+
+bool isPackage(const QString& path) {
+  return QFileInfo(path).suffix().toLower() == QLatin1String("zip");
 }
 
 }  // namespace
@@ -106,27 +110,47 @@ void WindowExports::exportDerivation(const QString& path) {
 }
 
 void WindowExports::chooseAndExportHandout() {
-  const QString name = QFileInfo(m_files.title()).completeBaseName();
   const QString plain = tr("Web page (*.html)");
   const QString asking = tr("Web page with exercises (*.html)");
+  const QString package = tr("Package for learning platforms, SCORM 1.2 (*.zip)");
+  const QString askingPackage = tr("Package with exercises, SCORM 1.2 (*.zip)");
   QString chosen = plain;
-  QString path =
-      QFileDialog::getSaveFileName(m_window, tr("Export handout"), name + QStringLiteral("-handout.html"),
-                                   plain + QStringLiteral(";;") + asking, &chosen);
+  const QString path = handoutPath({plain, asking, package, askingPackage}, chosen);
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".html");
-  writeHandout(path, chosen == asking);
+  const bool asks = chosen == asking || chosen == askingPackage;
+  writeHandout(path, asks ? std::optional(everyKind()) : std::nullopt);
+}
+
+void WindowExports::chooseAndExportHandoutAsking(const SheetPlan& plan) {
+  QString chosen = tr("Web page (*.html)");
+  const QString path = handoutPath({chosen, tr("Package for learning platforms, SCORM 1.2 (*.zip)")}, chosen);
+  if (!path.isEmpty()) exportHandoutAsking(path, plan);
+}
+
+/// Where the user wants it, with the suffix of the form that was chosen where none was typed.
+QString WindowExports::handoutPath(const QStringList& forms, QString& chosen) const {
+  const QString name = QFileInfo(m_files.title()).completeBaseName();
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Export handout"), name + QStringLiteral("-handout"),
+                                              forms.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty() || !QFileInfo(path).suffix().isEmpty()) return path;
+  return path + (chosen.contains(QLatin1String("*.zip")) ? QStringLiteral(".zip") : QStringLiteral(".html"));
+}
+
+SheetPlan WindowExports::everyKind() {
+  SheetPlan plan;
+  plan.title = tr("Exercises").toStdString();
+  return plan;
 }
 
 void WindowExports::exportHandout(const QString& path) {
-  writeHandout(path, false);
+  writeHandout(path, std::nullopt);
 }
 
-void WindowExports::exportHandoutWithExercises(const QString& path) {
-  writeHandout(path, true);
+void WindowExports::exportHandoutAsking(const QString& path, const SheetPlan& plan) {
+  writeHandout(path, plan);
 }
 
-void WindowExports::writeHandout(const QString& path, bool asks) {
+void WindowExports::writeHandout(const QString& path, const std::optional<SheetPlan>& plan) {
   const std::optional<ReportLists> lists = shownLists();
   if (!lists) return;
   const SnapshotPtr snapshot = m_workbench.analysis().snapshot();
@@ -136,16 +160,44 @@ void WindowExports::writeHandout(const QString& path, bool asks) {
   const auto run = [=, lists = *lists](const ExportJobs::Progress&, const std::stop_token& stop) {
     const MadeHandoutTrain made = handoutTrain(*snapshot, folder, stop);
     std::optional<HandoutExercises> exercises;
-    if (asks) {
-      exercises = exercisesFor(*mechanism);
+    if (plan) {
+      exercises = exercisesFor(*mechanism, *plan);
       if (!exercises) return tr("Nothing can be asked about this mechanism: export it without exercises.");
     }
+    const HandoutUse use = isPackage(path) ? HandoutUse::learningPlatform : HandoutUse::alone;
     const Expected<std::string> page =
-        handoutHtml(snapshot, drawingsOf(lists), made.train, HandoutUse::alone, exercises, stop);
+        handoutHtml(snapshot, drawingsOf(lists), made.train, use, exercises, stop);
     if (stop.stop_requested()) return tr("The export was stopped.");
-    return page ? writingError(path, *page) : QString::fromStdString(page.error().front().message);
+    if (!page) return QString::fromStdString(page.error().front().message);
+    return writingError(path, isPackage(path) ? scormPackage(reportTitle(*mechanism), *page) : *page);
   };
   m_jobs->add({path, false, run});
+}
+
+void WindowExports::chooseAndExportSheets(const SheetWish& wish) {
+  const QString name = QFileInfo(m_files.title()).completeBaseName();
+  const QString where =
+      QFileDialog::getExistingDirectory(m_window, tr("Folder in which the sheets' folder is made"));
+  if (where.isEmpty()) return;
+  exportSheets(QDir(where).filePath(tr("%1 exercises %2").arg(name).arg(wish.plan.seed)), wish);
+}
+
+void WindowExports::exportSheets(const QString& folder, const SheetWish& wish) {
+  if (QFileInfo::exists(folder)) {
+    emit refused(tr("\"%1\" is there already: no sheet was written.").arg(QFileInfo(folder).fileName()));
+    return;
+  }
+  const auto mechanism = m_workbench.document().mechanism();
+  const auto run = [=](const ExportJobs::Progress& progress, const std::stop_token& stop) {
+    const ExerciseSource source(*mechanism);
+    const auto files = sheetFiles(
+        source, wish, [&](int variants) { progress(variants, wish.plan.variants); }, stop);
+    if (stop.stop_requested()) return tr("The export was stopped.");
+    if (!files) return QString::fromStdString(files.error().front().message);
+    const auto error = writeFolder(QFile::encodeName(folder).toStdString(), *files, {false, stop, {}});
+    return error ? QString::fromStdString(error->message) : QString();
+  };
+  m_jobs->add({folder, true, run});
 }
 
 }  // namespace geargraph::inline mainwindow

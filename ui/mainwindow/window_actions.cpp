@@ -97,7 +97,7 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
       make("file.exportHandout", words("Export &handout…"),
            words("One page for any browser, also on a phone and without a network: drawings, matrices, "
                  "solution, derivation and the train in 3D, with inputs that move, and exercises if you "
-                 "choose them"),
+                 "choose them; also as a package for learning platforms"),
            {});
   print = make("file.print", words("&Print…"),
                words("Print the drawings and the derivation, or look at the pages first"),
@@ -112,6 +112,9 @@ WindowActions::WindowActions(QMainWindow* window) : m_window(window) {
            words("A course from one gear pair to the robot, with tasks that are checked; in a window of "
                  "its own"),
            {});
+  exercises =
+      make("learn.exercises", words("&Exercises…"),
+           words("Questions about this mechanism, to practise, or as sheets and handouts for a class"), {});
   checkPaper = make("learn.check", words("Check &my matrices…"),
                     words("Matrices and equations that you have worked out, beside the derived ones"), {});
   lessonFile = make("learn.lessonFile", words("Open a lesson &file…"),

@@ -88,6 +88,7 @@ struct WindowActions {
   QAction* normalSpeed;
   QAction* backwards;
 
+  QAction* exercises;
   QAction* checkPaper;
   QAction* lookUp;
   QAction* search;

@@ -115,7 +115,8 @@ void MainWindow::makeMenus() {
   motion->addActions({a.faster, a.slower, a.normalSpeed, a.backwards});
 
   menu(tr("&Learn"))
-      ->addActions({a.lessons, a.lessonFile, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
+      ->addActions(
+          {a.lessons, a.lessonFile, a.exercises, a.checkPaper, a.showDerivation, a.compareMethods, a.lookUp});
   menu(tr("&Help"))->addActions({a.manual, a.whatsThis, a.tour, a.search, a.shortcuts, a.about});
 }
 
@@ -138,6 +139,7 @@ void MainWindow::wireActions() {
   });
   connect(a.lessons, &QAction::triggered, this, &MainWindow::showCourse);
   connect(a.lessonFile, &QAction::triggered, this, &MainWindow::chooseLessonFile);
+  connect(a.exercises, &QAction::triggered, this, &MainWindow::showExercises);
   connect(a.checkPaper, &QAction::triggered, this, &MainWindow::showPaperCheck);
   connect(a.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   connect(a.redo, &QAction::triggered, &stack, &QUndoStack::redo);

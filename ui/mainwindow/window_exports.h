@@ -10,6 +10,7 @@
 #include "core/foundations/base/expected.h"
 #include "core/foundations/files/csv.h"
 #include "core/mechanism/graph/integer_matrix.h"
+#include "core/presentation/sheet_files/sheet_files.h"
 #include "core/teaching/derivation/quantity_table.h"
 
 class QPrinter;
@@ -73,10 +74,14 @@ class WindowExports : public QObject {
   void copyPicture(const QString& view);
   /// The derivation in the form that the path's suffix names (html, pdf, tex, md); written() follows.
   void exportDerivation(const QString& path);
-  /// The mechanism as one page for any browser; written() follows.
+  /// The mechanism as one page for any browser, or as a package for learning platforms (zip); written()
+  /// follows.
   void exportHandout(const QString& path);
-  /// The same with a question of every kind that the document gives, with feedback.
-  void exportHandoutWithExercises(const QString& path);
+  /// The same with the questions of a plan, with feedback. Without kinds: one of every kind that the document
+  /// gives.
+  void exportHandoutAsking(const QString& path, const SheetPlan& plan);
+  /// Sheets, solutions and files for answers, into a new folder; written() follows.
+  void exportSheets(const QString& folder, const SheetWish& wish);
   /// Prints pages on a thread.
   void print(const PrintedPagesPtr& pages, const std::shared_ptr<QPrinter>& printer);
   /// The newest path that the 3D view has traced, as CSV. @pre there is one
@@ -92,6 +97,8 @@ class WindowExports : public QObject {
   void chooseAndExportPicture(const PictureWish& wish);
   void chooseAndExportDerivation();
   void chooseAndExportHandout();
+  void chooseAndExportHandoutAsking(const geargraph::SheetPlan& plan);
+  void chooseAndExportSheets(const geargraph::SheetWish& wish);
   void chooseAndSaveTrace();
   void chooseAndSaveSpeeds();
 
@@ -109,7 +116,9 @@ class WindowExports : public QObject {
   void exportView3D(const PictureWish& wish, const QString& path);
   void copyView3D();
   [[nodiscard]] std::optional<ReportLists> shownLists();
-  void writeHandout(const QString& path, bool asks);
+  [[nodiscard]] QString handoutPath(const QStringList& forms, QString& chosen) const;
+  [[nodiscard]] static SheetPlan everyKind();
+  void writeHandout(const QString& path, const std::optional<SheetPlan>& plan);
   void writePicture(const Expected<std::string>& bytes, const QString& path);
   void onWritten(const QString& path);
 

@@ -1,5 +1,5 @@
 // Lessons in a window of their own: the course, the lesson beside the drawing, and the preview for authors.
-// The check of matrices that the learner has worked out on paper.
+// Exercises about the document, and the check of matrices that the learner has worked out on paper.
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -11,11 +11,13 @@
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_reader.h"
 #include "ui/canvas/drawing_view.h"
+#include "ui/exercises/exercises_dialog.h"
 #include "ui/lessons/course_dialog.h"
 #include "ui/lessons/lesson_panel.h"
 #include "ui/mainwindow/file_watch.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/mainwindow/status_line.h"
+#include "ui/mainwindow/window_exports.h"
 #include "ui/mainwindow/window_files.h"
 #include "ui/paper_check/paper_check_dialog.h"
 
@@ -24,7 +26,7 @@ namespace {
 
 constexpr std::size_t kLargestLesson = std::size_t{4} * 1024 * 1024;
 constexpr int kLessonWidth = 352;  ///< px
-constexpr int kPictureWidth = 400;
+constexpr int kPictureWidth = 430;
 constexpr int kProblemsPart = 6;  ///< of the height of the window, while something is drawn
 
 /// What shows the numbers that a step asks for.
@@ -70,6 +72,26 @@ void MainWindow::showCourse() {
   m_course->show();
   m_course->raise();
   m_course->activateWindow();
+}
+
+void MainWindow::showExercises() {
+  if (m_exercises == nullptr) {
+    m_exercises = new ExercisesDialog(this);
+    connect(m_document, &Document::changed, m_exercises, [this] {
+      if (m_exercises->isVisible()) m_exercises->setMechanism(m_document->mechanism());
+    });
+    connect(m_exercises, &ExercisesDialog::practiceWanted, this, [this](const LessonPtr& lesson) {
+      m_exercises->hide();
+      wantLesson(lesson, QString(), QString());
+    });
+    connect(m_exercises, &ExercisesDialog::sheetsWanted, m_exports, &WindowExports::chooseAndExportSheets);
+    connect(m_exercises, &ExercisesDialog::handoutWanted, m_exports,
+            &WindowExports::chooseAndExportHandoutAsking);
+  }
+  m_exercises->show();
+  m_exercises->setMechanism(m_document->mechanism());
+  m_exercises->raise();
+  m_exercises->activateWindow();
 }
 
 void MainWindow::showPaperCheck() {
@@ -131,7 +153,8 @@ void MainWindow::makeLesson() {
     if (const QString* fault = std::get_if<QString>(&now)) return m_lesson->showFault(*fault);
     m_lesson->reload(std::get<0>(now));
   });
-  connect(m_lesson, &LessonPanel::courseWanted, this, &MainWindow::showCourse);
+  connect(m_lesson, &LessonPanel::courseWanted, this,
+          [this] { m_lesson->isPractice() ? showExercises() : showCourse(); });
   connect(m_lesson, &LessonPanel::nextLessonWanted, this, &MainWindow::playNextLesson);
   connect(m_lesson, &LessonPanel::answerOpened, this, &MainWindow::setAnswersOpen);
   connect(m_lesson, &LessonPanel::stepBegan, this, [this](LessonView view) {
@@ -156,6 +179,7 @@ void MainWindow::playLessonNamed(const QString& id) {
 }
 
 void MainWindow::playNextLesson() {
+  if (m_lesson->isPractice()) return showExercises();
   const auto& lessons = course();
   for (std::size_t next = 1; next < lessons.size(); ++next) {
     if (lessons[next - 1].id == m_lesson->lesson()->id && m_lessonFile.isEmpty())
@@ -172,7 +196,9 @@ void MainWindow::goOnWithLesson(const MainWindow& former) {
       std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& each) { return each.id == lesson->id; });
   const bool isOfCourse = found != lessons.end() && former.m_lessonFile.isEmpty();
   playLesson(lesson,
-             isOfCourse ? placeInCourse(static_cast<std::size_t>(found - lessons.begin())) : tr("Preview"),
+             isOfCourse ? placeInCourse(static_cast<std::size_t>(found - lessons.begin()))
+             : former.m_lesson->isPractice() ? QString()
+                                             : tr("Preview"),
              former.m_lessonFile);
 }
 

@@ -37,6 +37,7 @@ constexpr Words kWords[] = {
     {"edit.history", "undo redo steps list back versions"},
     {"edit.copyPicture", "image png svg clipboard screenshot"},
     {"learn.derivation", "proof steps explanation equations"},
+    {"learn.exercises", "practise quiz questions homework sheet exam test class handout scorm students"},
     {"learn.check", "grade verify homework paper solution correct matrix equation compare mine"},
     {"learn.compare", "difference advantage versus similar both methods matroid t-t graph"},
     {"learn.lookUp", "glossary definition dictionary meaning"},

@@ -42,6 +42,7 @@ class View3D::Private {
   void useImage(const QString& why);
   void place(QWidget* canvas);
   void tellWhatPaints(bool isSoftware, const QString& why);
+  void showPainter();
   [[nodiscard]] QWidget* canvas() const { return gl != nullptr ? static_cast<QWidget*>(gl) : image; }
   QToolButton* addButton(const char* name, const QString& text, const QString& tip,
                          const std::function<void()>& act);
@@ -67,6 +68,7 @@ class View3D::Private {
   QLabel* emptyText;
   QLabel* note;
   QLabel* painter;  ///< says so where the processor paints
+  bool isPaintedBySoftware = false;
   bool dark = false;
 };
 
@@ -126,12 +128,18 @@ void View3D::Private::useImage(const QString& why) {
 }
 
 void View3D::Private::tellWhatPaints(bool isSoftware, const QString& why) {
-  painter->setVisible(isSoftware);
+  isPaintedBySoftware = isSoftware;
   painter->setText(tr("Software 3D"));
   painter->setToolTip(tr("%1 Painted by the processor (%2): finer when nothing moves.")
                           .arg(why, q->rendererName())
                           .trimmed());
+  showPainter();
+}
+
+/// Where it would lie under the buttons it is left out.
+void View3D::Private::showPainter() {
   painter->adjustSize();
+  painter->setVisible(isPaintedBySoftware && painter->geometry().right() < buttons->x());
 }
 
 QToolButton* View3D::Private::addButton(const char* name, const QString& text, const QString& tip,
@@ -573,9 +581,9 @@ void View3D::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void View3D::resizeEvent(QResizeEvent* event) {
-  d->painter->adjustSize();
   const QSize wanted = d->buttons->sizeHint();
   d->buttons->setGeometry(width() - wanted.width() - 6, 4, wanted.width(), wanted.height());
+  d->showPainter();
   d->placeStrip();
   const int height = d->bar->sizeHint().height();
   d->bar->setGeometry(96, this->height() - height, width() - 96, height);

@@ -14,13 +14,13 @@ struct Hint {
 constexpr std::array kHints = {
     Hint{ExerciseKind::incidence,
          "Take one column at a time. Its arrow touches two links only: the one that it leaves gets "
-         "$-1$, the one that it points to gets $1$."},
+         "−1, the one that it points to gets 1."},
     Hint{ExerciseKind::orientation,
          "Read the matrix, not the drawing, one column at a time: the arrow leaves the link whose "
-         "entry is $-1$ and points to the link whose entry is $1$."},
+         "entry is −1 and points to the link whose entry is 1."},
     Hint{ExerciseKind::reducedIncidence,
-         "All speeds are measured against one link: $\\Gamma$ leaves out its row. The other rows are "
-         "those of $\\Gamma^0$."},
+         "All speeds are measured against one link: Γ leaves out its row. The other rows are "
+         "those of Γ⁰."},
     Hint{ExerciseKind::path,
          "Start at the link of the column and walk to the ground along turning joints only. Then "
          "compare the arrow of each joint on the walk with your direction."},
@@ -60,7 +60,7 @@ constexpr std::array kHints = {
          "else may move, and no mesh may tie two of them to each other."},
     Hint{ExerciseKind::speed,
          "Look for a mesh whose equation has one unknown speed only, solve it, and go on to the "
-         "next. A row of $P \\, \\dot{\\theta}_t = 0$ holds the joints of one cycle."},
+         "next. A row of P θ̇ = 0 holds the joints of one cycle."},
     Hint{ExerciseKind::levels,
          "The level of a joint is the letter of its axis. Name the axis of each joint on the walk: "
          "where the letter changes is the transfer vertex."},

@@ -44,8 +44,8 @@ enum class ExerciseKind : std::uint8_t {
 [[nodiscard]] std::string_view kindName(ExerciseKind kind);   ///< "cycle-basis": stable, of the command line
 [[nodiscard]] std::string_view kindTitle(ExerciseKind kind);  ///< "Fill in a row of C"
 [[nodiscard]] std::optional<ExerciseKind> kindFromName(std::string_view name);
-/// Where to look and which rule to use, with formulas in TeX between dollar signs. It is the same for every
-/// mechanism, so it cannot hold the answer.
+/// Where to look and which rule to use, in plain text. It is the same for every mechanism, so it cannot hold
+/// the answer.
 [[nodiscard]] std::string_view kindHint(ExerciseKind kind);
 
 /// Why the mechanism gives no question of this kind: "no brakes or clutches". Nothing where it does.

@@ -86,6 +86,11 @@ struct ExerciseTask {
   std::optional<ElementId> about;  ///< seeds are counted up until the question is about this element
 };
 
+/// A question that was made before, of a sheet: what practiceLesson() makes. No file of a lesson holds one.
+struct QuestionTask {
+  Question question;
+};
+
 /// What a drawing has to fulfil: some value of the quantity lies between the bounds.
 struct DrawingCondition {
   AskedQuantity quantity;
@@ -107,7 +112,7 @@ struct DrawTask {
   std::string rule;
 };
 
-using LessonTask = std::variant<AnswerTask, ExerciseTask, DrawTask>;
+using LessonTask = std::variant<AnswerTask, ExerciseTask, QuestionTask, DrawTask>;
 
 /// The drawing in front while a step is worked on.
 enum class LessonView : std::uint8_t { digraph, ttGraph, schematic };
@@ -127,9 +132,9 @@ struct LessonStep {
 
 /// A lesson as its author wrote it: an immutable value. Whether its tasks can be solved is checkLesson()'s.
 struct Lesson {
-  std::string id;  ///< "cycle-basis": progress is kept under it
+  std::string id;  ///< "cycle-basis": progress is kept under it; empty: it is not kept
   std::string title;
-  int minutes = 5;
+  int minutes = 5;  ///< that it takes; 0: not said
   std::string goal;                ///< what the learner can do afterwards: "fill in a row of C"
   std::vector<std::string> terms;  ///< names of the glossary
   std::vector<LessonStep> steps;

@@ -201,6 +201,10 @@ Expected<PreparedStep> prepareStep(const Lesson& lesson, std::size_t step, const
         Code::unknownId, "The document has no such element.", {}, pointer + "/elements/" + std::to_string(i)};
   }
   if (std::holds_alternative<DrawTask>(written.task)) return prepared;
+  if (const auto* made = std::get_if<QuestionTask>(&written.task)) {
+    prepared.question = made->question;
+    return prepared;
+  }
   const std::string place = pointer + "/task";
   auto question =
       std::holds_alternative<ExerciseTask>(written.task)
@@ -242,8 +246,9 @@ DrawingVerdict checkDrawing(const DrawTask& task, const MechanismPtr& drawing, c
 
 std::string_view taskTitle(const LessonStep& step) {
   if (std::holds_alternative<DrawTask>(step.task)) return "Draw";
-  if (std::holds_alternative<ExerciseTask>(step.task)) return "Your task";
-  switch (std::get<AnswerTask>(step.task).kind) {
+  const auto* answer = std::get_if<AnswerTask>(&step.task);
+  if (answer == nullptr) return "Your task";
+  switch (answer->kind) {
     case AnswerKind::type:
       return "Work out";
     case AnswerKind::choose:

@@ -37,12 +37,16 @@ class DrawingsTest : public QObject {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  QByteArray derivation(const QString& name) { return written(name, &WindowExports::exportDerivation); }
-  QByteArray handout(const QString& name) { return written(name, &WindowExports::exportHandout); }
-  QByteArray written(const QString& name, void (WindowExports::*write)(const QString&)) {
+  QByteArray derivation(const QString& name) {
+    return written(name, [this](const QString& path) { window->exports().exportDerivation(path); });
+  }
+  QByteArray handout(const QString& name) {
+    return written(name, [this](const QString& path) { window->exports().exportHandout(path); });
+  }
+  QByteArray written(const QString& name, const std::function<void(const QString&)>& write) {
     const QString path = folder.filePath(name);
     QSignalSpy done(&window->exports(), &WindowExports::written);
-    (window->exports().*write)(path);
+    write(path);
     if (done.empty()) done.wait(60'000);
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -105,9 +109,45 @@ class DrawingsTest : public QObject {
 
   void theHandoutAsksWhereItIsTold() {
     QVERIFY(!handout("plain.html").contains("exercises-key\">"));
-    const QByteArray page = written("asking.html", &WindowExports::exportHandoutWithExercises);
+    const QByteArray page = written("asking.html", [&](const QString& path) {
+      window->exports().exportHandoutAsking(path, SheetPlan{"Exercises", {}});
+    });
     QVERIFY(page.count("<article class=\"question\"") >= 14);
     QVERIFY(page.contains("id=\"exercises-key\">") && page.endsWith("</html>\n"));
+  }
+
+  void theHandoutAsksWhatWasChosen() {
+    const SheetPlan plan{"Home", {ExerciseKind::cycle, ExerciseKind::cycle, ExerciseKind::freedom}, 7};
+    const auto write = [&](const QString& path) { window->exports().exportHandoutAsking(path, plan); };
+    const QByteArray page = written("chosen.html", write);
+    QCOMPARE(page.count("<article class=\"question\""), qsizetype{3});
+    QVERIFY(page.contains("Home"));
+  }
+
+  // SCORM 1.2: a ZIP archive with the manifest and the page.
+  void aPackageIsForLearningPlatforms() {
+    const QByteArray package = handout("handout.zip");
+    QVERIFY(package.startsWith("PK\x03\x04"));
+    QVERIFY(package.contains("imsmanifest.xml") && package.contains("index.html"));
+  }
+
+  void sheetsAreWrittenIntoAFolderOfTheirOwn() {
+    const SheetWish wish{
+        {"Home", {ExerciseKind::cycle, ExerciseKind::freedom}, 7, 3}, {}, {SheetFileForm::html}};
+    const QString sheets = folder.filePath("sheets");
+    QSignalSpy done(&window->exports(), &WindowExports::written);
+    window->exports().exportSheets(sheets, wish);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), qsizetype{1}, 60'000);
+    QStringList expected;
+    for (const std::string& name : sheetFileNames(wish)) expected += QString::fromStdString(name);
+    expected.sort();
+    QCOMPARE(QDir(sheets).entryList(QDir::Files, QDir::Name), expected);
+    QCOMPARE(expected.size(), qsizetype{10});
+    // A folder that is there is left alone, and that is told.
+    QSignalSpy refusal(&window->exports(), &WindowExports::refused);
+    window->exports().exportSheets(sheets, wish);
+    QCOMPARE(refusal.count(), qsizetype{1});
+    QVERIFY(refusal[0][0].toString().contains("sheets"));
   }
 
   // One key, and both methods are there, as the document is now.

@@ -179,11 +179,15 @@ class WindowHelpTest : public QObject {
   }
 
   void f1WorksInDialogsToo() {
-    const std::pair<QAction*, const char*> dialogs[] = {
-        {window->actions().insertSet, "insertSet"},         {window->actions().print, "printDialog"},
-        {window->actions().exportPicture, "pictureDialog"}, {window->actions().history, "historyDialog"},
-        {window->actions().shortcuts, "shortcutSheet"},     {window->actions().lessons, "courseDialog"},
-        {window->actions().checkPaper, "paperCheck"},       {window->actions().about, "about"}};
+    const std::pair<QAction*, const char*> dialogs[] = {{window->actions().insertSet, "insertSet"},
+                                                        {window->actions().print, "printDialog"},
+                                                        {window->actions().exportPicture, "pictureDialog"},
+                                                        {window->actions().history, "historyDialog"},
+                                                        {window->actions().shortcuts, "shortcutSheet"},
+                                                        {window->actions().lessons, "courseDialog"},
+                                                        {window->actions().checkPaper, "paperCheck"},
+                                                        {window->actions().exercises, "exercisesDialog"},
+                                                        {window->actions().about, "about"}};
     for (const auto& [action, name] : dialogs) {
       action->trigger();
       auto* dialog = part<QDialog>(name);

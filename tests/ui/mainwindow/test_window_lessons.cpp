@@ -9,10 +9,12 @@
 
 #include "core/foundations/files/file.h"
 #include "core/presentation/typeset/tex_reader.h"
+#include "core/teaching/grading/wrong_answers.h"
 #include "core/teaching/lessons/course.h"
 #include "core/teaching/lessons/lesson_checker.h"
 #include "tests/ui/mainwindow/file_windows.h"
 #include "ui/canvas/tt_graph_view.h"
+#include "ui/exercises/exercises_dialog.h"
 #include "ui/lessons/answer_form.h"
 #include "ui/lessons/course_dialog.h"
 #include "ui/lessons/lesson_panel.h"
@@ -53,6 +55,15 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
   }
   [[nodiscard]] const LessonStep& step() const {
     return panel().lesson()->steps[static_cast<std::size_t>(panel().step())];
+  }
+  /// An answer in which a mistake is made that the task knows.
+  static std::vector<std::string> mistakenAnswer(const LessonStep& step, const Question& question) {
+    if (const auto* task = std::get_if<AnswerTask>(&step.task))
+      return exampleOf(task->mistakes.front(), question);
+    for (const Mistake& mistake : question.mistakes) {
+      if (auto answer = wrongAnswer(question, mistake)) return *std::move(answer);
+    }
+    qFatal("no mistake of \"%s\" can be made", step.title.c_str());
   }
   void draw(const LessonDocument& drawing) const {
     const auto mechanism = mechanismOf(drawing, bundledExample, {});
@@ -221,18 +232,49 @@ class WindowLessonsTest : public QObject, private test::FileWindows {
       } else {
         const auto prepared = prepareStep(played, i, bundledExample);
         const Question& question = *prepared->question;
-        if (const auto* task = std::get_if<AnswerTask>(&step().task)) {
-          answerWith(exampleOf(task->mistakes.front(), question));
-          QCOMPARE(panel().state(), State::wrong);
-          QVERIFY(panel().resultText().size() > 10);
-          press("lessonCheck");
-        }
+        answerWith(mistakenAnswer(step(), question));
+        QCOMPARE(panel().state(), State::wrong);
+        QVERIFY(panel().resultText().size() > 10);
+        press("lessonCheck");
         answerWith(question.solution);
         QVERIFY2(panel().state() == State::right, qPrintable(panel().resultText()));
       }
       if (i + 1 < played.steps.size()) press("lessonCheck");
     }
     QVERIFY(panel().progress().isComplete());
+  }
+
+  /// Questions about the learner's own document, in a window of their own.
+  void theOwnMechanismIsPractised() {
+    set->openNew();
+    first().document().replace(**bundledExample("robot"), {});
+    first().actions().exercises->trigger();
+    auto* dialog = first().findChild<ExercisesDialog*>();
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    QTRY_VERIFY(dialog->isUpToDate() && dialog->findChild<QPushButton*>("exercisePractise")->isEnabled());
+    QTest::mouseClick(dialog->findChild<QPushButton*>("exercisePractise"), Qt::LeftButton);
+    QTRY_COMPARE(set->windows().size(), std::size_t{2});
+    QVERIFY(!dialog->isVisible());
+    QTRY_COMPARE(panel().state(), State::open);
+    QVERIFY(panel().isPractice());
+    const auto steps = panel().lesson()->steps.size();
+    QVERIFY(steps > 14);
+    press("lessonHint");
+    for (std::size_t i = 0; i < steps; ++i) {
+      QTRY_COMPARE(panel().state(), State::open);
+      const Question& question = std::get<QuestionTask>(step().task).question;
+      answerWith(mistakenAnswer(step(), question));
+      QCOMPARE(panel().state(), State::wrong);
+      press("lessonCheck");
+      answerWith(question.solution);
+      QVERIFY2(panel().state() == State::right, qPrintable(panel().resultText()));
+      if (i + 1 < steps) press("lessonCheck");
+    }
+    QVERIFY(panel().progress().isComplete());
+    press("lessonCheck");  // Finish
+    auto* again = last().findChild<ExercisesDialog*>();
+    QVERIFY(again != nullptr && again->isVisible());
+    QTRY_VERIFY(again->isUpToDate());
   }
 
   void everyFormulaCanBeSet() {

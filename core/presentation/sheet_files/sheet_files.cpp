@@ -1,0 +1,120 @@
+#include "core/presentation/sheet_files/sheet_files.h"
+
+#include <array>
+#include <utility>
+
+#include "core/presentation/drawing/svg_writer.h"
+#include "core/presentation/pages/report_pdf.h"
+#include "core/presentation/results/named_drawings.h"
+#include "core/presentation/sheets/sheet_report.h"
+#include "core/teaching/grading/question_json.h"
+
+namespace geargraph::inline sheet_files {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kForms = {  // name and suffix, by form
+    {{"html", "html"}, {"latex", "tex"}, {"pdf", "pdf"}, {"json", "json"}}};
+
+/// "07" of 30.
+std::string numbered(int variant, int variants) {
+  std::string number = std::to_string(variant);
+  return std::string(std::to_string(variants).size() - number.size(), '0') + number;
+}
+
+std::string fileName(SheetForm part, const std::string& number, SheetFileForm form) {
+  const std::string_view suffix = kForms[static_cast<std::size_t>(form)].second;
+  return (part == SheetForm::questions ? "sheet-" : "solution-") + number + '.' + std::string(suffix);
+}
+
+std::string answersName(const std::string& number) {
+  return "answers-" + number + ".json";
+}
+
+std::string answersFor(const SheetVariant& sheet, const std::string& mark, const std::string& student) {
+  AnswerSheet answers{mark, sheet.variant, student, {}};
+  for (std::size_t i = 0; i < sheet.questions.size(); ++i) {
+    for (const AnswerField& field : sheet.questions[i].fields)
+      answers.answers[static_cast<int>(i) + 1][field.name] = "";
+  }
+  return answersJson(answers);
+}
+
+/// Writes documents of one source in every form, with the same drawings.
+class SheetWriter {
+ public:
+  SheetWriter(const ExerciseSource& source, const std::stop_token& stop)
+      : m_lists{drawingNamed("schematic")->draw(*source.snapshot(), nullptr, stop),
+                drawingNamed("digraph")->draw(*source.snapshot(), nullptr, stop),
+                {}} {
+    const SheetLook look;
+    m_drawings = {svgOf(m_lists.schematic, look), svgOf(m_lists.digraph, look), {}};
+  }
+
+  [[nodiscard]] Expected<std::string> bytesOf(const Report& report, const SheetVariant& sheet, SheetForm part,
+                                              SheetFileForm form) const {
+    switch (form) {
+      case SheetFileForm::html:
+        return reportHtml(report, m_drawings);
+      case SheetFileForm::latex:
+        return reportLatex(report);
+      case SheetFileForm::pdf:
+        return reportPdf(report, m_lists);
+      case SheetFileForm::json:
+        break;
+    }
+    return questionsJson(sheet.questions,
+                         part == SheetForm::questions ? QuestionPart::withoutKey : QuestionPart::withKey);
+  }
+
+ private:
+  ReportLists m_lists;
+  ReportDrawings m_drawings;
+};
+
+}  // namespace
+
+std::optional<SheetFileForm> sheetFileForm(std::string_view name) {
+  for (std::size_t form = 0; form < kForms.size(); ++form) {
+    if (kForms[form].first == name) return static_cast<SheetFileForm>(form);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> sheetFileNames(const SheetWish& wish) {
+  std::vector<std::string> names{"sheet.json"};
+  for (int variant = 1; variant <= wish.plan.variants; ++variant) {
+    const std::string number = numbered(variant, wish.plan.variants);
+    names.push_back(answersName(number));
+    for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
+      for (const SheetFileForm form : wish.forms) names.push_back(fileName(part, number, form));
+    }
+  }
+  return names;
+}
+
+Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetWish& wish,
+                                 const std::function<void(int)>& progress, const std::stop_token& stop) {
+  const SheetFile file{wish.plan, source.mechanism()};
+  const std::string mark = sheetMark(file);
+  const SheetWriter writer(source, stop);
+  FolderFiles files{{"sheet.json", sheetJson(file)}};
+  for (int variant = 1; variant <= wish.plan.variants && !stop.stop_requested(); ++variant) {
+    const SheetVariant sheet = makeVariant(source, wish.plan, variant);
+    const std::string number = numbered(variant, wish.plan.variants);
+    const std::string student =
+        wish.students.empty() ? "" : wish.students[static_cast<std::size_t>(variant) - 1];
+    files.emplace_back(answersName(number), answersFor(sheet, mark, student));
+    for (const SheetForm part : {SheetForm::questions, SheetForm::solution}) {
+      const Report report = sheetReport(source, wish.plan, sheet, student, part);
+      for (const SheetFileForm form : wish.forms) {
+        auto bytes = writer.bytesOf(report, sheet, part, form);
+        if (!bytes) return bytes.error();
+        files.emplace_back(fileName(part, number, form), std::move(bytes).value());
+      }
+    }
+    if (progress) progress(variant);
+  }
+  return files;
+}
+
+}  // namespace geargraph::inline sheet_files

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/foundations/base/expected.h"
+#include "core/foundations/files/folder.h"
+#include "core/teaching/exercises/exercise_sheet.h"
+
+namespace geargraph::inline sheet_files {
+
+enum class SheetFileForm : std::uint8_t { html, latex, pdf, json };
+
+[[nodiscard]] std::optional<SheetFileForm> sheetFileForm(std::string_view name);  ///< "latex"
+
+/// What a teacher wants on paper or on screens.
+struct SheetWish {
+  SheetPlan plan;
+  std::vector<std::string> students;  ///< by variant, printed on the sheets; may be empty
+  std::vector<SheetFileForm> forms;
+};
+
+/// The names of all files of a sheet, relative to its folder: "sheet.json", and by variant "answers-07.json",
+/// "sheet-07.pdf", "solution-07.pdf".
+[[nodiscard]] std::vector<std::string> sheetFileNames(const SheetWish& wish);
+
+/// The files of a sheet: the sheet itself, from which the program makes everything again, and for each
+/// variant the questions and the solution in every form and a file for the answers. `progress` is told how
+/// many variants are made. Of no use when `stop` was requested meanwhile. Cost: variants · forms documents.
+/// @pre every kind of the plan is offered; students.size() is 0 or plan.variants
+[[nodiscard]] Expected<FolderFiles> sheetFiles(const ExerciseSource& source, const SheetWish& wish,
+                                               const std::function<void(int variants)>& progress = {},
+                                               const std::stop_token& stop = {});
+
+}  // namespace geargraph::inline sheet_files

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/teaching/exercises/exercise_sheet.h"
+#include "core/teaching/lessons/lesson.h"
+
+namespace geargraph::inline lessons {
+
+/// A variant of a sheet as a lesson on its mechanism, a step for each question: with hints, feedback and a
+/// score like any lesson. Progress is not kept. Cost: that of makeVariant().
+/// @pre every kind of the plan is offered, 1 to kMostLessonSteps of them; 1 <= variant
+[[nodiscard]] Lesson practiceLesson(const ExerciseSource& source, const SheetPlan& plan, int variant);
+
+}  // namespace geargraph::inline lessons

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mechanism/model/mechanism.h"
+#include "core/teaching/exercises/exercise_sheet.h"
+#include "ui/lessons/lesson_service.h"
+#include "ui/service/service.h"
+
+namespace geargraph::inline ui_exercises {
+
+/// What can be asked about a mechanism; with a plan, its questions as a lesson, too.
+struct ExerciseRequest {
+  MechanismPtr mechanism;
+  std::optional<SheetPlan> plan = {};
+  int variant = 1;
+};
+
+/// A kind of question, and why the mechanism gives none.
+struct KindOffer {
+  ExerciseKind kind = ExerciseKind::incidence;
+  std::string reason;  ///< empty where it gives one
+};
+
+struct ExerciseAnswer {
+  MechanismPtr mechanism;
+  std::vector<KindOffer> offers;  ///< of all kinds, in their order
+  std::string difficulty;         ///< "medium: 4 cycles, 3 inputs"
+  LessonPtr practice;             ///< null without a plan
+};
+using ExerciseAnswerPtr = std::shared_ptr<const ExerciseAnswer>;
+
+/// Makes exercises off the GUI thread.
+///
+/// @pre the mechanisms that are sent have at most kMostExerciseLinks moving links and give every kind of the
+/// plan
+class ExerciseService final : public Service<ExerciseRequest, ExerciseAnswerPtr> {
+ public:
+  explicit ExerciseService(QObject* parent = nullptr);
+};
+
+}  // namespace geargraph::inline ui_exercises
