@@ -78,7 +78,9 @@ class Exercise {
       field.node.addEventListener('input', () => this.write());
       field.node.addEventListener('focusin', () => {
         this.at = i;
-        if (!this.verdict) return light(question.fields[i].elements || question.elements || [], 'asked');
+        if (!this.verdict) light(this.asked(), 'asked');
+        this.showHint();
+        if (!this.verdict) return;
         const mistake = this.verdict.mistakes.find(each => each.fields.includes(i));
         if (mistake) light(mistake.elements, 'wrong');
       });
@@ -89,8 +91,10 @@ class Exercise {
     this.told = make('div', {class: 'verdict', role: 'status', tabindex: '-1'});
     this.check = this.button('Check', () => this.tell());
     this.again = this.button('Try again', () => this.retry());
+    for (const main of [this.check, this.again]) main.classList.add('primary');
     this.show = this.button('Show', () => this.reveal());
-    const parts = [this.told, make('div', {class: 'bar'}, this.check, this.again, this.show)];
+    this.takeHint();
+    const parts = [this.told, this.hint, make('div', {class: 'bar'}, this.check, this.again, this.ask, this.show)];
     if (question.table && question.fields.every(field => field.kind === 'integer')) parts.unshift(this.keys());
     this.controls = make('div', {class: 'controls'}, ...parts);
     node.append(this.controls);
@@ -107,6 +111,31 @@ class Exercise {
     const button = make('button', {type: 'button'}, text);
     button.addEventListener('click', run);
     return button;
+  }
+  // The hint of the page becomes one of the buttons, and says where to look as well.
+  takeHint() {
+    const folded = this.node.querySelector('details.hint');
+    this.place = make('p', {class: 'where'});
+    this.hint = make('div', {class: 'hint', id: this.node.getAttribute('aria-labelledby') + '-hint'},
+                     ...[...folded.children].filter(each => each.tagName !== 'SUMMARY'), this.place);
+    folded.remove();
+    this.ask = this.button('Hint', () => {
+      this.state.isHinted = !this.state.isHinted;
+      this.showHint();
+      this.changed();
+    });
+    this.ask.setAttribute('aria-controls', this.hint.id);
+  }
+  // What the field asks about, or else the question.
+  asked() { return this.question.fields[this.at].elements || this.question.elements || []; }
+  showHint() {
+    const isOpen = Boolean(this.state.isHinted) && !this.ask.hidden;
+    this.hint.hidden = !isOpen;
+    this.ask.setAttribute('aria-expanded', String(isOpen));
+    const names = this.asked().map(key => elements.get(key)?.name).filter(Boolean);
+    this.place.hidden = !names.length;
+    this.place.textContent = `Look at ${names.map(name => name[0].toLowerCase() + name.slice(1)).join(' and ')} in the drawing.`;
+    if (isOpen && !this.verdict && this.node.classList.contains('here')) this.light(this.asked(), 'asked');
   }
   // For those who have no keyboard at hand.
   keys() {
@@ -146,6 +175,8 @@ class Exercise {
     this.check.disabled = isShown || Boolean(this.verdict);
     this.again.hidden = !this.verdict || this.verdict.isRight || isShown;
     this.show.hidden = isShown || Boolean(this.verdict && this.verdict.isRight);
+    this.ask.hidden = this.show.hidden;
+    this.showHint();
     this.node.classList.toggle('done', isShown || Boolean(this.verdict && this.verdict.isRight));
   }
   mark(wrong) {
@@ -270,16 +301,19 @@ const showSheet = sheet => {
 
   const nodes = [...section.querySelectorAll('.question')];
   const exercises = [];
+  const drawings = askedDrawings();
   const place = make('p', {class: 'place', 'aria-live': 'polite'});
   const go = to => {
     at = to;
     light([], 'wrong');
     nodes.forEach((node, i) => node.classList.toggle('here', i === at));
+    nodes[at].querySelector('.wide').before(drawings);  // below the question, above its blanks
     place.textContent = `Question ${at + 1} of ${questions.length}`;
     back.disabled = at === 0;
     next.disabled = at === questions.length - 1;
     const verdict = exercises[at].verdict;
     if (verdict && !verdict.isRight) light(verdict.mistakes[0]?.elements || [], 'wrong');
+    if (!verdict) exercises[at].showHint();
     keep(key, {states, student: student.value, at});
     reachWide();
   };
@@ -294,7 +328,7 @@ const showSheet = sheet => {
   });
 
   nodes.forEach((node, i) => exercises.push(new Exercise(node, questions[i], states[i], {changed, light})));
-  nodes[0].before(make('div', {class: 'bar walk'}, back, place, next), askedDrawings());
+  nodes[0].before(make('div', {class: 'bar walk'}, back, place, next));
   section.append(make('div', {class: 'bar handin'}, score, make('label', {for: 'student'}, 'Name'), student, save),
                  make('p', {class: 'note'}, 'What you write stays in this browser. Saved answers are a small file to hand in.'));
   section.classList.add('live');

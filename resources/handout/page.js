@@ -13,6 +13,8 @@ const make = (tag, attributes = {}, ...children) => {
 
 const keyOf = (list, id) => list + '/' + id;
 const elements = new Map(data.elements.map(element => [keyOf(element.list, element.id), element]));
+// The turning joints of a mesh's cycle.
+for (const element of elements.values()) element.cycle = element.walk && element.walk.slice(1).map(([joint]) => joint);
 const places = new Map();  // key -> nodes
 const addPlace = (key, node) => {
   if (!places.has(key)) places.set(key, []);
@@ -21,7 +23,7 @@ const addPlace = (key, node) => {
 for (const node of document.querySelectorAll('svg [data-id]'))
   addPlace(keyOf(node.dataset.list, node.dataset.id), node);
 for (const node of document.querySelectorAll('[data-el]'))
-  for (const key of node.dataset.el.split(' ')) addPlace(key, node);
+  for (const key of node.getAttribute('data-el').split(' ')) addPlace(key, node);
 
 let selected = null;
 const watchers = [];  // called with the key that is selected, or null
@@ -41,21 +43,11 @@ const select = key => {
   for (const watcher of watchers) watcher(selected);
 };
 
-const card = make('div', {class: 'card', role: 'status', hidden: ''});
-document.body.append(card);
-watchers.push(key => {
-  card.hidden = !key;
-  if (!key) return;
-  const element = elements.get(key);
-  const close = make('button', {type: 'button', 'aria-label': 'Clear the selection'}, '\u00d7');
-  close.addEventListener('click', () => select(null));
-  card.replaceChildren(make('h3', {}, element.name), ...element.lines.map(line => make('p', {}, line)), close);
-});
-
 const keyAt = target => {
   const node = target.closest && target.closest('[data-el], svg [data-id]');
   if (!node) return null;
-  return node.dataset.el ? node.dataset.el.split(' ')[0] : keyOf(node.dataset.list, node.dataset.id);
+  const keys = node.getAttribute('data-el');  // formulas have no dataset in every browser
+  return keys ? keys.split(' ')[0] : keyOf(node.dataset.list, node.dataset.id);
 };
 document.addEventListener('click', event => {
   if (event.target.closest('a, button, input, select, .card, canvas')) return;
@@ -63,6 +55,15 @@ document.addEventListener('click', event => {
 });
 document.addEventListener('keydown', event => {
   if (event.key === 'Escape') select(null);
+});
+// What a mouse is over is lit, too; fingers hover over nothing.
+let hovered = null;
+document.addEventListener('pointerover', event => {
+  const key = event.pointerType === 'mouse' && !event.target.closest('.card') ? keyAt(event.target) : null;
+  if (key === hovered) return;
+  if (hovered) mark(hovered, 'hovered', false);
+  hovered = elements.has(key) ? key : null;
+  if (hovered) mark(hovered, 'hovered', true);
 });
 
 // Drawings: one stop of Tab each, arrow keys walk the elements, Enter selects.
@@ -204,6 +205,35 @@ print.addEventListener('click', () => window.print());
 document.querySelector('header').append(theme, print);
 
 // On a wide page the tabs lead to its parts and follow the scroll; on a narrow one each shows its part alone.
+// Of drawings, and of matrices, one is shown at a time; on paper, and without scripts, all of them.
+const chooser = (id, label, pieces, first) => {
+  const buttons = pieces.map(([name]) => make('button', {type: 'button', 'aria-pressed': 'false'}, name));
+  const show = piece => pieces.forEach(([, nodes], i) => {
+    const isShown = nodes.includes(piece);
+    for (const node of nodes) node.classList.toggle('folded', !isShown);
+    buttons[i].setAttribute('aria-pressed', String(isShown));
+  });
+  buttons.forEach((button, i) => button.addEventListener('click', () => {
+    show(pieces[i][1][0]);
+    reachWide();
+  }));
+  if (pieces.length < 2) return show;
+  const heading = byId(id).querySelector('h2');
+  const line = make('div', {class: 'headline'});
+  heading.replaceWith(line);
+  line.append(heading, make('div', {class: 'bar choice', role: 'group', 'aria-label': label}, ...buttons));
+  show((pieces.find(([name]) => name.startsWith(first)) || pieces[0])[1][0]);
+  return show;
+};
+const showDrawing = chooser('drawings', 'Drawing', [...document.querySelectorAll('#drawings figure')].map(figure => [figure.dataset.name, [figure]]), 'D');
+// A matrix is all that follows its heading.
+const matrixPieces = [];
+for (const node of document.querySelectorAll('#matrices > *')) {
+  if (node.dataset.name) matrixPieces.push([node.dataset.name, []]);
+  matrixPieces.at(-1)?.[1].push(node);
+}
+chooser('matrices', 'Matrix', matrixPieces, 'C');
+
 const tabs = [...document.querySelectorAll('nav a')];
 const narrow = window.matchMedia('(max-width: 900px)');
 const setCurrent = current => {
@@ -213,12 +243,12 @@ const setCurrent = current => {
   }
 };
 // What scrolls sideways can be scrolled by keys.
-const reachWide = () => {
+function reachWide() {
   for (const node of document.querySelectorAll('.equation > div')) {
     if (node.scrollWidth > node.clientWidth) node.setAttribute('tabindex', '0');
     else node.removeAttribute('tabindex');
   }
-};
+}
 window.addEventListener('resize', reachWide);
 const showPart = tab => {
   setCurrent(tab);

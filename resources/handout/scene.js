@@ -4,7 +4,7 @@ const EDGE_ANGLE = 32;   // degrees between two faces, from which on their edge 
 const NEAR = 12;         // px beside a part that a click still hits
 const LONGEST = 3600;    // s of a period that the slider covers
 const STRETCH = 60;      // s that it covers where there is no such period
-const LIT = 0x2f6fed;
+const LIT = 0x2f6fed, EDGE = 0x20242a;
 
 const unpacked = async text => {
   const packed = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
@@ -84,19 +84,23 @@ const showScene = async place => {
   scene.add(sun);
 
   const box = new THREE.Box3();
+  const corners = [];  // of the box of each part
   const meshes = parts.map(part => {
     const solid = geometries[part.solid];
     const mesh = new THREE.Mesh(solid, new THREE.MeshStandardMaterial(
         {color: part.colour, roughness: 0.55, metalness: 0.15, side: part.open ? THREE.DoubleSide : THREE.FrontSide}));
     edges[part.solid] ||= new THREE.EdgesGeometry(solid, EDGE_ANGLE);
     mesh.add(new THREE.LineSegments(edges[part.solid],
-                                    new THREE.LineBasicMaterial({color: 0x20242a, transparent: true, opacity: 0.4})));
+                                    new THREE.LineBasicMaterial({color: EDGE, transparent: true, opacity: 0.4})));
     mesh.matrixAutoUpdate = false;
     mesh.userData = part;
     mesh.userData.home = matrixOf({r: part.pose.slice(0, 9), t: part.pose.slice(9)});
     mesh.matrix.copy(mesh.userData.home);
     mesh.updateMatrixWorld(true);
-    box.expandByObject(mesh);
+    const own = new THREE.Box3().expandByObject(mesh);
+    for (let i = 0; i < 8; ++i)
+      corners.push(new THREE.Vector3(...[0, 1, 2].map(k => ((i >> k) & 1 ? own.max : own.min).getComponent(k))));
+    box.union(own);
     scene.add(mesh);
     return mesh;
   });
@@ -113,21 +117,25 @@ const showScene = async place => {
   const controls = new THREE.OrbitControls(camera, canvas);
   controls.enablePan = true;
   const VIEWS = {'3D': [0.62, -0.66, 0.42], x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1]};
-  // As near as all corners of the box are in view, with some room about them.
+  // As near as the corners of all parts' boxes are in view, in its middle, with room for what swings.
   const look = name => {
     const direction = new THREE.Vector3(...VIEWS[name]).normalize();
     const right = new THREE.Vector3().crossVectors(camera.up, direction).normalize();
     const above = new THREE.Vector3().crossVectors(direction, right);
     const half = Math.tan(camera.fov * Math.PI / 360);
-    let distance = 0;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new THREE.Vector3(...[0, 1, 2].map(k => ((i >> k) & 1 ? box.max : box.min).getComponent(k)))
-                         .sub(sphere.center);
-      const wide = Math.max(Math.abs(corner.dot(right)) / camera.aspect, Math.abs(corner.dot(above)));
-      distance = Math.max(distance, corner.dot(direction) + 1.08 * wide / half);
+    const target = sphere.center.clone();
+    for (const axis of [right, above]) {
+      const places = corners.map(corner => corner.clone().sub(sphere.center).dot(axis));
+      target.addScaledVector(axis, (Math.min(...places) + Math.max(...places)) / 2);
     }
-    controls.target.copy(sphere.center);
-    camera.position.copy(sphere.center).addScaledVector(direction, distance);
+    let distance = 0;
+    for (const each of corners) {
+      const corner = each.clone().sub(target);
+      const wide = Math.max(Math.abs(corner.dot(right)) / camera.aspect, Math.abs(corner.dot(above)));
+      distance = Math.max(distance, corner.dot(direction) + 1.12 * wide / half);
+    }
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(direction, distance);
     controls.update();
     render();
   };
@@ -148,12 +156,21 @@ const showScene = async place => {
       disc.position.set(...disc.userData.place).applyMatrix4(meshes[disc.userData.part].matrix);
     render();
   };
+  // What is selected keeps its colour and gets blue edges; all others step back.
   const light = key => {
+    const isIn = mesh => key !== null && mesh.userData.elements.includes(key);
+    const isAny = meshes.some(isIn);
+    const isDark = getComputedStyle(document.documentElement).colorScheme === 'dark';
+    const pale = meshes[0].material.color.clone().setHex(isDark ? 0x39414b : 0xd5dae2);
     for (const mesh of meshes) {
-      const isLit = key !== null && mesh.userData.elements.includes(key);
-      mesh.material.emissive.setHex(isLit ? LIT : 0);
-      mesh.material.emissiveIntensity = isLit ? 0.6 : 0;
+      const [isLit, isPale] = [isIn(mesh), isAny && !isIn(mesh)];
+      mesh.material.color.set(mesh.userData.colour);
+      if (isPale) mesh.material.color.lerp(pale, 0.7);
+      const edge = mesh.children[0].material;
+      edge.color.setHex(isLit ? LIT : EDGE);
+      edge.opacity = isLit ? 0.9 : isPale ? 0.15 : 0.4;
     }
+    for (const disc of discs) disc.material.opacity = isAny && !isIn(meshes[disc.userData.part]) ? 0.35 : 1;
     render();
   };
 
@@ -286,7 +303,8 @@ const showScene = async place => {
     render();
   });
   const controlsOfTime = motion ? [make('div', {class: 'bar'}, toStart, play, scrub), status] : [];
-  place.after(make('div', {class: 'bar views'}, ...views, named, make('span', {class: 'unit'}, 'in ' + unit)), ...controlsOfTime);
+  place.append(make('div', {class: 'bar views'}, make('span', {class: 'unit'}, 'in ' + unit), ...views, named));
+  place.after(...controlsOfTime);
   controls.addEventListener('change', render);
   watchers.push(light);
   motionWatchers.push(() => { pose(); showTime(); });

@@ -1,18 +1,15 @@
 // What tests in browsers share. They run on machines of two busy processors, without a display and as root: everything waits for
 // what it needs, with generous limits, and nothing for a time.
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import {pathToFileURL} from 'node:url';
 import puppeteer from 'puppeteer-core';
 
 export const LONGEST = 120000;  // ms for one step
 export const DESK = {width: 1366, height: 768}, PHONE = {width: 390, height: 844, isMobile: false};
 
-const cli = process.env.GEARGRAPH_CLI;
-export const examples = process.env.GEARGRAPH_EXAMPLES;
+export {exampleFile, examples, geargraph, handout} from './pages.mjs';
 
 // The path of a browser. That it is there, tests/npm/run.sh has seen: node's own runner knows no skipped file.
 export const programOf = name => {
@@ -43,28 +40,6 @@ export const start = async (name, {isFlat = false, ...more} = {}) => {
 
 export const temporaryFolder = () => fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-browser-'));
 
-// The exit status 1 is that of a mechanism with errors.
-export const geargraph = (...words) => {
-  try {
-    return execFileSync(cli, words, {maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe']}).toString();
-  } catch (error) {
-    if (error.status !== 1) throw new Error(`geargraph-cli ${words.join(' ')}: ${error.stderr}`);
-    return error.stdout.toString();
-  }
-};
-export const exampleFile = example => path.join(examples, example + '.geargraph');
-
-// Makes handouts in a folder, each once as long as the program is the same: browsers share them.
-export const handoutsIn = folder => (example, ...words) => {
-  fs.mkdirSync(folder, {recursive: true});
-  const file = path.join(folder, [example, ...words].join('_').replace(/[^-\w]/g, '') + '.html');
-  if (!fs.existsSync(file) || fs.statSync(file).mtimeMs < fs.statSync(cli).mtimeMs) {
-    geargraph('export', exampleFile(example), '--to', 'handout', ...words, '-o', file + '.new');
-    fs.renameSync(file + '.new', file);
-  }
-  return pathToFileURL(file).href;
-};
-
 // A page with what it complained of: errors, refusals of its policy, requests.
 export const opened = async (browser, address, size) => {
   const page = await browser.newPage();
@@ -83,13 +58,17 @@ const brokenFormulas = page => page.evaluate(() => {
   return Object.entries(children).flatMap(([name, count]) => [...document.getElementsByTagName(name)]
     .filter(each => each.childElementCount !== count).map(each => each.outerHTML));
 });
-export const closed = async ({page, complaints}) => {
+// Has it kept quiet, and are its formulas whole?
+export const quiet = async ({page, complaints}) => {
   // What a driver without a graphics card says of itself; and what Firefox says of a formula that is not read to its end when
   // it lays out the first part of a page: the whole page is looked at for that.
   const own = complaints.filter(each => !/WebGL|GPU stall|GL Driver|swiftshader|software|Incorrect number of children/i.test(each));
   assert.deepEqual(own, []);
   assert.deepEqual(await brokenFormulas(page), []);
-  await page.close();
+};
+export const closed = async each => {
+  await quiet(each);
+  await each.page.close();
 };
 
 // What axe-core finds in a part of the page, a line each.

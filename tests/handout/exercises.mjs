@@ -3,12 +3,11 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import test, {after, before} from 'node:test';
-import {DESK, PAIRS, PHONE, barriers, closed, exampleFile, examples, geargraph, handoutsIn, opened, start, temporaryFolder} from './browsers.mjs';
+import {DESK, PAIRS, PHONE, barriers, closed, exampleFile, examples, geargraph, handout, opened, start, temporaryFolder} from './browsers.mjs';
 
 const name = process.env.GEARGRAPH_BROWSER;
 const isFirefox = name.startsWith('firefox');
 const folder = temporaryFolder();
-const handout = handoutsIn('pages');
 let browser;
 // Without three dimensions, which browser.mjs looks at: they would cost most of the time.
 before(async () => { browser = await start(name, {isFlat: true}); });
@@ -86,7 +85,7 @@ test('every example is opened and driven, with its exercises, without a complain
       }
       const isDriven = rates() !== before;
       for (const head of document.querySelectorAll('table.matrix tr[data-el] th')) head.click();
-      const card = document.querySelector('.card h3').textContent;
+      const card = document.querySelector('.card h2').textContent;
       const show = [...document.querySelectorAll('.controls button')].filter(button => button.textContent === 'Show');
       for (const button of show) button.click();
       const {points, open} = document.getElementById('exercises').dataset;
@@ -186,6 +185,46 @@ test('cells are filled and walked by keys, and by the buttons under them', async
   await each.page.browserContext().close();
 });
 
+test('a hint is there before the answer, when asked for, and says where to look', async () => {
+  const each = await open('robot', {words: ['--kinds', 'cycle-basis,freedom,inputs']});
+  const {page} = each;
+  const button = text => page.evaluateHandle(name => [...document.querySelectorAll('.question.here .controls button')].find(each => each.textContent === name), text);
+  const hint = () => page.$eval('.question.here .hint', node => (node.getClientRects().length > 0 ? node.innerText : ''));
+  const ask = await button('Hint');
+  assert.equal(await hint(), '');
+  assert.equal(await ask.evaluate(each => each.getAttribute('aria-expanded')), 'false');
+  await ask.focus();
+  await page.keyboard.press('Enter');
+  assert.match(await hint(), /a cycle of the basis holds one mesh, its own/);
+  assert.equal(await ask.evaluate(each => [each.getAttribute('aria-expanded'), document.getElementById(each.getAttribute('aria-controls')).className].join()), 'true,hint');
+  // It names what the field is about, and lights it; nothing is filled in or graded.
+  await page.evaluate(() => document.querySelector('.question.here [data-field="1"] input').focus());
+  assert.match(await hint(), /Look at .*joint 9 in the drawing\.$/);
+  assert.ok(await page.evaluate(() => document.querySelectorAll('.asked-drawing svg .asked').length > 0));
+  assert.ok((await page.$$eval('.question.here td input', inputs => inputs.map(input => input.value))).every(text => text === ''));
+  assert.deepEqual(await page.$eval('#exercises', section => [section.dataset.points, section.dataset.open]), ['0', '3']);
+  // Kept, as the rest is.
+  await page.reload();
+  await live(page);
+  assert.match(await hint(), /holds one mesh/);
+  await (await button('Hint')).click();
+  assert.equal(await hint(), '');
+  // It costs no points, and goes with the right answer. Each question has one.
+  const {questions} = sheetOf('robot', 1, '--kinds', 'cycle-basis,freedom,inputs');
+  for (let at = 0; at < 3; ++at) {
+    await goTo(page, at);
+    await (await button('Hint')).click();
+    assert.ok((await hint()).length > 60);
+    await answer(page, at, questions[at].solution);
+    assert.ok((await verdictOf(page, at)).isRight);
+    assert.equal(await hint(), '');
+  }
+  const {points, of} = await page.$eval('#exercises', section => ({...section.dataset}));
+  assert.equal(points, of);
+  await closed(each);
+  await each.page.browserContext().close();
+});
+
 test('on paper all questions are there, with empty blanks', async () => {
   const each = await open('robot', {words: ['--kinds', 'cycle-basis,freedom,inputs']});
   await answer(each.page, 0, Array(11).fill('1'));
@@ -227,6 +266,7 @@ for (const [where, size, theme] of isFirefox ? [] : PAIRS) {
     await page.evaluate(() => document.querySelector('nav a[href="#exercises"]').click());
     for (let at = 0; at < 4; ++at) {
       await goTo(page, at);
+      await page.evaluate(() => [...document.querySelectorAll('.question.here .controls button')].find(button => button.textContent === 'Hint').click());
       assert.deepEqual(await barriers(page, '#exercises'), [], `question ${at + 1}`);
       const small = await page.$$eval('#exercises button, #exercises input, #exercises select, #exercises a', nodes =>
           nodes.filter(node => node.offsetHeight > 0 && node.getBoundingClientRect().height < 43.5).map(node => node.outerHTML));
@@ -246,6 +286,6 @@ test('without scripts all questions and their blanks are there', async () => {
   const client = await page.createCDPSession();
   const {root} = await client.send('DOM.getDocument', {depth: -1});
   const count = async selector => (await client.send('DOM.querySelectorAll', {nodeId: root.nodeId, selector})).nodeIds.length;
-  assert.deepEqual([await count('.question'), await count('td[data-field]'), await count('button, input, select')], [3, 14, 0]);
+  assert.deepEqual([await count('.question'), await count('td[data-field]'), await count('button, input, select'), await count('details.hint')], [3, 14, 0, 3]);
   await page.close();
 });

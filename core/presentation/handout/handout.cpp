@@ -73,9 +73,10 @@ std::string wholePage(const AnalysisSnapshot& snapshot, const std::string& title
       "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<style>" +
       std::string(pageStyle()) +
-      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#drawings\">To the drawings</a>\n<header>\n<h1>" +
+      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#drawings\">To the drawings</a>\n<header>\n<div "
+      "class=\"title\"><h1>" +
       title + "</h1>\n<p>" + counts(snapshot) +
-      "</p>\n</header>\n<nav aria-label=\"Parts\"><a href=\"#drawings\">Drawings</a><a "
+      "</p></div>\n</header>\n<nav aria-label=\"Parts\"><a href=\"#drawings\">Drawings</a><a "
       "href=\"#matrices\">Matrices</a>"
       "<a href=\"#solution\">Solution</a><a href=\"#derivation\">Derivation</a>" +
       (parts.exercises.empty() ? "" : "<a href=\"#exercises\">Exercises</a>") +

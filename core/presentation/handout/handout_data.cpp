@@ -7,6 +7,7 @@
 #include "core/foundations/files/json_writer.h"
 #include "core/mechanism/model/shift_edits.h"
 #include "core/presentation/handout/page_scene.h"
+#include "core/teaching/derivation/cell_explanation.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/pose/joint_limits.h"
 #include "core/theory/pose/turning_lines.h"
@@ -44,22 +45,21 @@ class DataWriter {
     m_json.key("elements");
     m_json.beginArray();
     for (int link = 0; link <= m_mechanism.n(); ++link) {
-      element(m_graph.nodeId(link), linkName(link), linkLines(link), {});
+      element(m_graph.nodeId(link), linkName(link), linkLines(link));
     }
     for (int joint = 0; joint < m_mechanism.t(); ++joint) {
       const DigraphEdge& edge = m_graph.turningEdge(joint);
       element(m_graph.edgeId(joint), jointName(joint),
-              {"From " + linkName(edge.tail) + " to " + linkName(edge.head) + "."}, {});
+              {"From " + linkName(edge.tail) + " to " + linkName(edge.head) + "."});
     }
     for (int mesh = 0; mesh < m_mechanism.c(); ++mesh) {
       element(m_graph.edgeId(m_mechanism.t() + mesh), "Mesh " + std::to_string(m_mechanism.meshLabel(mesh)),
-              meshLines(mesh), cycleOf(mesh));
+              meshLines(mesh), mesh);
     }
     m_json.endArray();
   }
 
-  void element(ElementId id, const std::string& name, const std::vector<std::string>& lines,
-               const std::vector<std::pair<int, int>>& cycle) {
+  void element(ElementId id, const std::string& name, const std::vector<std::string>& lines, int mesh = -1) {
     m_json.beginObject(Layout::row);
     m_json.member("list", listName(id.kind));
     m_json.member("id", id.id.text());
@@ -68,16 +68,45 @@ class DataWriter {
     m_json.beginArray(Layout::row);
     for (const std::string& line : lines) m_json.string(line);
     m_json.endArray();
-    if (!cycle.empty()) {
-      m_json.key("cycle");
-      m_json.beginArray(Layout::row);
-      for (const auto& [joint, sign] : cycle) {
-        const ElementId of = m_graph.edgeId(joint);
-        m_json.string(std::string(listName(of.kind)) + "/" + of.id.text());
-      }
-      m_json.endArray();
-    }
+    if (mesh >= 0 && m_snapshot.tree) writeWalk(mesh);
     m_json.endObject();
+  }
+
+  [[nodiscard]] std::string keyOf(const ElementId& id) const {
+    return std::string(listName(id.kind)) + "/" + id.id.text();
+  }
+
+  /// The row of C as a walk: along the mesh, then back to its tail through the tree [AU, Eq. (5)].
+  void writeWalk(int mesh) {
+    m_json.key("walk");
+    m_json.beginArray(Layout::row);
+    int edge = m_mechanism.t() + mesh;
+    int node = m_graph.meshEdge(mesh).tail;
+    int direction = 1;
+    const int end = node;
+    const std::vector<PathStep> back = treePath(*m_snapshot.tree, m_graph.meshEdge(mesh).head, end);
+    for (std::size_t at = 0; at <= back.size(); ++at) {
+      if (at > 0) {
+        edge = back[at - 1].joint;
+        direction = back[at - 1].direction;
+      }
+      const DigraphEdge& arrow = m_graph.edge(edge);
+      const int next = arrow.tail == node ? arrow.head : arrow.tail;
+      m_json.beginArray(Layout::row);
+      m_json.string(keyOf(m_graph.edgeId(edge)));
+      m_json.number(static_cast<std::int64_t>(direction));
+      m_json.string((direction > 0 ? "Along " : "Against ") +
+                    std::string(edge < m_mechanism.t() ? "joint " : "mesh ") +
+                    std::to_string(m_graph.edgeLabel(edge)) + ", from " + nodeName(node) + " to " +
+                    nodeName(next) + ": " + printedEntry(direction) + ".");
+      m_json.endArray();
+      node = next;
+    }
+    m_json.endArray();
+  }
+
+  [[nodiscard]] std::string nodeName(int link) const {
+    return link == 0 ? "the ground" : "link " + std::to_string(m_mechanism.linkLabel(link));
   }
 
   [[nodiscard]] std::string linkName(int link) const {

@@ -8,9 +8,10 @@
 
 namespace geargraph::inline handout {
 
-/// What the page's script needs, as JSON: "elements" with names, sentences and cycles; "joints"; "rows", the
-/// rows of P over the joints, each divided by the radius of its head's gear, and those of engaged couplings,
-/// in fractions; "inputs", positions of joints, and their "speeds". Rows and inputs are empty where the
+/// What the page's script needs, as JSON: "elements" with names and sentences, meshes with the "walk" of
+/// their cycle, [edge, sign, sentence] from the mesh itself back to its tail; "joints"; "rows", the rows of P
+/// over the joints, each divided by the radius of its head's gear, and those of engaged couplings, in
+/// fractions; "inputs", positions of joints, and their "speeds". Rows and inputs are empty where the
 /// mechanism has no solution. "states": the name of each with its rows of couplings, inputs and speeds, as
 /// far as it can run; "meshRows", how many of the rows are those of meshes. With a stage "movers", the links
 /// with the lines that they turn about, limits of joints, and "scene", what is shown of the train.

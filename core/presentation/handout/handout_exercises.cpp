@@ -61,17 +61,24 @@ std::string blankList(const Question& question) {
   return text + "</tbody></table>";
 }
 
+/// Folded until it is asked for, also without scripts.
+std::string hintText(ExerciseKind kind) {
+  return "<details class=\"hint\"><summary>Hint</summary>\n" +
+         reportHtmlBlocks({ReportParagraph{reportWords(kindHint(kind))}}) + "</details>\n";
+}
+
 std::string questionText(const Question& question, int number) {
+  const ExerciseKind kind = *kindFromName(question.kind);
   std::vector<ReportBlock> blocks{ReportParagraph{reportWords(question.prompt)}};
   if (!question.formula.empty()) blocks.emplace_back(ReportEquation{question.formula, std::nullopt, {}});
   const std::string place = "question-" + std::to_string(number);
   return "<article class=\"question\" aria-labelledby=\"" + place + "\">\n<h3 id=\"" + place + "\">" +
-         std::to_string(number) + ". " + escapedXml(kindTitle(*kindFromName(question.kind))) + " (" +
+         std::to_string(number) + ". " + escapedXml(kindTitle(kind)) + " (" +
          counted(question.points, "point", "points") + ")</h3>\n" + reportHtmlBlocks(blocks) +
          "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Answer to question " +
          std::to_string(number) + "\">" +
-         (question.table.columns.empty() ? blankList(question) : blankTable(question)) +
-         "</div>\n</article>\n";
+         (question.table.columns.empty() ? blankList(question) : blankTable(question)) + "</div>\n" +
+         hintText(kind) + "</article>\n";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/foundations/base/wording.h"
+#include "core/presentation/report/report_words.h"
 #include "core/theory/matroid/coefficient_matrix.h"
 #include "core/theory/states/state_solution.h"
 
@@ -40,7 +41,8 @@ std::string scrolled(const std::string& name, const std::string& table) {
 
 std::string matrixTable(const IntegerMatrix& matrix) {
   const std::string name(matrixTitle(matrix.kind()));
-  std::string text = "<h3>" + escapedXml(name) + " " + escapedXml(matrixSymbol(matrix.kind()));
+  const std::string symbol = escapedXml(matrixSymbol(matrix.kind()));
+  std::string text = "<h3 data-name=\"" + symbol + "\">" + escapedXml(name) + " " + symbol;
   if (const int number = matrixEquation(matrix.kind()); number > 0)
     text += " (" + std::to_string(number) + ")";
   text += "</h3>\n";
@@ -72,6 +74,34 @@ std::string lengthText(const CoefficientMatrix& matrix, int mesh, const Coeffici
   return text.data();
 }
 
+/// "20 \dot{\theta}_{9} - 30 \dot{\theta}_{12} = 0": radii where both are fractions, else the gear ratio.
+std::string rowEquation(const Digraph& graph, const CoefficientMatrix& matrix, int mesh) {
+  const bool isExact = matrix.exactRadius(mesh, true) && matrix.exactRadius(mesh, false);
+  std::string sum;
+  for (const CoefficientMatrix::Entry& entry : matrix.row(mesh)) {
+    const Rational ratio = entry.tail ? matrix.ratio(mesh) : Rational(1);
+    const Rational size = isExact ? *matrix.exactRadius(mesh, entry.tail) : ratio;
+    const bool isNegative = isExact ? entry.length < 0 : entry.sign < 0;
+    if (!sum.empty()) sum += isNegative ? " - " : " + ";
+    if (sum.empty() && isNegative) sum = "-";
+    if (size != Rational(1)) sum += latexOf(size) + " \\, ";
+    sum += rateName(graph, entry.joint);
+  }
+  return (sum.empty() ? "0" : sum) + " = 0";
+}
+
+/// What the rows of P say, an equation for each mesh; nothing where they would be a long list.
+std::string rowEquations(const AnalysisSnapshot& snapshot, const CoefficientMatrix& matrix) {
+  constexpr int kMostListed = 100;
+  if (matrix.rows() == 0 || matrix.rows() > kMostListed) return {};
+  const Digraph& graph = *snapshot.graph;
+  std::vector<ReportBlock> blocks{ReportHeading{2, "Rows of P times the rates (17)"}};
+  for (int mesh = 0; mesh < matrix.rows(); ++mesh)
+    blocks.emplace_back(
+        ReportEquation{rowEquation(graph, matrix, mesh), std::nullopt, {graph.edgeId(graph.t() + mesh)}});
+  return reportHtmlBlocks(blocks);
+}
+
 std::string coefficientTable(const AnalysisSnapshot& snapshot) {
   const Digraph& graph = *snapshot.graph;
   const CoefficientMatrix matrix(*snapshot.mechanism, *snapshot.kinematics->model,
@@ -94,14 +124,16 @@ std::string coefficientTable(const AnalysisSnapshot& snapshot) {
     }
     table += "</tr>\n";
   }
-  return "<h3>Coefficient matrix P (18), (19), in " + escapedXml(snapshot.mechanism->unit) + "</h3>\n" +
-         scrolled("Coefficient matrix", table + "</tbody></table>");
+  return "<h3 data-name=\"P\">Coefficient matrix P (18), (19), in " + escapedXml(snapshot.mechanism->unit) +
+         "</h3>\n" + scrolled("Coefficient matrix", table + "</tbody></table>") +
+         rowEquations(snapshot, matrix);
 }
 
-std::string figure(const std::string& svg, const char* caption) {
+std::string figure(const char* name, const std::string& svg, const char* caption) {
   const std::size_t start = svg.find("<svg");
   if (svg.empty() || start == std::string::npos) return {};
-  return "<figure>\n" + svg.substr(start) + "<figcaption>" + caption + "</figcaption>\n</figure>\n";
+  return "<figure data-name=\"" + std::string(name) + "\">\n" + svg.substr(start) + "<figcaption>" + caption +
+         "</figcaption>\n</figure>\n";
 }
 
 }  // namespace
@@ -112,8 +144,9 @@ std::string counted(int number, const char* one, const char* several) {
 
 std::string drawingsSection(const ReportDrawings& drawings) {
   return "<h2>Drawings</h2>\n" +
-         figure(drawings.digraph, "Digraph. Solid arrows: turning joints; dashed: gear meshes.") +
-         figure(drawings.schematic, "Schematic.") + figure(drawings.ttGraph, "T-T graph.");
+         figure("Digraph", drawings.digraph, "Digraph. Solid arrows: turning joints; dashed: gear meshes.") +
+         figure("Schematic", drawings.schematic, "Schematic.") +
+         figure("T-T graph", drawings.ttGraph, "T-T graph.");
 }
 
 std::string trainSection(const std::string& still) {

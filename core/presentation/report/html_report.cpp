@@ -58,7 +58,7 @@ class HtmlWriter {
   }
   std::string operator()(const ReportEquation& equation) const {
     std::string text =
-        "<div class=\"equation\"" + elementsOf(equation) + "><div>" + formula(equation.tex, true) + "</div>";
+        "<div class=\"equation\"" + elementsOf(equation) + "><div>" + lines(equation) + "</div>";
     if (equation.number) {
       const std::string place = std::to_string(*equation.number) + (equation.isDual ? "-dual" : "");
       text += "<span class=\"number\" id=\"eq" + place + "\">(" + equation.label() + ")</span>";
@@ -90,10 +90,26 @@ class HtmlWriter {
   }
 
  private:
+  static std::string attributeOf(const ElementId& element) {
+    return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
+  }
   [[nodiscard]] std::string elementsOf(const ReportEquation& equation) const {
     if (!m_tellsElements || equation.elements.size() != 1) return {};
-    const ElementId& element = equation.elements.front();
-    return " data-el=\"" + std::string(listName(element.kind)) + "/" + escapedXml(element.id.text()) + "\"";
+    return attributeOf(equation.elements.front());
+  }
+
+  /// The formula; where each of its lines speaks of an element of its own, each tells it.
+  [[nodiscard]] std::string lines(const ReportEquation& equation) const {
+    constexpr std::string_view kRow = "<mtr>";
+    std::string text = formula(equation.tex, true);
+    if (!m_tellsElements || equation.elements.size() < 2) return text;
+    std::vector<std::size_t> rows;
+    for (std::size_t at = text.find(kRow); at != std::string::npos; at = text.find(kRow, at + 1))
+      rows.push_back(at);
+    if (rows.size() != equation.elements.size()) return text;  // some entry is a matrix itself
+    for (std::size_t row = rows.size(); row-- > 0;)
+      text.insert(rows[row] + kRow.size() - 1, attributeOf(equation.elements[row]));
+    return text;
   }
 
   [[nodiscard]] const std::string& of(ReportDrawing drawing) const {

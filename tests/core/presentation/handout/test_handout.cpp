@@ -105,6 +105,8 @@ class TestHandout : public QObject {
     QVERIFY(*read == sheet.questions);
     for (const Question& question : sheet.questions)
       QVERIFY2(!page.contains("\"" + QString::fromStdString(question.rule) + "\""), question.rule.c_str());
+    // A hint for each, without scripts, too; that of a kind is the same everywhere and holds no answer.
+    QCOMPARE(static_cast<std::size_t>(page.count("<details class=\"hint\">")), sheet.questions.size());
     QVERIFY(!pageOf(robot).contains("id=\"exercises"));
   }
 
@@ -153,7 +155,7 @@ class TestHandout : public QObject {
     QVERIFY(page.contains("<h1>Geared robotic mechanism</h1>"));
     QVERIFY(page.contains("7 moving links, 7 turning joints, 4 meshes, 3 degrees of freedom"));
     QCOMPARE(page.count("<table class=\"matrix\">"), 7);
-    QCOMPARE(page.count("<figure>"), 3);
+    QCOMPARE(page.count("<figure data-name="), 3);
     // (25)
     QVERIFY(page.contains(u"<td>\u22128/27</td><td>\u221216/27</td><td>\u22128/9</td>"));
     const QJsonObject data = dataOf(page);
@@ -164,9 +166,56 @@ class TestHandout : public QObject {
              (QJsonArray{QJsonArray{1, "2/3"}, QJsonArray{2, "-2/3"}, QJsonArray{4, "1"}}));
     const QJsonObject mesh = data["elements"].toArray()[8 + 7 + 1].toObject();
     QCOMPARE(mesh["name"].toString(), "Mesh 16");
-    QCOMPARE(mesh["cycle"].toArray(),
-             (QJsonArray{"turningJoints/9", "turningJoints/10", "turningJoints/12"}));
+    const QJsonArray walk = mesh["walk"].toArray();
+    QCOMPARE(walk.size(), 4);
+    QCOMPARE(walk[0].toArray(), (QJsonArray{"gearMeshes/16", 1, "Along mesh 16, from link 5 to link 2: 1."}));
+    QCOMPARE(walk[2].toArray(),
+             (QJsonArray{"turningJoints/10", -1,
+                         QString::fromUtf8("Against joint 10, from link 1 to the ground: \u22121.")}));
     QCOMPARE(mesh["lines"].toArray().last().toString(), "Its cycle runs along 9 and against 10 and 12.");
+  }
+
+  /// Edge by edge a walk is closed, and its signs are the row of C.
+  void walksAreTheRowsOfC() {
+    int walks = 0;
+    for (const std::string& name : test::exampleNames()) {
+      const Mechanism mechanism = test::example(name);
+      const SnapshotPtr snapshot = analyze(std::make_shared<const Mechanism>(mechanism));
+      if (!snapshot->tree) continue;
+      const Digraph& graph = *snapshot->graph;
+      const IntegerMatrix& matrix = *snapshot->matrix(MatrixKind::cycleBasis);
+      const QJsonArray elements = dataOf(pageOf(mechanism))["elements"].toArray();
+      for (int mesh = 0; mesh < graph.c(); ++mesh, ++walks) {
+        std::vector<int> row(static_cast<std::size_t>(matrix.columns()));
+        int node = graph.meshEdge(mesh).tail;
+        for (const QJsonValue& step :
+             elements[graph.n() + 1 + graph.t() + mesh].toObject()["walk"].toArray()) {
+          const std::string key = step.toArray()[0].toString().toStdString();
+          int edge = 0;
+          while (key != std::string(listName(graph.edgeId(edge).kind)) + "/" + graph.edgeId(edge).id.text())
+            ++edge;
+          const int sign = step.toArray()[1].toInt();
+          QCOMPARE(sign > 0 ? graph.edge(edge).tail : graph.edge(edge).head, node);
+          node = sign > 0 ? graph.edge(edge).head : graph.edge(edge).tail;
+          row[static_cast<std::size_t>(edge)] += sign;
+        }
+        QCOMPARE(node, graph.meshEdge(mesh).tail);
+        for (int edge = 0; edge < matrix.columns(); ++edge)
+          QCOMPARE(row[static_cast<std::size_t>(edge)], matrix.entry(mesh, edge));
+      }
+    }
+    QVERIFY(walks > 40);
+  }
+
+  /// Each mesh has its row of P as an equation, and each line of a formula its element.
+  void equationsTellTheirElements() {
+    const QString page = pageOf(test::example("robot"));
+    const QString rows = between(page, "Rows of P times the rates", "</section>");
+    for (const char* mesh : {"15", "16", "17", "18"})
+      QVERIFY(rows.contains(QString("<div class=\"equation\" data-el=\"gearMeshes/") + mesh + "\""));
+    // (20), a ratio a line, and the rates of three inputs and four outputs
+    QCOMPARE(page.count("<mtr data-el=\"gearMeshes/"), 4);
+    QCOMPARE(page.count("<mtr data-el=\"turningJoints/"), 7);
   }
 
   void theSolidsAreAsTheDataSay() {
