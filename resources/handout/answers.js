@@ -6,14 +6,22 @@ const SIGNS = {'\u2212': '-', '\u2013': '-', '\u00d7': '*', '\u00b7': '*', '\u22
                '\u00a0': ' ', '\u202f': ' ', ':': '/'};
 const isDigit = letter => letter >= '0' && letter <= '9';
 
-// A number of a key: "-16/27", "12", "0.75".
+// A number of a key: "-16/27", "12", "0.75". Each is read once: a question compares with the same few again and again.
+const keyNumbers = new Map();
 const keyNumber = text => {
+  const known = keyNumbers.get(text);
+  if (known) return known;
   const [above, below = '1'] = text.split('/');
   const [whole, places = ''] = above.split('.');
-  return new Rational(BigInt((whole + places).replace('+', '')), BigInt(below) * 10n ** BigInt(places.length));
+  const value = new Rational(BigInt((whole + places).replace('+', '')), BigInt(below) * 10n ** BigInt(places.length));
+  keyNumbers.set(text, value);
+  return value;
 };
 const isSame = (a, b) => a.numerator === b.numerator && a.denominator === b.denominator;
 const isLess = (a, b) => a.numerator * b.denominator < b.numerator * a.denominator;
+
+// A letter has at most three bytes, or four as two units of the text.
+const isLong = text => text.length * 3 > MOST_BYTES && new TextEncoder().encode(text).length > MOST_BYTES;
 
 // Recursive descent over sums, products and factors. `fault`: null, "number" or "ambiguous".
 class NumberReader {
@@ -29,7 +37,7 @@ class NumberReader {
   }
   // slack: a decimal of at least three digits agrees with every value nearer than one unit of its last place.
   read() {
-    if (!this.text || new TextEncoder().encode(this.text).length > MOST_BYTES) return {fault: 'number', value: ZERO, slack: ZERO};
+    if (!this.text || isLong(this.text)) return {fault: 'number', value: ZERO, slack: ZERO};
     const value = this.sum(0);
     if (this.at !== this.text.length) this.fail('number');
     const isRounded = !this.fault && this.literals === 1 && this.isPlain && this.decimals > 0 && this.significant >= 3;

@@ -1,41 +1,25 @@
 // The script of handouts against the program: the solution in fractions of every example that has one.
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import os from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
+import {exampleFile, examples, geargraph, handout} from './pages.mjs';
 
-const cli = process.env.GEARGRAPH_CLI;
-const examples = process.env.GEARGRAPH_EXAMPLES;
 const resources = process.env.GEARGRAPH_HANDOUT;
 const script = ['rational.js', 'solver.js'].map(name => fs.readFileSync(path.join(resources, name), 'utf8'));
 const {Rational, gainsOf, ratesOf, periodOf} =
     new Function(script.join('\n') + '\nreturn {Rational, gainsOf, ratesOf, periodOf};')();
 
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'geargraph-handout-'));
-process.on('exit', () => fs.rmSync(folder, {recursive: true}));
-
-// Exit status 1 is that of a mechanism with errors, which has a handout and an analysis, too.
-const run = (...words) => {
-  try {
-    return execFileSync(cli, words, {maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore']}).toString();
-  } catch (error) {
-    if (error.status !== 1) throw error;
-    return error.stdout.toString();
-  }
-};
-const handoutData = (file, ...words) => {
-  const page = path.join(folder, 'page.html');
-  run('export', file, '--to', 'handout', ...words, '-o', page);
-  const text = fs.readFileSync(page, 'utf8');
+// As the tests in browsers open it, with exercises where they go with the options: made once for both.
+const handoutData = (example, ...words) => {
+  const text = fs.readFileSync(new URL(handout(example, ...(words.length ? words : ['--exercises']))), 'utf8');
   return JSON.parse(/<script type="application\/json" id="mechanism">([^<]*)<\/script>/.exec(text)[1]);
 };
 const plain = value => value.toString().replace('\u2212', '-');
 
-const check = (file, ...words) => {
-  const data = handoutData(file, ...words);
-  const analysis = JSON.parse(run('analyze', file, '--json', ...words.filter(word => word !== '-o')));
+const check = (example, ...words) => {
+  const data = handoutData(example, ...words);
+  const analysis = JSON.parse(geargraph('analyze', exampleFile(example), '--json', ...words));
   if (!analysis.solution) {
     assert.equal(data.inputs.length, 0);
     return 0;
@@ -54,20 +38,19 @@ const check = (file, ...words) => {
 test('every example is solved as the program solves it', () => {
   let solved = 0;
   for (const name of fs.readdirSync(examples).filter(each => each.endsWith('.geargraph')))
-    solved += check(path.join(examples, name));
+    solved += check(path.basename(name, '.geargraph'));
   assert.ok(solved >= 12, `${solved} examples`);
 });
 
 test('every state of the gearbox, with the rows of its brakes and clutches', () => {
-  const file = path.join(examples, 'eight-speed-gearbox.geargraph');
-  const states = JSON.parse(fs.readFileSync(file, 'utf8')).states;
+  const states = JSON.parse(fs.readFileSync(exampleFile('eight-speed-gearbox'), 'utf8')).states;
   let solved = 0;
-  for (const state of states) solved += check(file, '--state', state.name);
+  for (const state of states) solved += check('eight-speed-gearbox', '--state', state.name);
   assert.ok(solved >= 8, `${solved} states`);
 });
 
 test('inputs that are not valid have no solution', () => {
-  const data = handoutData(path.join(examples, 'robot.geargraph'));
+  const data = handoutData('robot');
   const rows = data.rows.map(row => row.map(([joint, value]) => [joint, Rational.from(value)]));
   assert.equal(gainsOf(rows, 7, [0, 2, 3]), null);  // joint 10 follows from joint 8
   assert.notEqual(gainsOf(rows, 7, [2, 1, 3]), null);
@@ -104,12 +87,11 @@ test('links stand where the program has them', () => {
       'return posesOf(data.movers, motion.angles()); }};')();
   let compared = 0;
   for (const name of ['robot', 'planetary-ring-held', 'bevel-wrist', 'humpage-reduction', 'bevel-differential']) {
-    const file = path.join(examples, name + '.geargraph');
-    const data = handoutData(file);
+    const data = handoutData(name);
     // Turns of a twelfth and of many times one: 30 degrees, 4,000 of them.
     const turns = data.inputs.map((_, i) => (i % 2 === 0 ? '1/12' : '1000/3'));
     const angles = data.inputs.map((joint, i) => ['--angle', `${data.joints[joint].label}=${i % 2 === 0 ? 30 : 120000}deg`]);
-    const pose = JSON.parse(run('pose', file, '--json', ...angles.flat()));
+    const pose = JSON.parse(geargraph('pose', exampleFile(name), '--json', ...angles.flat()));
     placedBy(data, turns).forEach(({r, t}, node) => {
       const label = node === 0 ? '0' : Object.keys(pose.links)[node];
       const {rotation, point} = pose.links[label];
