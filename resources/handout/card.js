@@ -69,8 +69,9 @@ const isTag = node => Boolean(node.querySelector('rect') || (node.querySelector(
 const groupsOf = key => [...digraph.querySelectorAll('[data-id]')]
     .filter(node => keyOf(node.dataset.list, node.dataset.id) === key && !isTag(node));
 
-// An arrow beside the edge that runs as the walk does, on the side where the edge has no label, and the sign.
-const walkArrow = (key, sign) => {
+// An arrow beside the edge that runs as the walk does, on the side where the edge has no label, and the sign where no other
+// sign, of those in `taken`, is near.
+const walkArrow = (key, sign, taken) => {
   const groups = groupsOf(key);
   const path = groups.map(group => group.querySelector('path')).find(Boolean);
   if (!path) return null;
@@ -99,7 +100,10 @@ const walkArrow = (key, sign) => {
   const size = Math.hypot(end[0] - before[0], end[1] - before[1]) || 1;
   const [x, y] = [(end[0] - before[0]) / size, (end[1] - before[1]) / size];
   const head = [[9 * x, 9 * y], [-4 * y, 4 * x], [4 * y, -4 * x]].map(([dx, dy]) => `${end[0] + dx},${end[1] + dy}`);
-  const [textX, textY] = beside(long / 2, BESIDE + 13);
+  const spots = [0.5, 0.36, 0.64, 0.24, 0.76].map(part => beside(long * part, BESIDE + 13));
+  const isFree = spot => taken.every(other => Math.hypot(spot[0] - other[0], spot[1] - other[1]) > 2 * BESIDE);
+  const [textX, textY] = spots.find(isFree) || spots[0];
+  taken.push([textX, textY]);
   return drawn('g', {class: sign > 0 ? 'along' : 'against'},
                drawn('polyline', {points: points.map(point => point.join()).join(' '), fill: 'none'}),
                drawn('polygon', {points: head.join(' ')}),
@@ -153,7 +157,7 @@ class CycleWalk {
     if (to < 0 || to >= this.steps.length) return;
     this.at = to;
     this.clear();
-    const gone = this.steps.slice(0, to + 1);
+    const gone = this.steps.slice(0, to + 1), taken = [];
     gone.forEach(([edge, sign], i) => {
       const nodes = groupsOf(edge).concat(cellsOf(this.key, edge));
       for (const node of nodes) {
@@ -161,7 +165,7 @@ class CycleWalk {
         node.classList.add(...names);
         this.marked.push([node, names]);
       }
-      const arrow = walkArrow(edge, sign);
+      const arrow = walkArrow(edge, sign, taken);
       if (arrow) this.arrows.append(arrow);
       if (arrow && i === to) arrow.classList.add('here');
     });
@@ -237,7 +241,7 @@ const showCard = key => {
   }
   card.replaceChildren(about, ...(equations.childElementCount ? [equations] : []), close);
   showRate();
-  reachWide();
+  reachWide(card);
 };
 watchers.push(key => {
   // Another look at the same element, as when inputs are exchanged, leaves its walk alone.

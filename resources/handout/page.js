@@ -243,13 +243,13 @@ const setCurrent = current => {
   }
 };
 // What scrolls sideways can be scrolled by keys.
-function reachWide() {
-  for (const node of document.querySelectorAll('.equation > div')) {
+function reachWide(part = document) {
+  for (const node of part.querySelectorAll('.equation > div')) {
     if (node.scrollWidth > node.clientWidth) node.setAttribute('tabindex', '0');
     else node.removeAttribute('tabindex');
   }
 }
-window.addEventListener('resize', reachWide);
+window.addEventListener('resize', () => reachWide());
 const showPart = tab => {
   setCurrent(tab);
   document.body.dataset.part = tab.hash.slice(1);

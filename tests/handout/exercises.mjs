@@ -234,9 +234,10 @@ test('on paper all questions are there, with empty blanks', async () => {
       const isSeen = node => node.getClientRects().length > 0;
       return {questions: [...document.querySelectorAll('.question')].filter(isSeen).length,
               blanks: [...document.querySelectorAll('td[data-field]')].filter(cell => isSeen(cell) && !cell.innerText.trim()).length,
+              bars: [...document.querySelectorAll('mtd.bar')].map(cell => getComputedStyle(cell).display).filter((each, i, all) => all.indexOf(each) === i),
               controls: [...document.querySelectorAll('#exercises input, #exercises button, #exercises select, .verdict')].filter(isSeen).length};
     });
-    assert.deepEqual(paper, {questions: 3, blanks: 14, controls: 0});
+    assert.deepEqual(paper, {questions: 3, blanks: 14, bars: ['table-cell'], controls: 0});
   }
   await closed(each);
   await each.page.browserContext().close();
