@@ -14,6 +14,10 @@ namespace geargraph::test {
 /// and survives writing and reading; what it rejects it explains. True where it accepted the document.
 bool checkReader(const std::string& text);
 
+/// A table is read into a mechanism that can be saved, opened and written as a table again, or its faults are
+/// sentences with a place. True where it was read.
+bool checkTable(const std::string& text);
+
 enum class Analysed { rejected, withErrors, withNumbers };
 /// A document without errors gets numbers, on which both methods agree; one with errors gets none.
 Analysed checkAnalysis(const std::string& text);

@@ -20,6 +20,7 @@ namespace {
 const std::map<std::string_view, void (*)(const std::string&)> kLaws = {
     {"reader", [](const std::string& input) { checkReader(input); }},
     {"analysis", [](const std::string& input) { checkAnalysis(input); }},
+    {"table", [](const std::string& input) { checkTable(input); }},
     {"tex", checkTex},
     {"exports", checkExports},
     {"mesh", checkMeshConfined},

@@ -1,0 +1,174 @@
+#include "core/mechanism/document_format/table_row_reader.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/foundations/files/utf8.h"
+#include "core/mechanism/document_format/table_text.h"
+#include "core/mechanism/model/limits.h"
+
+namespace geargraph::inline document_format {
+namespace {
+
+/// A cell in a message, cut where it is long.
+std::string quoted(const std::string& cell) {
+  constexpr std::size_t kMostShown = 60;
+  if (cell.size() <= kMostShown) return '"' + cell + '"';
+  std::size_t end = 0;
+  while (end < kMostShown) end += std::max<std::size_t>(utf8Length(cell, end), 1);
+  return '"' + cell.substr(0, end) + "...\"";
+}
+
+}  // namespace
+
+void TableFindings::add(Code code, std::string message, std::vector<ElementId> elements, int line,
+                        int column) {
+  if (isFull()) {
+    m_hasMore = true;
+    return;
+  }
+  m_found.push_back({code, std::move(message), std::move(elements), {}, line, column});
+}
+
+Diagnostics TableFindings::all() const {
+  Diagnostics found = m_found;
+  if (m_hasMore) {
+    const int line = found.back().line;
+    const int column = found.back().column;
+    found.push_back(
+        {Code::schema, "More problems follow; only the first 100 are listed.", {}, {}, line, column});
+  }
+  return found;
+}
+
+TableRowReader::TableRowReader(const TableHeader& header, const std::vector<CsvField>& fields,
+                               bool hasDecimalComma, TableFindings& findings)
+    : m_header(header),
+      m_fields(fields),
+      m_hasDecimalComma(hasDecimalComma),
+      m_findings(findings),
+      m_isRead(fields.size()) {}
+
+const std::string& TableRowReader::cell(std::string_view column) {
+  static const std::string kNone;
+  const auto found = m_header.find(column);
+  if (found == m_header.end() || found->second >= m_fields.size()) return kNone;
+  m_isRead[found->second] = true;
+  return m_fields[found->second].text;
+}
+
+void TableRowReader::wrong(std::string_view column, std::string message) {
+  const auto found = m_header.find(column);
+  const bool hasCell = found != m_header.end() && found->second < m_fields.size();
+  const CsvField& at = hasCell ? m_fields[found->second] : m_fields.front();
+  m_findings.add(Code::schema, std::move(message), m_blamed, at.line, at.column);
+}
+
+void TableRowReader::wrongRow(std::string message) {
+  wrong("element", std::move(message));
+  m_isRead.assign(m_isRead.size(), true);
+}
+
+void TableRowReader::missing(std::string_view column, std::string_view expected) {
+  wrong(column,
+        "The column \"" + std::string(column) + "\" is empty; expected " + std::string(expected) + ".");
+}
+
+void TableRowReader::unexpected(std::string_view column, std::string_view expected) {
+  wrong(column, "The column \"" + std::string(column) + "\" has " + quoted(cell(column)) + "; expected " +
+                    std::string(expected) + ".");
+}
+
+void TableRowReader::rejectOtherCells(std::string_view element) {
+  for (const auto& [name, position] : m_header) {
+    if (position >= m_fields.size() || m_isRead[position] || m_fields[position].text.empty()) continue;
+    if (name == "element") continue;
+    wrong(name, "The column \"" + std::string(name) + "\" has no meaning for the element \"" +
+                    std::string(element) + "\".");
+  }
+}
+
+bool TableRowReader::hasCells() const {
+  const std::size_t element = m_header.at("element");
+  for (std::size_t i = 0; i < m_fields.size(); ++i) {
+    if (i != element && !m_fields[i].text.empty()) return true;
+  }
+  return false;
+}
+
+void TableRowReader::text(std::string_view column, std::string& text) {
+  if (const std::string& given = cell(column); !given.empty()) text = unguardedText(given);
+}
+
+std::string TableRowReader::shortId() {
+  const std::string& text = cell("id");
+  return text.size() <= kLongestName ? unguardedText(text) : std::string();
+}
+
+std::optional<Atom> TableRowReader::atom(std::string_view column) {
+  const std::string text = unguardedText(cell(column));
+  if (text.empty()) return std::nullopt;
+  if (text.size() > kLongestName && utf8Count(text) > kLongestName) {
+    unexpected(column, "an id of at most 1,000 characters");
+    return std::nullopt;
+  }
+  return Atom(text);
+}
+
+template <class Tag>
+void TableRowReader::ids(std::string_view column, std::vector<Id<Tag>>& ids) {
+  for (const std::string& text : splitTexts(unguardedText(cell(column)))) {
+    if (ids.size() == kLongestList || text.empty() ||
+        (text.size() > kLongestName && utf8Count(text) > kLongestName))
+      return unexpected(column, "at most 100,000 ids of 1 to 1,000 characters, with a bar (|) between");
+    ids.emplace_back(text);
+  }
+}
+template void TableRowReader::ids(std::string_view column, std::vector<CouplingId>& ids);
+
+void TableRowReader::number(std::string_view column, std::optional<Number>& number) {
+  std::string text = cell(column);
+  if (text.empty()) return;
+  if (m_hasDecimalComma && std::count(text.begin(), text.end(), ',') == 1)
+    std::replace(text.begin(), text.end(), ',', '.');
+  number = Number::fromText(text);
+  if (!number) unexpected(column, "a number, such as 12, -1.5, 1e-3 or 22/7");
+}
+
+void TableRowReader::numberOrZero(std::string_view column, Number& number) {
+  std::optional<Number> given;
+  this->number(column, given);
+  if (given) number = *given;
+}
+
+void TableRowReader::requiredNumber(std::string_view column, Number& number) {
+  if (cell(column).empty()) return missing(column, "a number");
+  numberOrZero(column, number);
+}
+
+void TableRowReader::teeth(std::string_view column, int& teeth) {
+  const std::string& text = cell(column);
+  if (text.empty()) return missing(column, "a number of teeth");
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), teeth);
+  const bool isWhole = error == std::errc() && end == text.data() + text.size();
+  if (!isWhole || teeth < kFewestTeeth || teeth > kMostTeeth)
+    unexpected(column, "a whole number from 1 to 100,000");
+}
+
+void TableRowReader::meshKind(std::string_view column, std::optional<MeshKind>& kind) {
+  const std::string& text = cell(column);
+  if (text.empty()) return;
+  for (const MeshKind each : {MeshKind::external, MeshKind::internal, MeshKind::bevel}) {
+    if (text == meshKindName(each)) kind = each;
+  }
+  if (!kind) unexpected(column, "external, internal or bevel");
+}
+
+void TableRowReader::flag(std::string_view column, bool& flag) {
+  const std::string& text = cell(column);
+  if (text.empty()) return;
+  flag = text == "yes";
+  if (!flag && text != "no") unexpected(column, "yes, no or nothing");
+}
+
+}  // namespace geargraph::inline document_format

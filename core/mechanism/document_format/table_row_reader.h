@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/foundations/base/diagnostic.h"
+#include "core/foundations/files/csv_records.h"
+#include "core/mechanism/model/mechanism.h"
+
+namespace geargraph::inline document_format {
+
+/// Findings about a table, at most kMost of them, so that a hostile file cannot fill the memory.
+class TableFindings {
+ public:
+  static constexpr std::size_t kMost = 100;
+
+  void add(Code code, std::string message, std::vector<ElementId> elements, int line, int column);
+  [[nodiscard]] bool isFull() const { return m_found.size() >= kMost; }
+  [[nodiscard]] bool empty() const { return m_found.empty(); }
+  /// With a last one that says so if there are more.
+  [[nodiscard]] Diagnostics all() const;
+
+ private:
+  Diagnostics m_found;
+  bool m_hasMore = false;
+};
+
+/// Which column is at which position of a record.
+using TableHeader = std::map<std::string_view, std::size_t>;
+
+/// Reads the cells of one row into an element (table_columns.h). A cell that cannot be read makes a finding
+/// and leaves the default.
+class TableRowReader {
+ public:
+  static constexpr bool kReads = true;
+
+  /// @pre all of them outlive the reader
+  TableRowReader(const TableHeader& header, const std::vector<CsvField>& fields, bool hasDecimalComma,
+                 TableFindings& findings);
+
+  void text(std::string_view column, std::string& text);
+  template <class Tag>
+  void id(std::string_view column, Id<Tag>& id);
+  template <class Tag>
+  void id(std::string_view column, std::optional<Id<Tag>>& id);
+  template <class Tag>
+  void ids(std::string_view column, std::vector<Id<Tag>>& ids);
+  void number(std::string_view column, std::optional<Number>& number);
+  void numberOrZero(std::string_view column, Number& number);
+  void requiredNumber(std::string_view column, Number& number);
+  template <std::size_t count>
+  void numbers(const std::array<std::string_view, count>& columns,
+               std::optional<std::array<Number, count>>& numbers);
+  void teeth(std::string_view column, int& teeth);
+  void meshKind(std::string_view column, std::optional<MeshKind>& kind);
+  void flag(std::string_view column, bool& flag);
+
+  /// Findings name the element of the column "id" from here on.
+  template <class ElementsId>
+  void blameId() {
+    if (const std::string id = shortId(); !id.empty()) m_blamed = {ElementsId(id)};
+  }
+  /// Adds a finding at a column, or at the row where it has no such column.
+  void wrong(std::string_view column, std::string message);
+  /// Adds a finding about the row as a whole, which makes others about its cells needless.
+  void wrongRow(std::string message);
+  /// One finding a cell that no function has asked for: it would be lost.
+  void rejectOtherCells(std::string_view element);
+  /// Has the row a text in any column but `element`?
+  [[nodiscard]] bool hasCells() const;
+
+ private:
+  /// The text of a cell; empty where there is none.
+  [[nodiscard]] const std::string& cell(std::string_view column);
+  void missing(std::string_view column, std::string_view expected);
+  void unexpected(std::string_view column, std::string_view expected);
+  /// Empty where the column "id" has none that can be one.
+  [[nodiscard]] std::string shortId();
+  [[nodiscard]] std::optional<Atom> atom(std::string_view column);
+
+  const TableHeader& m_header;
+  const std::vector<CsvField>& m_fields;
+  bool m_hasDecimalComma;
+  TableFindings& m_findings;
+  std::vector<ElementId> m_blamed;
+  std::vector<bool> m_isRead;  ///< by position
+};
+
+template <class Tag>
+void TableRowReader::id(std::string_view column, Id<Tag>& id) {
+  if (const auto read = atom(column)) {
+    id = Id<Tag>(*read);
+  } else if (cell(column).empty()) {
+    missing(column, "an id");
+  }
+}
+
+template <class Tag>
+void TableRowReader::id(std::string_view column, std::optional<Id<Tag>>& id) {
+  if (const auto read = atom(column)) id = Id<Tag>(*read);
+}
+
+template <std::size_t count>
+void TableRowReader::numbers(const std::array<std::string_view, count>& columns,
+                             std::optional<std::array<Number, count>>& numbers) {
+  std::array<Number, count> read;
+  std::size_t given = 0;
+  std::string_view empty;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::optional<Number> one;
+    number(columns.at(i), one);
+    if (cell(columns.at(i)).empty()) {
+      empty = columns.at(i);
+    } else {
+      ++given;
+    }
+    if (one) read.at(i) = *one;
+  }
+  if (given == 0) return;
+  if (given < count) return missing(empty, "a number, as its neighbours have one");
+  numbers = std::move(read);
+}
+
+}  // namespace geargraph::inline document_format

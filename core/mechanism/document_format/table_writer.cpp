@@ -1,0 +1,194 @@
+#include <algorithm>
+
+#include "core/foundations/files/csv_records.h"
+#include "core/mechanism/document_format/mechanism_table.h"
+#include "core/mechanism/document_format/table_columns.h"
+#include "core/mechanism/document_format/table_text.h"
+
+namespace geargraph::inline document_format {
+namespace {
+
+constexpr std::size_t kColumns = kTableColumns.size();
+
+std::size_t indexOf(std::string_view column) {
+  const auto found = std::find(kTableColumns.begin(), kTableColumns.end(), column);
+  return static_cast<std::size_t>(found - kTableColumns.begin());
+}
+
+/// The cells of one element.
+class TableRowWriter {
+ public:
+  static constexpr bool kReads = false;
+
+  explicit TableRowWriter(std::string_view element) { cell("element", std::string(element)); }
+
+  void text(std::string_view column, const std::string& text) { cell(column, guardedText(text)); }
+  template <class Tag>
+  void id(std::string_view column, const Id<Tag>& id) {
+    text(column, id.text());
+  }
+  template <class Tag>
+  void id(std::string_view column, const std::optional<Id<Tag>>& id) {
+    if (id) text(column, id->text());
+  }
+  template <class Tag>
+  void ids(std::string_view column, const std::vector<Id<Tag>>& ids) {
+    std::vector<std::string> texts;
+    for (const Id<Tag>& id : ids) texts.push_back(id.text());
+    text(column, joinedTexts(texts));
+  }
+  void number(std::string_view column, const std::optional<Number>& number) {
+    if (number) cell(column, number->text());
+  }
+  void numberOrZero(std::string_view column, const Number& number) {
+    if (number != Number()) cell(column, number.text());
+  }
+  void requiredNumber(std::string_view column, const Number& number) { cell(column, number.text()); }
+  template <std::size_t count>
+  void numbers(const std::array<std::string_view, count>& columns,
+               const std::optional<std::array<Number, count>>& numbers) {
+    for (std::size_t i = 0; numbers && i < count; ++i) cell(columns.at(i), numbers->at(i).text());
+  }
+  void teeth(std::string_view column, int teeth) { cell(column, std::to_string(teeth)); }
+  void meshKind(std::string_view column, const std::optional<MeshKind>& kind) {
+    if (kind) cell(column, std::string(meshKindName(*kind)));
+  }
+  void flag(std::string_view column, bool flag) {
+    if (flag) cell(column, "yes");
+  }
+
+  std::array<std::string, kColumns> cells;
+
+ private:
+  void cell(std::string_view column, std::string text) { cells.at(indexOf(column)) = std::move(text); }
+};
+
+ActionCells cellsOf(const Load& load) {
+  if (const auto* inJoint = std::get_if<JointTorque>(&load.action))
+    return {inJoint->joint, {}, {}, inJoint->torque, {}, {}};
+  if (const auto* torque = std::get_if<LinkTorque>(&load.action))
+    return {{}, torque->link, torque->axis, torque->torque, {}, {}};
+  const auto& force = std::get<LinkForce>(load.action);
+  return {{}, force.link, {}, {}, force.force, force.point};
+}
+
+ActionCells cellsOf(const Balance& balance) {
+  if (const auto* joint = std::get_if<JointId>(&balance.at)) return {*joint, {}, {}, {}, {}, {}};
+  const auto& onLink = std::get<Balance::OnLink>(balance.at);
+  return {{}, onLink.link, onLink.axis, {}, {}, {}};
+}
+
+/// Gives every row of the mechanism to `take`.
+template <class Take>
+void forEachRow(const Mechanism& mechanism, const Take& take) {
+  const auto rows = [&](std::string_view name, const auto& elements, const auto& columns) {
+    for (const auto& element : elements) {
+      TableRowWriter row(name);
+      columns(row, element);
+      take(row);
+    }
+  };
+  TableRowWriter document("document");
+  documentColumns(document, mechanism);
+  take(document);
+  rows("link", mechanism.links, [](auto& row, const Link& link) { linkColumns(row, link); });
+  rows("axis", mechanism.axes, [](auto& row, const Axis& axis) { axisColumns(row, axis); });
+  rows("turningJoint", mechanism.turningJoints,
+       [](auto& row, const TurningJoint& joint) { turningJointColumns(row, joint); });
+  rows("gearMesh", mechanism.gearMeshes, [](auto& row, const GearMesh& mesh) { gearMeshColumns(row, mesh); });
+  rows("wheel", mechanism.wheels, [](auto& row, const Wheel& wheel) { wheelColumns(row, wheel); });
+  const auto inputs = mechanism.inputs.value_or(std::vector<Input>());
+  rows("input", inputs, [](auto& row, const Input& input) { inputColumns(row, input); });
+  if (mechanism.inputs && inputs.empty()) take(TableRowWriter("input"));
+  for (const Coupling& coupling : mechanism.couplings) {
+    TableRowWriter row(coupling.kind == CouplingKind::brake ? "brake" : "clutch");
+    couplingColumns(row, coupling);
+    take(row);
+  }
+  rows("state", mechanism.states, [](auto& row, const ShiftState& state) { stateColumns(row, state); });
+  rows("load", mechanism.loads, [](auto& row, const Load& load) {
+    auto id = load.id.empty() ? std::nullopt : std::optional(load.id);
+    ActionCells cells = cellsOf(load);
+    actionColumns(row, id, cells);
+  });
+  const auto balances = mechanism.balances.value_or(std::vector<Balance>());
+  rows("balance", balances, [](auto& row, const Balance& balance) {
+    ActionCells cells = cellsOf(balance);
+    placeColumns(row, cells);
+  });
+  if (mechanism.balances && balances.empty()) take(TableRowWriter("balance"));
+}
+
+/// Drops the members that this program does not know; true where there were any.
+template <class Element>
+bool dropUnknown(Element& element) {
+  const bool had = !element.unknown.empty();
+  element.unknown.clear();
+  return had;
+}
+
+template <class Element>
+bool dropUnknown(std::vector<Element>& elements) {
+  bool had = false;
+  for (Element& element : elements) had = dropUnknown(element) || had;
+  return had;
+}
+
+template <class Element>
+bool dropUnknown(std::optional<Element>& element) {
+  return element && dropUnknown(*element);
+}
+
+bool dropUnknownOfAll(Mechanism& mechanism) {
+  bool had = dropUnknown<Mechanism>(mechanism);
+  const auto drop = [&](auto&... parts) { ((had = dropUnknown(parts) || had), ...); };
+  drop(mechanism.links, mechanism.axes, mechanism.turningJoints, mechanism.gearMeshes, mechanism.wheels,
+       mechanism.gearDefaults, mechanism.inputs, mechanism.couplings, mechanism.states, mechanism.loads,
+       mechanism.balances);
+  return had;
+}
+
+}  // namespace
+
+std::string writeMechanismTable(const Mechanism& mechanism, const TableOptions& options) {
+  std::array<bool, kColumns> isUsed{};
+  forEachRow(mechanism, [&](const TableRowWriter& row) {
+    for (std::size_t i = 0; i < kColumns; ++i) isUsed.at(i) = isUsed.at(i) || !row.cells.at(i).empty();
+  });
+  std::string table = options.byteOrderMark ? "\xEF\xBB\xBF" : "";
+  const auto line = [&](const auto& cells) {
+    for (std::size_t i = 0; i < kColumns; ++i) {
+      if (!isUsed.at(i)) continue;
+      if (i > 0) table += options.separator;
+      table += csvField(cells.at(i), options.separator);
+    }
+    table += '\n';
+  };
+  line(kTableColumns);
+  forEachRow(mechanism, [&](const TableRowWriter& row) { line(row.cells); });
+  return table;
+}
+
+TablePart tablePart(Mechanism mechanism) {
+  TablePart part;
+  std::size_t shapes = 0;
+  for (Link& link : mechanism.links) {
+    shapes += link.shapes.size();
+    link.shapes.clear();
+  }
+  if (shapes > 0)
+    part.lost.push_back(shapes == 1 ? "an attached 3D file" : std::to_string(shapes) + " attached 3D files");
+  if (mechanism.view != View())
+    part.lost.emplace_back("the view (places in the drawings, camera of the 3D view)");
+  mechanism.view = {};
+  if (dropUnknownOfAll(mechanism)) part.lost.emplace_back("members that this program does not know");
+  if (mechanism.unit.empty()) {
+    part.lost.emplace_back("the empty name of the unit, which becomes \"mm\"");
+    mechanism.unit = Mechanism().unit;
+  }
+  if (mechanism.gearDefaults == GearDefaults()) mechanism.gearDefaults.reset();  // without a meaning
+  part.mechanism = std::move(mechanism);
+  return part;
+}
+
+}  // namespace geargraph::inline document_format
