@@ -21,9 +21,9 @@ std::string writtenSeconds(double seconds) {
 }  // namespace
 
 std::span<const Command* const> commands() {
-  static constexpr std::array kCommands = {&kAnalyze,   &kValidate, &kInputs, &kStates,  &kStatics,
-                                           &kDynamics,  &kExport,   &kPose,   &kSummary, &kServe,
-                                           &kExercises, &kLesson,   &kCheck,  &kManual};
+  static constexpr std::array kCommands = {&kAnalyze,  &kValidate,  &kInputs,  &kStates, &kStatics,
+                                           &kDynamics, &kExport,    &kConvert, &kPose,   &kSummary,
+                                           &kServe,    &kExercises, &kLesson,  &kCheck,  &kManual};
   return kCommands;
 }
 

@@ -37,6 +37,7 @@ extern const Command kStates;
 extern const Command kStatics;
 extern const Command kDynamics;
 extern const Command kExport;
+extern const Command kConvert;
 extern const Command kPose;
 extern const Command kSummary;
 extern const Command kServe;

@@ -1,0 +1,51 @@
+#include <QtTest>
+
+#include "tests/cli/cli_run.h"
+#include "tests/core/support/example_files.h"
+
+using namespace geargraph::test;
+
+class TestConvert : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void anExampleHasTheSameResultsBehindItsTable_data() {
+    QTest::addColumn<QString>("name");
+    for (const std::string& name : exampleNames())
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+  }
+  void anExampleHasTheSameResultsBehindItsTable() {
+    QFETCH(QString, name);
+    QTemporaryDir folder;
+    const QString file = QString::fromStdString(examplePath(name.toStdString()));
+    const QString table = folder.filePath("table.csv");
+    const QString back = folder.filePath("back.geargraph");
+    const Run there = run({"convert", file, "--to", "csv", "-o", table});
+    QCOMPARE(there.status, 0);
+    QCOMPARE(there.output, std::string());
+    QVERIFY2(there.errors.find("Not in the table: the view") != std::string::npos, there.errors.c_str());
+    const Run again = run({"convert", table, "--to", "geargraph", "-o", back});
+    QCOMPARE(again.status, 0);
+    QCOMPARE(again.errors, std::string());
+    for (const char* const command : {"analyze", "statics", "states"}) {
+      const Run before = run({command, file, "--json"});
+      const Run after = run({command, back, "--json"});
+      QVERIFY2(after.output == before.output, command);
+      QCOMPARE(after.status, before.status);
+    }
+  }
+
+  void aFileThatIsThereIsReplacedOnlyByAWholeOne() {
+    QTemporaryDir folder;
+    const QString place = folder.filePath("kept.geargraph");
+    QFile file(place);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("kept") == 4);
+    file.close();
+    QCOMPARE(run({"convert", "-", "--to", "geargraph", "-o", place}, "element,id\nlink,\"0").status, 1);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("kept"));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestConvert)
+#include "test_convert.moc"
