@@ -1,8 +1,6 @@
 // `analyze FILE [--inputs 8,9,11] [--speed 8=1 ...] [--json]`: everything that is computed, for people or as
 // JSON.
 
-#include <unistd.h>
-
 #include <array>
 #include <memory>
 
@@ -52,7 +50,7 @@ int run(const Arguments& arguments) {
                      diagnosticLines(file, diagnostics),
                  status);
   }
-  DescriptorSink out(STDOUT_FILENO);
+  StandardOutput out;
   writeAnalysisJson(out, snapshot.get(), diagnostics, {.dense = arguments.has("--dense")});
   return out.failed() ? fileFailure("Standard output could not be written.") : status;
 }

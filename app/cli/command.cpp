@@ -1,7 +1,5 @@
 #include "app/cli/command.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <charconv>
 #include <iostream>
@@ -62,7 +60,7 @@ int fileFailure(std::string_view message) {
 }
 
 int print(std::string_view text, int fine) {
-  DescriptorSink out(STDOUT_FILENO);
+  StandardOutput out;
   out.write(text);
   return out.failed() ? fileFailure("Standard output could not be written.") : fine;
 }

@@ -1,7 +1,5 @@
 // `dynamics FILE ...`: masses, the equation of motion in the inputs, and the motion that torques cause.
 
-#include <unistd.h>
-
 #include <array>
 #include <iostream>
 #include <memory>
@@ -136,7 +134,7 @@ std::string asJson(const DynamicsResult* result, const Diagnostics& diagnostics)
 
 int writeCsv(const std::string& path, const DynamicsResult& result) {
   if (path == "-") {
-    DescriptorSink out(STDOUT_FILENO);
+    StandardOutput out;
     writeMotionCsv(out, result, {});
     return out.failed() ? fileFailure("Standard output could not be written.") : kFine;
   }

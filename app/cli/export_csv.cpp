@@ -1,7 +1,5 @@
 // `export FILE --to csv --matrix NAME -o OUT` and `export FILE --to csv --all -o FOLDER`.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -52,7 +50,7 @@ std::variant<CsvOptions, UsageError> csvOptions(const Arguments& arguments) {
 int writeTable(const fs::path& path, const CsvTable& table, const CsvOptions& options,
                const Arguments& arguments, int fine) {
   if (path == "-") {  // what has begun is written to its end
-    DescriptorSink out(STDOUT_FILENO);
+    StandardOutput out;
     table.write(out, options);
     return out.failed() ? fileFailure("Standard output could not be written.") : fine;
   }

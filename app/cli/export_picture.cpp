@@ -1,7 +1,5 @@
 // `export FILE --to png/glb --view 3d -o OUT`: the train as the 3D view shows it, without a display.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <iostream>
 
@@ -94,7 +92,7 @@ std::string wrongSize(std::string_view text, int most) {
 
 int writePicture(std::string_view bytes, const std::string& path) {
   if (path == "-") {
-    DescriptorSink out(STDOUT_FILENO);
+    StandardOutput out;
     out.write(bytes);
     return out.failed() ? fileFailure("Standard output could not be written.") : kFine;
   }

@@ -1,7 +1,5 @@
 // `serve --stdio`: answers requests, one JSON object a line, until standard input ends.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -269,7 +267,7 @@ int run(const Arguments& arguments) {
       return wrongUsage(kServe, "--limit-memory takes whole megabytes from 1 to 1000000.");
   }
   Server server(limits);
-  DescriptorSink out(STDOUT_FILENO);
+  StandardOutput out;
   while (const auto line = nextLine()) {
     out.write(server.answerTo(*line) + '\n');
     if (out.failed()) return fileFailure("Standard output could not be written.");

@@ -13,8 +13,6 @@
 #include <iostream>
 #include <new>
 
-#include "core/foundations/files/file.h"
-
 namespace geargraph::cli {
 namespace {
 
@@ -33,8 +31,12 @@ class MemoryFile {
   MemoryFile& operator=(const MemoryFile&) = delete;
 
   [[nodiscard]] int descriptor() const { return m_descriptor; }
-  void write(const std::string& bytes) const {
-    DescriptorSink(m_descriptor).write(bytes);
+  void write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) break;  // the command finds the document cut
+      if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
     ::lseek(m_descriptor, 0, SEEK_SET);
   }
   [[nodiscard]] std::string read() const {

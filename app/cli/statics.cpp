@@ -1,7 +1,5 @@
 // `statics FILE ...`: torques, forces, powers and efficiency, for people or as JSON.
 
-#include <unistd.h>
-
 #include <array>
 #include <iostream>
 #include <memory>

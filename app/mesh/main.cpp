@@ -2,8 +2,6 @@
 // triangles to standard output. It enters the sandbox before the first byte, so that a hostile file can read,
 // write, start and reach nothing. Exit status: 0 fine, 2 not readable, 3 beyond a limit.
 
-#include <unistd.h>
-
 #include <array>
 #include <charconv>
 #include <cstdlib>
@@ -29,32 +27,25 @@ std::optional<std::size_t> number(const char* text) {
   return value;
 }
 
-/// All of standard input, or nothing where it has more bytes.
-std::optional<std::string> input(std::size_t most) {
-  std::string bytes;
-  std::array<char, 1 << 16> piece{};
-  for (;;) {
-    const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
-    if (count <= 0) return bytes;
-    bytes.append(piece.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > most) return std::nullopt;
-  }
-}
-
 int read(const char* format, std::size_t mostBytes, std::size_t mostTriangles) {
   const auto known = meshFormatFromName(format);
   if (!known) return kUnreadable;
-  const auto bytes = input(mostBytes);
-  if (!bytes) {
+  const auto input = readFile("-", mostBytes);
+  if (const auto* error = std::get_if<FileError>(&input)) {
+    std::cerr << error->message;
+    return kUnreadable;
+  }
+  const auto& bytes = std::get<std::string>(input);
+  if (bytes.size() > mostBytes) {
     std::cerr << "It has more than " << mostBytes << " bytes.";
     return kLimit;
   }
-  const auto read = readForeignBytes(*bytes, *known, mostTriangles);
+  const auto read = readForeignBytes(bytes, *known, mostTriangles);
   if (const auto* error = std::get_if<MeshFileError>(&read)) {
     std::cerr << error->message;
     return error->kind == MeshFileError::Kind::limit ? kLimit : kUnreadable;
   }
-  DescriptorSink out(STDOUT_FILENO);
+  StandardOutput out;
   out.write(packedSolid(std::get<Solid>(read)));
   return out.failed() ? kUnreadable : kFine;
 }

@@ -128,6 +128,23 @@ class ScratchFile {
   int m_descriptor;
 };
 
+class DescriptorSink final : public ByteSink {
+ public:
+  explicit DescriptorSink(int descriptor) : m_descriptor(descriptor) {}
+  void write(std::string_view bytes) override {
+    while (!bytes.empty() && !m_failed) {
+      const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+      m_failed = written < 0;
+      if (!m_failed) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+  [[nodiscard]] bool failed() const override { return m_failed; }
+
+ private:
+  int m_descriptor;
+  bool m_failed = false;
+};
+
 void rawWrite(benchmark::State& state, Family family) {
   const auto& [matrix, quantity, bytes, size] = caseOf(family);
   constexpr std::size_t kPiece = std::size_t{1} << 18U;  // as CsvWriter's

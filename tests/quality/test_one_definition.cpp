@@ -79,6 +79,7 @@ class TestOneDefinition : public QObject {
       QDirIterator files(folder, {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
       while (files.hasNext()) {
         QFile file(files.next());
+        if (file.fileName().endsWith("_portable.cpp")) continue;  // in place of another, never beside it
         QVERIFY(file.open(QIODevice::ReadOnly));
         std::string text = file.readAll().toStdString();
         types += definitionsIn(text).size();

@@ -1,9 +1,9 @@
 #include "ui/mainwindow/file_watch.h"
 
-#include <sys/stat.h>
-
 #include <QFile>
 #include <QFileInfo>
+
+#include "core/foundations/platform/system.h"
 
 namespace geargraph::inline mainwindow {
 
@@ -13,11 +13,12 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
 }
 
 FileWatch::Stamp FileWatch::stampNow() const {
-  struct stat status {};
-  if (m_path.isEmpty() || ::stat(QFile::encodeName(m_path).constData(), &status) != 0) return {};
-  const auto nanoseconds = [](const timespec& time) { return time.tv_sec * 1'000'000'000LL + time.tv_nsec; };
-  return {status.st_size, nanoseconds(status.st_mtim), nanoseconds(status.st_ctim),
-          FileIdentity{status.st_dev, status.st_ino}};
+  if (m_path.isEmpty()) return {};
+  const auto stamp = fileStamp(QFile::encodeName(m_path).toStdString());
+  if (!stamp) return {};
+  std::optional<FileIdentity> identity;
+  if (stamp->numbers) identity = FileIdentity{stamp->numbers->device, stamp->numbers->inode};
+  return {static_cast<qint64>(stamp->size), stamp->modified, stamp->changed, identity};
 }
 
 void FileWatch::watch(const QString& path) {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/foundations/base/background.h"
+#include "core/foundations/platform/system.h"
 
 namespace geargraph::inline base {
 
@@ -37,7 +37,7 @@ class RequestWorker {
       : m_work(std::move(work)),
         m_rest(urgency == Urgency::background ? kRest : std::chrono::milliseconds(0)),
         m_thread([this, urgency](const std::stop_token& quit) {
-          if (urgency == Urgency::background) workInBackground();
+          if (urgency == Urgency::background) lowerThreadPriority();
           run(quit);
         }) {}
   ~RequestWorker() {

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
 #include "core/foundations/files/byte_sink.h"
+#include "core/foundations/platform/open_file.h"
 
 namespace geargraph::inline files {
 
@@ -47,27 +49,27 @@ class AtomicFile final : public ByteSink {
   void takeAttributes();
   void replace();
   void overwrite();
-  void fail(const std::string& what);
+  /// Keeps the first failure as a sentence; `more` is added to it.
+  void fail(const std::error_code& what, const std::string& more = {});
   void discard();
 
   std::filesystem::path m_shown;  ///< as the user named it
   std::filesystem::path m_target;
   std::filesystem::path m_temporary;  ///< empty while there is none
-  int m_descriptor = -1;
+  OpenFile m_file;
   bool m_isInPlace = false;
   unsigned m_mode = 0;  ///< permissions of the file that is there; used if m_isInPlace
   std::optional<FileError> m_error;
 };
 
-/// Bytes to an open file descriptor, such as standard output; closes nothing.
-class DescriptorSink final : public ByteSink {
+/// Bytes to standard output, which stays open.
+class StandardOutput final : public ByteSink {
  public:
-  explicit DescriptorSink(int descriptor) : m_descriptor(descriptor) {}
   void write(std::string_view bytes) override;
   [[nodiscard]] bool failed() const override { return m_failed; }
 
  private:
-  int m_descriptor;
+  OpenFile m_file = OpenFile::standardOutput();
   bool m_failed = false;
 };
 

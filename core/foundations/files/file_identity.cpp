@@ -1,17 +1,17 @@
 #include "core/foundations/files/file_identity.h"
 
-#include <sys/stat.h>
-
 #include <system_error>
+
+#include "core/foundations/platform/system.h"
 
 namespace geargraph::inline files {
 
 namespace fs = std::filesystem;
 
 std::optional<FileIdentity> identityOf(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
-  return FileIdentity{status.st_dev, status.st_ino};
+  const auto stamp = fileStamp(path);
+  if (!stamp || !stamp->numbers) return std::nullopt;
+  return FileIdentity{stamp->numbers->device, stamp->numbers->inode};
 }
 
 fs::path followedLinks(fs::path path) {
@@ -38,7 +38,9 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   const auto first = identityOf(a);
   const auto second = identityOf(b);
   if (first && second) return *first == *second;
-  return !first && !second && canonicalPath(a) == canonicalPath(b);
+  if (first || second) return false;
+  std::error_code error;  // neither exists, or the system has no such numbers
+  return fs::equivalent(a, b, error) || canonicalPath(a) == canonicalPath(b);
 }
 
 }  // namespace geargraph::inline files

@@ -13,7 +13,8 @@ struct FileIdentity {
   friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 
-/// std::nullopt if there is no file of this name, or none that can be looked up.
+/// std::nullopt if there is no file of this name, none that can be looked up, or the system has no
+/// identities.
 [[nodiscard]] std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
 
 /// What a chain of symbolic links ends in, which need not exist; still a link if the chain is a loop.

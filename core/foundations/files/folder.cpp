@@ -1,8 +1,8 @@
 #include "core/foundations/files/folder.h"
 
-#include <unistd.h>
-
 #include <system_error>
+
+#include "core/foundations/platform/system.h"
 
 namespace geargraph::inline files {
 namespace {
@@ -32,7 +32,7 @@ std::optional<FolderError> writeNew(const fs::path& folder, const FolderFiles& f
                                     const FolderOptions& options) {
   const fs::path place = folder.has_filename() ? folder : folder.parent_path();
   const fs::path temporary =
-      place.parent_path() / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
+      place.parent_path() / ("." + place.filename().string() + "." + std::to_string(processId()) + ".tmp");
   std::error_code error;
   if (place.has_parent_path()) fs::create_directories(place.parent_path(), error);
   if (!error) fs::create_directory(temporary, error);

@@ -1,7 +1,5 @@
 #include "core/presentation/meshfile/mesh_writer.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -61,7 +59,7 @@ std::optional<MeshFileError> writeBytes(ByteSink& sink, const std::string& bytes
 
 /// What `write` writes.
 std::optional<MeshFileError> toStandardOutput(const Write& write) {
-  DescriptorSink sink(STDOUT_FILENO);
+  StandardOutput sink;
   if (auto error = write(sink)) return error;
   if (sink.failed()) return MeshFileError{MeshFileError::Kind::file, "Standard output could not be written."};
   return std::nullopt;

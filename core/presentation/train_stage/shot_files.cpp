@@ -1,10 +1,9 @@
 // The pictures of a shot as files.
 
-#include <unistd.h>
-
 #include <memory>
 
 #include "core/foundations/files/file.h"
+#include "core/foundations/platform/system.h"
 #include "core/presentation/train_stage/stage_picture.h"
 
 namespace geargraph::inline train_stage {
@@ -127,7 +126,7 @@ Failure writePicture(const StageShot& shot, const fs::path& path, const ShotRun&
   if (!painter) return graphicsFailure(painter.error());
   if (*painter == nullptr) return stopped();
   if (path == "-") {
-    DescriptorSink out(STDOUT_FILENO);
+    StandardOutput out;
     Failure failure = paintInto(**painter, run, out);
     if (!failure && out.failed()) failure = fileFailure("Standard output could not be written.");
     return failure;
@@ -153,7 +152,7 @@ Failure writePictures(const StageShot& shot, const fs::path& folder, const ShotR
   if (!run.mayOverwrite && fs::is_directory(target, error) && !fs::is_empty(target, error))
     return fileFailure("The folder \"" + folder.string() + "\" is not empty; nothing was written.");
   const Scratch scratch(target.parent_path() /
-                        ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".part"));
+                        ("." + target.filename().string() + "." + std::to_string(processId()) + ".part"));
   if (!scratch.isMade()) return fileFailure("No folder could be made beside \"" + folder.string() + "\".");
   Failure failure = forEachPicture(**painter, run, [&](const Image& image, int picture) -> Failure {
     return writePng(image, run.stop, [&](std::string_view png) {

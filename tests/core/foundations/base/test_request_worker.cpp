@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/foundations/base/request_worker.h"
+#include "core/foundations/platform/system.h"
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -85,6 +86,7 @@ void workInTheBackgroundWaitsUntilNothingNewerComes() {
 
 #ifdef __linux__
 void workInTheBackgroundTakesWhatIsLeft() {
+  if (platformName() != "Linux") return;  // the portable layer knows no priorities
   std::promise<int> priority;
   RequestWorker<int> worker(
       [&](int, const std::stop_token&) {

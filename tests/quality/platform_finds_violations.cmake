@@ -1,0 +1,26 @@
+cmake_minimum_required(VERSION 3.25)
+
+# Builds a small tree with lines about one system in wrong places and demands that platform.cmake names each.
+
+file(REMOVE_RECURSE "${WORK}")
+file(WRITE "${WORK}/core/foundations/platform/system_linux.cpp" "#include <unistd.h>\n#ifdef __linux__\n#endif\n")
+file(WRITE "${WORK}/core/a.cpp" "#include <sys/stat.h>\n")
+file(WRITE "${WORK}/core/b.h" "#include <csignal>\n#  if defined(_WIN32)\n#endif\n")
+file(WRITE "${WORK}/app/c.cpp" "#include <EGL/egl.h>\n")
+file(WRITE "${WORK}/ui/known.cpp" "#include <fcntl.h>\n")
+file(WRITE "${WORK}/ui/mended.cpp" "#include <string>  // not <unistd.h>\n")
+file(WRITE "${WORK}/check.cmake" "set(SOURCE \"${WORK}\")\nset(EXCEPTIONS ui/known.cpp ui/mended.cpp)\ninclude(\"${CHECK}\")\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -P "${WORK}/check.cmake" RESULT_VARIABLE status ERROR_VARIABLE errors)
+foreach(expected "core/a.cpp: #include <sys/stat.h>" "core/b.h: #  if defined(_WIN32)" "app/c.cpp: #include <EGL/egl.h>"
+    "ui/mended.cpp is an exception")
+  string(FIND "${errors}" "${expected}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "Not found: ${expected}\n${errors}")
+  endif()
+endforeach()
+if(status EQUAL 0)
+  message(FATAL_ERROR "The check passed a tree that is tied to systems everywhere")
+endif()
+if(errors MATCHES "known.cpp:|system_linux")
+  message(FATAL_ERROR "The check refused what is allowed")
+endif()
