@@ -21,12 +21,19 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(geargraph_warnings INTERFACE)
+if(MSVC)   # not tried yet (README, Other systems)
+  add_compile_options(/utf-8 /permissive- /Zc:__cplusplus)
+  add_compile_definitions(NOMINMAX _USE_MATH_DEFINES)
+  target_compile_options(geargraph_warnings INTERFACE /W4)
+else()
+  target_compile_options(geargraph_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+endif()
 target_compile_options(geargraph_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>   # GCC 12 misreads std::string concatenation (its bug 105651)
   # In unity builds GCC takes what a source keeps to itself for what a header hands out.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GEARGRAPH_UNITY}>>:-Wno-subobject-linkage>
-  $<$<BOOL:${GEARGRAPH_WERROR}>:-Werror>)
+  $<$<BOOL:${GEARGRAPH_WERROR}>:$<IF:$<CXX_COMPILER_ID:MSVC>,/WX,-Werror>>)
 
 if(GEARGRAPH_SANITIZE)
   set(GEARGRAPH_PYTHON OFF)   # the interpreter is not built with them
