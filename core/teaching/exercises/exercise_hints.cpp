@@ -85,6 +85,12 @@ constexpr std::array kHints = {
     Hint{ExerciseKind::engagement,
          "Each engaged element takes degrees of freedom away until one is left. An engaged brake "
          "makes the speed of its link zero: try which set gives the ratio."},
+    Hint{ExerciseKind::brakeTorque,
+         "The torques of all shafts and brakes of the train add up to zero, and so do their powers. Write "
+         "both sums for what is engaged, then compare the sizes."},
+    Hint{ExerciseKind::selfLocking,
+         "Let the load drive: behind each mesh less power arrives, by its efficiency. If none would be left "
+         "at the input, or it would have to be driven, the train locks."},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/foundations/base/contract.h"
+#include "core/teaching/exercises/exercise_statics.h"
 #include "core/teaching/exercises/question_makers.h"
 
 namespace geargraph::inline exercises {
@@ -72,6 +73,14 @@ Reason withoutStates(const ExerciseSource& source) {
   if (source.mechanism().couplings.empty()) return "no brakes or clutches";
   return statesWithRatio(source).empty() ? Reason("no states with a ratio") : std::nullopt;
 }
+Reason withoutBrakeTorques(const ExerciseSource& source) {
+  if (const Reason reason = withoutStates(source)) return reason;
+  return hasBrakeComparison(source) ? Reason() : "no two torques of brakes or clutches to compare";
+}
+Reason withoutLosses(const ExerciseSource& source) {
+  if (const Reason reason = withoutFreedom(source)) return reason;
+  return drivenTrains(source).empty() ? Reason("no drive passes power through 1 to 6 meshes") : std::nullopt;
+}
 
 struct KindEntry {
   ExerciseKind kind;
@@ -116,6 +125,9 @@ constexpr std::array kKinds = {
     KindEntry{ExerciseKind::teeth, "teeth", "Teeth for a ratio", withoutEquations, teethQuestion},
     KindEntry{ExerciseKind::ringTeeth, "ring-teeth", "Teeth of the ring", withoutPlanets, ringTeethQuestion},
     KindEntry{ExerciseKind::engagement, "brakes", "Brakes for a gear", withoutStates, engagementQuestion},
+    KindEntry{ExerciseKind::brakeTorque, "brake-torque", "Largest torque of a brake", withoutBrakeTorques,
+              brakeTorqueQuestion},
+    KindEntry{ExerciseKind::selfLocking, "self-locking", "Self-locking", withoutLosses, selfLockingQuestion},
 };
 
 const KindEntry& entryOf(ExerciseKind kind) {

@@ -38,6 +38,8 @@ enum class ExerciseKind : std::uint8_t {
   teeth,
   ringTeeth,
   engagement,
+  brakeTorque,
+  selfLocking,
 };
 
 [[nodiscard]] const std::vector<ExerciseKind>& allExerciseKinds();

@@ -30,6 +30,8 @@ Question portTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random
 Question teethQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question ringTeethQuestion(const ExerciseSource& source, ExerciseRandom& random);
 Question engagementQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question brakeTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random);
+Question selfLockingQuestion(const ExerciseSource& source, ExerciseRandom& random);
 
 /// An external mesh and an internal one that share a planet, its axis and their carrier.
 struct PlanetPair {
@@ -48,6 +50,9 @@ struct PlanetPair {
 
 /// States with a ratio, of which some couplings are engaged.
 [[nodiscard]] std::vector<int> statesWithRatio(const ExerciseSource& source);
+
+/// Does a state engage couplings of different torques, or a coupling carry different torques in some states?
+[[nodiscard]] bool hasBrakeComparison(const ExerciseSource& source);
 
 /// Meshes of which each of the others is a combination, or which are one: any of them may be left out. By
 /// mesh.

@@ -16,6 +16,8 @@ LessonView viewOf(ExerciseKind kind) {
     case ExerciseKind::teeth:
     case ExerciseKind::ringTeeth:
     case ExerciseKind::engagement:
+    case ExerciseKind::brakeTorque:
+    case ExerciseKind::selfLocking:
       return LessonView::schematic;  // the T-T graph would show levels and transfer vertices
     default:
       return LessonView::digraph;

@@ -1,0 +1,295 @@
+// Which brake or clutch carries the largest torque, and in which gear.
+
+#include <algorithm>
+
+#include "core/teaching/exercises/exercise_statics.h"
+#include "core/teaching/exercises/question_builder.h"
+#include "core/teaching/exercises/question_makers.h"
+
+namespace geargraph::inline exercises {
+namespace {
+
+constexpr int kLeastTorque = 5;  ///< N m at the drive
+constexpr int kMostTorque = 60;
+
+/// One torque of a comparison: of a coupling in a state.
+struct Carried {
+  int coupling = 0;
+  const StateTorques* state = nullptr;
+  [[nodiscard]] Rational size() const { return state->couplings[static_cast<std::size_t>(coupling)]->abs(); }
+};
+
+/// The couplings of one state, or one coupling in its states; their torques are not all equal.
+struct Comparison {
+  bool isOfState = true;
+  std::vector<Carried> torques;  ///< at least two
+};
+
+std::vector<StateTorques> allTorques(const ExerciseSource& source) {
+  std::vector<StateTorques> all;
+  for (std::size_t state = 0; state < source.mechanism().states.size(); ++state)
+    if (auto torques = stateTorques(source, static_cast<int>(state))) all.push_back(std::move(*torques));
+  return all;
+}
+
+std::vector<Comparison> comparisonsOf(const ExerciseSource& source, const std::vector<StateTorques>& states) {
+  std::vector<Comparison> all;
+  const auto add = [&](Comparison comparison) {
+    const auto& torques = comparison.torques;
+    const bool differ = std::any_of(torques.begin(), torques.end(), [&](const Carried& each) {
+      return each.size() != torques.front().size();
+    });
+    if (differ) all.push_back(std::move(comparison));
+  };
+  const auto couplings = static_cast<int>(source.mechanism().couplings.size());
+  const auto isEngaged = [](const StateTorques& state, int coupling) {
+    return state.couplings[static_cast<std::size_t>(coupling)].has_value();
+  };
+  for (const StateTorques& state : states) {
+    Comparison ofState;
+    for (int coupling = 0; coupling < couplings; ++coupling)
+      if (isEngaged(state, coupling)) ofState.torques.push_back({coupling, &state});
+    add(std::move(ofState));
+  }
+  for (int coupling = 0; coupling < couplings; ++coupling) {
+    Comparison ofCoupling{false, {}};
+    for (const StateTorques& state : states)
+      if (isEngaged(state, coupling)) ofCoupling.torques.push_back({coupling, &state});
+    add(std::move(ofCoupling));
+  }
+  return all;
+}
+
+class BrakeQuestion {
+ public:
+  BrakeQuestion(const ExerciseSource& source, Comparison comparison, int drive)
+      : m_source(source), m_comparison(std::move(comparison)), m_drive(drive) {
+    m_largest = m_comparison.torques.front();
+    for (const Carried& each : m_comparison.torques)
+      if (each.size() > m_largest.size()) m_largest = each;
+  }
+
+  Question make() {
+    ask();
+    std::vector<std::vector<std::string>> right;
+    for (const Carried& each : m_comparison.torques) {
+      if (each.size() != m_largest.size()) continue;
+      for (const std::string& text : texts(newtonMetres(each))) right.push_back({optionOf(each), text});
+    }
+    m_build.accept(right.front(), right);
+    addChoices();
+    addSizes();
+    return std::move(m_build.question);
+  }
+
+ private:
+  [[nodiscard]] const ShiftState& stateOf(const StateTorques& torques) const {
+    return m_source.mechanism().states[static_cast<std::size_t>(torques.state)];
+  }
+  [[nodiscard]] const Coupling& couplingOf(int coupling) const {
+    return m_source.mechanism().couplings[static_cast<std::size_t>(coupling)];
+  }
+  [[nodiscard]] std::string nameOf(int coupling) const {
+    const Coupling& named = couplingOf(coupling);
+    return (named.kind == CouplingKind::brake ? "brake " : "clutch ") + named.id.text();
+  }
+  [[nodiscard]] std::string optionOf(const Carried& each) const {
+    return m_comparison.isOfState ? couplingOf(each.coupling).id.text() : stateOf(*each.state).name;
+  }
+  [[nodiscard]] Rational newtonMetres(const Carried& each) const { return each.size() * m_drive; }
+  [[nodiscard]] std::string label(const std::optional<LinkId>& link) const {
+    return m_source.linkLabel(m_source.graph().nodeOf(*link));
+  }
+  /// With either sign: the question asks for a size.
+  static std::vector<std::string> texts(const Rational& size) {
+    return {size.toString(), (-size).toString()};
+  }
+  static std::string quoted(const std::string& name) { return "\u201c" + name + "\u201d"; }
+
+  /// "state “1” engages B2 and C, link 2 drives, link 3 bears the load"
+  [[nodiscard]] std::string described(const StateTorques& torques) const {
+    const ShiftState& state = stateOf(torques);
+    std::vector<std::string> engaged;
+    for (std::size_t i = 0; i < torques.couplings.size(); ++i)
+      if (torques.couplings[i]) engaged.push_back(namedInPrompt(couplingOf(static_cast<int>(i)).id.text()));
+    return "state " + quoted(namedInPrompt(state.name)) + " engages " + listed(engaged, kAllNames) +
+           ", link $" + label(state.drive) + "$ drives and link $" + label(state.driven) + "$ bears the load";
+  }
+
+  void ask() {
+    const std::string torque =
+        ". The torque of the drive is $" + asText(m_drive) + "$ N m, and no power is lost. ";
+    std::vector<std::string> options;
+    if (m_comparison.isOfState) {
+      const std::string described = this->described(*m_largest.state);
+      m_build.question.prompt =
+          "S" + described.substr(1) + torque +
+          "Which of the engaged brakes and clutches carries the largest torque, and how "
+          "large is it in N m, without a sign? A fraction or a decimal of three digits will do.";
+      for (const Coupling& coupling : m_source.mechanism().couplings) options.push_back(coupling.id.text());
+      for (const Carried& each : m_comparison.torques)
+        m_build.question.elements.emplace_back(couplingOf(each.coupling).id);
+    } else {
+      std::string list;
+      for (const Carried& each : m_comparison.torques)
+        list += (list.empty() ? "S" + described(*each.state).substr(1) : "; " + described(*each.state));
+      m_build.question.prompt =
+          list + torque + "In which state does " + namedInPrompt(nameOf(m_largest.coupling)) +
+          " carry the largest torque, and how large is it in N m, without a sign? A fraction or a "
+          "decimal of three digits will do.";
+      for (const ShiftState& state : m_source.mechanism().states) options.push_back(state.name);
+      m_build.question.elements.emplace_back(couplingOf(m_largest.coupling).id);
+    }
+    m_build.field(m_comparison.isOfState ? "largest torque in" : "state", FieldKind::choice, options);
+    m_build.field("torque in N m", FieldKind::number);
+    std::vector<std::string> sizes;
+    for (const Carried& each : m_comparison.torques)
+      sizes.push_back((m_comparison.isOfState ? nameOf(each.coupling) : "state " + quoted(optionOf(each))) +
+                      ' ' + newtonMetres(each).toString() + " N m");
+    m_build.question.rule =
+        "The torques on each link and in each mesh balance: " + listed(sizes, kAllNames) + ".";
+  }
+
+  void addChoices() {
+    const auto fastest = m_comparison.isOfState ? fastestClutch() : largestRatio();
+    for (const Carried& each : m_comparison.torques) {
+      if (each.size() == m_largest.size()) continue;
+      const std::vector<ElementId> elements{couplingOf(each.coupling).id};
+      const std::string less =
+          newtonMetres(each).toString() + " N m, less than the " + newtonMetres(m_largest).toString() +
+          " N m of " +
+          (m_comparison.isOfState ? nameOf(m_largest.coupling) : "state " + quoted(optionOf(m_largest))) +
+          ".";
+      if (fastest && fastest->coupling == each.coupling && fastest->state == each.state) {
+        m_build.wrongField(
+            m_comparison.isOfState ? "fastest-coupling" : "largest-ratio", 0, {optionOf(each)},
+            (m_comparison.isOfState
+                 ? "You choose the clutch that turns fastest, but the torque does not follow "
+                   "the speed: it carries "
+                 : "You choose the state of the largest ratio, but the brake's torque does not "
+                   "follow the ratio's size: it carries ") +
+                less,
+            elements);
+      } else {
+        m_build.wrongField("smaller-torque", 0, {optionOf(each)},
+                           (m_comparison.isOfState ? "The " + nameOf(each.coupling) + " carries "
+                                                   : "In state " + quoted(optionOf(each)) + " it carries ") +
+                               less,
+                           elements);
+      }
+    }
+    addReleased();
+  }
+
+  /// What is not engaged carries nothing.
+  void addReleased() {
+    if (m_comparison.isOfState) {
+      for (std::size_t i = 0; i < m_largest.state->couplings.size(); ++i) {
+        if (m_largest.state->couplings[i]) continue;
+        const int coupling = static_cast<int>(i);
+        m_build.wrongField("released-coupling", 0, {couplingOf(coupling).id.text()},
+                           "The " + nameOf(coupling) + " is released in this state: it carries no torque.",
+                           {couplingOf(coupling).id});
+      }
+      return;
+    }
+    const CouplingId& id = couplingOf(m_largest.coupling).id;
+    for (const ShiftState& state : m_source.mechanism().states) {
+      if (std::find(state.engaged.begin(), state.engaged.end(), id) != state.engaged.end()) continue;
+      m_build.wrongField("released-coupling", 0, {state.name},
+                         "State " + quoted(state.name) + " releases the " + nameOf(m_largest.coupling) +
+                             ": it carries no torque.",
+                         {id});
+    }
+  }
+
+  void addSizes() {
+    const StateTorques& state = *m_largest.state;
+    const Rational drive = m_drive;
+    const Rational load = state.driven * m_drive;
+    const std::vector<ElementId> elements{couplingOf(m_largest.coupling).id};
+    const auto add = [&](const char* name, const Rational& size, const std::string& reason) {
+      if (!size.isZero()) m_build.wrongField(name, 1, texts(size.abs()), reason, elements);
+    };
+    if (holdsTheSum(state)) {
+      const Rational sum = drive + load.abs();
+      const Rational difference = (drive - load.abs()).abs();
+      add("torques-without-signs", newtonMetres(m_largest) == sum ? difference : sum,
+          "The signs of both torques are lost: the brake holds the sum of " + inWords(m_drive) + " N m and " +
+              inWords(load) + " N m.");
+      add("ratio-upside-down", drive - drive / state.ratio,
+          "You use the ratio upside down: with the ratio " + inWords(state.ratio) +
+              " the torque on the driven link is " + inWords(load) + " N m.");
+    }
+    for (const Carried& other : m_comparison.torques) {
+      if (other.size() == m_largest.size()) continue;
+      add("torque-of-another", newtonMetres(other),
+          "This is the torque " +
+              (m_comparison.isOfState ? "of " + nameOf(other.coupling)
+                                      : "in state " + quoted(stateOf(*other.state).name)) +
+              ", which is not the largest.");
+    }
+    add("load-for-brake", load,
+        "This is the torque of the load on link " + label(stateOf(state).driven) + ": " +
+            nameOf(m_largest.coupling) + " has to keep the balance.");
+    add("drive-for-brake", drive,
+        "This is the torque of the drive: " + nameOf(m_largest.coupling) + " does not carry it as it is.");
+  }
+
+  /// Is the largest torque that of the only brake, on the axis of drive and load?
+  [[nodiscard]] bool holdsTheSum(const StateTorques& state) const {
+    for (std::size_t i = 0; i < state.couplings.size(); ++i) {
+      const bool isBrake = couplingOf(static_cast<int>(i)).kind == CouplingKind::brake;
+      const bool isLargest = static_cast<int>(i) == m_largest.coupling;
+      if (state.couplings[i] && isBrake != isLargest) return false;
+    }
+    return m_largest.size() == (Rational(1) + state.driven).abs();
+  }
+
+  /// Of the clutches on links that turn on the ground the one of the largest speed, where there is one.
+  [[nodiscard]] std::optional<Carried> fastestClutch() const {
+    const int position = m_largest.state->state;
+    const auto& rates = m_source.engagedSets(position)[*m_source.setOfState(position)].solution.rates;
+    std::optional<Carried> fastest;
+    Rational most = 0;
+    for (const Carried& each : m_comparison.torques) {
+      const Coupling& coupling = couplingOf(each.coupling);
+      if (coupling.kind == CouplingKind::brake) continue;
+      const int link = m_source.graph().nodeOf(coupling.links.front());
+      if (link == 0 || m_source.tree()->parent(link) != 0) continue;
+      const Rational speed = rates[static_cast<std::size_t>(m_source.tree()->jointToParent(link))].abs();
+      if (speed == most) fastest.reset();
+      if (speed <= most) continue;
+      most = speed;
+      fastest = each;
+    }
+    return fastest;
+  }
+
+  [[nodiscard]] std::optional<Carried> largestRatio() const {
+    return *std::max_element(
+        m_comparison.torques.begin(), m_comparison.torques.end(),
+        [](const Carried& a, const Carried& b) { return a.state->ratio.abs() < b.state->ratio.abs(); });
+  }
+
+  const ExerciseSource& m_source;
+  Comparison m_comparison;
+  int m_drive;
+  Carried m_largest;
+  QuestionBuilder m_build{ExerciseKind::brakeTorque, 4};
+};
+
+}  // namespace
+
+bool hasBrakeComparison(const ExerciseSource& source) {
+  return !comparisonsOf(source, allTorques(source)).empty();
+}
+
+Question brakeTorqueQuestion(const ExerciseSource& source, ExerciseRandom& random) {
+  const std::vector<StateTorques> states = allTorques(source);
+  Comparison comparison = random.oneOf(comparisonsOf(source, states));
+  const int drive = random.between(kLeastTorque, kMostTorque);
+  return BrakeQuestion(source, std::move(comparison), drive).make();
+}
+
+}  // namespace geargraph::inline exercises
