@@ -171,6 +171,7 @@ bool BandPainter::place(const ElementId& element, SheetPoint at, SheetPoint way,
                  Tint(ColorRole::secondary)},
             kBandDepth + 2);
       m_taken.addBox(box);
+      m_texts.push_back(box);
       return true;
     }
   }
@@ -201,29 +202,34 @@ void BandPainter::label(const Band& band) {
   }
 }
 
+/// Where there is most room: a short arrow first, then a longer one; one that crosses a text before none.
 void BandPainter::drawStub(const LossStub& stub) {
-  constexpr double kLength = 26;
+  for (const bool mayCross : {false, true})
+    for (const double length : {26.0, 40.0, 56.0})
+      for (const double turn :
+           {2.6, 0.5, -2.6, -0.5, 3.14, 0.0, 1.57, -1.57, 2.1, -2.1, 1.05, -1.05, 2.9, -2.9, 0.25, -0.25})
+        if (tryStub(stub, {std::cos(turn), std::sin(turn)}, length, mayCross)) return;
+}
+
+bool BandPainter::tryStub(const LossStub& stub, SheetPoint way, double length, bool mayCross) {
   constexpr double kHead = 7;
-  for (const double turn : {2.6, 0.5, -2.6, -0.5, 3.14, 0.0, 1.57, -1.57}) {
-    const SheetPoint way{std::cos(turn), std::sin(turn)};
-    const SheetPoint from = stub.at + 8 * way;
-    const SheetPoint to = from + kLength * way;
-    const std::string text = powerText(stub.power) + " lost";
-    const double halfWidth = textWidth(text, kLabelSize - 1, false) / 2;
-    const Extent box{to + (halfWidth * std::abs(way.x) + kLabelSize / 2 * std::abs(way.y) + 4) * way,
-                     halfWidth, kLabelSize / 2};
-    const bool crossesText = std::any_of(m_texts.begin(), m_texts.end(), [&](const Extent& each) {
-      return each.grown(1).meetsSegment(from, to);
-    });
-    if (crossesText || m_taken.touches(box, kLabelGap)) continue;
-    put(stub.element,
-        Stroke{Polyline{{from, to - kHead * way}, false}, ColorRole::secondary, 1.6, Dash::solid},
-        kBandDepth + 2);
-    put(stub.element, Fill{arrowOf(to - kHead * way, to, 3.4), ColorRole::secondary}, kBandDepth + 2);
-    put(stub.element, Text{text, box.center, kLabelSize - 1, false, ColorRole::secondary}, kBandDepth + 2);
-    m_taken.addBox(box);
-    return;
-  }
+  const SheetPoint from = stub.at + 8 * way;
+  const SheetPoint to = from + length * way;
+  const std::string text = powerText(stub.power) + " lost";
+  const double halfWidth = textWidth(text, kLabelSize - 1, false) / 2;
+  const Extent box{to + (halfWidth * std::abs(way.x) + kLabelSize / 2 * std::abs(way.y) + 4) * way, halfWidth,
+                   kLabelSize / 2};
+  const bool crossesText = std::any_of(m_texts.begin(), m_texts.end(), [&](const Extent& each) {
+    return each.grown(1).meetsSegment(from, to);
+  });
+  if ((crossesText && !mayCross) || m_taken.touches(box, kLabelGap)) return false;
+  put(stub.element, Stroke{Polyline{{from, to - kHead * way}, false}, ColorRole::secondary, 1.6, Dash::solid},
+      kBandDepth + 2);
+  put(stub.element, Fill{arrowOf(to - kHead * way, to, 3.4), ColorRole::secondary}, kBandDepth + 2);
+  put(stub.element, Text{text, box.center, kLabelSize - 1, false, ColorRole::secondary}, kBandDepth + 2);
+  m_taken.addBox(box);
+  m_texts.push_back(box);
+  return true;
 }
 
 /// Above the drawing: the scale, who sees these powers, and what circulates.

@@ -50,6 +50,7 @@ class BandPainter {
  private:
   void drawBand(const Band& band);
   void drawStub(const LossStub& stub);
+  bool tryStub(const LossStub& stub, SheetPoint way, double length, bool mayCross);
   void label(const Band& band);
   void drawLegend();
   void put(const ElementId& element, std::variant<Stroke, Fill, Text> what, int z = kBandDepth);
@@ -59,7 +60,7 @@ class BandPainter {
   const PowerPicture& m_picture;
   Extent m_drawn;
   ObstacleGrid m_taken;
-  std::vector<Extent> m_texts;  ///< of the drawing
+  std::vector<Extent> m_texts;  ///< of the drawing and of the labels so far
   std::vector<Band> m_bands;
   std::vector<LossStub> m_stubs;
   DisplayList m_list;

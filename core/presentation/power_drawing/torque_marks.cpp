@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <unordered_map>
 
 #include "core/mechanism/model/load_edits.h"
@@ -108,20 +109,33 @@ class ChipDrawer {
     m_list.marks.push_back({m_element, role, z, std::move(what)});
   }
 
-  /// The nearest place round the anchor that touches nothing; where there is none, beyond them all.
-  [[nodiscard]] Extent freePlace(SheetPoint anchor, Extent size) const {
+  /// The nearest place round the anchor that touches nothing. A line to it that crosses a text is better than
+  /// one across half the sheet.
+  [[nodiscard]] Extent freePlace(SheetPoint anchor, const Extent& size) const {
+    constexpr double kLongLine = 140;
+    constexpr double kFarthest = 400;
+    if (const auto clear = placeWithin(kLongLine, anchor, size, true)) return *clear;
+    if (const auto crossing = placeWithin(kLongLine, anchor, size, false)) return *crossing;
+    if (const auto far = placeWithin(kFarthest, anchor, size, false)) return *far;
+    Extent beyond = size;
+    beyond.center = anchor - SheetPoint{0, kFarthest + size.halfHeight};
+    return beyond;
+  }
+  [[nodiscard]] std::optional<Extent> placeWithin(double farthest, SheetPoint anchor, Extent size,
+                                                  bool hasClearLine) const {
     constexpr int kDirections = 24;
     constexpr double kGap = 4;
-    for (double away = 24; away < 400; away += 12) {
+    for (double away = 24; away <= farthest; away += 12) {
       for (int i = 0; i < kDirections; ++i) {
         const double angle = 2 * M_PI * i / kDirections - M_PI / 2;
         const SheetPoint out{std::cos(angle), std::sin(angle)};
         const double reach = away + size.halfWidth * std::abs(out.x) + size.halfHeight * std::abs(out.y);
         size.center = anchor + reach * out;
-        if (!m_taken.touches(size, kGap) && isClear(anchor, edgeTowards(size, anchor))) return size;
+        if (!m_taken.touches(size, kGap) && (!hasClearLine || isClear(anchor, edgeTowards(size, anchor))))
+          return size;
       }
     }
-    return size;
+    return std::nullopt;
   }
   /// The line to the chip crosses no text.
   [[nodiscard]] bool isClear(SheetPoint from, SheetPoint to) const {
@@ -192,7 +206,8 @@ std::vector<ShownTorque> shownTorques(const Mechanism& mechanism, const StaticsR
     found.isGiven = false;
     found.sense = isKnown ? signOf(torque) : 0;
     found.torque = isKnown ? "T " + numberText(torque) + " N m" : "T shared";
-    found.rate = rateText(report, mechanism, found.element);
+    const std::string rate = rateText(report, mechanism, found.element);
+    found.rate = rate.empty() ? "found" : rate + " \xC2\xB7 found";
   }
   return shown;
 }

@@ -15,7 +15,7 @@ struct ShownTorque {
   bool isGiven = true;
   int sense = 0;       ///< +1, -1; 0 for a force, or where the torque is not determined
   std::string torque;  ///< "T 10 N m", "F 20 N", "T shared"
-  std::string rate;    ///< "100 rad/s"; empty without a motion
+  std::string rate;    ///< "100 rad/s", "100 rad/s · found"; empty for a load without a motion
 };
 
 /// Loads first, in the document's order, then balances; balances of 0 are left out. Cost: O(loads + balances)

@@ -96,6 +96,18 @@ Powered robot() {
   return {mechanism, options};
 }
 
+/// A bevel wrist whose three motors turn, 0.98 a mesh.
+Powered wrist() {
+  Mechanism mechanism = example("bevel-wrist");
+  mechanism.inputs = std::vector<Input>{
+      {JointId("7"), Number(1), {}}, {JointId("8"), Number(2), {}}, {JointId("10"), Number(-1), {}}};
+  StaticsOptions options;
+  options.loads = {{{}, JointTorque{JointId("12"), Number(10)}}};
+  options.losses = true;
+  options.efficiency = Rational(98, 100);
+  return {mechanism, options};
+}
+
 std::vector<std::string> textsOf(const DisplayList& list) {
   std::vector<std::string> texts;
   for (const Mark& mark : list.marks)
@@ -260,6 +272,8 @@ class TestPowerDrawing : public QObject {
     QCOMPARE(torques.size(), std::size_t{3});
     QVERIFY(torques[0].isGiven && torques[0].sense == 1 && torques[0].torque == "T 10 N m");
     QCOMPARE(torques[0].rate, std::string("100 rad/s"));
+    // The torques that the program gives are told from those that it finds.
+    QVERIFY(torques[1].rate.ends_with("found") && torques[2].rate.ends_with(" rad/s \xC2\xB7 found"));
     QVERIFY(!torques[2].isGiven && torques[2].sense == -1);
     QCOMPARE(torques[2].torque, std::string("T \xE2\x88\x92"
                                             "34.01 N m"));
@@ -282,6 +296,48 @@ class TestPowerDrawing : public QObject {
         return std::holds_alternative<Box>(each.shape);
       });
       QCOMPARE(boxes, std::ptrdiff_t{3});
+    }
+  }
+
+  /// Also where lines and labels leave little room around a node.
+  void chipsAreNearTheirElements() {
+    Mechanism gearbox = eightSpeed();
+    StaticsOptions options;
+    options.state = 0;
+    options.loads = {{{}, LinkTorque{gearbox.links[1].id, {}, Number(10)}},
+                     {{}, LinkTorque{gearbox.links[2].id, {}, Number(10)}},
+                     {{}, LinkTorque{gearbox.links[4].id, {}, Number(10)}}};
+    const Powered train(std::move(gearbox), options);
+    for (const bool isSchematic : {false, true}) {
+      const DisplayList chips =
+          train.chips(isSchematic, isSchematic ? train.schematicBands() : train.digraphBands());
+      int lines = 0;
+      for (const Mark& mark : chips.marks) {
+        const auto* line = std::get_if<Stroke>(&mark.what);
+        if (line == nullptr || mark.role != MarkRole::line) continue;
+        const std::vector<SheetPoint>& ends = std::get<Polyline>(line->shape).points;
+        QVERIFY2(distance(ends.front(), ends.back()) < 160, "a chip is far from its element");
+        ++lines;
+      }
+      QVERIFY(lines >= 3);
+    }
+  }
+
+  /// Arrows of losses cross no label of a band.
+  void lossesCrossNoLabels() {
+    for (const Powered& each : {planetarySet(), wrist()}) {
+      const DisplayList bands = each.digraphBands();
+      int arrows = 0;
+      for (const Mark& mark : bands.marks) {
+        const auto* stroke = std::get_if<Stroke>(&mark.what);
+        if (stroke == nullptr || mark.element.id.empty() || mark.z != kBandDepth + 2) continue;
+        ++arrows;
+        const std::vector<SheetPoint>& ends = std::get<Polyline>(stroke->shape).points;
+        for (const Mark& other : bands.marks)
+          if (const auto* text = std::get_if<Text>(&other.what))
+            QVERIFY2(!extentOf(other).meetsSegment(ends.front(), ends.back()), text->text.c_str());
+      }
+      QVERIFY(arrows >= 2);
     }
   }
 
