@@ -245,7 +245,46 @@ class StaticsPart : private ReportPart {
       const std::string sum = chords.empty() ? "" : (chords.front() == '-' ? " " : " + ") + chords;
       dualEquation(branch(joint) + sum + besides(joint) + " = 0", first + joint, {jointId(joint)});
     }
+    if (!isStopped()) addCutsetMatrices();
     if (m_statics.lossless.isBalanced()) addChain(first, std::max(numbers.step(0), first + m_graph.t()));
+  }
+
+  /// The cutset matrices of both graphs, one below the other; their columns are named by what they act on.
+  void addCutsetMatrices() {
+    const IntegerMatrixPtr& q = m_snapshot.matrix(MatrixKind::cutset);
+    const int columns = m_graph.t() + 2 * m_graph.c();
+    if (!q || columns > kMostReportColumns || m_graph.t() > kMostReportRows) return;
+    std::vector<std::string> torques;
+    std::vector<std::vector<std::string>> rows(static_cast<std::size_t>(m_graph.t()));
+    for (int joint = 0; joint < m_graph.t(); ++joint) {
+      torques.push_back(branch(joint));
+      auto& row = rows[static_cast<std::size_t>(joint)];
+      row.assign(static_cast<std::size_t>(columns), "0");
+      row[static_cast<std::size_t>(joint)] = "1";
+    }
+    for (int mesh = 0; mesh < m_graph.c(); ++mesh) {
+      const TerminalPair& pair = *m_ttGraph.terminal(mesh);
+      for (const bool isTail : {true, false}) {
+        for (const CircuitTerm& term : isTail ? m_ttGraph.tailCircuit(mesh) : m_ttGraph.headCircuit(mesh))
+          rows[static_cast<std::size_t>(term.joint)][torques.size()] = term.coefficient < 0 ? "-1" : "1";
+        torques.push_back(torqueName(isTail ? tailChordName(pair) : headChordName(pair)));
+      }
+    }
+    paragraph(
+        "These cutsets as the rows of a matrix, the torques in the branches before the line, those of the "
+        "chords after it; loads and engaged couplings come in addition:");
+    equation(texMatrix(rows, m_graph.t()) + " " + texColumn(torques));
+    paragraph(
+        "The Matroid method's $Q$ has the same rows. A mesh is one edge there and has a chord to each gear "
+        "here, so its column of $Q$ is that of the chord of the head's gear less that of the tail's:");
+    std::vector<std::vector<std::string>> texts(static_cast<std::size_t>(q->rows()));
+    std::vector<std::string> edges;
+    for (int column = 0; column < q->columns(); ++column) {
+      edges.push_back("W_{" + std::to_string(q->columnHeading(column).label) + "}");
+      for (int row = 0; row < q->rows(); ++row)
+        texts[static_cast<std::size_t>(row)].push_back(std::to_string(q->entry(row, column)));
+    }
+    equation("Q \\, W = " + texMatrix(texts, q->partition()) + " " + texColumn(edges));
   }
 
   /// The chain from the loads back to the motors.

@@ -135,6 +135,19 @@ class ReportTest : public QObject {
     QVERIFY(markdown.find("\\tag{25*}") != std::string::npos);
     QVERIFY(reportLatex(report).find("\\tag{17*}") != std::string::npos);
     QVERIFY(reportHtml(report, {}).find("id=\"eq17-dual\">(17*)<") != std::string::npos);
+    // The cutset matrix of the T-T graph with its names, then Q of the Matroid method: mesh 16 leads from 5
+    // to 2, and its column of Q is that of the chord of gear 2 less that of gear 5.
+    const auto block = [&](const std::string& begin) {
+      const auto at = markdown.find(begin);
+      return at == std::string::npos ? std::string() : markdown.substr(at, 2500);
+    };
+    const std::string chords = block("These cutsets as the rows of a matrix");
+    QVERIFY2(chords.find("1 & 0 & 0 & 0 & 0 & 0 & 0 & 1 & 0 & 0 & 0 & 0 & 0 & 0 & 0") != std::string::npos,
+             chords.c_str());
+    QVERIFY(chords.find("M_{40}") < chords.find("M_{40}'"));
+    const std::string edges = block("Q \\, W = ");
+    QVERIFY2(edges.find("W_{8}") < edges.find("W_{18}"), edges.c_str());
+    QVERIFY2(edges.find("0 & 1 & 0 & 0 & 0 & 0 & 0 & 0 & -1 & 0 & 0") != std::string::npos, edges.c_str());
     // Without loads there is no such part.
     QVERIFY(numbered(reportOf(test::example("robot")), true).empty());
   }
