@@ -71,6 +71,15 @@ EfficiencyPage::EfficiencyPage(QWidget* parent)
   bar->addWidget(m_quantity);
   bar->addWidget(new QLabel(tr("over"), this));
   bar->addWidget(m_axis);
+  auto* remark = new QLabel(tr("The same at any torque"), this);
+  remark->setObjectName(QStringLiteral("efficiencyRemark"));
+  remark->setProperty("look", "hint");
+  remark->setToolTip(
+      tr("Losses of meshes are proportional to their power, whether an efficiency or a coefficient of "
+         "friction is "
+         "stated: all loads scaled alike leave the efficiency as it is, so there is no plot over the torque. "
+         "Of several loads only the proportions matter."));
+  bar->addWidget(remark);
   bar->addStretch(1);
   m_pages->addWidget(m_plot);
   m_pages->addWidget(m_empty);

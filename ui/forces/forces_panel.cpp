@@ -20,6 +20,7 @@
 #include "ui/forces/linked_table.h"
 #include "ui/forces/loads_list.h"
 #include "ui/forces/sideways_scroll.h"
+#include "ui/forces/twin_line.h"
 #include "ui/models/term_tips.h"
 #include "ui/panels/number_field.h"
 #include "ui/theme/application_theme.h"
@@ -88,6 +89,13 @@ ForcesPanel::ForcesPanel(Document* document, Selection* selection, ForcesService
   layout->addWidget(new SidewaysScroll(makeBar(), this));
   layout->addWidget(makeMiddle(), 1);
   layout->addWidget(new SidewaysScroll(makeTotals(), this));
+  m_twin = new TwinLine(selection, this);
+  auto* twin = new SidewaysScroll(m_twin, this);
+  twin->setVisible(false);
+  connect(m_twin, &TwinLine::filled, twin, &QWidget::setVisible);
+  // A table of few rows leaves room for what is below it.
+  m_pages->setMinimumHeight(scaledPixels(100));
+  layout->addWidget(twin);
   layout->addWidget(m_remark);
   layout->addWidget(m_explanation);
   setBackgroundRole(QPalette::Base);
@@ -233,6 +241,7 @@ void ForcesPanel::addTotal(QHBoxLayout* layout, const char* name, const QString&
   auto* value = new QLabel(this);
   value->setObjectName(QStringLiteral("total.") + QLatin1String(name));
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  value->setWhatsThis(meaning);
   addColumn(layout, text, meaning, value);
 }
 
@@ -304,6 +313,7 @@ void ForcesPanel::showForces() {
   showTotals();
   showRemark();
   m_table->selectRowOfSelection();
+  m_twin->show(forces());
   m_explanation->show(forces());
 }
 
@@ -348,8 +358,11 @@ QString ForcesPanel::whyEmpty() const {
   }
 }
 
-void ForcesPanel::setTotal(const char* name, const QString& text) {
-  findChild<QLabel*>(QStringLiteral("total.") + QLatin1String(name))->setText(text);
+void ForcesPanel::setTotal(const char* name, const QString& text, const QString& exact) {
+  auto* label = findChild<QLabel*>(QStringLiteral("total.") + QLatin1String(name));
+  label->setText(text);
+  const QString meaning = label->whatsThis();
+  label->setToolTip(exact.isEmpty() ? meaning : meaning + QLatin1Char('\n') + tr("Exactly %1").arg(exact));
 }
 
 QString ForcesPanel::total(const QString& name) const {
@@ -367,7 +380,7 @@ void ForcesPanel::showTotals() {
   const StaticsReport& report = *shown->report;
   m_share->setVisible(report.isSolved && report.lossless.indeterminate() > 0);
   if (report.agreement)
-    m_verdict->setText(report.agreement->equal ? tr("Matroid = T–T graph method, exactly")
+    m_verdict->setText(report.agreement->equal ? tr("both methods agree")
                                                : tr("The two methods do not agree"));
   if (!report.sums) return;
   setTotal("fed", numberText(report.sums->fed));
@@ -378,7 +391,8 @@ void ForcesPanel::showTotals() {
     if (!solution) return;
     if (solution->outcome == LossySolution::Outcome::selfLocking) return setTotal(name, tr("locks itself"));
     const auto value = sums ? sums->efficiency() : std::nullopt;
-    if (solution->outcome == LossySolution::Outcome::solved && value) setTotal(name, numberText(*value));
+    if (solution->outcome == LossySolution::Outcome::solved && value)
+      setTotal(name, numberText(*value), value->isExact() ? shownText(shownReal(*value)) : QString());
   };
   efficiency("forward", report.lossy, report.sums);
   efficiency("backward", report.backward, report.backwardSums);

@@ -26,6 +26,7 @@ class ExplanationLabel;
 class ForceTableModel;
 class LinkedTable;
 class LoadsList;
+class TwinLine;
 
 /// Torques, forces and powers of the newest snapshot: the loads, a table of what holds them, and what becomes
 /// of the power. A row is linked with the selection both ways. Documents without loads are solved only while
@@ -80,7 +81,8 @@ class ForcesPanel : public QWidget {
   void showForces();
   void showTotals();
   void showRemark();
-  void setTotal(const char* name, const QString& text);
+  /// `exact`: the number as a fraction, for the tooltip.
+  void setTotal(const char* name, const QString& text, const QString& exact = {});
   void fitLoads();
   [[nodiscard]] bool showsPlots() const;
   void showPage();
@@ -99,6 +101,7 @@ class ForcesPanel : public QWidget {
   EfficiencyPage* m_plots;
   QLabel* m_empty;
   QLabel* m_remark;
+  TwinLine* m_twin = nullptr;
   ExplanationLabel* m_explanation;
   QButtonGroup* m_chips = nullptr;
   QComboBox* m_states = nullptr;

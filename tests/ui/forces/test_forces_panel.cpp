@@ -102,8 +102,33 @@ class ForcesPanelTest : public QObject {
     type("meshEfficiency", "0.98");
     QCOMPARE(cell(1, "exact torque"), QStringLiteral("2401/100"));
     QCOMPARE(panel->total(QStringLiteral("forward")), QStringLiteral("0.971714"));
+    const auto* forward = panel->findChild<QLabel*>(QStringLiteral("total.forward"));
+    QVERIFY(forward->toolTip().endsWith(QLatin1String("Exactly 3401/3500")));
     QCOMPARE(panel->total(QStringLiteral("lost")), QStringLiteral("28.2857"));
+    type("meshEfficiency", " ");
+    QVERIFY(!forward->toolTip().contains(QLatin1String("Exactly")));
+    type("meshEfficiency", "0.98");
     QCOMPARE(panel->total(QStringLiteral("circulating")), QStringLiteral("none"));
+  }
+
+  /// An equation of speeds and its twin of torques, with the entry of P that both use.
+  void equationsStandBesideTheirTwins() {
+    auto* twin = panel->findChild<QLabel*>(QStringLiteral("twinLine"));
+    QVERIFY(!twin->isVisible());
+    open(set());
+    QTRY_VERIFY(twin->isVisible());
+    const Mechanism& mechanism = *document->mechanism();
+    selection.select({mechanism.turningJoints[1].id, mechanism.gearMeshes[1].id});
+    for (const char* words :
+         {"Row 10: speeds of mesh 10", "(17)", "Column 6: torque in joint 6", "(17*)", "here 25 N m", "P10"})
+      QVERIFY2(twin->text().contains(QLatin1String(words)), qPrintable(twin->text()));
+    QCOMPARE(twin->text().count(QStringLiteral("60]")), 3);  // in row, matrix and column
+    selection.select({mechanism.turningJoints[0].id});
+    QVERIFY2(twin->text().contains(QLatin1String("Row 9: speeds of mesh 9")), qPrintable(twin->text()));
+    // It follows the train with losses.
+    type("meshEfficiency", "0.98");
+    selection.select({mechanism.turningJoints[1].id});
+    QVERIFY2(twin->text().contains(QLatin1String("here 24.01 N m")), qPrintable(twin->text()));
   }
 
   void itDoesNotKeepTheWindowWide() {

@@ -2,6 +2,7 @@
 
 #include "core/teaching/force_tables/cutset_words.h"
 #include "core/teaching/force_tables/efficiency_table.h"
+#include "core/teaching/force_tables/twin_words.h"
 #include "tests/core/support/example_files.h"
 #include "tests/core/support/gearboxes.h"
 #include "tests/core/support/statics_case.h"
@@ -278,6 +279,56 @@ class TestForceTables : public QObject {
     const StaticsReport report = reportOf(train, options);
     QVERIFY(!report.lossless.isBalanced());
     for (const ForceTableKind kind : allForceTableKinds()) QVERIFY(tableOf(train, report, kind).rows.empty());
+  }
+
+  /// Row 10 of P holds the speeds of mesh 10, column 6 the torque in joint 6; they have 60 teeth in common.
+  void aRowAndAColumnHaveAnEntryInCommon() {
+    const Picture picture;
+    const StaticsCase train(picture.mechanism);
+    const StaticsReport report = reportOf(train, picture.options);
+    const auto twin = twinWords(train.mechanism, train.model, train.placement, report, 1, 1);
+    QVERIFY(twin);
+    QCOMPARE(twin->joints, (std::vector{1, 2, 3}));
+    QCOMPARE(twin->meshes, (std::vector{1}));
+    QCOMPARE(std::abs(twin->cells[0][0]), 60);
+    QVERIFY2(twin->speeds.ends_with(" = 0"), twin->speeds.c_str());
+    QCOMPARE(twin->torque, std::string("24.01"));
+    // Every row is an equation that the speeds fulfil.
+    for (int joint = 0; joint < train.model.t(); ++joint) {
+      const auto each = twinWords(train.mechanism, train.model, train.placement, report, joint, {});
+      QVERIFY(each && each->joint == joint);
+      Rational speeds;
+      const auto row = std::find(each->meshes.begin(), each->meshes.end(), each->mesh) - each->meshes.begin();
+      const std::vector<int>& cells = each->cells[static_cast<std::size_t>(row)];
+      for (std::size_t at = 0; at < cells.size(); ++at)
+        speeds += Rational(cells[at]) * (*report.motion)[static_cast<std::size_t>(each->joints[at])];
+      QVERIFY(speeds.isZero());
+    }
+    // By itself a mesh is shown with a joint of its cycle.
+    QCOMPARE(twinWords(train.mechanism, train.model, train.placement, report, {}, 0)->joint, 0);
+    QCOMPARE(twinWords(train.mechanism, train.model, train.placement, report, {}, {})->mesh, 0);
+  }
+
+  /// Without losses every column of P is a torque, with one force per tooth for each mesh.
+  void columnsOfTwinsAreTorques() {
+    Picture picture;
+    picture.options.losses = false;
+    const StaticsCase train(picture.mechanism);
+    const StaticsReport report = reportOf(train, picture.options);
+    const auto at = [&](int joint) {
+      return *twinWords(train.mechanism, train.model, train.placement, report, joint, {});
+    };
+    // Joint 5 has mesh 9 alone, joint 6 mesh 10 alone; both are in joint 7, where the sun's 10 and the ring's
+    // 25 N m are held by -35.
+    const double sun = 10.0 / at(0).cells[0][0];  // its row begins with joint 5
+    const double ring = 25.0 / at(1).cells[0][0];
+    const TwinWords carrier = at(2);
+    QCOMPARE(carrier.meshes, (std::vector{0, 1}));
+    const auto column =
+        std::size_t(std::find(carrier.joints.begin(), carrier.joints.end(), 2) - carrier.joints.begin());
+    const double held = carrier.cells[0][column] * sun + carrier.cells[1][column] * ring;
+    QVERIFY2(std::abs(held + 35) < 1e-9, qPrintable(QString::number(held)));
+    QCOMPARE(carrier.torque, std::string("-35"));
   }
 };
 

@@ -1,0 +1,105 @@
+#include "core/teaching/force_tables/twin_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/teaching/force_tables/cutset_words.h"
+
+namespace geargraph::inline force_tables {
+namespace {
+
+/// Of a sum: " + 60", " - 60"; the first without a plus.
+void addFactor(std::string& sum, bool isNegative, const std::string& text) {
+  sum += sum.empty() ? (isNegative ? "-" : "") : (isNegative ? " - " : " + ");
+  sum += text;
+}
+
+class Twin {
+ public:
+  Twin(const Mechanism& mechanism, const KinematicModel& model, const Placement& placement)
+      : m_mechanism(mechanism), m_matrix(mechanism, model, placement) {}
+
+  /// 0 where the row has no entry at the joint.
+  [[nodiscard]] int entry(int mesh, int joint) const {
+    for (const CoefficientMatrix::Entry& each : m_matrix.row(mesh))
+      if (each.joint == joint) return inTeeth(mesh, each);
+    return 0;
+  }
+  [[nodiscard]] std::optional<int> firstMesh(int joint) const {
+    for (int mesh = 0; mesh < m_matrix.rows(); ++mesh)
+      if (entry(mesh, joint) != 0) return mesh;
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<int> firstJoint(int mesh) const {
+    const auto row = m_matrix.row(mesh);
+    return row.empty() ? std::nullopt : std::optional(row.front().joint);
+  }
+
+  void fill(TwinWords& words) const {
+    for (const CoefficientMatrix::Entry& each : m_matrix.row(words.mesh)) words.joints.push_back(each.joint);
+    if (std::find(words.joints.begin(), words.joints.end(), words.joint) == words.joints.end())
+      words.joints.push_back(words.joint);
+    std::sort(words.joints.begin(), words.joints.end());
+    for (int mesh = 0; mesh < m_matrix.rows(); ++mesh)
+      if (mesh == words.mesh || entry(mesh, words.joint) != 0) words.meshes.push_back(mesh);
+    for (const int mesh : words.meshes) {
+      std::vector<int>& row = words.cells.emplace_back();
+      for (const int joint : words.joints) row.push_back(entry(mesh, joint));
+    }
+  }
+
+ private:
+  [[nodiscard]] int inTeeth(int mesh, const CoefficientMatrix::Entry& entry) const {
+    const GearMesh& gears = m_mechanism.gearMeshes[static_cast<std::size_t>(mesh)];
+    return entry.sign * (entry.tail ? gears.tailTeeth : gears.headTeeth);
+  }
+
+  const Mechanism& m_mechanism;
+  CoefficientMatrix m_matrix;
+};
+
+std::string speedsOf(const TwinWords& words, const Motion& motion) {
+  std::string sum;
+  const auto row = std::find(words.meshes.begin(), words.meshes.end(), words.mesh) - words.meshes.begin();
+  for (std::size_t column = 0; column < words.joints.size(); ++column) {
+    const int factor = words.cells[static_cast<std::size_t>(row)][column];
+    if (factor == 0) continue;
+    const Rational& speed = motion[static_cast<std::size_t>(words.joints[column])];
+    const double size = std::abs(speed.toDouble());
+    addFactor(sum, (factor < 0) != (speed.sign() < 0),
+              std::to_string(std::abs(factor)) + "\xC2\xB7" + shownNumber(size));
+  }
+  return sum + " = 0";
+}
+
+}  // namespace
+
+std::optional<TwinWords> twinWords(const Mechanism& mechanism, const KinematicModel& model,
+                                   const Placement& placement, const StaticsReport& report,
+                                   std::optional<int> joint, std::optional<int> mesh) {
+  if (model.c() == 0) return std::nullopt;
+  const Twin twin(mechanism, model, placement);
+  if (!mesh) mesh = joint ? twin.firstMesh(*joint) : std::optional(0);
+  if (!mesh) return std::nullopt;
+  if (!joint) joint = twin.firstJoint(*mesh);
+  if (!joint) return std::nullopt;
+  TwinWords words;
+  words.mesh = *mesh;
+  words.joint = *joint;
+  twin.fill(words);
+  if (report.motion) words.speeds = speedsOf(words, *report.motion);
+  if (const auto cutset = cutsetWords(mechanism, model, placement, report, *joint)) {
+    Real held;
+    bool isDetermined = true;
+    for (const CutsetTerm& term : cutset->terms) {
+      if (term.element.kind != ElementKind::gearMesh) continue;
+      held -= term.torque;
+      isDetermined = isDetermined && term.isDetermined;
+    }
+    if (isDetermined) words.torque = shownNumber(held.number());
+  }
+  return words;
+}
+
+}  // namespace geargraph::inline force_tables

@@ -1,0 +1,183 @@
+#include "ui/forces/twin_line.h"
+
+#include <QEvent>
+#include <algorithm>
+
+#include "core/teaching/force_tables/twin_words.h"
+#include "ui/models/term_tips.h"
+#include "ui/theme/application_theme.h"
+
+namespace geargraph::inline forces {
+namespace {
+
+constexpr std::size_t kMostColumns = 8;
+constexpr std::size_t kMostRows = 2;  ///< beside the equations there is room for no more
+
+QString signText(int factor) {
+  return factor < 0 ? QStringLiteral("\u2212") : QString();
+}
+
+/// Words of core with the minus sign of print.
+QString printed(const std::string& text) {
+  return shownText(text).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// Rich text of a pair of equations, in the colours of a theme.
+class TwinText {
+ public:
+  TwinText(const Mechanism& mechanism, const TwinWords& words, Theme theme)
+      : m_mechanism(mechanism), m_words(words), m_theme(theme) {}
+
+  [[nodiscard]] QString html() const {
+    return QStringLiteral(
+               "<table cellspacing=0 cellpadding=0><tr><td valign=top>%1</td><td width=20></td><td>%2"
+               "</td><td width=20></td><td valign=top>%3</td></tr></table>")
+        .arg(rowSide(), matrix(), columnSide());
+  }
+
+ private:
+  [[nodiscard]] QString color(ColorRole role) const { return qColor(role, m_theme).name(); }
+  [[nodiscard]] QString jointLabel(int joint) const { return QString::number(m_mechanism.jointLabel(joint)); }
+  [[nodiscard]] QString meshLabel(int mesh) const { return QString::number(m_mechanism.meshLabel(mesh)); }
+  [[nodiscard]] QString quiet(const QString& text) const {
+    return QStringLiteral("<span style='color:%1'>%2</span>").arg(color(ColorRole::secondary), text);
+  }
+  /// The entry that row and column have in common.
+  [[nodiscard]] QString framed(const QString& text) const {
+    return QStringLiteral("<span style='background:%1; color:%2; font-weight:bold'>&nbsp;[%3]&nbsp;</span> ")
+        .arg(color(ColorRole::halo), color(ColorRole::ink), text);
+  }
+  [[nodiscard]] int cell(int mesh, int joint) const {
+    const auto row = std::find(m_words.meshes.begin(), m_words.meshes.end(), mesh) - m_words.meshes.begin();
+    const auto column =
+        std::find(m_words.joints.begin(), m_words.joints.end(), joint) - m_words.joints.begin();
+    return m_words.cells[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+  }
+  /// "60 x" or " − 60 x".
+  [[nodiscard]] QString term(bool isFirst, int mesh, int joint, const QString& symbol) const {
+    const int factor = cell(mesh, joint);
+    const QString size = QString::number(std::abs(factor));
+    if (mesh == m_words.mesh && joint == m_words.joint)
+      return (isFirst ? QString() : QStringLiteral(" + ")) + framed(signText(factor) + size) + symbol;
+    const QString sign = isFirst      ? signText(factor)
+                         : factor < 0 ? QStringLiteral(" \u2212 ")
+                                      : QStringLiteral(" + ");
+    return sign + size + QLatin1Char(' ') + symbol;
+  }
+
+  [[nodiscard]] QString rowSide() const {
+    QString sum;
+    for (const int joint : m_words.joints)
+      if (cell(m_words.mesh, joint) != 0)
+        sum += term(sum.isEmpty(), m_words.mesh, joint,
+                    QStringLiteral("\u03B8\u0307<sub>%1</sub>").arg(jointLabel(joint)));
+    const QString title = TwinLine::tr("Row %1: speeds of mesh %1").arg(meshLabel(m_words.mesh));
+    return QStringLiteral("<p style='line-height:125%; margin:0'>") + quiet(title + QStringLiteral(" (17)")) +
+           QStringLiteral("<br>") + sum + QStringLiteral(" = 0<br>") + quiet(printed(m_words.speeds));
+  }
+
+  [[nodiscard]] QString columnSide() const {
+    QString sum;
+    for (const int mesh : m_words.meshes)
+      if (cell(mesh, m_words.joint) != 0)
+        sum += term(sum.isEmpty(), mesh, m_words.joint,
+                    QStringLiteral("\u03BC<sub>%1</sub>").arg(meshLabel(mesh)));
+    if (sum.isEmpty()) sum = QStringLiteral("0");
+    const QString title = TwinLine::tr("Column %1: torque in joint %1").arg(jointLabel(m_words.joint));
+    const QString number = m_words.torque.empty() ? TwinLine::tr("shared in unknown parts, or not held")
+                                                  : TwinLine::tr("here %1 N m").arg(printed(m_words.torque));
+    return QStringLiteral("<p style='line-height:125%; margin:0'>") +
+           quiet(title + QStringLiteral(" (17*)")) +
+           QStringLiteral("<br>\u03C4<sub>%1</sub> + \u2113<sub>%1</sub> = %2<br>")
+               .arg(jointLabel(m_words.joint), sum) +
+           quiet(number);
+  }
+
+  /// The mesh's row and another of the column, of wide rows the columns about the joint.
+  [[nodiscard]] QString matrix() const {
+    std::vector<int> meshes{m_words.mesh};
+    for (const int mesh : m_words.meshes)
+      if (mesh != m_words.mesh && meshes.size() < kMostRows) meshes.push_back(mesh);
+    std::sort(meshes.begin(), meshes.end());
+    std::vector<int> joints = m_words.joints;
+    while (joints.size() > kMostColumns)
+      joints.erase(joints.front() == m_words.joint ? joints.end() - 1 : joints.begin());
+    const QString tint = QStringLiteral(" bgcolor='%1'").arg(color(ColorRole::panel));
+    QString rows = QStringLiteral("<tr><td></td>");
+    for (const int joint : joints)
+      rows += QStringLiteral("<td align=right%1>%2</td>")
+                  .arg(joint == m_words.joint ? tint : QString(),
+                       joint == m_words.joint ? QStringLiteral("<b>%1</b>").arg(jointLabel(joint))
+                                              : quiet(jointLabel(joint)));
+    rows += QStringLiteral("</tr>");
+    for (const int mesh : meshes) {
+      const QString name = QLatin1Char('P') + meshLabel(mesh);
+      rows += QStringLiteral("<tr><td>%1</td>")
+                  .arg(mesh == m_words.mesh ? QStringLiteral("<b>%1</b>").arg(name) : quiet(name));
+      for (const int joint : joints) {
+        const int factor = cell(mesh, joint);
+        const QString text =
+            factor == 0 ? QStringLiteral("\u00B7") : signText(factor) + QString::number(std::abs(factor));
+        const bool isLit = mesh == m_words.mesh || joint == m_words.joint;
+        rows += QStringLiteral("<td align=right%1>%2</td>")
+                    .arg(isLit ? tint : QString(),
+                         mesh == m_words.mesh && joint == m_words.joint ? framed(text) : text);
+      }
+      rows += QStringLiteral("</tr>");
+    }
+    return QStringLiteral("<table cellspacing=0 cellpadding=2>%1</table>").arg(rows);
+  }
+
+  const Mechanism& m_mechanism;
+  const TwinWords& m_words;
+  Theme m_theme;
+};
+
+template <class Elements>
+std::optional<int> firstSelected(const Elements& elements, const std::set<ElementId>& selected) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (selected.contains(ElementId(elements[i].id))) return static_cast<int>(i);
+  return std::nullopt;
+}
+
+}  // namespace
+
+TwinLine::TwinLine(Selection* selection, QWidget* parent) : QLabel(parent), m_selection(selection) {
+  setObjectName(QStringLiteral("twinLine"));
+  setTextFormat(Qt::RichText);
+  setContentsMargins(12, 2, 12, 2);
+  setToolTip(tr(
+      "A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. "
+      "Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. "
+      "Select a joint or a mesh to see its own."));
+  constexpr int kQuarters = 15;  // of a line: three lines with dots above their letters
+  setMinimumHeight(kQuarters * fontMetrics().lineSpacing() / 4);
+  connect(selection, &Selection::selectionChanged, this, &TwinLine::renew);
+}
+
+void TwinLine::show(const ForcesPtr& forces) {
+  m_forces = forces;
+  renew();
+}
+
+void TwinLine::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) renew();
+}
+
+void TwinLine::renew() {
+  std::optional<TwinWords> words;
+  if (m_forces && m_forces->report && m_forces->report->isSolved) {
+    const Mechanism& mechanism = *m_forces->solved->mechanism;
+    const std::set<ElementId>& selected = m_selection->selected();
+    words =
+        twinWords(mechanism, *m_forces->solved->kinematics->model, m_forces->solved->kinematics->placement(),
+                  *m_forces->report, firstSelected(mechanism.turningJoints, selected),
+                  firstSelected(mechanism.gearMeshes, selected));
+    if (words) setText(TwinText(mechanism, *words, themeOf(palette())).html());
+  }
+  if (!words) clear();
+  emit filled(words.has_value());
+}
+
+}  // namespace geargraph::inline forces
