@@ -91,22 +91,28 @@ std::vector<SheetPoint> courseOf(const Curve& curve) {
 }
 
 BandPainter::BandPainter(const PowerPicture& picture, const DisplayList& drawing)
-    : m_picture(picture), m_drawn(extentOf(drawing)), m_taken(m_drawn.grown(kRoomAround)) {
+    : m_picture(picture),
+      m_largest(picture.largest),
+      m_drawn(extentOf(drawing)),
+      m_taken(m_drawn.grown(kRoomAround)) {
   addObstacles(m_taken, drawing);
   for (const Mark& mark : drawing.marks)
     if (std::holds_alternative<Text>(mark.what)) m_texts.push_back(extentOf(mark));
 }
 
 void BandPainter::add(Band band) {
-  if (band.course.size() > 1 && lengthOf(band.course) > 1e-3) m_bands.push_back(std::move(band));
+  if (band.course.size() < 2 || lengthOf(band.course) <= 1e-3) return;
+  // Flows that share a line add up.
+  if (band.isKnown) m_largest = std::max(m_largest, band.power);
+  m_bands.push_back(std::move(band));
 }
 
 void BandPainter::add(LossStub stub) {
-  if (stub.power > kLeastShown * kLeastShown * m_picture.largest) m_stubs.push_back(std::move(stub));
+  if (stub.power > kLeastShown * kLeastShown * m_largest) m_stubs.push_back(std::move(stub));
 }
 
 double BandPainter::widthOf(double power) const {
-  const double part = power / m_picture.largest;
+  const double part = power / m_largest;
   return part < kLeastShown ? kHairline : std::max(kHairline, kWidestBand * part);
 }
 
@@ -128,8 +134,8 @@ void BandPainter::drawBand(const Band& band) {
   const bool circulates = 2 * band.circulating > band.power;
   put(band.element, Fill{arrowOf(body.course.back(), body.end, width / 2 + 4),
                          (circulates ? Tint(ColorRole::accent) : band.tint).softened()});
-  if (band.circulating > kLeastShown * m_picture.largest) {
-    const double core = std::max(2.0, kWidestBand * band.circulating / m_picture.largest);
+  if (band.circulating > kLeastShown * m_largest) {
+    const double core = std::max(2.0, kWidestBand * band.circulating / m_largest);
     put(band.element,
         Stroke{Polyline{body.course, false}, Tint(ColorRole::accent).softened(), core, Dash::solid},
         kBandDepth + 1);
@@ -180,7 +186,7 @@ bool BandPainter::place(const ElementId& element, SheetPoint at, SheetPoint way,
 
 /// Beside its longest straight piece first.
 void BandPainter::label(const Band& band) {
-  if (!band.isKnown || !band.hasLabel || band.power < kLeastShown * m_picture.largest) return;
+  if (!band.isKnown || !band.hasLabel || band.power < kLeastShown * m_largest) return;
   struct Piece {
     SheetPoint from;
     SheetPoint to;
@@ -202,27 +208,28 @@ void BandPainter::label(const Band& band) {
   }
 }
 
-/// Where there is most room: a short arrow first, then a longer one; one that crosses a text before none.
+/// A short arrow first, then a longer one; none where each of them would cross a text.
 void BandPainter::drawStub(const LossStub& stub) {
-  for (const bool mayCross : {false, true})
-    for (const double length : {26.0, 40.0, 56.0})
-      for (const double turn :
-           {2.6, 0.5, -2.6, -0.5, 3.14, 0.0, 1.57, -1.57, 2.1, -2.1, 1.05, -1.05, 2.9, -2.9, 0.25, -0.25})
-        if (tryStub(stub, {std::cos(turn), std::sin(turn)}, length, mayCross)) return;
+  for (const double length : {26.0, 40.0, 56.0})
+    for (const double turn :
+         {2.6, 0.5, -2.6, -0.5, 3.14, 0.0, 1.57, -1.57, 2.1, -2.1, 1.05, -1.05, 2.9, -2.9, 0.25, -0.25})
+      if (tryStub(stub, {std::cos(turn), std::sin(turn)}, length)) return;
 }
 
-bool BandPainter::tryStub(const LossStub& stub, SheetPoint way, double length, bool mayCross) {
+bool BandPainter::tryStub(const LossStub& stub, SheetPoint way, double length) {
   constexpr double kHead = 7;
   const SheetPoint from = stub.at + 8 * way;
   const SheetPoint to = from + length * way;
   const std::string text = powerText(stub.power) + " lost";
   const double halfWidth = textWidth(text, kLabelSize - 1, false) / 2;
-  const Extent box{to + (halfWidth * std::abs(way.x) + kLabelSize / 2 * std::abs(way.y) + 4) * way, halfWidth,
-                   kLabelSize / 2};
+  // The text begins where the arrow ends.
+  const double reach =
+      std::min(halfWidth / std::max(std::abs(way.x), 1e-9), kLabelSize / 2 / std::max(std::abs(way.y), 1e-9));
+  const Extent box{to + (reach + 4) * way, halfWidth, kLabelSize / 2};
   const bool crossesText = std::any_of(m_texts.begin(), m_texts.end(), [&](const Extent& each) {
     return each.grown(1).meetsSegment(from, to);
   });
-  if ((crossesText && !mayCross) || m_taken.touches(box, kLabelGap)) return false;
+  if (crossesText || m_taken.touches(box, kLabelGap)) return false;
   put(stub.element, Stroke{Polyline{{from, to - kHead * way}, false}, ColorRole::secondary, 1.6, Dash::solid},
       kBandDepth + 2);
   put(stub.element, Fill{arrowOf(to - kHead * way, to, 3.4), ColorRole::secondary}, kBandDepth + 2);
@@ -255,7 +262,7 @@ void BandPainter::drawLegend() {
                  Tint(ColorRole::secondary).softened(), kWidestBand, Dash::solid});
   put({}, Fill{arrowOf({left + 20, line - 4}, {left + 34, line - 4}, kWidestBand / 2 + 4),
                Tint(ColorRole::secondary).softened()});
-  double next = words(powerText(m_picture.largest), left + 42, true, ColorRole::ink);
+  double next = words(powerText(m_largest), left + 42, true, ColorRole::ink);
   next = words(m_picture.observer == 0 ? "seen from the ground"
                                        : "seen from link " + std::to_string(m_picture.observer),
                next + 10, false, ColorRole::secondary);

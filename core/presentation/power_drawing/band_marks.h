@@ -50,7 +50,7 @@ class BandPainter {
  private:
   void drawBand(const Band& band);
   void drawStub(const LossStub& stub);
-  bool tryStub(const LossStub& stub, SheetPoint way, double length, bool mayCross);
+  bool tryStub(const LossStub& stub, SheetPoint way, double length);
   void label(const Band& band);
   void drawLegend();
   void put(const ElementId& element, std::variant<Stroke, Fill, Text> what, int z = kBandDepth);
@@ -58,6 +58,7 @@ class BandPainter {
              const std::string& plain);
 
   const PowerPicture& m_picture;
+  double m_largest;  ///< W, of all bands: the widest
   Extent m_drawn;
   ObstacleGrid m_taken;
   std::vector<Extent> m_texts;  ///< of the drawing and of the labels so far

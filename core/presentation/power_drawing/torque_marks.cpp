@@ -71,9 +71,10 @@ class ChipDrawer {
             extentOf(drawing).united(under.marks.empty() ? extentOf(drawing) : extentOf(under)).grown(160)) {
     addObstacles(m_taken, drawing);
     addObstacles(m_taken, under);
+    constexpr double kHalfGap = 3;  // a line between the two parts of one label crosses it, too
     for (const DisplayList* list : {&drawing, &under})
       for (const Mark& mark : list->marks)
-        if (std::holds_alternative<Text>(mark.what)) m_texts.push_back(extentOf(mark));
+        if (std::holds_alternative<Text>(mark.what)) m_texts.push_back(extentOf(mark).grown(kHalfGap));
   }
 
   void draw(const ShownTorque& torque, SheetPoint anchor) {
@@ -113,8 +114,9 @@ class ChipDrawer {
   /// one across half the sheet.
   [[nodiscard]] Extent freePlace(SheetPoint anchor, const Extent& size) const {
     constexpr double kLongLine = 140;
+    constexpr double kLongerLine = 200;
     constexpr double kFarthest = 400;
-    if (const auto clear = placeWithin(kLongLine, anchor, size, true)) return *clear;
+    if (const auto clear = placeWithin(kLongerLine, anchor, size, true)) return *clear;
     if (const auto crossing = placeWithin(kLongLine, anchor, size, false)) return *crossing;
     if (const auto far = placeWithin(kFarthest, anchor, size, false)) return *far;
     Extent beyond = size;
