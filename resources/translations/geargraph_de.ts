@@ -1020,10 +1020,6 @@
         <translation>Es gibt nichts zu zeigen.</translation>
     </message>
     <message>
-        <source>Matroid = T–T graph method, exactly</source>
-        <translation>Matroid- = T–T-Graph-Verfahren, exakt</translation>
-    </message>
-    <message>
         <source>The two methods do not agree</source>
         <translation>Die beiden Verfahren stimmen nicht überein</translation>
     </message>
@@ -5743,6 +5739,42 @@ Ziehen ändert die Last; W tippt sie ein</translation>
     <message>
         <source>Other questions, or another seed</source>
         <translation>Andere Fragen oder ein anderer Startwert</translation>
+    </message>
+    <message>
+        <source>The same at any torque</source>
+        <translation>Bei jedem Moment gleich</translation>
+    </message>
+    <message>
+        <source>Losses of meshes are proportional to their power, whether an efficiency or a coefficient of friction is stated: all loads scaled alike leave the efficiency as it is, so there is no plot over the torque. Of several loads only the proportions matter.</source>
+        <translation>Die Verluste von Zahneingriffen sind ihrer Leistung proportional, ob ein Wirkungsgrad oder eine Reibungszahl angegeben ist: werden alle Lasten gleich skaliert, bleibt der Wirkungsgrad, wie er ist; daher gibt es kein Diagramm über dem Moment. Bei mehreren Lasten zählen nur die Verhältnisse.</translation>
+    </message>
+    <message>
+        <source>Exactly %1</source>
+        <translation>Genau %1</translation>
+    </message>
+    <message>
+        <source>both methods agree</source>
+        <translation>beide Methoden stimmen überein</translation>
+    </message>
+    <message>
+        <source>Row %1: speeds of mesh %1</source>
+        <translation>Zeile %1: Drehzahlen von Zahneingriff %1</translation>
+    </message>
+    <message>
+        <source>Column %1: torque in joint %1</source>
+        <translation>Spalte %1: Moment in Gelenk %1</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts, or not held</source>
+        <translation>zu unbekannten Teilen geteilt, oder nicht gehalten</translation>
+    </message>
+    <message>
+        <source>here %1 N m</source>
+        <translation>hier %1 N m</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
+        <translation>Eine Zeile von P enthält die Drehzahlen eines Zahneingriffs, eine Spalte das Moment in einem Gelenk: der eingerahmte Eintrag steht in beiden. Einträge zählen Zähne; μ ist die Kraft eines Zahneingriffs je Zahn, ℓ was Lasten auf Gliedern beitragen. Wählen Sie ein Gelenk oder einen Zahneingriff, um dessen Gleichungen zu sehen.</translation>
     </message>
 </context>
 <context>

@@ -1020,10 +1020,6 @@
         <translation>No hay nada que mostrar.</translation>
     </message>
     <message>
-        <source>Matroid = T–T graph method, exactly</source>
-        <translation>Método de matroides = grafo T–T, exacto</translation>
-    </message>
-    <message>
         <source>The two methods do not agree</source>
         <translation>Los dos métodos no coinciden</translation>
     </message>
@@ -5743,6 +5739,42 @@ Arrastrar cambia la carga; W la escribe</translation>
     <message>
         <source>Other questions, or another seed</source>
         <translation>Otras preguntas u otra semilla</translation>
+    </message>
+    <message>
+        <source>The same at any torque</source>
+        <translation>Igual con cualquier momento</translation>
+    </message>
+    <message>
+        <source>Losses of meshes are proportional to their power, whether an efficiency or a coefficient of friction is stated: all loads scaled alike leave the efficiency as it is, so there is no plot over the torque. Of several loads only the proportions matter.</source>
+        <translation>Las pérdidas de los engranes son proporcionales a su potencia, tanto si se indica un rendimiento como un coeficiente de rozamiento: si todas las cargas cambian en la misma proporción, el rendimiento no varía; por eso no hay gráfico sobre el momento. Con varias cargas solo importan las proporciones.</translation>
+    </message>
+    <message>
+        <source>Exactly %1</source>
+        <translation>Exactamente %1</translation>
+    </message>
+    <message>
+        <source>both methods agree</source>
+        <translation>ambos métodos coinciden</translation>
+    </message>
+    <message>
+        <source>Row %1: speeds of mesh %1</source>
+        <translation>Fila %1: velocidades del engrane %1</translation>
+    </message>
+    <message>
+        <source>Column %1: torque in joint %1</source>
+        <translation>Columna %1: momento en el par %1</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts, or not held</source>
+        <translation>repartido en partes desconocidas, o sin equilibrar</translation>
+    </message>
+    <message>
+        <source>here %1 N m</source>
+        <translation>aquí %1 N m</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
+        <translation>Una fila de P contiene las velocidades de un engrane, una columna el momento en un par: la entrada enmarcada está en ambas. Las entradas cuentan dientes; μ es la fuerza de un engrane por diente, ℓ lo que aportan las cargas en eslabones. Seleccione un par o un engrane para ver los suyos.</translation>
     </message>
 </context>
 <context>

@@ -1020,10 +1020,6 @@
         <translation>Gösterilecek bir şey yok.</translation>
     </message>
     <message>
-        <source>Matroid = T–T graph method, exactly</source>
-        <translation>Matroid = T–T grafı yöntemi, tam olarak</translation>
-    </message>
-    <message>
         <source>The two methods do not agree</source>
         <translation>İki yöntem uyuşmuyor</translation>
     </message>
@@ -5742,6 +5738,42 @@ Sürüklemek yükü değiştirir; W ile yazılır</translation>
     <message>
         <source>Other questions, or another seed</source>
         <translation>Başka sorular ya da başka bir başlangıç değeri</translation>
+    </message>
+    <message>
+        <source>The same at any torque</source>
+        <translation>Her torkta aynı</translation>
+    </message>
+    <message>
+        <source>Losses of meshes are proportional to their power, whether an efficiency or a coefficient of friction is stated: all loads scaled alike leave the efficiency as it is, so there is no plot over the torque. Of several loads only the proportions matter.</source>
+        <translation>Verim de verilse sürtünme katsayısı da verilse dişli çiftlerinin kayıpları güçleriyle orantılıdır: bütün yükler aynı oranda değişirse verim aynı kalır, bu yüzden torka göre çizim yoktur. Birden çok yükte yalnızca oranları önemlidir.</translation>
+    </message>
+    <message>
+        <source>Exactly %1</source>
+        <translation>Tam olarak %1</translation>
+    </message>
+    <message>
+        <source>both methods agree</source>
+        <translation>iki yöntem de aynı sonucu verir</translation>
+    </message>
+    <message>
+        <source>Row %1: speeds of mesh %1</source>
+        <translation>Satır %1: %1 dişli çiftinin hızları</translation>
+    </message>
+    <message>
+        <source>Column %1: torque in joint %1</source>
+        <translation>Sütun %1: %1 mafsalındaki tork</translation>
+    </message>
+    <message>
+        <source>shared in unknown parts, or not held</source>
+        <translation>bilinmeyen paylarla bölüşülüyor ya da tutulmuyor</translation>
+    </message>
+    <message>
+        <source>here %1 N m</source>
+        <translation>burada %1 N m</translation>
+    </message>
+    <message>
+        <source>A row of P holds the speeds of a mesh, a column the torque in a joint: the framed entry is in both. Entries count teeth; μ is the force of a mesh for each tooth, ℓ what loads on links add. Select a joint or a mesh to see its own.</source>
+        <translation>P&apos;nin bir satırı bir dişli çiftinin hızlarını, bir sütunu bir mafsaldaki torku içerir: çerçeveli eleman ikisinde de vardır. Elemanlar diş sayısıdır; μ bir dişli çiftinin diş başına kuvveti, ℓ uzuvlardaki yüklerin katkısıdır. Kendi denklemlerini görmek için bir mafsal ya da dişli çifti seçin.</translation>
     </message>
 </context>
 <context>
