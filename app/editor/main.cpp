@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
   const ActionRecorder recorder(nullptr);
   WindowSet windows(WindowSet::defaultFolder());
   windows.start(line.documents);
-  // Where nothing was asked for and nothing is opened again, somebody may be here for the first time.
+  // Where nothing was asked for and nothing is opened again, this may be the first time that the program is
+  // used.
   if (MainWindow* first = windows.windows().front();
       line.documents.isEmpty() && first->startPage().isVisible())
     first->help().offerTour();

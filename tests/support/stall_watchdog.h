@@ -93,7 +93,7 @@ class StallWatchdog : public QObject {
   QString m_postedActivity;  ///< that went on when the event was posted
   std::map<QString, Stall> m_longest;
   std::chrono::milliseconds m_hang{};
-  std::function<void(const QString&)> m_onHang;  ///< empty: nobody asks, or was told
+  std::function<void(const QString&)> m_onHang;  ///< empty: not asked for, or told already
   std::jthread m_watcher;                        ///< last: it starts when all else is there
 };
 

@@ -270,7 +270,7 @@ class DrawingView : public QGraphicsView {
   QPointF m_panFrom;
   bool m_spaceDown = false;
   bool m_spaceUsed = false;
-  bool m_fitted = true;                ///< nobody has moved the drawing: it fills the window
+  bool m_fitted = true;                ///< the drawing was not moved: it fills the window
   bool m_themeChosen = false;          ///< setTheme() was called: the palette does not decide any more
   bool m_hovering = false;             ///< what is hovered is under our mouse
   bool m_showsFocus = false;           ///< the focus came by a key

@@ -30,7 +30,7 @@ class MotionPage : public QWidget {
  public:
   MotionPage(Selection* selection, View3D* view, QWidget* parent = nullptr);
 
-  /// Of the mechanism now; null: none.
+  /// That of the mechanism now; null: none.
   void show(const DynamicsPtr& dynamics);
   /// The mechanism is another one: motions of the last one go.
   void forget();

@@ -24,7 +24,7 @@ class ExercisesDialog : public QDialog {
 
   /// What is asked about from now on; what was chosen stays chosen.
   void setMechanism(const MechanismPtr& mechanism);
-  /// Of the kinds that are chosen; without any where nothing can be asked.
+  /// What is asked with the kinds that are chosen; without kinds where nothing can be asked.
   [[nodiscard]] SheetPlan plan() const;
   [[nodiscard]] QListWidget& kinds() { return *m_kinds; }
   [[nodiscard]] bool isUpToDate() const { return m_service->isComplete(); }

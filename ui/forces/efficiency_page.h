@@ -30,7 +30,7 @@ class EfficiencyPage : public QWidget {
  public:
   explicit EfficiencyPage(QWidget* parent = nullptr);
 
-  /// Of the newest answer; null: none.
+  /// That of the newest answer; null: none.
   void show(const ForcesPtr& forces);
 
   [[nodiscard]] bool isUpToDate() const { return m_curves->isComplete(); }
@@ -58,7 +58,7 @@ class EfficiencyPage : public QWidget {
   [[nodiscard]] EfficiencyPlot::Sheet sheetOf(const FollowedEfficiency& followed) const;
 
   ForcesPtr m_forces;
-  std::optional<CurveAxis> m_wantedAxis;  ///< that somebody chose
+  std::optional<CurveAxis> m_wantedAxis;  ///< that was chosen
   Curves* m_curves;
   QComboBox* m_axis;
   QComboBox* m_quantity;

@@ -17,7 +17,7 @@ class ExplanationLabel : public QLabel {
   explicit ExplanationLabel(Selection* selection, QWidget* parent = nullptr);
 
   void show(const ForcesPtr& forces);
-  /// Nothing is explained, and nothing lit, while nobody sees it.
+  /// Nothing is explained, and nothing lit, while it cannot be seen.
   void setAwake(bool awake);
 
  private:

@@ -77,11 +77,10 @@ LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* pare
   auto* answers = new QVBoxLayout(page);
   answers->setContentsMargins(20, 0, 16, 4);
   answers->addWidget(m_form);
-  answers->addWidget(makeButtons());
-  answers->addWidget(m_result);
-  answers->addWidget(m_hintText);
-  answers->addStretch(1);
+  // As high as the form, where there is room: the verdict stays on the screen below it.
   m_scroll = new QScrollArea(this);
+  m_scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  m_scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
   m_scroll->setWidget(page);
@@ -99,7 +98,14 @@ LessonPanel::LessonPanel(Document* document, Selection* selection, QWidget* pare
   layout->setSpacing(4);
   layout->addWidget(makeHead());
   layout->addWidget(m_text);
-  layout->addWidget(m_scroll, 1);
+  layout->addWidget(m_scroll);
+  auto* told = new QVBoxLayout;
+  told->setContentsMargins(20, 0, 16, 4);
+  told->addWidget(makeButtons());
+  told->addWidget(m_result);
+  told->addWidget(m_hintText);
+  layout->addLayout(told);
+  layout->addStretch(1);
   layout->addLayout(ends);
   m_service->onAnswer(this, [this](const LessonAnswerPtr& answer) { onAnswer(answer); });
   connect(m_service, &LessonService::failed, this, &LessonPanel::showFault);

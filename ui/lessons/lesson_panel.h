@@ -43,7 +43,7 @@ class LessonPanel : public QWidget {
   void goTo(int step);
 
   [[nodiscard]] const LessonPtr& lesson() const { return m_lesson; }
-  /// Questions of a sheet, not a lesson that somebody wrote.
+  /// Questions of a sheet, not a lesson that an author wrote.
   [[nodiscard]] bool isPractice() const { return m_lesson->id.empty(); }
   [[nodiscard]] int step() const { return m_progress.step; }
   [[nodiscard]] State state() const { return m_state; }

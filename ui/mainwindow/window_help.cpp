@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kTourOffered = "tourOffered";
 
-/// Of a widget in a dialog, also where the dialog is another one's: the window it belongs to in the end.
+/// The window that a widget of a dialog belongs to in the end, also where the dialog is another one's.
 const QWidget* outermost(const QWidget* widget) {
   while (widget->parentWidget() != nullptr) widget = widget->parentWidget();
   return widget;

@@ -15,10 +15,10 @@ namespace geargraph::inline platform {
 [[nodiscard]] int processId();
 /// Is there a process of this number? Portable: only this one is known.
 [[nodiscard]] bool isProcessRunning(int id);
-/// Where this program is. Portable: empty, as nobody knows.
+/// Where this program is. Portable: empty.
 [[nodiscard]] std::filesystem::path programPath();
 
-/// From now on the calling thread takes of the processors what others leave: for work that nobody waits for
+/// From now on the calling thread takes of the processors what others leave: for work that is not waited for
 /// while there is other work. It still gets on where others never rest. Portable: nothing.
 void lowerThreadPriority();
 

@@ -65,7 +65,7 @@ std::string matrixTable(const IntegerMatrix& matrix) {
   return text + scrolled(name, table + "</tbody></table>");
 }
 
-/// An entry of P: exact where the radius is a fraction, else four digits behind the point.
+/// An entry of P: exact where the radius is a fraction, else four decimal places.
 std::string lengthText(const CoefficientMatrix& matrix, int mesh, const CoefficientMatrix::Entry& entry) {
   if (const auto radius = matrix.exactRadius(mesh, entry.tail))
     return (entry.length < 0 ? "-" : "") + radius->toString();

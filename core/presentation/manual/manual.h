@@ -33,7 +33,7 @@ struct ManualPage {
 [[nodiscard]] const std::vector<ManualPage>& manualPages();
 /// Null where there is no page of this id.
 [[nodiscard]] const ManualPage* manualPage(std::string_view id);
-/// Of the term in the page "glossary": "cycle-basis-matrix".
+/// Anchor of the term in the page "glossary": "cycle-basis-matrix".
 [[nodiscard]] std::string anchorOf(Term term);
 
 /// A title as the name of a page or anchor: small ASCII letters, digits, and single hyphens for all else.

@@ -36,7 +36,7 @@ constexpr int kMostTypesetInputs = 6;
 /// "from its solids", "stated", ...: where a link's mass comes from, for people.
 [[nodiscard]] std::string massSourceText(MassSource source);
 
-/// A number of TeX with so many digits: "0.0123", "1.5\cdot 10^{-7}".
+/// A number in TeX with this many digits: "0.0123", "1.5\cdot 10^{-7}".
 [[nodiscard]] std::string texNumber(double value, int digits = 4);
 
 }  // namespace geargraph::inline dynamics_tables

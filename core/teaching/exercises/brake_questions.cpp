@@ -246,7 +246,7 @@ class BrakeQuestion {
     return m_largest.size() == (Rational(1) + state.driven).abs();
   }
 
-  /// Of the clutches on links that turn on the ground the one of the largest speed, where there is one.
+  /// The clutch of the largest speed among those on links that turn on the ground, where there is one.
   [[nodiscard]] std::optional<Carried> fastestClutch() const {
     const int position = m_largest.state->state;
     const auto& rates = m_source.engagedSets(position)[*m_source.setOfState(position)].solution.rates;

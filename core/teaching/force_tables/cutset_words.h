@@ -25,7 +25,7 @@ struct CutsetWords {
   [[nodiscard]] std::vector<ElementId> elements() const;
 };
 
-/// Nothing where there is no equilibrium. Cost: O(n + c).
+/// Empty where there is no equilibrium. Cost: O(n + c).
 /// @pre all of one mechanism; `joint` is one of its turning joints
 [[nodiscard]] std::optional<CutsetWords> cutsetWords(const Mechanism& mechanism, const KinematicModel& model,
                                                      const Placement& placement, const StaticsReport& report,

@@ -9,7 +9,7 @@
 namespace geargraph::inline force_tables {
 namespace {
 
-/// Of a sum: " + 60", " - 60"; the first without a plus.
+/// A term of a sum: " + 60", " - 60"; the first without a plus.
 void addFactor(std::string& sum, bool isNegative, const std::string& text) {
   sum += sum.empty() ? (isNegative ? "-" : "") : (isNegative ? " - " : " + ");
   sum += text;

@@ -58,7 +58,7 @@ struct DerivedTable {
   [[nodiscard]] DerivedTable transposed() const;
 };
 
-/// Nothing where the mechanism has no such matrix: its turning joints are no spanning tree, or a mesh has no
+/// Empty where the mechanism has no such matrix: its turning joints are no spanning tree, or a mesh has no
 /// geometry. P is in ratios with the head's gear at 1, Eq. (24), its joints in the order of labels; the
 /// solution has the outputs by label and the inputs in the order of the document, Eq. (25).
 /// Cost: that of the matrix; of the solution one in symbols.

@@ -51,7 +51,7 @@ bool isCycle(const Digraph& graph, const std::vector<int>& senses) {
 }
 
 /// The edges of the tree whose fundamental cycles the rows are: each row has an edge that no other has.
-/// Nothing where it is the tree of the turning joints, for which the labels of the rows count.
+/// Empty where it is the tree of the turning joints, for which the labels of the rows count.
 std::optional<std::vector<int>> treeOfCycles(const Digraph& graph, const WholeNumbers& cycles) {
   std::vector<char> isChord(static_cast<std::size_t>(graph.edgeCount()), 0);
   for (std::size_t row = 0; row < cycles.size(); ++row) {

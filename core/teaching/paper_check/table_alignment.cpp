@@ -51,7 +51,7 @@ struct Scale {
   }
 };
 
-/// Finds rows and columns by refinement: columns stay together as long as the rows matched so far cannot tell
+/// Finds rows and columns by refinement: columns stay together while the rows matched so far cannot tell
 /// them apart.
 class AlignmentSearch {
  public:

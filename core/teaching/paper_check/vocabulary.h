@@ -35,9 +35,9 @@ class Vocabulary {
 
   [[nodiscard]] const RatioRingPtr& ring() const { return m_ring; }
   [[nodiscard]] const ExerciseSource& source() const { return m_source; }
-  /// Nothing where the mechanism has no such number; `fault` then says why.
+  /// Empty where the mechanism has no such number; `fault` then says why.
   [[nodiscard]] std::optional<NamedValue> value(const WrittenName& name, std::string& fault) const;
-  /// Nothing where it is no velocity, or one that is no sum of rates: about several directions.
+  /// Empty where it is no velocity, or one that is no sum of rates: about several directions.
   [[nodiscard]] std::optional<RateSum> rate(const WrittenName& name, std::string& fault) const;
   [[nodiscard]] static bool isRate(const WrittenName& name) {
     return name.base == "theta" || name.base == "w";

@@ -385,7 +385,7 @@ class ForcesPanelTest : public QObject {
     type("meshEfficiency", "0.98");
     QTRY_VERIFY(panel->isUpToDate());
     QCOMPARE(axis->count(), 2);
-    QCOMPARE(axis->currentIndex(), 0);  // the ratio of speeds tells more, unless somebody chose
+    QCOMPARE(axis->currentIndex(), 0);  // the ratio of speeds tells more, unless it was chosen
     QTRY_VERIFY(panel->isUpToDate() && plots.followed()->curve.axis == CurveAxis::speedRatio);
     const EfficiencyPlot::Sheet& sheet = plots.plot().sheet();
     QVERIFY(sheet.across.contains("joint"));

@@ -10,7 +10,7 @@ using namespace geargraph::test;
 
 namespace {
 
-/// A pair of spur gears, as somebody writes it by hand.
+/// A pair of spur gears, as it is written by hand.
 const std::string kPair =
     "element,id,tail,head,axis,tailTeeth,headTeeth,x,y,z\n"
     "link,0,,,,,,,,\n"

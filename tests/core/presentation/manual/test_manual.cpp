@@ -40,7 +40,7 @@ class ManualTest : public QObject {
                                return QString::fromStdString(section.anchor) == anchor;
                              }));
   }
-  /// Of the glossary's page: the HTML of one term.
+  /// The HTML of one term on the page of the glossary.
   static std::string entryOf(Term term) {
     const std::string& html = manualPages().back().html;
     const std::size_t start = html.find("<h2 id=\"" + anchorOf(term) + "\"");
